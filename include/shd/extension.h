@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief For libraries built on shd (libshd_color and libshd_io are two): handles, errors, memory and tasks
+ *        with the same guarantees as libshd's own.
+ *
+ * Thread safety: any thread.
+ */
+#ifndef SHD_EXTENSION_H
+#define SHD_EXTENSION_H
+
+#include <shd/context.h>
+#include <shd/framebuffer.h>
+
+SHD_BEGIN_DECLS
+
+/**
+ * Store `message` as the calling thread's shd_last_error() and return `result`. Copied; cut at 1023 bytes;
+ * not a format string.
+ * @since 0.1
+ */
+SHD_API shd_result shd_report_error(shd_result result, const char *message);
+
+/** Memory from the context's allocator; NULL when it has none, size is 0 or the handle is bad. @since 0.1 */
+SHD_API void *shd_context_allocate(shd_context *context, size_t size, size_t alignment);
+
+/** Give memory back with the size and alignment it was asked with; NULL is ignored. @since 0.1 */
+SHD_API void shd_context_free(shd_context *context, void *memory, size_t size, size_t alignment);
+
+/** Write a line to the context's log. @since 0.1 */
+SHD_API void shd_context_log(shd_context *context, shd_log_level level, const char *message);
+
+/** Run tasks on the context's executor, with IEEE default floating-point control. @since 0.1 */
+SHD_NODISCARD SHD_API shd_result shd_context_parallel_for(shd_context *context, uint32_t count, shd_task_fn task,
+                                                          void *task_data);
+
+/** A handle of the extension's own type. */
+typedef struct shd_object shd_object;
+
+/**
+ * Make a handle in the context's slabs, with one owned reference.
+ * @param type        four characters that name the type, such as 'COLR' packed big-endian; above 0xffff
+ * @param body        what the handle stands for
+ * @param destroy     called with `body` when the last reference goes, on that thread; must not throw
+ * @param out_object  owned; NULL on failure, and then `destroy` is not called
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_object_create(shd_context *context, uint32_t type, void *body,
+                                                   void (*destroy)(void *body), shd_object **out_object);
+
+/** Body of a live handle of that type; NULL, with the error text set, for any other pointer value. @since 0.1 */
+SHD_API void *shd_object_body(const shd_object *object, uint32_t type);
+
+/** The context a handle belongs to; borrowed; NULL for a bad handle. @since 0.1 */
+SHD_API shd_context *shd_object_context(const shd_object *object);
+
+/** The context a framebuffer belongs to; borrowed; NULL for a bad handle. @since 0.1 */
+SHD_API shd_context *shd_framebuffer_context(const shd_framebuffer *framebuffer);
+
+/** Add a reference; NULL is ignored. @since 0.1 */
+SHD_API void shd_object_retain(shd_object *object, uint32_t type);
+
+/** Drop a reference; NULL is ignored. @since 0.1 */
+SHD_API void shd_object_release(shd_object *object, uint32_t type);
+
+SHD_END_DECLS
+
+#endif /* SHD_EXTENSION_H */

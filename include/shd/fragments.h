@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Columns that a fragment program reads and writes.
+ *
+ * Thread safety: a program runs on any worker of the executor, several calls at once; it must not throw
+ * or longjmp. Floating-point control is the IEEE default while it runs.
+ */
+#ifndef SHD_FRAGMENTS_H
+#define SHD_FRAGMENTS_H
+
+#include <shd/base.h>
+
+SHD_BEGIN_DECLS
+
+/**
+ * Points to shade, one row each, packed columns of `count` elements; borrowed for the call.
+ * At Phong frequency a row is a visible fragment, at Gouraud a vertex, at flat a triangle's centroid; for
+ * the latter two x, y, depth and the derivatives are 0.
+ */
+typedef struct shd_fragments {
+    uint32_t struct_size;     /**< of the library's struct */
+    uint32_t draw;            /**< index into shd_render_desc.draws; the same for every row */
+    size_t count;             /**< rows */
+    const float *x;           /**< raster position of the pixel centre, pixels from the left edge */
+    const float *y;           /**< raster position, pixels from the top edge */
+    const float *depth;       /**< depth-buffer value, 0 near .. 1 far */
+    const float *px, *py, *pz; /**< position, world space */
+    const float *nx, *ny, *nz; /**< shading normal, world space, unit */
+    const float *ox, *oy, *oz; /**< wo: towards the eye, world space, unit (0 at the eye itself) */
+    const float *u, *v;       /**< texture coordinates, perspective-correct */
+    const float *dudx, *dvdx; /**< analytic derivatives along one pixel to the right */
+    const float *dudy, *dvdy; /**< analytic derivatives along one pixel down */
+    const uint32_t *triangle; /**< index of the triangle in its mesh */
+} shd_fragments;
+
+/** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
+typedef struct shd_radiance {
+    uint32_t struct_size; /**< of the library's struct */
+    uint32_t reserved;
+    float *r, *g, *b, *a; /**< packed columns of `count` elements */
+} shd_radiance;
+
+/** A fragment program: reads in->count rows, writes as many. */
+typedef void (*shd_fragment_fn)(const shd_fragments *in, shd_radiance *out, void *user_data);
+
+SHD_END_DECLS
+
+#endif /* SHD_FRAGMENTS_H */

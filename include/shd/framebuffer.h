@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Where a frame ends up: linear colour, depth and auxiliary planes.
+ *
+ * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row.
+ *
+ * Lifetime:      reference counted; create returns an owned reference.
+ * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
+ *                itself (one thread at a time per object).
+ */
+#ifndef SHD_FRAMEBUFFER_H
+#define SHD_FRAMEBUFFER_H
+
+#include <shd/column.h>
+#include <shd/context.h>
+#include <shd/image.h>
+
+SHD_BEGIN_DECLS
+
+/** Planes of one size. */
+typedef struct shd_framebuffer shd_framebuffer;
+
+/** Optional planes; combine with |. */
+typedef enum shd_aov {
+    SHD_AOV_NONE = 0,
+    SHD_AOV_UV = 1,       /**< SHD_PLANE_U, _V */
+    SHD_AOV_NORMAL = 2,   /**< SHD_PLANE_NX, _NY, _NZ: shading normal, world space */
+    SHD_AOV_TRIANGLE = 4, /**< SHD_PLANE_TRIANGLE */
+    SHD_AOV_MAX_ENUM = 0x7fffffff
+} shd_aov;
+
+/** One column of a framebuffer, width * height elements, row by row from the top. */
+typedef enum shd_plane {
+    SHD_PLANE_R = 0,
+    SHD_PLANE_G = 1,
+    SHD_PLANE_B = 2,
+    SHD_PLANE_A = 3,
+    SHD_PLANE_DEPTH = 4, /**< D32F, 0 near .. 1 far */
+    SHD_PLANE_U = 5,
+    SHD_PLANE_V = 6,
+    SHD_PLANE_NX = 7,
+    SHD_PLANE_NY = 8,
+    SHD_PLANE_NZ = 9,
+    SHD_PLANE_TRIANGLE = 10, /**< uint32_t: triangle index in its mesh, 0xffffffff where nothing was drawn */
+    SHD_PLANE_MAX_ENUM = 0x7fffffff
+} shd_plane;
+
+/** Size and planes of a framebuffer. */
+typedef struct shd_framebuffer_desc {
+    uint32_t struct_size; /**< set by shd_framebuffer_desc_default() */
+    uint32_t width;       /**< pixels, 1..16384 */
+    uint32_t height;      /**< pixels, 1..16384 */
+    uint32_t samples;     /**< per pixel; 1 (more is SHD_ERROR_UNSUPPORTED in this version); default 1 */
+    uint32_t aovs;        /**< shd_aov bits; default none */
+    uint32_t reserved;    /**< 0 */
+    /* ---- end of 0.1; append below ---- */
+} shd_framebuffer_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_framebuffer_desc shd_framebuffer_desc_default(void)
+{
+    shd_framebuffer_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.samples = 1;
+    return desc;
+}
+
+/**
+ * Make a framebuffer: colour 0, depth 1, AOVs 0, triangle 0xffffffff.
+ * @param context          retained
+ * @param desc             borrowed for the call
+ * @param out_framebuffer  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_create(shd_context *context, const shd_framebuffer_desc *desc,
+                                                        shd_framebuffer **out_framebuffer);
+
+/** Add a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_framebuffer_retain(shd_framebuffer *framebuffer);
+
+/** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_framebuffer_release(shd_framebuffer *framebuffer);
+
+/** What a framebuffer turned out to be. */
+typedef struct shd_framebuffer_info {
+    uint32_t width;
+    uint32_t height;
+    uint32_t samples;
+    uint32_t aovs;    /**< shd_aov bits */
+    size_t byte_size; /**< of all planes */
+} shd_framebuffer_info;
+
+/** Size and planes of a framebuffer; out_info is all zero on failure. @since 0.1 */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_get_info(const shd_framebuffer *framebuffer,
+                                                          shd_framebuffer_info *out_info);
+
+/** A plane in place: no copy. */
+typedef struct shd_plane_view {
+    const float *f32;    /**< [height][row_stride / 4]; NULL for SHD_PLANE_TRIANGLE */
+    const uint32_t *u32; /**< the same for SHD_PLANE_TRIANGLE, else NULL */
+    size_t row_stride;   /**< bytes between rows */
+} shd_plane_view;
+
+/**
+ * Look at a plane without copying.
+ * @param out_view  borrowed until release of the framebuffer; its contents change with the next shd_render;
+ *                  all zero on failure (a plane the framebuffer does not have is SHD_ERROR_NOT_FOUND)
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_view_plane(const shd_framebuffer *framebuffer, shd_plane plane,
+                                                            shd_plane_view *out_view);
+
+/**
+ * Copy a float plane into a column of width * height elements, row by row from the top. With a stride this
+ * writes one channel of an interleaved image.
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_plane(const shd_framebuffer *framebuffer, shd_plane plane,
+                                                            shd_f32_out out);
+
+/** Copy SHD_PLANE_TRIANGLE into a column of width * height elements, row by row from the top. @since 0.1 */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_triangles(const shd_framebuffer *framebuffer,
+                                                                shd_u32_out out);
+
+/**
+ * Copy colour as interleaved RGBA, linear: no transfer curve is applied, except the sRGB curve of
+ * SHD_FORMAT_RGBA8_SRGB itself. Integer formats clamp to 0..1 (NaN to 0) and round to nearest.
+ * @param out  RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer,
+                                                            const shd_image *out);
+
+SHD_END_DECLS
+
+#endif /* SHD_FRAMEBUFFER_H */

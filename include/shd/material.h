@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Reflectance: a model with its coefficients, or a program of the caller's.
+ *
+ * Lifetime:      reference counted; create returns an owned reference.
+ * Thread safety: retain/release from any thread; a material never changes, so concurrent use is free.
+ */
+#ifndef SHD_MATERIAL_H
+#define SHD_MATERIAL_H
+
+#include <shd/context.h>
+#include <shd/fragments.h>
+#include <shd/sampler.h>
+#include <shd/texture.h>
+
+SHD_BEGIN_DECLS
+
+/** How a surface answers light. */
+typedef struct shd_material shd_material;
+
+/**
+ * Reflectance model. n: unit normal, l: unit vector to the light, v: to the eye, h = (v + l) / |v + l|,
+ * E = I / r^2 for a point light and I for a directional one, k_d times the diffuse texture if there is one.
+ */
+typedef enum shd_model {
+    /** k_a I_a + sum of k_d E max(0, n.l) */
+    SHD_MODEL_LAMBERT = 0,
+    /** Lambert + sum of k_s E max(0, n.h)^p; 0 where v + l = 0 (Blinn 1977) */
+    SHD_MODEL_BLINN_PHONG = 1,
+    /** program.fragment */
+    SHD_MODEL_PROGRAM = 2,
+    SHD_MODEL_MAX_ENUM = 0x7fffffff
+} shd_model;
+
+/** Switches of a material; combine with |. */
+typedef enum shd_material_flag {
+    SHD_MATERIAL_NONE = 0,
+    /** Keep the specular term where n.l <= 0, as the textbook formula does; by default it is 0 there. */
+    SHD_SPECULAR_UNGATED = 1,
+    /** Add the ambient term once per point or directional light instead of once. */
+    SHD_AMBIENT_PER_LIGHT = 2,
+    SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
+} shd_material_flag;
+
+/** The caller's shading code, for SHD_MODEL_PROGRAM. */
+typedef struct shd_material_program {
+    shd_fragment_fn fragment; /**< required for SHD_MODEL_PROGRAM */
+    void *user_data;          /**< passed to it; borrowed until release */
+} shd_material_program;
+
+/** Model and coefficients, scene-linear RGB. */
+typedef struct shd_material_desc {
+    uint32_t struct_size;             /**< set by shd_material_desc_default() */
+    shd_model model;                  /**< default SHD_MODEL_LAMBERT */
+    uint32_t flags;                   /**< shd_material_flag bits */
+    float ambient[3];                 /**< k_a, 0..1e6; default 0.05 */
+    float diffuse[3];                 /**< k_d, 0..1e6; default 0.8 */
+    float specular[3];                /**< k_s, 0..1e6; default 0.5 */
+    float exponent;                   /**< p, 0..1e6; default 64 */
+    uint32_t reserved;                /**< 0 */
+    shd_texture *diffuse_texture;     /**< multiplies k_d; NULL = none; retained */
+    shd_sampler *diffuse_sampler;     /**< NULL = default sampler; retained */
+    shd_material_program program;     /**< for SHD_MODEL_PROGRAM */
+    /* ---- end of 0.1; append below ---- */
+} shd_material_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_material_desc shd_material_desc_default(void)
+{
+    shd_material_desc desc = SHD_ZERO_INIT;
+    int c;
+    desc.struct_size = (uint32_t)sizeof desc;
+    for (c = 0; c < 3; ++c) {
+        desc.ambient[c] = 0.05f;
+        desc.diffuse[c] = 0.8f;
+        desc.specular[c] = 0.5f;
+    }
+    desc.exponent = 64.0f;
+    return desc;
+}
+
+/**
+ * Make a material.
+ * @param context       retained
+ * @param desc          borrowed for the call; NULL = all defaults
+ * @param out_material  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_material_create(shd_context *context, const shd_material_desc *desc,
+                                                     shd_material **out_material);
+
+/** Add a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_material_retain(shd_material *material);
+
+/** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_material_release(shd_material *material);
+
+SHD_END_DECLS
+
+#endif /* SHD_MATERIAL_H */

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Triangle meshes made from the caller's columns.
+ *
+ * Lifetime:      reference counted; create returns an owned reference.
+ * Thread safety: retain/release from any thread; a mesh never changes, so concurrent use is free.
+ */
+#ifndef SHD_MESH_H
+#define SHD_MESH_H
+
+#include <shd/column.h>
+#include <shd/context.h>
+
+SHD_BEGIN_DECLS
+
+/** Vertices and triangles, in object space. */
+typedef struct shd_mesh shd_mesh;
+
+/** How vertex normals are made when the caller gives none. Degenerate faces contribute nothing. */
+typedef enum shd_normal_weight {
+    SHD_NORMAL_WEIGHT_AREA = 0,    /**< sum of face normals times face area (the cross products) */
+    SHD_NORMAL_WEIGHT_UNIFORM = 1, /**< plain average of unit face normals */
+    SHD_NORMAL_WEIGHT_ANGLE = 2,   /**< weighted by the corner angle (Thuermer and Wuethrich 1998) */
+    SHD_NORMAL_WEIGHT_MAX_ENUM = 0x7fffffff
+} shd_normal_weight;
+
+/** Switches of a mesh; combine with |. */
+typedef enum shd_mesh_flag {
+    SHD_MESH_NONE = 0,
+    /** Accept NaN and infinite positions; rendering drops and counts the triangles that use them. */
+    SHD_MESH_KEEP_NONFINITE = 1,
+    SHD_MESH_FLAG_MAX_ENUM = 0x7fffffff
+} shd_mesh_flag;
+
+/** What a mesh is made from. Everything is copied. */
+typedef struct shd_mesh_desc {
+    uint32_t struct_size;            /**< set by shd_mesh_desc_default() */
+    uint32_t vertex_count;           /**< 0..2^28; 0 makes an empty mesh */
+    shd_f32_in position[3];          /**< x, y, z, object space; required unless vertex_count is 0 */
+    shd_f32_in normal[3];            /**< x, y, z, object space, any length; all three or none (then computed) */
+    shd_f32_in uv[2];                /**< u, v; both or none (then 0) */
+    shd_f32_in tangent[4];           /**< x, y, z, handedness (+1 or -1); all four or none */
+    shd_u32_in indices;              /**< three per triangle, counter-clockwise = front; NULL = 0, 1, 2, ... */
+    size_t index_count;              /**< multiple of 3, at most 3 * 2^28; without indices: 0 = vertex_count */
+    shd_normal_weight normal_weight; /**< default area; used when `normal` is absent */
+    uint32_t flags;                  /**< shd_mesh_flag bits */
+    /* ---- end of 0.1; append below ---- */
+} shd_mesh_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_mesh_desc shd_mesh_desc_default(void)
+{
+    shd_mesh_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/**
+ * Copy and check vertices and indices; compute normals if there are none.
+ * Refused with the place named: an index >= vertex_count, an index count that is not a multiple of 3, a
+ * position that is not finite (unless SHD_MESH_KEEP_NONFINITE).
+ * Normals, uv and tangents that are not finite count as 0.
+ * @param context   retained
+ * @param desc      borrowed for the call
+ * @param out_mesh  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_create(shd_context *context, const shd_mesh_desc *desc,
+                                                 shd_mesh **out_mesh);
+
+/** Add a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_mesh_retain(shd_mesh *mesh);
+
+/** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
+SHD_API void shd_mesh_release(shd_mesh *mesh);
+
+/** What a mesh turned out to be. */
+typedef struct shd_mesh_info {
+    uint32_t vertex_count;
+    uint32_t triangle_count;
+    uint32_t normalless_count; /**< vertices whose faces have no area or whose normal was 0: (0, 0, 1) stands in */
+    uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
+    float bounds_min[3];       /**< of the finite positions; 0 if there are none */
+    float bounds_max[3];       /**< of the finite positions; 0 if there are none */
+} shd_mesh_info;
+
+/**
+ * Counts and bounds of a mesh.
+ * @param out_info  all zero on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_get_info(const shd_mesh *mesh, shd_mesh_info *out_info);
+
+/**
+ * Copy the unit vertex normals out, given or computed.
+ * @param out  x, y, z columns of vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_normals(const shd_mesh *mesh, const shd_f32_out out[3]);
+
+SHD_END_DECLS
+
+#endif /* SHD_MESH_H */

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief Whole frames: one call takes everything it needs.
+ *
+ * Triangles cover the pixels whose centre they contain, with 8 subpixel bits and the top-left rule; depth
+ * passes when less; attributes are perspective-correct with analytic derivatives. The frame has the same
+ * bits for any executor, worker count and SIMD target.
+ *
+ * Thread safety: one thread at a time per framebuffer; meshes, materials, lights and textures may be shared
+ * between concurrent renders.
+ */
+#ifndef SHD_RENDER_H
+#define SHD_RENDER_H
+
+#include <shd/framebuffer.h>
+#include <shd/light.h>
+#include <shd/material.h>
+#include <shd/mesh.h>
+#include <shd/view.h>
+
+SHD_BEGIN_DECLS
+
+/** How often the reflectance model runs. Textures are looked up per fragment in every case. */
+typedef enum shd_frequency {
+    SHD_FREQUENCY_PHONG = 0,   /**< per fragment, with interpolated and renormalised normals (Phong 1975) */
+    SHD_FREQUENCY_GOURAUD = 1, /**< per vertex, colours interpolated (Gouraud 1971) */
+    SHD_FREQUENCY_FLAT = 2,    /**< once per triangle, with the face normal at the centroid */
+    SHD_FREQUENCY_MAX_ENUM = 0x7fffffff
+} shd_frequency;
+
+/** Which triangles are skipped; front = counter-clockwise on the screen, seen with y up. */
+typedef enum shd_cull {
+    SHD_CULL_NONE = 0,
+    SHD_CULL_BACK = 1,
+    SHD_CULL_FRONT = 2,
+    SHD_CULL_MAX_ENUM = 0x7fffffff
+} shd_cull;
+
+/** One mesh in the frame. */
+typedef struct shd_draw {
+    uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
+    shd_frequency frequency;      /**< default SHD_FREQUENCY_PHONG */
+    const shd_mesh *mesh;         /**< required; borrowed for the call */
+    const shd_material *material; /**< required; borrowed for the call */
+    float object_to_world[16];    /**< affine, finite; default identity */
+    shd_cull cull;                /**< default SHD_CULL_NONE */
+    uint32_t reserved;            /**< 0 */
+    /* ---- end of 0.1; append below ---- */
+} shd_draw;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_draw shd_draw_default(void)
+{
+    shd_draw draw = SHD_ZERO_INIT;
+    draw.struct_size = (uint32_t)sizeof draw;
+    draw.object_to_world[0] = draw.object_to_world[5] = 1.0f;
+    draw.object_to_world[10] = draw.object_to_world[15] = 1.0f;
+    return draw;
+}
+
+/** What happened to the triangles of a frame: they add up to `triangles`. */
+typedef struct shd_render_stats {
+    uint64_t triangles;  /**< in all draws */
+    uint64_t nonfinite;  /**< dropped: a vertex is NaN or infinite after transformation */
+    uint64_t outside;    /**< dropped: outside the view volume */
+    uint64_t culled;     /**< dropped: facing the wrong way, or without area on the pixel grid */
+    uint64_t empty;      /**< dropped: between pixel centres */
+    uint64_t rasterised; /**< drawn, hidden or not */
+    uint64_t clipped;    /**< of those outside, culled, empty and rasterised: cut by a clip plane */
+    uint64_t fragments;  /**< shaded; each pixel at most once */
+    uint64_t nonfinite_fragments; /**< of those: r, g, b or a was NaN or infinite (kept as written) */
+} shd_render_stats;
+
+/** Host progress callback. */
+typedef struct shd_progress {
+    /**
+     * Called after pieces of the frame with the part done, (0, 1], never twice at once, on any worker; must
+     * not throw or longjmp or call shd. Anything but 0 cancels: the render returns SHD_ERROR_CANCELLED and
+     * the framebuffer holds a part of the frame.
+     */
+    int32_t (*report)(void *user_data, float fraction);
+    void *user_data; /**< borrowed for the call */
+} shd_progress;
+
+/** A whole frame. Everything is borrowed for the call. */
+typedef struct shd_render_desc {
+    uint32_t struct_size;           /**< set by shd_render_desc_default() */
+    uint32_t keep;                  /**< 0 = clear first; 1 = draw over what the framebuffer holds */
+    float clear_color[4];           /**< linear, premultiplied RGBA; default 0 */
+    float clear_depth;              /**< 0..1; default 1 */
+    uint32_t reserved;              /**< 0 */
+    shd_framebuffer *framebuffer;   /**< required */
+    shd_view view;                  /**< default: identity matrices, eye at 0 */
+    const shd_draw *draws;          /**< [draw_count], drawn in order; NULL if draw_count is 0 */
+    size_t draw_count;              /**< up to 2^20 */
+    const shd_light *const *lights; /**< [light_count]; NULL if light_count is 0 */
+    size_t light_count;             /**< up to 2^20 */
+    shd_render_stats *stats;        /**< NULL = not wanted; all zero on failure */
+    shd_progress progress;          /**< default none */
+    /* ---- end of 0.1; append below ---- */
+} shd_render_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_render_desc shd_render_desc_default(void)
+{
+    shd_render_desc desc = SHD_ZERO_INIT;
+    int i;
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.clear_depth = 1.0f;
+    for (i = 0; i < 16; i += 5) desc.view.world_to_view[i] = desc.view.view_to_clip[i] = 1.0f;
+    return desc;
+}
+
+/**
+ * Render a frame.
+ * On SHD_ERROR_OUT_OF_MEMORY, SHD_ERROR_CALLBACK or SHD_ERROR_CANCELLED the framebuffer may hold a part of
+ * the frame; every other object is as before and the next render works.
+ * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_render(shd_context *context, const shd_render_desc *desc);
+
+SHD_END_DECLS
+
+#endif /* SHD_RENDER_H */

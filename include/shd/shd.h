@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief All of libshd. libshd_color and libshd_io have their own headers, shd/color.h and shd/io.h.
+ *
+ * @page conventions Conventions
+ * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,
+ * depth 0..1. Front faces are counter-clockwise seen with y up. Images and textures: row 0 on top, centres at
+ * +1/2, (u, v) = (0, 0) at the outer corner of the first texel of row 0, v downwards. Angles in radians.
+ *
+ * @page ownership Ownership
+ * *Copied*: shd keeps its own copy. *Borrowed for the call* / *until release*: the caller keeps it alive that
+ * long. *Retained*: shd adds a reference. *Owned*: the caller must release it. Releasing NULL does nothing.
+ * A handle that is NULL, released, of another type or damaged is refused with SHD_ERROR_INVALID_ARGUMENT as
+ * long as its context lives; a context whose last reference is gone must not be used.
+ *
+ * @page errors Errors
+ * Every call that can fail returns shd_result; shd_last_error() has the text, per thread. A failed call
+ * changes nothing and nulls its out handle. No exception, signal or output on stdout crosses the boundary.
+ *
+ * @page threads Threads
+ * *Any thread*; *concurrent reads* (functions on const handles); *one thread at a time per object*. Callbacks
+ * say where they run. shd leaves floating-point control, locale, signal masks and errno as it found them.
+ *
+ * @page streams Streams
+ * Batches are columns with byte strides (shd/column.h); a batch of n lookups costs one call.
+ *
+ * @page colour Colour
+ * Everything between texture decode and libshd_color is scene-linear float; framebuffer colour is
+ * premultiplied by alpha. sRGB texels are decoded before filtering; alpha is never encoded.
+ *
+ * @page determinism Determinism
+ * For the same inputs libshd gives the same bits for any worker count, any way of splitting a batch and any
+ * SIMD target. libshd_color is outside this promise: OpenColorIO's own kernels run there.
+ */
+#ifndef SHD_SHD_H
+#define SHD_SHD_H
+
+#include <shd/base.h>
+#include <shd/column.h>
+#include <shd/context.h>
+#include <shd/desc.h>
+#include <shd/fragments.h>
+#include <shd/framebuffer.h>
+#include <shd/image.h>
+#include <shd/light.h>
+#include <shd/lookup.h>
+#include <shd/material.h>
+#include <shd/mesh.h>
+#include <shd/render.h>
+#include <shd/result.h>
+#include <shd/sampler.h>
+#include <shd/texture.h>
+#include <shd/view.h>
+
+#endif /* SHD_SHD_H */

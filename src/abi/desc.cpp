@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "abi/desc.h"
+
+#include <cstdio>
+
+#include <shd/desc.h>
+#include <shd/shd.h>
+
+#include "image/format.h"
+
+namespace shd::abi {
+
+using core::fail;
+
+shd_result read_desc_bytes(const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
+  if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not aligned to %zu bytes", name, alignof(uint32_t));
+  }
+  uint32_t size;
+  std::memcpy(&size, in, sizeof size);
+  if (size < minimum) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
+                minimum);
+  }
+  constexpr uint32_t kMaximum = 1u << 16;
+  if (size > kMaximum) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is above %u", name, size, kMaximum);
+  }
+  const auto* bytes = static_cast<const unsigned char*>(in);
+  for (size_t i = out_size; i < size; ++i) {
+    if (bytes[i] != 0) {
+      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
+                  out_size);
+    }
+  }
+  std::memcpy(out, in, size < out_size ? size : out_size);
+  return SHD_OK;
+}
+
+shd_result check_range(const char* field, double value, double low, double high) {
+  if (value >= low && value <= high) return SHD_OK;
+  return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %g is not in %g..%g", field, value, low, high);
+}
+
+shd_result check_count(const char* field, uint64_t value, uint64_t low, uint64_t high) {
+  if (value >= low && value <= high) return SHD_OK;
+  return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %llu is not in %llu..%llu", field,
+              static_cast<unsigned long long>(value), static_cast<unsigned long long>(low),
+              static_cast<unsigned long long>(high));
+}
+
+shd_result check_zero(const char* field, uint64_t value) {
+  if (value == 0) return SHD_OK;
+  return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %llu is not 0", field, static_cast<unsigned long long>(value));
+}
+
+shd_result check_flags(const char* field, uint32_t value, uint32_t known) {
+  if ((value & ~known) == 0) return SHD_OK;
+  return fail(SHD_ERROR_UNSUPPORTED, "%s: bits 0x%x are not known", field, value & ~known);
+}
+
+shd_result check_not_null(const char* field, const void* pointer) {
+  if (pointer) return SHD_OK;
+  return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", field);
+}
+
+shd_result check_finite(const char* field, const float* values, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(values[i])) {
+      return fail(SHD_ERROR_INVALID_ARGUMENT, "%s[%zu]: %g is not finite", field, i, static_cast<double>(values[i]));
+    }
+  }
+  return SHD_OK;
+}
+
+shd_result check_values(const char* field, const float* values, size_t count, double low, double high) {
+  for (size_t i = 0; i < count; ++i) {
+    const double value = static_cast<double>(values[i]);
+    if (!(value >= low && value <= high)) {
+      return fail(SHD_ERROR_INVALID_ARGUMENT, "%s[%zu]: %g is not in %g..%g", field, i, value, low, high);
+    }
+  }
+  return SHD_OK;
+}
+
+shd_result check_column(const char* field, const void* data, size_t stride, size_t count) {
+  if (!data || count == 0) return SHD_OK;
+  if (reinterpret_cast<uintptr_t>(data) % 4 != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: not aligned to 4 bytes", field);
+  }
+  if (stride % 4 != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.stride: %zu is not a multiple of 4", field, stride);
+  }
+  size_t bytes;
+  if (__builtin_mul_overflow(stride ? stride : size_t{4}, count, &bytes) || bytes > PTRDIFF_MAX) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu elements of stride %zu exceed the address space", field, count,
+                stride);
+  }
+  return SHD_OK;
+}
+
+shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
+  *out = shd_image_default();
+  SHD_TRY(read_desc(name, in, false, out));
+  char field[96];
+  const auto path = [&](const char* member) {
+    std::snprintf(field, sizeof field, "%s.%s", name, member);
+    return field;
+  };
+  const size_t pixel = shd_format_size(out->format);
+  if (pixel == 0) return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not a format", name, out->format);
+  SHD_TRY(check_count(path("width"), out->width, 1, 65536));
+  SHD_TRY(check_count(path("height"), out->height, 1, 65536));
+  SHD_TRY(check_not_null(path("pixels"), out->pixels));
+  const size_t row = pixel * out->width;
+  if (out->row_stride == 0) out->row_stride = row;
+  if (out->row_stride < row) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.row_stride: %zu is below %zu", name, out->row_stride, row);
+  }
+  size_t bytes;
+  if (__builtin_mul_overflow(out->row_stride, size_t{out->height}, &bytes) || bytes > PTRDIFF_MAX) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.row_stride: %zu times %u rows exceeds the address space", name,
+                out->row_stride, out->height);
+  }
+  const size_t channel = image::format_info(out->format).channel_size;
+  if (reinterpret_cast<uintptr_t>(out->pixels) % channel != 0 || out->row_stride % channel != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.pixels: pixels or row_stride not aligned to a channel of %zu bytes",
+                name, channel);
+  }
+  return SHD_OK;
+}
+
+namespace {
+
+template <class Desc>
+shd_result write_defaults(const Desc& defaults, void* ptr, size_t size) {
+  if (size < sizeof(Desc)) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is below %zu", size, sizeof(Desc));
+  }
+  if (size > (1u << 16)) return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is above 65536", size);
+  std::memset(ptr, 0, size);
+  std::memcpy(ptr, &defaults, sizeof defaults);
+  const auto struct_size = static_cast<uint32_t>(size);
+  std::memcpy(ptr, &struct_size, sizeof struct_size);
+  return SHD_OK;
+}
+
+}  // namespace
+}  // namespace shd::abi
+
+extern "C" {
+
+shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
+  using shd::abi::write_defaults;
+  SHD_TRY(shd::abi::check_not_null("desc_init.ptr", ptr));
+  switch (kind) {
+    case SHD_DESC_CONTEXT: return write_defaults(shd_context_desc_default(), ptr, size);
+    case SHD_DESC_TEXTURE: return write_defaults(shd_texture_desc_default(), ptr, size);
+    case SHD_DESC_SAMPLER: return write_defaults(shd_sampler_desc_default(), ptr, size);
+    case SHD_DESC_LOOKUPS: return write_defaults(shd_lookups_default(), ptr, size);
+    case SHD_DESC_MESH: return write_defaults(shd_mesh_desc_default(), ptr, size);
+    case SHD_DESC_MATERIAL: return write_defaults(shd_material_desc_default(), ptr, size);
+    case SHD_DESC_LIGHT: return write_defaults(shd_light_desc_default(), ptr, size);
+    case SHD_DESC_FRAMEBUFFER: return write_defaults(shd_framebuffer_desc_default(), ptr, size);
+    case SHD_DESC_DRAW: return write_defaults(shd_draw_default(), ptr, size);
+    case SHD_DESC_RENDER: return write_defaults(shd_render_desc_default(), ptr, size);
+    case SHD_DESC_IMAGE: return write_defaults(shd_image_default(), ptr, size);
+    case SHD_DESC_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
+    default: return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %d is not a desc", kind);
+  }
+}
+
+}  // extern "C"

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/context.h"
+#include "core/object.h"
+#include "core/status.h"
+
+namespace shd::abi {
+
+/// Checks a context handle; the tag catches null and most damage, but a context that is gone is gone.
+inline shd_result check_context(const shd_context* handle) {
+  const auto* context = reinterpret_cast<const core::Context*>(handle);
+  if (context && context->tag == core::kContextTag) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, handle ? "context: not a live handle" : "context: NULL");
+}
+
+inline core::Context& context_of(shd_context* handle) { return *reinterpret_cast<core::Context*>(handle); }
+inline const core::Context& context_of(const shd_context* handle) {
+  return *reinterpret_cast<const core::Context*>(handle);
+}
+
+/// Object behind a handle such as shd_texture; handles are pointers to core::Object.
+template <class Handle>
+core::Object* object_of(Handle* handle) {
+  return reinterpret_cast<core::Object*>(handle);
+}
+template <class Handle>
+const core::Object* object_of(const Handle* handle) {
+  return reinterpret_cast<const core::Object*>(handle);
+}
+
+/// Body of a live handle of `type` in `*out`, or an error that says `name`.
+template <class Body, class Handle>
+shd_result read_handle(const char* name, const Handle* handle, core::ObjectType type, Body** out) {
+  if (!handle) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
+  *out = static_cast<Body*>(core::body_of(object_of(handle), static_cast<uint32_t>(type)));
+  if (*out) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not a live handle of its type", name);
+}
+
+template <class Handle>
+void retain_handle(Handle* handle, core::ObjectType type) {
+  core::retain(object_of(handle), static_cast<uint32_t>(type));
+}
+template <class Handle>
+void release_handle(Handle* handle, core::ObjectType type) {
+  core::release(object_of(handle), static_cast<uint32_t>(type));
+}
+
+/// Wraps a body made with core::create in a handle; on failure the body is destroyed.
+template <class Body, class Handle>
+void make_handle(core::Context& context, core::ObjectType type, Body* body, Handle** out) {
+  const auto destroy = [](core::Context& owner, void* memory) {
+    core::destroy(owner.allocator, static_cast<Body*>(memory));
+  };
+  try {
+    *out = reinterpret_cast<Handle*>(core::make_object(context, static_cast<uint32_t>(type), body, destroy));
+  } catch (...) {
+    core::destroy(context.allocator, body);
+    throw;
+  }
+}
+
+}  // namespace shd::abi

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io) and pkg-config files.
+include(CMakePackageConfigHelpers)
+
+set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)
+
+# One export file per component, so that a component's absent dependency does not break the others.
+foreach(target IN LISTS shd_targets)
+  install(TARGETS ${target} EXPORT ${target}Targets FILE_SET HEADERS
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT ${target}Targets NAMESPACE shd:: DESTINATION ${cmake_dir})
+endforeach()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/src/shdConfig.cmake.in ${PROJECT_BINARY_DIR}/shdConfig.cmake
+                              INSTALL_DESTINATION ${cmake_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shdConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/shdConfig.cmake ${PROJECT_BINARY_DIR}/shdConfigVersion.cmake
+        DESTINATION ${cmake_dir})
+
+# name, description, what a static link needs besides, what a shared link needs besides
+function(shd_pkg_config name description private_requires requires)
+  set(PC_NAME ${name})
+  set(PC_DESCRIPTION ${description})
+  set(PC_REQUIRES "${requires}")
+  set(PC_REQUIRES_PRIVATE "${private_requires}")
+  set(PC_LIBS_PRIVATE "-lstdc++ -lm -pthread")
+  if(NOT BUILD_SHARED_LIBS)
+    # A static archive carries no dependencies of its own: name them for every link.
+    string(JOIN " " PC_REQUIRES ${requires} ${private_requires})
+    set(PC_LIBS_EXTRA " ${PC_LIBS_PRIVATE}")
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+if(SHD_WITH_TBB)
+  shd_pkg_config(shd "${PROJECT_DESCRIPTION}" "libhwy tbb" "")
+else()
+  shd_pkg_config(shd "${PROJECT_DESCRIPTION}" "libhwy" "")
+endif()
+if(SHD_WITH_OCIO)
+  shd_pkg_config(shd_color "Colour management for shd through OpenColorIO" "OpenColorIO" "shd")
+endif()
+if(SHD_WITH_OIIO)
+  shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO" "shd")
+endif()

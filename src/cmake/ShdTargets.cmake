@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+# What every shd target is compiled and linked with.
+
+# Warnings, sanitizers and the flags that keep the bits the same everywhere.
+function(shd_compile_options target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wshadow -Wpedantic
+    $<$<BOOL:${SHD_WERROR}>:-Werror>
+    # One rounding per operation on every target: a fused multiply-add would change the bits.
+    -ffp-contract=off
+    -fno-math-errno
+    $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>)
+  set_target_properties(${target} PROPERTIES
+    C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden POSITION_INDEPENDENT_CODE ON)
+  if(SHD_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${SHD_SANITIZE} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=${SHD_SANITIZE})
+  endif()
+  if(SHD_SIMD STREQUAL "scalar")
+    target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_SCALAR)
+  endif()
+endfunction()
+
+# A library: `name` from the objects of `objects`, exporting what `map` lists.
+function(shd_library name objects map export_name)
+  add_library(${name} $<TARGET_OBJECTS:${objects}>)
+  add_library(shd::${export_name} ALIAS ${name})
+  target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${ARGN})
+  target_compile_features(${name} INTERFACE c_std_99)
+  set_target_properties(${name} PROPERTIES
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    EXPORT_NAME ${export_name}
+    LINKER_LANGUAGE CXX
+    LINK_DEPENDS ${map})
+  if(SHD_SANITIZE)
+    target_link_options(${name} PUBLIC -fsanitize=${SHD_SANITIZE})
+  endif()
+  get_target_property(type ${name} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY" AND NOT WIN32 AND NOT APPLE)
+    target_link_options(${name} PRIVATE -Wl,--version-script=${map})
+    if(NOT SHD_SANITIZE)
+      target_link_options(${name} PRIVATE -Wl,--no-undefined)
+    endif()
+  endif()
+endfunction()

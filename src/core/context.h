@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "core/allocator.h"
+#include "core/object.h"
+#include "core/simd_target.h"
+
+namespace shd::core {
+
+/// What shd_context stands for: the host's callbacks and the handles made with them.
+struct Context {
+  uint32_t tag;  // kContextTag while alive
+  std::atomic<uint32_t> references;
+  Allocator allocator;
+  shd_executor executor;  // parallel_for is never null
+  void* built_in_executor;  // body of the built-in executor, or null when the host's runs
+  shd_log log;
+  SimdTarget simd;
+  ObjectPool objects;
+};
+
+constexpr uint32_t kContextTag = 0x43646873;  // "shdC"
+
+/// Reads a checked desc. Throws std::bad_alloc, or Failure for a SIMD target that cannot run.
+Context* create_context(const shd_context_desc& desc);
+
+void retain(Context& context) noexcept;
+void release(Context& context) noexcept;
+
+/// Formats one line for the host's log, if there is one.
+void log(const Context& context, shd_log_level level, const char* format, ...) noexcept
+    __attribute__((format(printf, 3, 4)));
+
+}  // namespace shd::core

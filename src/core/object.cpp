@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "core/object.h"
+
+#include <new>
+
+#include "core/context.h"
+
+namespace shd::core {
+
+Object* ObjectPool::take(const Allocator& allocator) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // A full slab's worth of dead handles waits before the first is used again.
+  if (fresh_ == kSlabSize && !oldest_) {
+    Slab* slab = new (allocator.allocate(sizeof(Slab))) Slab();
+    slab->next = slabs_;
+    slabs_ = slab;
+    fresh_ = 0;
+  }
+  if (fresh_ < kSlabSize) return &slabs_->objects[fresh_++];
+  Object* object = oldest_;
+  oldest_ = object->next_free;
+  if (!oldest_) newest_ = nullptr;
+  return object;
+}
+
+void ObjectPool::give_back(Object* object) noexcept {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  object->next_free = nullptr;
+  if (newest_) {
+    newest_->next_free = object;
+  } else {
+    oldest_ = object;
+  }
+  newest_ = object;
+}
+
+void ObjectPool::free_all(const Allocator& allocator) noexcept {
+  while (slabs_) {
+    Slab* next = slabs_->next;
+    slabs_->~Slab();
+    allocator.free(slabs_, sizeof(Slab));
+    slabs_ = next;
+  }
+}
+
+Object* make_object(Context& context, uint32_t type, void* body, void (*destroy)(Context&, void*)) {
+  Object* object = context.objects.take(context.allocator);
+  object->context = &context;
+  object->body = body;
+  object->destroy = destroy;
+  object->references.store(1, std::memory_order_relaxed);
+  object->type.store(type, std::memory_order_release);
+  retain(context);
+  return object;
+}
+
+bool retain(Object* object, uint32_t type) noexcept {
+  if (!object || object->type.load(std::memory_order_acquire) != type) return false;
+  uint32_t count = object->references.load(std::memory_order_relaxed);
+  do {
+    if (count == 0) return false;
+  } while (!object->references.compare_exchange_weak(count, count + 1, std::memory_order_relaxed));
+  return true;
+}
+
+bool release(Object* object, uint32_t type) noexcept {
+  if (!object || object->type.load(std::memory_order_acquire) != type) return false;
+  uint32_t count = object->references.load(std::memory_order_relaxed);
+  do {
+    if (count == 0) return false;
+  } while (!object->references.compare_exchange_weak(count, count - 1, std::memory_order_acq_rel));
+  if (count > 1) return true;
+
+  Context& context = *object->context;
+  object->type.store(0, std::memory_order_release);
+  object->destroy(context, object->body);
+  context.objects.give_back(object);
+  release(context);
+  return true;
+}
+
+}  // namespace shd::core

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+
+#include "core/allocator.h"
+
+namespace shd::core {
+
+struct Context;
+
+/// What a handle of libshd stands for. Extensions use values above 0xffff.
+enum class ObjectType : uint32_t {
+  kNone = 0,
+  kTexture = 1,
+  kSampler = 2,
+  kMesh = 3,
+  kMaterial = 4,
+  kLight = 5,
+  kFramebuffer = 6,
+};
+
+/// The memory behind every handle but a context's. It stays mapped, in its context's slabs, until the context
+/// is gone, so that a released or mistyped handle is recognised instead of followed.
+struct Object {
+  std::atomic<uint32_t> type;        // ObjectType, or 0 when dead
+  std::atomic<uint32_t> references;  // 0 when dead
+  Context* context;
+  void* body;
+  void (*destroy)(Context& context, void* body);  // runs on the thread that drops the last reference
+  Object* next_free;
+};
+
+/// Slabs of handles, reused oldest first, so that a stale handle is caught for as long as possible.
+class ObjectPool {
+ public:
+  /// A dead object; throws std::bad_alloc.
+  Object* take(const Allocator& allocator);
+  void give_back(Object* object) noexcept;
+  void free_all(const Allocator& allocator) noexcept;
+
+ private:
+  static constexpr size_t kSlabSize = 64;
+  struct Slab {
+    Slab* next;
+    Object objects[kSlabSize];
+  };
+
+  std::mutex mutex_;
+  Slab* slabs_ = nullptr;
+  Object* oldest_ = nullptr;
+  Object* newest_ = nullptr;
+  size_t fresh_ = kSlabSize;  // objects of the newest slab already handed out
+};
+
+/// A live handle with one reference, which retains `context`. Throws std::bad_alloc; `body` is then untouched.
+Object* make_object(Context& context, uint32_t type, void* body, void (*destroy)(Context&, void*));
+
+/// Body of a live handle of that type, or null.
+inline void* body_of(const Object* object, uint32_t type) {
+  return object && object->type.load(std::memory_order_acquire) == type ? object->body : nullptr;
+}
+
+/// False, and nothing done, for a dead or mistyped handle.
+bool retain(Object* object, uint32_t type) noexcept;
+bool release(Object* object, uint32_t type) noexcept;
+
+}  // namespace shd::core

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "core/simd_target.h"
+
+#include <cstdio>
+#include <hwy/highway.h>
+
+#include "core/status.h"
+
+namespace shd::core {
+namespace {
+
+struct Row {
+  shd_simd choice;
+  int64_t bits;  // Highway targets that answer to the choice, best (lowest bit) first
+};
+
+constexpr Row kRows[] = {
+    {SHD_SIMD_SCALAR, HWY_SCALAR | HWY_EMU128}, {SHD_SIMD_SSSE3, HWY_SSSE3}, {SHD_SIMD_SSE4, HWY_SSE4},
+    {SHD_SIMD_AVX2, HWY_AVX2},                  {SHD_SIMD_AVX512, HWY_AVX3}, {SHD_SIMD_NEON, HWY_NEON},
+    {SHD_SIMD_WASM, HWY_WASM},
+};
+
+/// Compiled in and able to run on this machine. hwy::SupportedTargets() is cached by Highway.
+int64_t available_targets() {
+  int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
+  return targets ? targets : HWY_STATIC_TARGET;
+}
+
+}  // namespace
+
+SimdTarget simd_target_from_bit(int64_t bit) {
+  SimdTarget target;
+  target.name = hwy::TargetName(bit);
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
+  hwy::ChosenTarget chosen;
+  chosen.Update(bit);
+  target.index = chosen.GetIndex();
+#endif
+  return target;
+}
+
+shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
+  const int64_t available = available_targets();
+  int64_t wanted = available;
+  if (choice != SHD_SIMD_BEST) {
+    wanted = 0;
+    for (const Row& row : kRows) {
+      if (row.choice == choice) wanted = row.bits & available;
+    }
+  }
+  if (wanted == 0) {
+    char names[128] = "";
+    size_t used = 0;
+    for (int64_t rest = available; rest != 0 && used < sizeof names; rest &= rest - 1) {
+      const char* name = hwy::TargetName(rest & -rest);
+      used += static_cast<size_t>(std::snprintf(names + used, sizeof names - used, " %s", name));
+    }
+    return fail(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice),
+                names);
+  }
+  *out = simd_target_from_bit(wanted & -wanted);
+  return SHD_OK;
+}
+
+}  // namespace shd::core

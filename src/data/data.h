@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: data, the plain vocabulary of the other folders.
+///
+/// Input and output: nothing of its own; types that stages hand to each other.
+///
+/// | file     | what                                                     |
+/// |----------|----------------------------------------------------------|
+/// | column.h | reading and writing the caller's strided columns         |
+/// | matrix.h | 3-vectors and 4x4 matrices, scalar, for setup code       |
+#pragma once
+
+#include <cstddef>
+
+namespace shd::data {
+
+/// Columns that kernels read or write are allocated in multiples of this many elements, so that whole vectors
+/// may run past the last row. At least the widest vector: 16 lanes of AVX-512, 64 of the widest SVE.
+constexpr size_t kRowPad = 64;
+
+constexpr size_t padded(size_t rows) { return (rows + kRowPad - 1) / kRowPad * kRowPad; }
+
+}  // namespace shd::data

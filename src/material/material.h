@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: material, (Fragments -> lobes).
+///
+/// Input:      a checked desc.
+/// Output:     coefficients in the form that the kernels of shade/ read.
+/// Units:      scene-linear RGB.
+/// Invariants: a Material never changes once made; it holds references to its texture and sampler.
+#pragma once
+
+#include <cstdint>
+
+#include <shd/material.h>
+
+#include "core/object.h"
+#include "texture/texture.h"
+
+namespace shd::material {
+
+struct Material {
+  shd_model model;
+  uint32_t flags;        // shd_material_flag
+  float ambient[3];      // k_a
+  float diffuse[3];      // k_d
+  float specular[3];     // k_s
+  float exponent;        // p
+  shd_material_program program;
+  const texture::Texture* diffuse_texture;  // null = none
+  const texture::Sampler* diffuse_sampler;  // never null when there is a texture
+  texture::Sampler default_sampler;         // what diffuse_sampler points at when the desc gave none
+  core::Object* texture_object;             // retained, or null
+  core::Object* sampler_object;             // retained, or null
+
+  Material() = default;
+  Material(const Material&) = delete;
+  Material& operator=(const Material&) = delete;
+  ~Material();  // releases the two objects
+};
+
+}  // namespace shd::material
