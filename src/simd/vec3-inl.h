@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Vectors of three components, one per lane.
+
+#if defined(SHD_SIMD_VEC3_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_SIMD_VEC3_INL_H_
+#undef SHD_SIMD_VEC3_INL_H_
+#else
+#define SHD_SIMD_VEC3_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::simd::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One 3-vector per lane.
+template <class V>
+struct Vec3V {
+  V x, y, z;
+};
+
+template <class V>
+HWY_INLINE V Dot(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Subtract(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Sum(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Scale(V s, const Vec3V<V>& a) {
+  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. For lengths in about 1e-18..1e18.
+template <class D, class V>
+HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
+  const V squared = Dot(a, a);
+  const auto usable = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Lt(squared, hn::Set(d, __builtin_inff())));
+  const V inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::IfThenElse(usable, squared, hn::Set(d, 1.0f))));
+  const V scale = hn::IfThenElseZero(usable, inverse);
+  return {hn::IfThenElseZero(usable, hn::Mul(a.x, scale)), hn::IfThenElseZero(usable, hn::Mul(a.y, scale)),
+          hn::IfThenElseZero(usable, hn::Mul(a.z, scale))};
+}
+
+}  // namespace shd::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_SIMD_VEC3_INL_H_

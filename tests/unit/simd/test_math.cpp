@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Log2, Exp2 and Pow against libm in double, on every target, and bit for bit between targets.
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace shd::tests {
+#ifndef SHD_TESTS_MATH_FUNCTIONS
+#define SHD_TESTS_MATH_FUNCTIONS
+enum Function { kLog2, kExp2, kPow };
+#endif
+}  // namespace shd::tests
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "unit/simd/test_math.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::tests::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// out[i] = f(x[i]) or x[i]^y[i]; count is a multiple of the lanes.
+void evaluate(int function, const float* x, const float* y, size_t count, float* out) {
+  const hn::ScalableTag<float> d;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto a = hn::LoadU(d, x + i);
+    auto result = a;
+    if (function == kLog2) result = simd::HWY_NAMESPACE::Log2(d, a);
+    if (function == kExp2) result = simd::HWY_NAMESPACE::Exp2(d, a);
+    if (function == kPow) result = simd::HWY_NAMESPACE::Pow(d, a, hn::LoadU(d, y + i));
+    hn::StoreU(result, d, out + i);
+  }
+}
+
+}  // namespace shd::tests::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "core/simd_target.h"
+#include "support/check.h"
+
+namespace shd::tests {
+HWY_EXPORT(evaluate);
+namespace {
+
+constexpr size_t kCount = 1 << 16;
+float g_x[kCount], g_y[kCount], g_out[kCount], g_first[kCount];
+
+float float_from_bits(uint32_t bits) {
+  float value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+/// Deterministic numbers in [0, 2^32).
+uint32_t next(uint32_t* state) { return *state = *state * 1664525u + 1013904223u; }
+
+template <class Check>
+void on_every_target(int function, Check check) {
+  bool first = true;
+  for (int64_t bit : hwy::SupportedAndGeneratedTargets()) {
+    const core::SimdTarget target = core::simd_target_from_bit(bit);
+    SHD_DISPATCH(evaluate, target)(function, g_x, g_y, kCount, g_out);
+    for (size_t i = 0; i < kCount; ++i) check(i);
+    if (first) std::memcpy(g_first, g_out, sizeof g_out);
+    first = false;
+    for (size_t i = 0; i < kCount; ++i) {
+      if (std::isnan(g_first[i]) ? !std::isnan(g_out[i]) : std::memcmp(&g_first[i], &g_out[i], 4) != 0) {
+        fail_msg("%s: x %a: %a differs from %a", target.name, static_cast<double>(g_x[i]),
+                 static_cast<double>(g_out[i]), static_cast<double>(g_first[i]));
+      }
+    }
+  }
+}
+
+void test_log2(void**) {
+  uint32_t state = 1;
+  for (size_t i = 0; i < kCount; ++i) {
+    g_x[i] = i % 2 ? float_from_bits(next(&state) & 0x7fffffffu) : 1.0f + static_cast<float>(i) * 1e-6f - 0.03f;
+  }
+  const float edges[] = {0.0f, -0.0f, 1.0f, FLT_MIN, FLT_MAX, 1.4e-45f, INFINITY, NAN, -1.0f, -INFINITY, 2.0f, 0.5f};
+  std::memcpy(g_x, edges, sizeof edges);
+  on_every_target(kLog2, [](size_t i) {
+    shd_assert_close("log2", i, g_out[i], std::log2(static_cast<double>(g_x[i])), 0.0, 4e-7);
+  });
+}
+
+void test_exp2(void**) {
+  uint32_t state = 2;
+  for (size_t i = 0; i < kCount; ++i) g_x[i] = static_cast<float>(next(&state)) * (300.0f / 4294967296.0f) - 152.0f;
+  const float edges[] = {0.0f, -0.0f, 1.0f, 127.99999f, 128.0f, -149.0f, -151.0f, INFINITY, -INFINITY, NAN, 1e30f, -1e30f};
+  std::memcpy(g_x, edges, sizeof edges);
+  on_every_target(kExp2, [](size_t i) {
+    const double want = std::exp2(static_cast<double>(g_x[i]));
+    if (want > static_cast<double>(FLT_MAX)) {
+      shd_assert_close("exp2", i, g_out[i], INFINITY, 0.0, 0.0);
+    } else {
+      shd_assert_close("exp2", i, g_out[i], want, 1.5e-45, 2e-7);
+    }
+  });
+}
+
+void test_pow(void**) {
+  uint32_t state = 3;
+  for (size_t i = 0; i < kCount; ++i) {
+    g_x[i] = static_cast<float>(next(&state)) / 4294967296.0f;
+    g_y[i] = std::exp2(static_cast<float>(next(&state)) * (20.0f / 4294967296.0f));
+  }
+  const float edges[][2] = {{0.0f, 0.0f}, {0.0f, 5.0f}, {1.0f, 1e6f}, {0.5f, 0.0f}, {0.0f, 1e6f}, {0.9999f, 1e6f}};
+  for (size_t i = 0; i < 6; ++i) {
+    g_x[i] = edges[i][0];
+    g_y[i] = edges[i][1];
+  }
+  on_every_target(kPow, [](size_t i) {
+    const double x = static_cast<double>(g_x[i]), y = static_cast<double>(g_y[i]);
+    const double want = std::pow(x, y);
+    const double exponent = x > 0.0 ? std::fmin(std::fabs(y * std::log2(x)), 160.0) : 0.0;
+    shd_assert_close("pow", i, g_out[i], want, 1.5e-45, exponent * 4e-7 + 3e-7);
+  });
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  const CMUnitTest tests[] = {
+      {"log2", shd::tests::test_log2, nullptr, nullptr, nullptr},
+      {"exp2", shd::tests::test_exp2, nullptr, nullptr, nullptr},
+      {"pow", shd::tests::test_pow, nullptr, nullptr, nullptr},
+  };
+  return cmocka_run_group_tests_name("unit.simd.math", tests, nullptr, nullptr);
+}
+#endif  // HWY_ONCE
