@@ -48,13 +48,17 @@ shd_result check_columns(const shd_mesh_desc& desc) {
 
 shd_result check_index_count(const shd_mesh_desc& desc) {
   size_t count = desc.index_count;
+  const char* field = "mesh.index_count";
   if (!desc.indices.data) {
     SHD_TRY(check_count("mesh.index_count without indices", count, 0, desc.vertex_count));
-    if (count == 0) count = desc.vertex_count;
+    if (count == 0) {
+      count = desc.vertex_count;
+      field = "mesh.vertex_count without indices";
+    }
   }
-  SHD_TRY(check_count("mesh.index_count", count, 0, kMaximumIndices));
+  SHD_TRY(check_count(field, count, 0, kMaximumIndices));
   if (count % 3 != 0) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.index_count: %zu is not a multiple of 3", count);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu is not a multiple of 3", field, count);
   }
   return check_column("mesh.indices", desc.indices.data, desc.indices.stride, count);
 }
