@@ -4,10 +4,12 @@
 ///
 /// Input and output: nothing of its own; types that stages hand to each other.
 ///
-/// | file     | what                                                     |
-/// |----------|----------------------------------------------------------|
-/// | column.h | reading and writing the caller's strided columns         |
-/// | matrix.h | 3-vectors and 4x4 matrices, scalar, for setup code       |
+/// | file     | what                                                       |
+/// |----------|------------------------------------------------------------|
+/// | column.h | reading and writing the caller's strided columns           |
+/// | matrix.h | 3-vectors and 4x4 matrices, scalar, for setup code         |
+/// | trig.h   | angles and tangents in double, the same bits everywhere    |
+/// | camera.h | look-at and perspective matrices, the same bits everywhere |
 #pragma once
 
 #include <cstddef>

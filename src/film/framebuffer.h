@@ -17,8 +17,8 @@ constexpr uint32_t kFloatPlanes = 10;  // SHD_PLANE_R .. SHD_PLANE_NZ
 /// Planes of one size, row 0 on top; absent ones are empty.
 struct Framebuffer {
   uint32_t width, height;
-  uint32_t aovs;             // shd_aov bits
-  size_t stride;             // elements between rows: width rounded up to a cache line
+  uint32_t aovs;                           // shd_aov bits
+  size_t stride;                           // elements between rows: width rounded up to a cache line
   core::Array<float> plane[kFloatPlanes];  // by shd_plane
   core::Array<uint32_t> triangle;
 };
@@ -28,5 +28,8 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
 
 /// True if the framebuffer has the plane.
 bool has_plane(const Framebuffer& framebuffer, shd_plane plane);
+
+/// Bytes of all planes.
+size_t byte_size(const Framebuffer& framebuffer);
 
 }  // namespace shd::film

@@ -18,4 +18,7 @@ struct Light {
   float to_light[3];  // directional lights: unit, against the way the light travels
 };
 
+/// A checked desc as a Light; what its kind does not use is 0.
+Light make_light(const shd_light_desc& desc);
+
 }  // namespace shd::light

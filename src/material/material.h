@@ -19,22 +19,26 @@ namespace shd::material {
 
 struct Material {
   shd_model model;
-  uint32_t flags;        // shd_material_flag
-  float ambient[3];      // k_a
-  float diffuse[3];      // k_d
-  float specular[3];     // k_s
-  float exponent;        // p
+  uint32_t flags;     // shd_material_flag
+  float ambient[3];   // k_a
+  float diffuse[3];   // k_d
+  float specular[3];  // k_s
+  float exponent;     // p
   shd_material_program program;
   const texture::Texture* diffuse_texture;  // null = none
   const texture::Sampler* diffuse_sampler;  // never null when there is a texture
   texture::Sampler default_sampler;         // what diffuse_sampler points at when the desc gave none
-  core::Object* texture_object;             // retained, or null
-  core::Object* sampler_object;             // retained, or null
+  core::Object* texture_object = nullptr;   // retained, or null
+  core::Object* sampler_object = nullptr;   // retained, or null
 
   Material() = default;
   Material(const Material&) = delete;
   Material& operator=(const Material&) = delete;
   ~Material();  // releases the two objects
 };
+
+/// Takes a checked desc with what its handles stand for; the references in `out` are the caller's to set.
+void build(const shd_material_desc& desc, const texture::Texture* diffuse_texture,
+           const texture::Sampler* diffuse_sampler, Material* out) noexcept;
 
 }  // namespace shd::material

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <shd/framebuffer.h>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "film/framebuffer.h"
+#include "film/readback.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+using film::Framebuffer;
+
+constexpr core::ObjectType kType = core::ObjectType::kFramebuffer;
+
+shd_result check_samples(uint32_t samples) {
+  switch (samples) {
+    case 1: return SHD_OK;
+    case 2:
+    case 4:
+    case 8:
+    case 16: return core::fail(SHD_ERROR_UNSUPPORTED, "framebuffer.samples: %u; this version offers 1", samples);
+    default: return core::fail(SHD_ERROR_INVALID_ARGUMENT, "framebuffer.samples: %u is not 1, 2, 4, 8 or 16", samples);
+  }
+}
+
+shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
+  SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
+  SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
+  SHD_TRY(check_samples(desc.samples));
+  SHD_TRY(check_flags("framebuffer.aovs", desc.aovs, SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE));
+  return check_zero("framebuffer.reserved", desc.reserved);
+}
+
+shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** out) {
+  return read_handle("framebuffer", handle, kType, out);
+}
+
+shd_result check_plane(const Framebuffer& framebuffer, shd_plane plane) {
+  SHD_TRY(check_count("plane", static_cast<uint32_t>(plane), SHD_PLANE_R, SHD_PLANE_TRIANGLE));
+  if (film::has_plane(framebuffer, plane)) return SHD_OK;
+  return core::fail(SHD_ERROR_NOT_FOUND, "plane: %d is not among the framebuffer's aovs 0x%x", static_cast<int>(plane),
+                    framebuffer.aovs);
+}
+
+size_t pixel_count(const Framebuffer& framebuffer) {
+  return size_t{framebuffer.width} * framebuffer.height;
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_framebuffer_create(shd_context* context, const shd_framebuffer_desc* desc,
+                                  shd_framebuffer** out_framebuffer) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_framebuffer", out_framebuffer));
+    *out_framebuffer = nullptr;
+    SHD_TRY(check_context(context));
+    shd_framebuffer_desc read = shd_framebuffer_desc_default();
+    SHD_TRY(read_desc("framebuffer", desc, false, &read));
+    SHD_TRY(check_framebuffer_desc(read));
+    core::Context& owner = context_of(context);
+    Framebuffer framebuffer{};
+    film::build(owner, read, &framebuffer);
+    make_handle(owner, kType, core::create<Framebuffer>(owner.allocator, std::move(framebuffer)), out_framebuffer);
+    return SHD_OK;
+  });
+}
+
+void shd_framebuffer_retain(shd_framebuffer* framebuffer) {
+  retain_handle(framebuffer, kType);
+}
+
+void shd_framebuffer_release(shd_framebuffer* framebuffer) {
+  release_handle(framebuffer, kType);
+}
+
+shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_framebuffer_info* out_info) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_info", out_info));
+    *out_info = {};
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    *out_info = {body->width, body->height, 1, body->aovs, film::byte_size(*body)};
+    return SHD_OK;
+  });
+}
+
+shd_result shd_framebuffer_view_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_plane_view* out_view) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_view", out_view));
+    *out_view = {};
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    SHD_TRY(check_plane(*body, plane));
+    out_view->row_stride = body->stride * sizeof(float);
+    if (plane == SHD_PLANE_TRIANGLE) {
+      out_view->u32 = body->triangle.data();
+    } else {
+      out_view->f32 = body->plane[plane].data();
+    }
+    return SHD_OK;
+  });
+}
+
+shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_f32_out out) {
+  return guard([&]() -> shd_result {
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    if (plane == SHD_PLANE_TRIANGLE) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                        "plane: SHD_PLANE_TRIANGLE holds integers; take shd_framebuffer_read_triangles");
+    }
+    SHD_TRY(check_plane(*body, plane));
+    SHD_TRY(check_not_null("out.data", out.data));
+    SHD_TRY(check_column("out", out, pixel_count(*body)));
+    film::read_plane(*body, plane, out);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_framebuffer_read_triangles(const shd_framebuffer* framebuffer, shd_u32_out out) {
+  return guard([&]() -> shd_result {
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    SHD_TRY(check_plane(*body, SHD_PLANE_TRIANGLE));
+    SHD_TRY(check_not_null("out.data", out.data));
+    SHD_TRY(check_column("out", out.data, out.stride, pixel_count(*body)));
+    film::read_triangles(*body, out);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_framebuffer_read_color(const shd_framebuffer* framebuffer, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    shd_image image;
+    SHD_TRY(read_image("out", out, &image));
+    if (!film::can_read_color(image.format)) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is not an RGBA format",
+                        static_cast<int>(image.format));
+    }
+    if (image.width != body->width || image.height != body->height) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.%s: %ux%u is not the framebuffer's %ux%u",
+                        image.width != body->width ? "width" : "height", image.width, image.height, body->width,
+                        body->height);
+    }
+    film::read_color(*body, image);
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

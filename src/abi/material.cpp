@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <shd/material.h>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "material/material.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr core::ObjectType kType = core::ObjectType::kMaterial;
+
+shd_result check_material_desc(const shd_material_desc& desc) {
+  SHD_TRY(check_count("material.model", static_cast<uint32_t>(desc.model), SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
+  SHD_TRY(check_flags("material.flags", desc.flags, SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT));
+  SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
+  SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
+  SHD_TRY(check_values("material.specular", desc.specular, 3, 0.0, 1e6));
+  SHD_TRY(check_range("material.exponent", static_cast<double>(desc.exponent), 0.0, 1e6));
+  SHD_TRY(check_zero("material.reserved", desc.reserved));
+  if (desc.model == SHD_MODEL_PROGRAM && !desc.program.fragment) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM");
+  }
+  if (desc.model != SHD_MODEL_PROGRAM && desc.program.fragment) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM");
+  }
+  return SHD_OK;
+}
+
+/// Retains what an optional handle of the same context stands for; `body` and `object` stay null without one.
+template <class Body, class Handle>
+shd_result retain_part(const char* field, const core::Context& context, Handle* handle, core::ObjectType type,
+                       const Body** body, core::Object** object) {
+  if (!handle) return SHD_OK;
+  Body* found = nullptr;
+  SHD_TRY(read_handle(field, handle, type, &found));
+  if (object_of(handle)->context != &context) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: belongs to another context", field);
+  }
+  if (!core::retain(object_of(handle), static_cast<uint32_t>(type))) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not a live handle of its type", field);
+  }
+  *body = found;
+  *object = object_of(handle);
+  return SHD_OK;
+}
+
+shd_result fill(const core::Context& context, const shd_material_desc& desc, material::Material* out) {
+  const texture::Texture* texture = nullptr;
+  const texture::Sampler* sampler = nullptr;
+  SHD_TRY(retain_part("material.diffuse_texture", context, desc.diffuse_texture, core::ObjectType::kTexture, &texture,
+                      &out->texture_object));
+  SHD_TRY(retain_part("material.diffuse_sampler", context, desc.diffuse_sampler, core::ObjectType::kSampler, &sampler,
+                      &out->sampler_object));
+  material::build(desc, texture, sampler, out);
+  return SHD_OK;
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_material_create(shd_context* context, const shd_material_desc* desc, shd_material** out_material) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_material", out_material));
+    *out_material = nullptr;
+    SHD_TRY(check_context(context));
+    shd_material_desc read = shd_material_desc_default();
+    SHD_TRY(read_desc("material", desc, true, &read));
+    SHD_TRY(check_material_desc(read));
+    core::Context& owner = context_of(context);
+    auto* material = core::create<material::Material>(owner.allocator);
+    if (const shd_result result = fill(owner, read, material)) {
+      core::destroy(owner.allocator, material);
+      return result;
+    }
+    make_handle(owner, kType, material, out_material);
+    return SHD_OK;
+  });
+}
+
+void shd_material_retain(shd_material* material) {
+  retain_handle(material, kType);
+}
+
+void shd_material_release(shd_material* material) {
+  release_handle(material, kType);
+}
+
+}  // extern "C"

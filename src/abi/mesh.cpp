@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <shd/mesh.h>
+
+#include <cstdio>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "data/column.h"
+#include "geometry/mesh.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr core::ObjectType kType = core::ObjectType::kMesh;
+constexpr uint32_t kMaximumVertices = 1u << 28;
+constexpr size_t kMaximumIndices = size_t{3} << 28;
+
+/// All columns of an attribute are there or none is, and each fits in memory.
+shd_result check_attribute(const char* name, const shd_f32_in* columns, int size, uint32_t count) {
+  char field[32];
+  for (int c = 0; c < size; ++c) {
+    std::snprintf(field, sizeof field, "mesh.%s[%d]", name, c);
+    if (!columns[c].data != !columns[0].data) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.%s[%d].data: NULL, but another column is set; all %d or none",
+                        name, columns[c].data ? 0 : c, size);
+    }
+    SHD_TRY(check_column(field, columns[c], count));
+  }
+  return SHD_OK;
+}
+
+shd_result check_columns(const shd_mesh_desc& desc) {
+  if (desc.vertex_count > 0) {
+    char field[32];
+    for (int axis = 0; axis < 3; ++axis) {
+      std::snprintf(field, sizeof field, "mesh.position[%d].data", axis);
+      SHD_TRY(check_not_null(field, desc.position[axis].data));
+    }
+    SHD_TRY(check_attribute("position", desc.position, 3, desc.vertex_count));
+  }
+  SHD_TRY(check_attribute("normal", desc.normal, 3, desc.vertex_count));
+  SHD_TRY(check_attribute("uv", desc.uv, 2, desc.vertex_count));
+  return check_attribute("tangent", desc.tangent, 4, desc.vertex_count);
+}
+
+shd_result check_index_count(const shd_mesh_desc& desc) {
+  size_t count = desc.index_count;
+  const char* field = "mesh.index_count";
+  if (!desc.indices.data) {
+    SHD_TRY(check_count("mesh.index_count without indices", count, 0, desc.vertex_count));
+    if (count == 0) {
+      count = desc.vertex_count;
+      field = "mesh.vertex_count without indices";
+    }
+  }
+  SHD_TRY(check_count(field, count, 0, kMaximumIndices));
+  if (count % 3 != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu is not a multiple of 3", field, count);
+  }
+  return check_column("mesh.indices", desc.indices.data, desc.indices.stride, count);
+}
+
+shd_result check_mesh_desc(const shd_mesh_desc& desc) {
+  SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
+  SHD_TRY(check_count("mesh.normal_weight", static_cast<uint32_t>(desc.normal_weight), SHD_NORMAL_WEIGHT_AREA,
+                      SHD_NORMAL_WEIGHT_ANGLE));
+  SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE));
+  SHD_TRY(check_columns(desc));
+  return check_index_count(desc);
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_mesh_create(shd_context* context, const shd_mesh_desc* desc, shd_mesh** out_mesh) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_mesh", out_mesh));
+    *out_mesh = nullptr;
+    SHD_TRY(check_context(context));
+    shd_mesh_desc read = shd_mesh_desc_default();
+    SHD_TRY(read_desc("mesh", desc, false, &read));
+    SHD_TRY(check_mesh_desc(read));
+    core::Context& owner = context_of(context);
+    geometry::Mesh mesh{};
+    geometry::build(owner, read, &mesh);
+    make_handle(owner, kType, core::create<geometry::Mesh>(owner.allocator, std::move(mesh)), out_mesh);
+    return SHD_OK;
+  });
+}
+
+void shd_mesh_retain(shd_mesh* mesh) {
+  retain_handle(mesh, kType);
+}
+
+void shd_mesh_release(shd_mesh* mesh) {
+  release_handle(mesh, kType);
+}
+
+shd_result shd_mesh_get_info(const shd_mesh* mesh, shd_mesh_info* out_info) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_info", out_info));
+    *out_info = {};
+    const geometry::Mesh* body = nullptr;
+    SHD_TRY(read_handle("mesh", mesh, kType, &body));
+    *out_info = body->info;
+    return SHD_OK;
+  });
+}
+
+shd_result shd_mesh_read_normals(const shd_mesh* mesh, const shd_f32_out out[3]) {
+  return guard([&]() -> shd_result {
+    const geometry::Mesh* body = nullptr;
+    SHD_TRY(read_handle("mesh", mesh, kType, &body));
+    SHD_TRY(check_not_null("out", out));
+    const char* const fields[3] = {"out[0]", "out[1]", "out[2]"};
+    for (int axis = 0; axis < 3; ++axis) SHD_TRY(check_column(fields[axis], out[axis], body->vertex_count));
+    const core::Array<float>* const normals[3] = {&body->nx, &body->ny, &body->nz};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!out[axis].data) continue;
+      for (size_t i = 0; i < body->vertex_count; ++i) data::store(out[axis], i, (*normals[axis])[i]);
+    }
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: film, (radiance -> linear image).
+///
+/// Input:      premultiplied scene-linear colour, depth and auxiliary values of shaded fragments.
+/// Output:     planes of one size, row 0 on top; copies of them in the caller's columns and images.
+/// Units:      colour scene-linear, premultiplied by alpha; depth 0 near .. 1 far.
+/// Invariants: reading changes nothing; integer formats clamp to 0..1, NaN to 0, and round to nearest; float
+///             formats keep NaN and infinities.
+///
+/// | file          | what                                                        |
+/// |---------------|-------------------------------------------------------------|
+/// | framebuffer.h | Framebuffer: its planes, and which of them there are        |
+/// | readback.h    | planes to columns, colour to interleaved images             |
+#pragma once

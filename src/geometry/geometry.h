@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: geometry, (mesh -> clip-space triangles).
+///
+/// Input:      the caller's columns of vertices and triangles; per frame a view and an object-to-world matrix.
+/// Output:     a Mesh with unit normals; per frame its vertices in clip space.
+/// Units:      positions in object space; angles in radians.
+/// Invariants: a Mesh never changes once built; every index is below vertex_count; uv, normals and tangents are
+///             finite; positions are finite unless the caller asked to keep others. A normal or tangent with a
+///             component that is not finite counts as the zero vector; u, v and handedness count one by one.
+///             Sums run over faces in index order, in double, on one thread: the bits never depend on workers.
+///
+/// | file      | what                                                                      |
+/// |-----------|---------------------------------------------------------------------------|
+/// | mesh.h    | Mesh, and its making from the caller's columns                            |
+/// | normals.h | vertex normals from faces, weighted by area, corner angle or not at all   |
+///
+/// The vertex stage, object space to clip space, belongs to this folder too.
+#pragma once
