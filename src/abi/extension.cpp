@@ -23,7 +23,9 @@ void destroy_extension(core::Context& context, void* memory) {
   core::destroy(context.allocator, extension);
 }
 
-bool is_extension_type(uint32_t type) { return type > 0xffff; }
+bool is_extension_type(uint32_t type) {
+  return type > 0xffff;
+}
 
 }  // namespace
 

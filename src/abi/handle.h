@@ -14,7 +14,9 @@ inline shd_result check_context(const shd_context* handle) {
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, handle ? "context: not a live handle" : "context: NULL");
 }
 
-inline core::Context& context_of(shd_context* handle) { return *reinterpret_cast<core::Context*>(handle); }
+inline core::Context& context_of(shd_context* handle) {
+  return *reinterpret_cast<core::Context*>(handle);
+}
 inline const core::Context& context_of(const shd_context* handle) {
   return *reinterpret_cast<const core::Context*>(handle);
 }

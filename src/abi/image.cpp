@@ -3,4 +3,6 @@
 
 #include "image/format.h"
 
-extern "C" size_t shd_format_size(shd_format format) { return shd::image::format_info(format).pixel_size; }
+extern "C" size_t shd_format_size(shd_format format) {
+  return shd::image::format_info(format).pixel_size;
+}

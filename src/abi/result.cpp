@@ -10,7 +10,9 @@ uint32_t shd_version(void) {
   return (SHD_VERSION_MAJOR << 16) | (SHD_VERSION_MINOR << 8) | SHD_VERSION_PATCH;
 }
 
-const char* shd_last_error(void) { return shd::core::last_error(); }
+const char* shd_last_error(void) {
+  return shd::core::last_error();
+}
 
 const char* shd_result_name(shd_result result) {
   switch (result) {

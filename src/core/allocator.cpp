@@ -11,7 +11,9 @@ void* default_allocate(void*, size_t size, size_t alignment) {
   return posix_memalign(&memory, alignment, size) == 0 ? memory : nullptr;
 }
 
-void default_free(void*, void* memory, size_t, size_t) { std::free(memory); }
+void default_free(void*, void* memory, size_t, size_t) {
+  std::free(memory);
+}
 
 }  // namespace
 
@@ -27,6 +29,8 @@ void Allocator::free(void* memory, size_t size) const noexcept {
   if (memory) callbacks.free(callbacks.user_data, memory, size, kAlignment);
 }
 
-shd_allocator default_allocator() noexcept { return {default_allocate, default_free, nullptr}; }
+shd_allocator default_allocator() noexcept {
+  return {default_allocate, default_free, nullptr};
+}
 
 }  // namespace shd::core

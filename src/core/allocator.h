@@ -94,11 +94,52 @@ class Array {
   T* data_ = nullptr;
 };
 
+/// Owns a fixed number of default-constructed T, which may own memory themselves.
+template <class T>
+class Objects {
+ public:
+  Objects(const Allocator& allocator, size_t size)
+      : allocator_(&allocator),
+        data_(static_cast<T*>(allocator.allocate(checked_mul(size, sizeof(T))))),
+        bytes_(size * sizeof(T)) {
+    try {
+      for (; size_ < size; ++size_) new (data_ + size_) T();
+    } catch (...) {
+      clear();
+      throw;
+    }
+  }
+  Objects(const Objects&) = delete;
+  Objects& operator=(const Objects&) = delete;
+  ~Objects() { clear(); }
+
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  size_t size() const { return size_; }
+  T& operator[](size_t i) { return data_[i]; }
+  const T& operator[](size_t i) const { return data_[i]; }
+
+ private:
+  void clear() noexcept {
+    while (size_ > 0) data_[--size_].~T();
+    allocator_->free(data_, bytes_);
+  }
+
+  const Allocator* allocator_;
+  T* data_;
+  size_t bytes_;
+  size_t size_ = 0;
+};
+
 /// Array that grows at its end.
 template <class T>
 class Buffer {
  public:
+  Buffer() = default;
   explicit Buffer(const Allocator& allocator) : allocator_(&allocator) {}
+
+  /// Sets the allocator of a default-constructed buffer.
+  void attach(const Allocator& allocator) { allocator_ = &allocator; }
 
   T* data() { return storage_.data(); }
   const T* data() const { return storage_.data(); }
@@ -124,7 +165,7 @@ class Buffer {
   }
 
  private:
-  const Allocator* allocator_;
+  const Allocator* allocator_ = nullptr;
   Array<T> storage_;
   size_t size_ = 0;
 };

@@ -33,7 +33,9 @@ Context* create_context(const shd_context_desc& desc) {
   return context;
 }
 
-void retain(Context& context) noexcept { context.references.fetch_add(1, std::memory_order_relaxed); }
+void retain(Context& context) noexcept {
+  context.references.fetch_add(1, std::memory_order_relaxed);
+}
 
 void release(Context& context) noexcept {
   if (context.references.fetch_sub(1, std::memory_order_acq_rel) != 1) return;

@@ -15,7 +15,7 @@ struct Context {
   uint32_t tag;  // kContextTag while alive
   std::atomic<uint32_t> references;
   Allocator allocator;
-  shd_executor executor;  // parallel_for is never null
+  shd_executor executor;    // parallel_for is never null
   void* built_in_executor;  // body of the built-in executor, or null when the host's runs
   shd_log log;
   SimdTarget simd;

@@ -31,9 +31,8 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
     };
     // Isolated: a nested call that waits must not pick up tasks of the outer one, whose scratch is in use.
     static_cast<Arena*>(user_data)->arena.execute([&] {
-      tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, 1), run, tbb::simple_partitioner());
-      });
+      tbb::this_task_arena::isolate(
+          [&] { tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, 1), run, tbb::simple_partitioner()); });
     });
     return SHD_OK;
   } catch (const std::bad_alloc&) {

@@ -35,10 +35,17 @@ namespace detail {
 template <class Body>
 struct Job {
   Body& body;
+  uint32_t count;
+  uint32_t worker_count;
+  std::atomic<uint32_t> done{0};
   TaskFailure failure;
 
   static void run(void* data, uint32_t index, uint32_t worker) {
     Job& job = *static_cast<Job*>(data);
+    job.done.fetch_add(1, std::memory_order_relaxed);
+    if (index >= job.count || worker >= job.worker_count) {
+      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
+    }
     if (job.failure.failed.load(std::memory_order_relaxed)) return;
     const FpScope fp;
     try {
@@ -62,7 +69,7 @@ struct Job {
 template <class Body>
 void parallel_for(const Context& context, uint32_t count, Body&& body) {
   if (count == 0) return;
-  detail::Job<std::remove_reference_t<Body>> job{body, {}};
+  detail::Job<std::remove_reference_t<Body>> job{body, count, context.executor.worker_count, {}, {}};
   shd_result result = SHD_OK;
   if (count == 1) {
     job.run(&job, 0, 0);
@@ -74,6 +81,9 @@ void parallel_for(const Context& context, uint32_t count, Body&& body) {
   }
   if (result != SHD_OK) {
     throw Failure(fail(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result)));
+  }
+  if (job.done.load(std::memory_order_acquire) != count) {
+    throw Failure(fail(SHD_ERROR_CALLBACK, "executor.parallel_for ran %u of %u tasks", job.done.load(), count));
   }
 }
 

@@ -14,8 +14,12 @@ namespace shd::core {
 class FpScope {
  public:
 #if defined(__SSE__) || defined(_M_X64)
-  FpScope() : saved_(_mm_getcsr()) { _mm_setcsr(0x1f80); }
-  ~FpScope() { _mm_setcsr(saved_); }
+  FpScope() : saved_(_mm_getcsr()) {
+    _mm_setcsr(0x1f80);
+  }
+  ~FpScope() {
+    _mm_setcsr(saved_);
+  }
 
  private:
   uint32_t saved_;

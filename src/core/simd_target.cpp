@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/simd_target.h"
 
-#include <cstdio>
 #include <hwy/highway.h>
+#include <cstdio>
 
 #include "core/status.h"
 
@@ -15,8 +15,12 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {SHD_SIMD_SCALAR, HWY_SCALAR | HWY_EMU128}, {SHD_SIMD_SSSE3, HWY_SSSE3}, {SHD_SIMD_SSE4, HWY_SSE4},
-    {SHD_SIMD_AVX2, HWY_AVX2},                  {SHD_SIMD_AVX512, HWY_AVX3}, {SHD_SIMD_NEON, HWY_NEON},
+    {SHD_SIMD_SCALAR, HWY_SCALAR | HWY_EMU128},
+    {SHD_SIMD_SSSE3, HWY_SSSE3},
+    {SHD_SIMD_SSE4, HWY_SSE4},
+    {SHD_SIMD_AVX2, HWY_AVX2},
+    {SHD_SIMD_AVX512, HWY_AVX3},
+    {SHD_SIMD_NEON, HWY_NEON},
     {SHD_SIMD_WASM, HWY_WASM},
 };
 

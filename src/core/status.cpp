@@ -23,6 +23,8 @@ shd_result fail(shd_result code, const char* format, ...) noexcept {
   return code;
 }
 
-const char* last_error() noexcept { return t_text; }
+const char* last_error() noexcept {
+  return t_text;
+}
 
 }  // namespace shd::core

@@ -32,6 +32,8 @@ inline void store(const shd_u32_out& column, size_t i, uint32_t value) {
 }
 
 /// True when the elements lie next to each other, so that a kernel can read or write in place.
-inline bool is_packed(size_t stride) { return stride == 0 || stride == 4; }
+inline bool is_packed(size_t stride) {
+  return stride == 0 || stride == 4;
+}
 
 }  // namespace shd::data

@@ -20,6 +20,8 @@ namespace shd::data {
 /// may run past the last row. At least the widest vector: 16 lanes of AVX-512, 64 of the widest SVE.
 constexpr size_t kRowPad = 64;
 
-constexpr size_t padded(size_t rows) { return (rows + kRowPad - 1) / kRowPad * kRowPad; }
+constexpr size_t padded(size_t rows) {
+  return (rows + kRowPad - 1) / kRowPad * kRowPad;
+}
 
 }  // namespace shd::data

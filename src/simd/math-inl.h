@@ -31,7 +31,7 @@ HWY_INLINE V Log2(D d, V x) {
   const V one = hn::Set(d, 1.0f);
   const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
   const V z = hn::Mul(s, s);
-  V p = hn::Set(d, 0.320598898f);                          // 2 / (9 ln 2)
+  V p = hn::Set(d, 0.320598898f);                        // 2 / (9 ln 2)
   p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.412198583f));  // 2 / (7 ln 2)
   p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.577078016f));  // 2 / (5 ln 2)
   p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.961796694f));  // 2 / (3 ln 2)
@@ -55,7 +55,7 @@ HWY_INLINE V Exp2(D d, V x) {
   t = hn::Min(hn::Max(t, hn::Set(d, -160.0f)), hn::Set(d, 129.0f));
   const V whole = hn::Round(t);
   const V f = hn::Sub(t, whole);
-  V p = hn::Set(d, 1.52527338e-5f);                       // ln(2)^7 / 7!
+  V p = hn::Set(d, 1.52527338e-5f);  // ln(2)^7 / 7!
   p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.54035304e-4f));
   p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.33335581e-3f));
   p = hn::Add(hn::Mul(p, f), hn::Set(d, 9.61812911e-3f));

@@ -58,7 +58,9 @@ float float_from_bits(uint32_t bits) {
 }
 
 /// Deterministic numbers in [0, 2^32).
-uint32_t next(uint32_t* state) { return *state = *state * 1664525u + 1013904223u; }
+uint32_t next(uint32_t* state) {
+  return *state = *state * 1664525u + 1013904223u;
+}
 
 template <class Check>
 void on_every_target(int function, Check check) {
@@ -93,7 +95,8 @@ void test_log2(void**) {
 void test_exp2(void**) {
   uint32_t state = 2;
   for (size_t i = 0; i < kCount; ++i) g_x[i] = static_cast<float>(next(&state)) * (300.0f / 4294967296.0f) - 152.0f;
-  const float edges[] = {0.0f, -0.0f, 1.0f, 127.99999f, 128.0f, -149.0f, -151.0f, INFINITY, -INFINITY, NAN, 1e30f, -1e30f};
+  const float edges[] = {0.0f,    -0.0f,    1.0f,      127.99999f, 128.0f, -149.0f,
+                         -151.0f, INFINITY, -INFINITY, NAN,        1e30f,  -1e30f};
   std::memcpy(g_x, edges, sizeof edges);
   on_every_target(kExp2, [](size_t i) {
     const double want = std::exp2(static_cast<double>(g_x[i]));

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <shd/render.h>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "film/frame.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr uint64_t kMaxItems = 1u << 20;
+
+/// Prefixes the field of the latest error with the element it belongs to.
+shd_result in_element(shd_result result, const char* array, size_t index) {
+  if (result == SHD_OK) return result;
+  char text[512];
+  std::snprintf(text, sizeof text, "%s", core::last_error());
+  return core::fail(result, "render.%s[%zu]: %s", array, index, text);
+}
+
+shd_result read_draw(const shd_draw* in, film::Draw* out) {
+  shd_draw draw = shd_draw_default();
+  SHD_TRY(read_desc("draw", in, false, &draw));
+  SHD_TRY(check_count("draw.frequency", static_cast<uint32_t>(draw.frequency), 0, SHD_FREQUENCY_FLAT));
+  SHD_TRY(check_count("draw.cull", static_cast<uint32_t>(draw.cull), 0, SHD_CULL_FRONT));
+  SHD_TRY(check_zero("draw.reserved", draw.reserved));
+  SHD_TRY(check_finite("draw.object_to_world", draw.object_to_world, 16));
+  const float* m = draw.object_to_world;
+  if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.object_to_world: the last row is not 0 0 0 1");
+  }
+  SHD_TRY(read_handle("draw.mesh", draw.mesh, core::ObjectType::kMesh, &out->mesh));
+  SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
+  out->frequency = draw.frequency;
+  out->cull = draw.cull;
+  std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);
+  return SHD_OK;
+}
+
+/// Draws lie struct_size bytes apart, as the caller's header laid them out.
+shd_result read_draws(const shd_render_desc& desc, core::Array<film::Draw>* out) {
+  const auto* bytes = reinterpret_cast<const char*>(desc.draws);
+  const uint32_t stride = desc.draw_count ? desc.draws->struct_size : 0;
+  for (size_t i = 0; i < desc.draw_count; ++i) {
+    const auto* draw = reinterpret_cast<const shd_draw*>(bytes + i * stride);
+    if (draw->struct_size != stride) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                        "render.draws[%zu].struct_size: %u differs from that of draws[0], %u", i, draw->struct_size,
+                        stride);
+    }
+    SHD_TRY(in_element(read_draw(draw, &(*out)[i]), "draws", i));
+  }
+  return SHD_OK;
+}
+
+shd_result check_render_desc(const shd_render_desc& desc) {
+  SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
+  SHD_TRY(check_zero("render.reserved", desc.reserved));
+  SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
+  SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
+  SHD_TRY(check_finite("render.view.world_to_view", desc.view.world_to_view, 16));
+  SHD_TRY(check_finite("render.view.view_to_clip", desc.view.view_to_clip, 16));
+  SHD_TRY(check_finite("render.view.eye", desc.view.eye, 3));
+  SHD_TRY(check_range("render.view.reserved", static_cast<double>(desc.view.reserved), 0.0, 0.0));
+  SHD_TRY(check_count("render.draw_count", desc.draw_count, 0, kMaxItems));
+  SHD_TRY(check_count("render.light_count", desc.light_count, 0, kMaxItems));
+  if (desc.draw_count) SHD_TRY(check_not_null("render.draws", desc.draws));
+  if (desc.light_count) SHD_TRY(check_not_null("render.lights", desc.lights));
+  return SHD_OK;
+}
+
+shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
+  SHD_TRY(check_render_desc(desc));
+  film::Frame frame = {};
+  SHD_TRY(read_handle("render.framebuffer", desc.framebuffer, core::ObjectType::kFramebuffer, &frame.framebuffer));
+  core::Array<film::Draw> draws(context.allocator, desc.draw_count);
+  SHD_TRY(read_draws(desc, &draws));
+  core::Array<const light::Light*> lights(context.allocator, desc.light_count);
+  for (size_t i = 0; i < desc.light_count; ++i) {
+    SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &lights[i]), "lights", i));
+  }
+  frame.view = desc.view;
+  frame.keep = desc.keep != 0;
+  std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
+  frame.clear_depth = desc.clear_depth;
+  frame.draws = draws.data();
+  frame.draw_count = draws.size();
+  frame.lights = lights.data();
+  frame.light_count = lights.size();
+  frame.progress = desc.progress;
+  film::render(context, frame, stats);
+  return SHD_OK;
+}
+
+}  // namespace
+
+extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* desc) {
+  shd_render_stats* wanted = nullptr;
+  shd_render_stats stats = {};
+  const shd_result result = guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
+    shd_render_desc read = shd_render_desc_default();
+    SHD_TRY(read_desc("render", desc, false, &read));
+    wanted = read.stats;
+    return render(context_of(context), read, &stats);
+  });
+  if (result != SHD_OK) stats = {};
+  if (wanted) *wanted = stats;
+  return result;
+}

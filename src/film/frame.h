@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <shd/render.h>
+
+#include "core/context.h"
+#include "film/framebuffer.h"
+#include "geometry/mesh.h"
+#include "light/light.h"
+#include "material/material.h"
+
+namespace shd::film {
+
+/// A checked shd_draw.
+struct Draw {
+  const geometry::Mesh* mesh;
+  const material::Material* material;
+  shd_frequency frequency;
+  shd_cull cull;
+  float object_to_world[16];
+};
+
+/// A checked shd_render_desc.
+struct Frame {
+  Framebuffer* framebuffer;
+  shd_view view;
+  bool keep;
+  float clear_color[4];
+  float clear_depth;
+  const Draw* draws;
+  size_t draw_count;
+  const light::Light* const* lights;
+  size_t light_count;
+  shd_progress progress;
+};
+
+/// Renders a frame on the context's executor: vertices, assembly and binning in groups of triangles, then tiles.
+/// Throws Failure and std::bad_alloc; then the framebuffer may hold part of the frame.
+void render(const core::Context& context, const Frame& frame, shd_render_stats* stats);
+
+}  // namespace shd::film

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "film/scene.h"
+
+#include <algorithm>
+
+#include "core/executor.h"
+#include "data/data.h"
+#include "geometry/assemble.h"
+
+namespace shd::film {
+namespace {
+
+/// Part of a draw's vertices or triangles.
+struct Part {
+  uint32_t draw;
+  size_t begin, end;
+};
+
+constexpr size_t kVerticesPerPart = 8192;  // a multiple of data::kRowPad
+constexpr size_t kTrianglesPerPart = 16384;
+constexpr size_t kMaxGroups = 256;  // bounds the bin table, whose size is tiles x groups
+
+/// Cuts each draw's `count_of(draw)` items into parts of at most `size`. Throws std::bad_alloc.
+template <class CountOf>
+core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, size_t size, CountOf count_of) {
+  core::Buffer<Part> parts(context.allocator);
+  for (size_t draw = 0; draw < frame.draw_count; ++draw) {
+    const size_t count = count_of(frame.draws[draw]);
+    for (size_t begin = 0; begin < count; begin += size) {
+      parts.push_back({static_cast<uint32_t>(draw), begin, std::min(count, begin + size)});
+    }
+  }
+  return parts;
+}
+
+void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
+  for (size_t draw = 0; draw < frame.draw_count; ++draw) {
+    geometry::allocate(context.allocator, *frame.draws[draw].mesh, &scene->vertices[draw]);
+    scene->transforms[draw] = geometry::make_transform(frame.view, frame.draws[draw].object_to_world,
+                                                       frame.framebuffer->width, frame.framebuffer->height);
+  }
+  const auto padded_vertices = [](const Draw& draw) { return data::padded(draw.mesh->vertex_count); };
+  const core::Buffer<Part> parts = make_parts(context, frame, kVerticesPerPart, padded_vertices);
+  core::parallel_for(context, static_cast<uint32_t>(parts.size()), [&](uint32_t i, uint32_t) {
+    const Part& part = parts[i];
+    geometry::transform_vertices(context.simd, *frame.draws[part.draw].mesh, scene->transforms[part.draw], part.begin,
+                                 part.end, &scene->vertices[part.draw]);
+  });
+}
+
+void add(const shd_render_stats& from, shd_render_stats* to) {
+  to->triangles += from.triangles;
+  to->nonfinite += from.nonfinite;
+  to->outside += from.outside;
+  to->culled += from.culled;
+  to->empty += from.empty;
+  to->rasterised += from.rasterised;
+  to->clipped += from.clipped;
+}
+
+/// Assembles parts into groups; consecutive parts share a group when there are many.
+void assemble_all(const core::Context& context, const Frame& frame, const core::Buffer<Part>& parts, Scene* scene,
+                  shd_render_stats* stats) {
+  const size_t groups = scene->groups.size();
+  core::Array<shd_render_stats> group_stats(context.allocator, groups);
+  group_stats.fill_zero();
+  core::parallel_for(context, static_cast<uint32_t>(groups), [&](uint32_t g, uint32_t) {
+    raster::Group& group = scene->groups[g];
+    group.attach(context.allocator);
+    for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
+      const Part& part = parts[i];
+      const Draw& draw = frame.draws[part.draw];
+      const geometry::Assembly assembly = {draw.mesh, &scene->vertices[part.draw], part.draw,
+                                           draw.cull, frame.framebuffer->width,    frame.framebuffer->height};
+      geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
+    }
+  });
+  for (size_t g = 0; g < groups; ++g) add(group_stats[g], stats);
+}
+
+/// One group for each part of a draw's triangles, up to kMaxGroups.
+size_t group_count(const Frame& frame) {
+  size_t parts = 0;
+  for (size_t draw = 0; draw < frame.draw_count; ++draw) {
+    parts += (frame.draws[draw].mesh->triangle_count + kTrianglesPerPart - 1) / kTrianglesPerPart;
+  }
+  return std::min(parts, kMaxGroups);
+}
+
+}  // namespace
+
+Scene::Scene(const core::Allocator& allocator, const Frame& frame)
+    : vertices(allocator, frame.draw_count),
+      transforms(allocator, frame.draw_count),
+      groups(allocator, group_count(frame)),
+      bins() {}
+
+void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats) {
+  const auto triangles = [](const Draw& draw) { return size_t{draw.mesh->triangle_count}; };
+  transform_all(context, frame, scene);
+  assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
+  raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()),
+                        frame.framebuffer->width, frame.framebuffer->height, &scene->bins);
+}
+
+}  // namespace shd::film

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/context.h"
+#include "film/frame.h"
+#include "geometry/vertex.h"
+#include "raster/bin.h"
+
+namespace shd::film {
+
+/// A frame after its geometry stages: what tiles are drawn from.
+struct Scene {
+  /// Empty; throws std::bad_alloc.
+  Scene(const core::Allocator& allocator, const Frame& frame);
+
+  core::Objects<geometry::Vertices> vertices;   // [draw]
+  core::Array<geometry::Transform> transforms;  // [draw]
+  core::Objects<raster::Group> groups;          // in submission order
+  raster::Bins bins;
+};
+
+/// Transforms, assembles and bins every draw of a frame on the executor. Throws.
+void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
+
+}  // namespace shd::film

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "film/tile_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace shd::film {
+namespace {
+
+/// Position of pixel (0, y) of the tile in a plane.
+size_t row_start(const TileArea& area, const Framebuffer& framebuffer, uint32_t y) {
+  return (area.top + size_t{y}) * framebuffer.stride + area.left;
+}
+
+/// Position of a tile's pixel in a plane.
+size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
+  return row_start(area, framebuffer, pixel / raster::kTile) + pixel % raster::kTile;
+}
+
+}  // namespace
+
+TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x) {
+  TileArea area;
+  area.left = tile % tiles_x * raster::kTile;
+  area.top = tile / tiles_x * raster::kTile;
+  area.width = std::min<uint32_t>(raster::kTile, framebuffer.width - area.left);
+  area.height = std::min<uint32_t>(raster::kTile, framebuffer.height - area.top);
+  return area;
+}
+
+void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const size_t start = row_start(area, *framebuffer, y);
+    for (uint32_t p = 0; p < kFloatPlanes; ++p) {
+      if (framebuffer->plane[p].size() == 0) continue;
+      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : 0.0f;
+      std::fill_n(&framebuffer->plane[p][start], area.width, value);
+    }
+    if (framebuffer->triangle.size() != 0) std::fill_n(&framebuffer->triangle[start], area.width, kNoTriangle);
+  }
+}
+
+void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile) {
+  std::fill_n(tile->slot, raster::kTilePixels, raster::kNoSlot);
+  if (area.width < raster::kTile || area.height < raster::kTile) std::fill_n(tile->depth, raster::kTilePixels, -1.0f);
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
+    std::memcpy(tile->depth + y * raster::kTile, depth, area.width * sizeof(float));
+  }
+}
+
+void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
+    std::memcpy(depth, tile.depth + y * raster::kTile, area.width * sizeof(float));
+  }
+}
+
+size_t write_fragments(const TileArea& area, const raster::Fragments& f, const shade::Radiance& radiance,
+                       Framebuffer* framebuffer) {
+  size_t nonfinite = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    const size_t at = position(area, *framebuffer, f.pixel[i]);
+    bool finite = true;
+    for (int c = 0; c < 4; ++c) {
+      const float value = radiance.channel[c][i];
+      framebuffer->plane[c][at] = value;
+      finite &= std::isfinite(value);
+    }
+    nonfinite += !finite;
+  }
+  const struct {
+    uint32_t aov;
+    shd_plane plane;
+    const float* column;
+  } columns[] = {{SHD_AOV_UV, SHD_PLANE_U, f.u},
+                 {SHD_AOV_UV, SHD_PLANE_V, f.v},
+                 {SHD_AOV_NORMAL, SHD_PLANE_NX, f.nx},
+                 {SHD_AOV_NORMAL, SHD_PLANE_NY, f.ny},
+                 {SHD_AOV_NORMAL, SHD_PLANE_NZ, f.nz}};
+  for (const auto& [aov, plane, column] : columns) {
+    if (!(framebuffer->aovs & aov)) continue;
+    for (size_t i = 0; i < f.count; ++i) {
+      framebuffer->plane[plane][position(area, *framebuffer, f.pixel[i])] = column[i];
+    }
+  }
+  if (framebuffer->aovs & SHD_AOV_TRIANGLE) {
+    for (size_t i = 0; i < f.count; ++i) {
+      framebuffer->triangle[position(area, *framebuffer, f.pixel[i])] = f.triangle[i];
+    }
+  }
+  return nonfinite;
+}
+
+}  // namespace shd::film

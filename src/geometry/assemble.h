@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <shd/render.h>
+
+#include "core/allocator.h"
+#include "geometry/mesh.h"
+#include "geometry/vertex.h"
+
+namespace shd::geometry {
+
+/// A triangle ready for coverage: on the pixel grid, inside the guard band, with area, turned so that
+/// (x1-x0)(y2-y0) - (x2-x0)(y1-y0) > 0 in raster space (y down). A clipped triangle becomes several of these with the
+/// same primitive. Rows, not columns: each is read once, by the tile that it falls in.
+struct ScreenTriangle {
+  int32_t x[3], y[3];  // fixed point
+  float z[3];          // depth, 0..1
+  uint32_t draw;       // index into the frame's draws
+  uint32_t primitive;  // index of the triangle in its mesh
+  uint32_t reserved;
+};
+
+/// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a viewport of
+/// width x height pixels. Throws std::bad_alloc.
+struct Assembly {
+  const Mesh* mesh;
+  const Vertices* vertices;
+  uint32_t draw;
+  shd_cull cull;
+  uint32_t width, height;
+};
+void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
+              shd_render_stats* stats);
+
+/// A box of pixels, ends included; empty if min > max.
+struct PixelBox {
+  int32_t min_x, min_y, max_x, max_y;
+};
+
+/// Pixels whose centres lie in the bounding box of a triangle; pixel p has its centre at (p + 1/2) kSubpixels.
+inline PixelBox pixel_box(const ScreenTriangle& t) {
+  const int32_t half = kSubpixels / 2;
+  return {(std::min({t.x[0], t.x[1], t.x[2]}) + half - 1) >> kSubpixelBits,
+          (std::min({t.y[0], t.y[1], t.y[2]}) + half - 1) >> kSubpixelBits,
+          (std::max({t.x[0], t.x[1], t.x[2]}) - half) >> kSubpixelBits,
+          (std::max({t.y[0], t.y[1], t.y[2]}) - half) >> kSubpixelBits};
+}
+
+inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
+          std::min(a.max_y, b.max_y)};
+}
+
+inline bool is_empty(const PixelBox& box) {
+  return box.min_x > box.max_x || box.min_y > box.max_y;
+}
+
+/// All pixels of a viewport.
+inline PixelBox viewport_box(uint32_t width, uint32_t height) {
+  return {0, 0, static_cast<int32_t>(width) - 1, static_cast<int32_t>(height) - 1};
+}
+
+}  // namespace shd::geometry

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/clip.h"
+
+#include <cmath>
+
+namespace shd::geometry {
+namespace {
+
+struct ClipVertex {
+  double x, y, z, w;
+  const ScreenVertex* original;  // null for a vertex made by clipping
+};
+
+struct Polygon {
+  ClipVertex vertex[kMaxClipped];
+  int count;
+};
+
+/// Signed distance to plane `plane`, up to a positive factor; inside is >= 0.
+double distance(int plane, const ClipVertex& v) {
+  const double guard = static_cast<double>(kGuardBand);
+  switch (plane) {
+    case 0: return v.w - static_cast<double>(kMinW);
+    case 1: return v.z;
+    case 2: return v.w - v.z;
+    case 3: return v.x + guard * v.w;
+    case 4: return guard * v.w - v.x;
+    case 5: return v.y + guard * v.w;
+    default: return guard * v.w - v.y;
+  }
+}
+
+/// Where the edge meets the plane; always from the inside vertex, so that both neighbours compute the same.
+ClipVertex intersect(const ClipVertex& in, const ClipVertex& out, double in_distance, double out_distance) {
+  const double t = in_distance / (in_distance - out_distance);
+  return {in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z), in.w + t * (out.w - in.w),
+          nullptr};
+}
+
+void clip_plane(int plane, const Polygon& in, Polygon* out) {
+  out->count = 0;
+  for (int i = 0; i < in.count; ++i) {
+    const ClipVertex& a = in.vertex[i];
+    const ClipVertex& b = in.vertex[(i + 1) % in.count];
+    const double da = distance(plane, a), db = distance(plane, b);
+    if (da >= 0.0) out->vertex[out->count++] = a;
+    if (da >= 0.0 && db < 0.0) out->vertex[out->count++] = intersect(a, b, da, db);
+    if (da < 0.0 && db >= 0.0) out->vertex[out->count++] = intersect(b, a, db, da);
+  }
+}
+
+double clamp(double value, double low, double high) {
+  return value < low ? low : value > high ? high : value;
+}
+
+ScreenVertex project(const ClipVertex& v) {
+  if (v.original && !(v.original->outcode & kMustClip)) return *v.original;
+  const double w = v.w > 0.0 ? v.w : static_cast<double>(kMinW);
+  const double guard = static_cast<double>(kGuardBand);
+  const auto snap = [&](double numerator) {
+    return static_cast<int32_t>(std::floor(clamp(numerator / w, -guard, guard) * kSubpixels + 0.5));
+  };
+  return {snap(v.x), snap(v.y), static_cast<float>(clamp(v.z / w, 0.0, 1.0)), 0};
+}
+
+}  // namespace
+
+int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out) {
+  Polygon polygon[2];
+  polygon[0].count = 3;
+  for (int k = 0; k < 3; ++k) {
+    const float* v = &vertices.raster[4 * size_t{index[k]}];
+    polygon[0].vertex[k] = {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]),
+                            static_cast<double>(v[3]), &vertices.screen[index[k]]};
+  }
+  constexpr int kPlanes = 7;
+  int current = 0;
+  for (int plane = 0; plane < kPlanes && polygon[current].count >= 3; ++plane) {
+    clip_plane(plane, polygon[current], &polygon[1 - current]);
+    current = 1 - current;
+  }
+  const Polygon& result = polygon[current];
+  if (result.count < 3) return 0;
+  for (int i = 0; i < result.count; ++i) out[i] = project(result.vertex[i]);
+  return result.count;
+}
+
+}  // namespace shd::geometry

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <shd/view.h>
+
+#include "core/allocator.h"
+#include "core/context.h"
+#include "geometry/mesh.h"
+
+namespace shd::geometry {
+
+/// Raster coordinates are fixed point with this many fractional bits.
+constexpr int kSubpixelBits = 8;
+constexpr int32_t kSubpixels = 1 << kSubpixelBits;
+
+/// Largest |raster coordinate| that is not clipped [pixels]; 2^28 in fixed point, so that products of
+/// differences fit in int64 with room to spare.
+constexpr float kGuardBand = 1048576.0f;
+
+/// Smallest W that is not clipped away.
+constexpr float kMinW = 0x1p-100f;
+
+/// Where a vertex lies; a bit set in all three vertices means the triangle is outside.
+enum Outcode : uint32_t {
+  kOutLeft = 1,
+  kOutRight = 2,
+  kOutTop = 4,
+  kOutBottom = 8,
+  kOutNear = 16,       // Z < 0
+  kOutFar = 32,        // Z > W
+  kOutBehind = 64,     // W < kMinW
+  kOutGuard = 128,     // beyond kGuardBand: must be clipped
+  kOutNonfinite = 256  // NaN or infinite: the triangle is dropped
+};
+constexpr uint32_t kOutside = kOutLeft | kOutRight | kOutTop | kOutBottom | kOutNear | kOutFar | kOutBehind;
+constexpr uint32_t kMustClip = kOutNear | kOutFar | kOutBehind | kOutGuard;
+
+/// A vertex on the pixel grid; x, y and z mean nothing where outcode & kMustClip.
+struct ScreenVertex {
+  int32_t x, y;  // raster position in 1 / kSubpixels pixel, origin at the top left corner, y down
+  float z;       // depth, 0 near .. 1 far
+  uint32_t outcode;
+};
+
+/// Matrices of one draw, column-major.
+struct Transform {
+  float raster[16];     // object space to (X, Y, Z, W): raster position (X / W, Y / W) in pixels, y down; depth Z / W
+  float world[16];      // object space to world space; affine
+  float normal[9];      // object space normals to world space, up to length: cofactors times the sign of det
+  float orientation;    // sign of det: -1 where the matrix mirrors
+  float width, height;  // viewport [pixels]
+};
+
+/// Products in double, rounded once.
+Transform make_transform(const shd_view& view, const float object_to_world[16], uint32_t width, uint32_t height);
+
+/// Transformed vertices of one draw. Rows of four, not columns: a fragment gathers all of a vertex at once, and a
+/// row shares one cache line.
+struct Vertices {
+  core::Array<ScreenVertex> screen;  // [padded]
+  core::Array<float> raster;         // [padded][4] X, Y, Z, W
+  core::Array<float> world;          // [padded][4] x, y, z, u
+  core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
+};
+
+/// Allocates rows for every vertex of a mesh.
+void allocate(const core::Allocator& allocator, const Mesh& mesh, Vertices* out);
+
+/// Transforms rows [begin, end), multiples of data::kRowPad.
+void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
+                        size_t end, Vertices* out);
+
+}  // namespace shd::geometry

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "geometry/assemble.h"
+#include "raster/tile.h"
+
+namespace shd::raster {
+
+/// Edge function of one edge over one tile, in whole pixels: the pixel (i, j) of the tile is on the inner side iff
+/// value + a * i + b * j >= 0. Exact: at pixel centres the function in 2^-16 pixel^2 moves in steps of 256 a and
+/// 256 b, so dividing it by 256 and rounding down keeps its sign.
+struct Edge {
+  int64_t value, a, b;
+};
+
+enum class EdgeSide { kOutside, kInside, kCrossing };
+
+/// The edge from vertex k to the next, with the top-left rule folded in, and how it lies to the tile.
+inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left, int32_t top, Edge* out) {
+  const int next = k == 2 ? 0 : k + 1;
+  const int64_t a = int64_t{t.y[k]} - t.y[next];
+  const int64_t b = int64_t{t.x[next]} - t.x[k];
+  const int64_t centre_x = int64_t{left} * geometry::kSubpixels + geometry::kSubpixels / 2;
+  const int64_t centre_y = int64_t{top} * geometry::kSubpixels + geometry::kSubpixels / 2;
+  int64_t value = a * (centre_x - t.x[k]) + b * (centre_y - t.y[k]);
+  const bool owns_boundary = a > 0 || (a == 0 && b > 0);  // left edge, or top edge
+  if (!owns_boundary) --value;
+  value >>= geometry::kSubpixelBits;
+  const int64_t span = kTile - 1;
+  const int64_t lowest = value + span * (std::min<int64_t>(a, 0) + std::min<int64_t>(b, 0));
+  const int64_t highest = value + span * (std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0));
+  if (highest < 0) return EdgeSide::kOutside;
+  if (lowest >= 0) {
+    *out = {0, 0, 0};
+    return EdgeSide::kInside;
+  }
+  *out = {value, a, b};
+  return EdgeSide::kCrossing;
+}
+
+/// Steps up to this size keep an edge that crosses a tile, and all its values there, inside int32.
+constexpr int64_t kNarrowStep = int64_t{1} << 23;
+
+/// Depth as a plane: base + dx * (x - x0) + dy * (y - y0) at pixel (x, y) of the frame, clamped to [low, high]. The
+/// origin is the pixel of vertex 0, so that the value does not depend on the tile.
+struct DepthPlane {
+  float base, dx, dy, low, high;
+  int32_t x0, y0;
+};
+
+inline DepthPlane make_depth_plane(const geometry::ScreenTriangle& t) {
+  const double x1 = static_cast<double>(t.x[1] - t.x[0]), y1 = static_cast<double>(t.y[1] - t.y[0]);
+  const double x2 = static_cast<double>(t.x[2] - t.x[0]), y2 = static_cast<double>(t.y[2] - t.y[0]);
+  const double z0 = static_cast<double>(t.z[0]);
+  const double z1 = static_cast<double>(t.z[1]) - z0, z2 = static_cast<double>(t.z[2]) - z0;
+  const double scale = geometry::kSubpixels / (x1 * y2 - x2 * y1);  // per pixel; the area is not 0
+  const double dx = (z1 * y2 - z2 * y1) * scale, dy = (z2 * x1 - z1 * x2) * scale;
+  DepthPlane plane;
+  plane.x0 = t.x[0] >> geometry::kSubpixelBits;
+  plane.y0 = t.y[0] >> geometry::kSubpixelBits;
+  const double to_pixels = 1.0 / geometry::kSubpixels;
+  const double step_x = (plane.x0 * geometry::kSubpixels + geometry::kSubpixels / 2 - t.x[0]) * to_pixels;
+  const double step_y = (plane.y0 * geometry::kSubpixels + geometry::kSubpixels / 2 - t.y[0]) * to_pixels;
+  plane.base = static_cast<float>(z0 + dx * step_x + dy * step_y);
+  plane.dx = static_cast<float>(dx);
+  plane.dy = static_cast<float>(dy);
+  plane.low = std::min({t.z[0], t.z[1], t.z[2]});
+  plane.high = std::max({t.z[0], t.z[1], t.z[2]});
+  return plane;
+}
+
+}  // namespace shd::raster

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "raster/fragments.h"
+
+namespace shd::raster {
+namespace {
+
+/// Every column of the table, once: what allocation needs to know.
+template <class Visit>
+void visit_columns(Fragments& f, Visit visit) {
+  for (uint32_t** column : {&f.pixel, &f.triangle, &f.vertex[0], &f.vertex[1], &f.vertex[2]}) {
+    visit(reinterpret_cast<void**>(column));
+  }
+  for (float** column :
+       {&f.x,  &f.y,  &f.depth, &f.bary[0], &f.bary[1], &f.bary[2], &f.px,   &f.py,   &f.pz,   &f.nx,  &f.ny,
+        &f.nz, &f.ox, &f.oy,    &f.oz,      &f.u,       &f.v,       &f.dudx, &f.dvdx, &f.dudy, &f.dvdy}) {
+    visit(reinterpret_cast<void**>(column));
+  }
+}
+
+}  // namespace
+
+void allocate(const core::Allocator& allocator, Fragments* out) {
+  size_t columns = 0;
+  visit_columns(*out, [&](void**) { ++columns; });
+  out->block = core::Array<float>(allocator, columns * kBatch);
+  out->block.fill_zero();
+  float* next = out->block.data();
+  visit_columns(*out, [&](void** column) {
+    *column = next;
+    next += kBatch;
+  });
+  out->count = 0;
+}
+
+void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
+  out->start.resize(slot_count + 1);
+  for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
+  for (size_t i = 0; i < kTilePixels; ++i) {
+    if (tile.slot[i] != kNoSlot) ++out->start[tile.slot[i]];
+  }
+  uint32_t total = 0;
+  for (size_t slot = 0; slot <= slot_count; ++slot) {
+    const uint32_t count = out->start[slot];
+    out->start[slot] = total;
+    total += count;
+  }
+  out->count = total;
+  // Each cell runs to the start of the next slot while pixels are placed, and is set back afterwards.
+  for (size_t i = 0; i < kTilePixels; ++i) {
+    if (tile.slot[i] != kNoSlot) out->pixel[out->start[tile.slot[i]]++] = static_cast<uint32_t>(i);
+  }
+  for (size_t slot = slot_count; slot > 0; --slot) out->start[slot] = out->start[slot - 1];
+  out->start[0] = 0;
+}
+
+}  // namespace shd::raster

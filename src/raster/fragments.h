@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/allocator.h"
+#include "raster/tile.h"
+
+namespace shd::raster {
+
+/// Rows of a batch: whole vectors may run past count, and the columns of a batch stay in L2.
+constexpr size_t kBatch = 512;
+
+/// Points waiting for light, one row each: fragments, or the corners or centroids of triangles. Columns of kBatch
+/// elements in one block.
+struct Fragments {
+  size_t count = 0;  // rows in use
+  core::Array<float> block;
+
+  uint32_t* pixel;      // row-major position in the tile
+  uint32_t* triangle;   // index in its mesh
+  uint32_t* vertex[3];  // rows of geometry::Vertices
+  float *x, *y;         // raster position [pixels]
+  float* depth;         // 0..1
+  float* bary[3];       // perspective-correct barycentric coordinates, >= 0, sum 1
+  float *px, *py, *pz;  // position, world space
+  float *nx, *ny, *nz;  // shading normal, world space, unit
+  float *ox, *oy, *oz;  // wo: towards the eye, world space, unit
+  float *u, *v;         // texture coordinates
+  float *dudx, *dvdx;   // per pixel to the right
+  float *dudy, *dvdy;   // per pixel down
+};
+
+/// Throws std::bad_alloc.
+void allocate(const core::Allocator& allocator, Fragments* out);
+
+/// Pixels of a tile in the order of their triangles.
+struct TileOrder {
+  size_t count;                  // covered pixels
+  core::Buffer<uint32_t> start;  // [slots + 1] first position of each slot
+  uint32_t pixel[kTilePixels];   // row-major position in the tile, sorted by slot, then by position
+};
+
+/// Counting sort of the covered pixels of a tile by slot. Throws std::bad_alloc.
+void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out);
+
+}  // namespace shd::raster

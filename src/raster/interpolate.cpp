@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "raster/interpolate.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/interpolate.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::Normalize;
+using simd::HWY_NAMESPACE::Vec3V;
+
+/// Component c of rows of four, the same row in every lane.
+struct OneRow {
+  size_t row;
+  template <class D>
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
+    return hn::Set(d, rows[4 * row + static_cast<size_t>(c)]);
+  }
+};
+
+/// The same, a row for each lane.
+template <class D>
+struct RowPerLane {
+  hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
+    const hn::RebindToSigned<D> di;
+    return hn::GatherIndex(d, rows, hn::Add(first, hn::Set(di, c)));
+  }
+};
+
+template <class V>
+struct Barycentric {
+  V b1, b2;                      // of vertices 1 and 2
+  V b1_dx, b1_dy, b2_dx, b2_dy;  // per pixel
+  V b0;
+};
+
+/// Barycentric coordinates of raster position (px, py) and their derivatives.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], V px, V py) {
+  // Vertices moved so that the pixel is the origin: the weights are their cross products.
+  V x[3], y[3], w[3];
+  for (int k = 0; k < 3; ++k) {
+    const float* raster = vertices.raster.data();
+    w[k] = rows[k].Get(d, raster, 3);
+    x[k] = hn::Sub(rows[k].Get(d, raster, 0), hn::Mul(px, w[k]));
+    y[k] = hn::Sub(rows[k].Get(d, raster, 1), hn::Mul(py, w[k]));
+  }
+  V e[3], e_dx[3], e_dy[3];
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    e[k] = hn::Sub(hn::Mul(x[i], y[j]), hn::Mul(x[j], y[i]));
+    e_dx[k] = hn::Sub(hn::Mul(w[j], y[i]), hn::Mul(w[i], y[j]));
+    e_dy[k] = hn::Sub(hn::Mul(x[j], w[i]), hn::Mul(x[i], w[j]));
+  }
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V sum = hn::Add(hn::Add(e[0], e[1]), e[2]);
+  const V sum_dx = hn::Add(hn::Add(e_dx[0], e_dx[1]), e_dx[2]);
+  const V sum_dy = hn::Add(hn::Add(e_dy[0], e_dy[1]), e_dy[2]);
+  const V size = hn::Add(hn::Add(hn::Abs(e[0]), hn::Abs(e[1])), hn::Abs(e[2]));
+  // A sum this small has no finite inverse; NaN fails both.
+  const auto usable = hn::And(hn::Lt(size, hn::Set(d, __builtin_inff())), hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
+  const V inverse = hn::Div(one, hn::IfThenElse(usable, sum, one));
+
+  const V third = hn::Set(d, 1.0f / 3.0f);
+  const V raw1 = hn::IfThenElse(usable, hn::Mul(e[1], inverse), third);
+  const V raw2 = hn::IfThenElse(usable, hn::Mul(e[2], inverse), third);
+  Barycentric<V> result;
+  result.b1_dx = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dx[1], hn::Mul(raw1, sum_dx)), inverse));
+  result.b1_dy = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dy[1], hn::Mul(raw1, sum_dy)), inverse));
+  result.b2_dx = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dx[2], hn::Mul(raw2, sum_dx)), inverse));
+  result.b2_dy = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dy[2], hn::Mul(raw2, sum_dy)), inverse));
+  result.b1 = hn::Min(hn::Max(raw1, zero), one);
+  result.b2 = hn::Min(hn::Max(raw2, zero), hn::Sub(one, result.b1));
+  result.b0 = hn::Sub(hn::Sub(one, result.b1), result.b2);
+  return result;
+}
+
+/// Attribute c of rows of four at the weights.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b) {
+  const V a0 = rows[0].Get(d, values, c);
+  const V a1 = hn::Sub(rows[1].Get(d, values, c), a0);
+  const V a2 = hn::Sub(rows[2].Get(d, values, c), a0);
+  return hn::Add(hn::Add(a0, hn::Mul(b.b1, a1)), hn::Mul(b.b2, a2));
+}
+
+/// x where it is finite, else 0.
+template <class D, class V>
+HWY_INLINE V FiniteOrZero(D d, V x) {
+  return hn::IfThenElseZero(hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff())), x);
+}
+
+/// A texture coordinate with its derivatives.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE void Coordinate(D d, const float* values, const Rows (&rows)[3], const Barycentric<V>& b, size_t at,
+                           float* out, float* out_dx, float* out_dy) {
+  const V a0 = rows[0].Get(d, values, 3);
+  const V a1 = hn::Sub(rows[1].Get(d, values, 3), a0);
+  const V a2 = hn::Sub(rows[2].Get(d, values, 3), a0);
+  hn::Store(hn::Add(hn::Add(a0, hn::Mul(b.b1, a1)), hn::Mul(b.b2, a2)), d, out + at);
+  hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dx, a1), hn::Mul(b.b2_dx, a2))), d, out_dx + at);
+  hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dy, a1), hn::Mul(b.b2_dy, a2))), d, out_dy + at);
+}
+
+/// One vector of rows, starting at row `at`.
+template <class D, class Rows>
+HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
+                                size_t at, Fragments& f) {
+  using V = hn::Vec<D>;
+  const auto b = Weights(d, vertices, rows, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
+  hn::Store(b.b0, d, f.bary[0] + at);
+  hn::Store(b.b1, d, f.bary[1] + at);
+  hn::Store(b.b2, d, f.bary[2] + at);
+
+  const float *world = vertices.world.data(), *normals = vertices.normal.data();
+  const Vec3V<V> p = {Attribute(d, world, 0, rows, b), Attribute(d, world, 1, rows, b),
+                      Attribute(d, world, 2, rows, b)};
+  hn::Store(p.x, d, f.px + at);
+  hn::Store(p.y, d, f.py + at);
+  hn::Store(p.z, d, f.pz + at);
+  const Vec3V<V> n = Normalize(d, Vec3V<V>{Attribute(d, normals, 0, rows, b), Attribute(d, normals, 1, rows, b),
+                                           Attribute(d, normals, 2, rows, b)});
+  hn::Store(n.x, d, f.nx + at);
+  hn::Store(n.y, d, f.ny + at);
+  hn::Store(n.z, d, f.nz + at);
+  const Vec3V<V> to_eye = {hn::Sub(hn::Set(d, eye[0]), p.x), hn::Sub(hn::Set(d, eye[1]), p.y),
+                           hn::Sub(hn::Set(d, eye[2]), p.z)};
+  const Vec3V<V> o = Normalize(d, to_eye);
+  hn::Store(o.x, d, f.ox + at);
+  hn::Store(o.y, d, f.oy + at);
+  hn::Store(o.z, d, f.oz + at);
+  Coordinate(d, world, rows, b, at, f.u, f.dudx, f.dudy);
+  Coordinate(d, normals, rows, b, at, f.v, f.dvdx, f.dvdy);
+}
+
+void Interpolate(const geometry::Vertices& vertices, const float* eye, Fragments& f) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const hn::RebindToUnsigned<decltype(d)> du;
+  const size_t lanes = hn::Lanes(d);
+  for (size_t at = 0; at < f.count; at += lanes) {
+    // Sorted by triangle: the same at both ends is the same throughout.
+    if (f.triangle[at] == f.triangle[at + lanes - 1]) {
+      const OneRow rows[3] = {{f.vertex[0][at]}, {f.vertex[1][at]}, {f.vertex[2][at]}};
+      InterpolateRows(d, vertices, rows, eye, at, f);
+    } else {
+      const auto first = [&](int k) { return hn::BitCast(di, hn::ShiftLeft<2>(hn::Load(du, f.vertex[k] + at))); };
+      const RowPerLane<decltype(d)> rows[3] = {{first(0)}, {first(1)}, {first(2)}};
+      InterpolateRows(d, vertices, rows, eye, at, f);
+    }
+  }
+}
+
+}  // namespace shd::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::raster {
+
+HWY_EXPORT(Interpolate);
+
+void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3],
+                 Fragments* fragments) {
+  SHD_DISPATCH(Interpolate, simd)(vertices, eye, *fragments);
+}
+
+}  // namespace shd::raster
+#endif  // HWY_ONCE

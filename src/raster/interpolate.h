@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/simd_target.h"
+#include "geometry/vertex.h"
+#include "raster/fragments.h"
+
+namespace shd::raster {
+
+/// Fills position, normal, wo, uv, derivatives and barycentrics of `fragments` from x, y and the three vertices.
+/// Rows past count up to the next whole vector must repeat the last row; rows are sorted by triangle.
+///
+/// Barycentrics of the pixel centre come from the unclipped vertices in homogeneous raster coordinates (Olano and
+/// Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997), so clipping does not touch attributes;
+/// they are clamped to the triangle. Derivatives are the exact ones of that quotient.
+void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3],
+                 Fragments* fragments);
+
+}  // namespace shd::raster

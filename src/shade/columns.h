@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/allocator.h"
+#include "raster/fragments.h"
+
+namespace shd::shade {
+
+/// What each row reflects of the lights, before the coefficients: columns of raster::kBatch.
+struct Lobes {
+  float* diffuse[3];   // sum of E max(0, n.l)
+  float* specular[3];  // sum of E max(0, n.h)^p
+};
+
+/// Result of a batch: scene-linear, premultiplied; columns of raster::kBatch.
+struct Radiance {
+  float* channel[4];  // r, g, b, a
+};
+
+/// Columns of one worker besides its Fragments.
+struct Columns {
+  core::Array<float> block;
+  Lobes lobes;            // of the fragments
+  Radiance radiance;      // of the fragments
+  float* texture[4];      // diffuse texture at the fragments
+  Lobes row_lobes;        // of corners or centroids
+  Radiance row_radiance;  // of corners or centroids
+  uint32_t* row;          // for each fragment, the first of its triangle's rows
+};
+
+/// Throws std::bad_alloc.
+inline void allocate(const core::Allocator& allocator, Columns* out) {
+  constexpr size_t kColumns = 6 + 4 + 4 + 6 + 4 + 1;
+  out->block = core::Array<float>(allocator, kColumns * raster::kBatch);
+  out->block.fill_zero();
+  float* next = out->block.data();
+  const auto take = [&] {
+    float* column = next;
+    next += raster::kBatch;
+    return column;
+  };
+  for (Lobes* lobes : {&out->lobes, &out->row_lobes}) {
+    for (float*& column : lobes->diffuse) column = take();
+    for (float*& column : lobes->specular) column = take();
+  }
+  for (Radiance* radiance : {&out->radiance, &out->row_radiance}) {
+    for (float*& column : radiance->channel) column = take();
+  }
+  for (float*& column : out->texture) column = take();
+  out->row = reinterpret_cast<uint32_t*>(take());
+}
+
+}  // namespace shd::shade

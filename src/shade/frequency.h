@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/mesh.h"
+#include "geometry/vertex.h"
+#include "raster/fragments.h"
+
+namespace shd::shade {
+
+/// Corners of one triangle as rows `row`, row + 1 and row + 2 of a table: what Gouraud shading evaluates.
+void set_corners(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const float eye[3], uint32_t triangle,
+                 size_t row, raster::Fragments* rows);
+
+/// Centroid of one triangle, with its face normal, as row `row`: what flat shading evaluates.
+/// @param orientation  -1 where the draw's matrix mirrors, else 1
+void set_centroid(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const float eye[3], float orientation,
+                  uint32_t triangle, size_t row, raster::Fragments* rows);
+
+}  // namespace shd::shade

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "shade/run.h"
+
+#include <cstring>
+
+#include "data/data.h"
+#include "raster/interpolate.h"
+#include "shade/combine.h"
+#include "shade/frequency.h"
+#include "shade/illuminate.h"
+#include "texture/texture.h"
+
+namespace shd::shade {
+namespace {
+
+/// Completes x, y, depth, triangle to vertices and interpolated attributes.
+void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3],
+                        raster::Fragments* f) {
+  // Rows up to the next whole vector repeat the last one.
+  for (size_t i = f->count; i < data::padded(f->count); ++i) {
+    f->x[i] = f->x[f->count - 1];
+    f->y[i] = f->y[f->count - 1];
+    f->depth[i] = f->depth[f->count - 1];
+    f->triangle[i] = f->triangle[f->count - 1];
+  }
+  const uint32_t* indices = shading.mesh->indices.data();
+  for (size_t i = 0; i < data::padded(f->count); ++i) {
+    for (size_t k = 0; k < 3; ++k) f->vertex[k][i] = indices[3 * size_t{f->triangle[i]} + k];
+  }
+  raster::interpolate(simd, *shading.vertices, eye, f);
+}
+
+/// Rows of Gouraud and flat shading, one set for each triangle of the batch; columns.row says which is whose.
+void make_rows(const DrawShading& shading, const float eye[3], Workspace* w) {
+  const bool flat = shading.frequency == SHD_FREQUENCY_FLAT;
+  raster::Fragments& f = w->fragments;
+  size_t next = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    if (i == 0 || f.triangle[i] != f.triangle[i - 1]) {
+      if (flat) {
+        set_centroid(*shading.mesh, *shading.vertices, eye, shading.orientation, f.triangle[i], next, &w->rows);
+      } else {
+        set_corners(*shading.mesh, *shading.vertices, eye, f.triangle[i], next, &w->rows);
+      }
+      next += flat ? 1 : 3;
+    }
+    w->columns.row[i] = static_cast<uint32_t>(next - (flat ? 1 : 3));
+  }
+  for (size_t i = f.count; i < data::padded(f.count); ++i) w->columns.row[i] = w->columns.row[f.count - 1];
+  w->rows.count = next;
+}
+
+/// One value per row to one per fragment.
+void spread(const core::SimdTarget& simd, const DrawShading& shading, const Workspace& w, const float* in, float* out) {
+  if (shading.frequency == SHD_FREQUENCY_FLAT) {
+    spread_centroids(w.columns.row, w.fragments.count, in, out);
+  } else {
+    spread_corners(simd, w.fragments, w.columns.row, in, out);
+  }
+}
+
+void run_program(const DrawShading& shading, const raster::Fragments& f, Radiance* radiance) {
+  for (int c = 0; c < 4; ++c) {
+    for (size_t i = 0; i < f.count; ++i) radiance->channel[c][i] = c == 3 ? 1.0f : 0.0f;
+  }
+  shd_fragments in = {};
+  in.struct_size = sizeof in;
+  in.draw = shading.draw;
+  in.count = f.count;
+  in.x = f.x, in.y = f.y, in.depth = f.depth;
+  in.px = f.px, in.py = f.py, in.pz = f.pz;
+  in.nx = f.nx, in.ny = f.ny, in.nz = f.nz;
+  in.ox = f.ox, in.oy = f.oy, in.oz = f.oz;
+  in.u = f.u, in.v = f.v;
+  in.dudx = f.dudx, in.dvdx = f.dvdx, in.dudy = f.dudy, in.dvdy = f.dvdy;
+  in.triangle = f.triangle;
+  shd_radiance out = {};
+  out.struct_size = sizeof out;
+  out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
+  out.a = radiance->channel[3];
+  shading.material->program.fragment(&in, &out, shading.material->program.user_data);
+}
+
+/// Diffuse texture at the fragments, or null.
+const float* const* look_up(const core::SimdTarget& simd, const material::Material& material, Workspace* w) {
+  if (!material.diffuse_texture) return nullptr;
+  const raster::Fragments& f = w->fragments;
+  const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr};
+  texture::sample(*material.diffuse_texture, *material.diffuse_sampler, simd, lookups,
+                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], nullptr}});
+  return w->columns.texture;
+}
+
+}  // namespace
+
+void allocate(const core::Allocator& allocator, Workspace* out) {
+  raster::allocate(allocator, &out->fragments);
+  raster::allocate(allocator, &out->rows);
+  allocate(allocator, &out->columns);
+}
+
+void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
+                 Workspace* w) {
+  const material::Material& material = *shading.material;
+  const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
+  Columns& columns = w->columns;
+  complete_fragments(simd, shading, eye, &w->fragments);
+  if (!per_fragment) make_rows(shading, eye, w);
+  if (shading.frequency == SHD_FREQUENCY_FLAT) {
+    spread_centroids(columns.row, w->fragments.count, w->rows.nx, w->fragments.nx);
+    spread_centroids(columns.row, w->fragments.count, w->rows.ny, w->fragments.ny);
+    spread_centroids(columns.row, w->fragments.count, w->rows.nz, w->fragments.nz);
+  }
+  const raster::Fragments& rows = per_fragment ? w->fragments : w->rows;
+
+  if (material.model == SHD_MODEL_PROGRAM) {
+    run_program(shading, rows, per_fragment ? &columns.radiance : &columns.row_radiance);
+    if (per_fragment) return;
+    for (int c = 0; c < 4; ++c) {
+      spread(simd, shading, *w, columns.row_radiance.channel[c], columns.radiance.channel[c]);
+    }
+    return;
+  }
+  illuminate(simd, material, lights, rows, per_fragment ? &columns.lobes : &columns.row_lobes);
+  if (!per_fragment) {
+    for (int c = 0; c < 3; ++c) {
+      spread(simd, shading, *w, columns.row_lobes.diffuse[c], columns.lobes.diffuse[c]);
+      spread(simd, shading, *w, columns.row_lobes.specular[c], columns.lobes.specular[c]);
+    }
+  }
+  combine(simd, material, lights, columns.lobes, look_up(simd, material, w), w->fragments.count, &columns.radiance);
+}
+
+}  // namespace shd::shade
