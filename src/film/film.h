@@ -12,4 +12,7 @@
 /// |---------------|-------------------------------------------------------------|
 /// | framebuffer.h | Framebuffer: its planes, and which of them there are        |
 /// | readback.h    | planes to columns, colour to interleaved images             |
+/// | frame.h       | a whole frame: every stage, group by group and tile by tile |
+/// | scene.h       | a frame after its geometry stages                           |
+/// | tile_writer.h | one tile between the framebuffer and the raster stage       |
 #pragma once

@@ -14,6 +14,7 @@
 /// |-----------|---------------------------------------------------------------------------|
 /// | mesh.h    | Mesh, and its making from the caller's columns                            |
 /// | normals.h | vertex normals from faces, weighted by area, corner angle or not at all   |
-///
-/// The vertex stage, object space to clip space, belongs to this folder too.
+/// | vertex.h  | kernel: vertices of a draw to raster, world and normal space, with outcodes |
+/// | clip.h    | a triangle cut at the near and far plane and the guard band               |
+/// | assemble.h | culling, clipping and counting: mesh triangles to ScreenTriangle          |
 #pragma once
