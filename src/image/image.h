@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: image, (stored pixels <-> floats).
+///
+/// Input:      pixels as a format stores them.
+/// Output:     linear floats, and back.
+/// Units:      unsigned integer channels are value / maximum in [0, 1]; sRGB channels are encoded, alpha never is.
+/// Invariants: every conversion is correctly rounded and total; no libm, so the same bits on every machine.
+///
+/// | file     | what                                                       |
+/// |----------|------------------------------------------------------------|
+/// | format.h | how a pixel format is laid out                             |
+/// | srgb.h   | 8-bit sRGB to linear float and back (IEC 61966-2-1)        |
+/// | half.h   | IEEE 754 binary16 to binary32 and back, nearest even       |
+#pragma once
