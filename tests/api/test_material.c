@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+/* Materials: every field of the desc, programs, and the texture and sampler they hold. */
+#include "support/check.h"
+#include "support/fault_allocator.h"
+
+#include <shd/shd.h>
+
+static shd_context *g_context;
+static shd_light *g_light;
+
+static void program(const shd_fragments *in, shd_radiance *out, void *user_data)
+{
+    (void)in;
+    (void)out;
+    (void)user_data;
+}
+
+static void edit_nothing(shd_material_desc *d) { (void)d; }
+static void edit_size(shd_material_desc *d) { d->struct_size = 16; }
+static void edit_blinn_phong(shd_material_desc *d) { d->model = SHD_MODEL_BLINN_PHONG; }
+static void edit_program(shd_material_desc *d)
+{
+    d->model = SHD_MODEL_PROGRAM;
+    d->program.fragment = program;
+}
+static void edit_program_missing(shd_material_desc *d) { d->model = SHD_MODEL_PROGRAM; }
+static void edit_program_unused(shd_material_desc *d) { d->program.fragment = program; }
+static void edit_model(shd_material_desc *d) { d->model = (shd_model)3; }
+static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
+static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
+static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 8; }
+static void edit_black(shd_material_desc *d)
+{
+    memset(d->ambient, 0, sizeof d->ambient);
+    memset(d->diffuse, 0, sizeof d->diffuse);
+    memset(d->specular, 0, sizeof d->specular);
+    d->exponent = 0;
+}
+static void edit_largest(shd_material_desc *d)
+{
+    d->ambient[0] = d->diffuse[1] = d->specular[2] = d->exponent = 1e6f;
+}
+static void edit_ambient_negative(shd_material_desc *d) { d->ambient[0] = -1; }
+static void edit_ambient_nan(shd_material_desc *d) { d->ambient[2] = (float)NAN; }
+static void edit_diffuse_above(shd_material_desc *d) { d->diffuse[1] = 1.5e6f; }
+static void edit_diffuse_inf(shd_material_desc *d) { d->diffuse[2] = INFINITY; }
+static void edit_specular_nan(shd_material_desc *d) { d->specular[0] = (float)NAN; }
+static void edit_specular_minus_inf(shd_material_desc *d) { d->specular[1] = -INFINITY; }
+static void edit_exponent_negative(shd_material_desc *d) { d->exponent = -0.5f; }
+static void edit_exponent_nan(shd_material_desc *d) { d->exponent = (float)NAN; }
+static void edit_exponent_above(shd_material_desc *d) { d->exponent = 2e6f; }
+static void edit_reserved(shd_material_desc *d) { d->reserved = 1; }
+static void edit_light_as_texture(shd_material_desc *d) { d->diffuse_texture = (shd_texture *)(void *)g_light; }
+static void edit_light_as_sampler(shd_material_desc *d) { d->diffuse_sampler = (shd_sampler *)(void *)g_light; }
+
+struct create_case {
+    const char *name;
+    void (*edit)(shd_material_desc *desc);
+    shd_result expected;
+    const char *message;
+};
+
+#define BAD SHD_ERROR_INVALID_ARGUMENT
+static const struct create_case k_create[] = {
+    {"create/defaults", edit_nothing, SHD_OK, ""},
+    {"create/blinn_phong", edit_blinn_phong, SHD_OK, ""},
+    {"create/program", edit_program, SHD_OK, ""},
+    {"create/all_flags", edit_flags, SHD_OK, ""},
+    {"create/all_0", edit_black, SHD_OK, ""},
+    {"create/all_1e6", edit_largest, SHD_OK, ""},
+    {"create/struct_size_16", edit_size, BAD, "material.struct_size: 16"},
+    {"create/model_3", edit_model, BAD, "material.model: 3 is not in 0..2"},
+    {"create/model_negative", edit_model_negative, BAD, "material.model: "},
+    {"create/program_without_fragment", edit_program_missing, BAD,
+     "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},
+    {"create/fragment_without_program", edit_program_unused, BAD,
+     "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM"},
+    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x8 "},
+    {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[0]: -1 is not in 0..1e+06"},
+    {"create/ambient_nan", edit_ambient_nan, BAD, "material.ambient[2]: "},
+    {"create/diffuse_1.5e6", edit_diffuse_above, BAD, "material.diffuse[1]: 1.5e+06"},
+    {"create/diffuse_inf", edit_diffuse_inf, BAD, "material.diffuse[2]: inf"},
+    {"create/specular_nan", edit_specular_nan, BAD, "material.specular[0]: "},
+    {"create/specular_minus_inf", edit_specular_minus_inf, BAD, "material.specular[1]: -inf"},
+    {"create/exponent_negative", edit_exponent_negative, BAD, "material.exponent: -0.5"},
+    {"create/exponent_nan", edit_exponent_nan, BAD, "material.exponent: "},
+    {"create/exponent_2e6", edit_exponent_above, BAD, "material.exponent: 2e+06 is not in 0..1e+06"},
+    {"create/reserved_1", edit_reserved, BAD, "material.reserved: 1 is not 0"},
+    {"create/light_as_texture", edit_light_as_texture, BAD,
+     "material.diffuse_texture: not a live handle of its type"},
+    {"create/light_as_sampler", edit_light_as_sampler, BAD,
+     "material.diffuse_sampler: not a live handle of its type"},
+};
+
+static void test_create(void **state)
+{
+    const struct create_case *c = (const struct create_case *)*state;
+    shd_material_desc desc = shd_material_desc_default();
+    shd_material *material = (shd_material *)&desc;
+    c->edit(&desc);
+    shd_assert_result(c->name, shd_material_create(g_context, &desc, &material), c->expected, c->message);
+    if (c->expected == SHD_OK) {
+        assert_non_null(material);
+    } else {
+        assert_null(material);
+    }
+    shd_material_release(material);
+}
+
+static void test_null_desc(void **state)
+{
+    shd_material *material = NULL;
+    (void)state;
+    shd_assert_ok(shd_material_create(g_context, NULL, &material));
+    assert_non_null(material);
+    shd_material_release(material);
+}
+
+#define COUNT(table) (sizeof(table) / sizeof(table)[0])
+
+int main(void)
+{
+    static struct CMUnitTest tests[COUNT(k_create) + 8];
+    size_t n = 0, i;
+    int failed;
+    if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
+    if (shd_light_create(g_context, NULL, &g_light) != SHD_OK) return 1;
+    for (i = 0; i < COUNT(k_create); ++i) {
+        tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"create/null_desc", test_null_desc, NULL, NULL, NULL};
+    failed = _cmocka_run_group_tests("api.material", tests, n, NULL, NULL);
+    shd_light_release(g_light);
+    shd_context_release(g_context);
+    return failed;
+}

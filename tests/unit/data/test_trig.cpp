@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Angles and tangents in double against long double arithmetic of the C library.
+#include "support/check.h"
+
+#include "data/trig.h"
+
+namespace {
+
+using shd::data::angle_of;
+using shd::data::kPi;
+
+void check_angle(const char* what, size_t index, double y, double x) {
+  const long double want = atan2l(y, x);
+  const auto error = static_cast<double>(fabsl(static_cast<long double>(angle_of(y, x)) - want));
+  if (!(error <= 1e-15 * static_cast<double>(want) + 1e-300)) {
+    fail_msg("%s[%zu]: angle_of(%.17g, %.17g) is off by %g", what, index, y, x, error);
+  }
+}
+
+void test_angle_sweep(void**) {
+  for (size_t i = 0; i <= 100000; ++i) {
+    const double angle = kPi * static_cast<double>(i) / 100000.0;
+    check_angle("circle", i, fabs(sin(angle)), cos(angle));
+    check_angle("long", i, fabs(sin(angle)) * 1e100, cos(angle) * 1e100);
+    check_angle("short", i, fabs(sin(angle)) * 1e-100, cos(angle) * 1e-100);
+  }
+}
+
+void test_angle_slivers(void**) {
+  for (int e = -300; e <= 300; ++e) {
+    const double small = pow(10.0, e);
+    check_angle("y", static_cast<size_t>(e + 300), small, 1.0);
+    check_angle("y, backwards", static_cast<size_t>(e + 300), small, -1.0);
+    check_angle("x", static_cast<size_t>(e + 300), 1.0, small);
+    check_angle("minus x", static_cast<size_t>(e + 300), 1.0, -small);
+  }
+}
+
+void test_angle_edges(void**) {
+  assert_true(angle_of(0.0, 0.0) == 0.0);
+  assert_true(angle_of(0.0, 1.0) == 0.0);
+  assert_true(angle_of(0.0, -1.0) == kPi);
+  assert_true(angle_of(1.0, 0.0) == 0.5 * kPi);
+  assert_true(angle_of(1e308, 1e308) == angle_of(1.0, 1.0));
+  assert_true(angle_of(1e-308, 1e-308) == angle_of(1.0, 1.0));
+}
+
+void test_tan(void**) {
+  for (size_t i = 1; i < 200000; ++i) {
+    const double x = 0.5 * kPi * static_cast<double>(i) / 200000.0;
+    const long double want = tanl(static_cast<long double>(x));
+    const auto error = static_cast<double>(fabsl(static_cast<long double>(shd::data::tan(x)) - want) / want);
+    if (!(error <= 1e-15)) fail_msg("tan(%.17g) is off by %g", x, error);
+  }
+}
+
+void test_tan_edges(void**) {
+  assert_true(shd::data::tan(0.0) == 0.0);
+  assert_true(shd::data::tan(1e-300) == 1e-300);
+  const double below = 0.5 * static_cast<double>(3.1415925f);  // the widest field of view there is
+  assert_true(fabs(shd::data::tan(below) / static_cast<double>(tanl(below)) - 1.0) <= 1e-15);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      {"angle/sweep", test_angle_sweep, nullptr, nullptr, nullptr},
+      {"angle/slivers", test_angle_slivers, nullptr, nullptr, nullptr},
+      {"angle/edges", test_angle_edges, nullptr, nullptr, nullptr},
+      {"tan/sweep", test_tan, nullptr, nullptr, nullptr},
+      {"tan/edges", test_tan_edges, nullptr, nullptr, nullptr},
+  };
+  return cmocka_run_group_tests_name("unit.data.trig", tests, nullptr, nullptr);
+}
