@@ -21,14 +21,10 @@
 namespace shd::extension {
 
 /// Stores the text for shd_last_error() on this thread, as one line, and returns `code`.
-inline shd_result fail(shd_result code, const char* format, ...) noexcept SHD_EXTENSION_PRINTF(2, 3);
-inline shd_result fail(shd_result code, const char* format, ...) noexcept {
+inline shd_result fail_list(shd_result code, const char* format, va_list arguments) noexcept {
   const int saved_errno = errno;
   char text[1024];
-  va_list arguments;
-  va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
   for (char* c = text; *c; ++c) {
     if (static_cast<unsigned char>(*c) < 0x20) *c = ' ';
   }
@@ -36,12 +32,31 @@ inline shd_result fail(shd_result code, const char* format, ...) noexcept {
   return shd_report_error(code, text);
 }
 
-/// A result on its way to guard(); the text is already stored by fail().
+inline shd_result fail(shd_result code, const char* format, ...) noexcept SHD_EXTENSION_PRINTF(2, 3);
+inline shd_result fail(shd_result code, const char* format, ...) noexcept {
+  va_list arguments;
+  va_start(arguments, format);
+  fail_list(code, format, arguments);
+  va_end(arguments);
+  return code;
+}
+
+/// A result on its way to guard(); the text is already stored.
 struct Failure : std::exception {
   explicit Failure(shd_result result) : code(result) {}
   const char* what() const noexcept override { return shd_last_error(); }
   shd_result code;
 };
+
+/// fail(), then throws.
+[[noreturn]] inline void refuse(shd_result code, const char* format, ...) SHD_EXTENSION_PRINTF(2, 3);
+[[noreturn]] inline void refuse(shd_result code, const char* format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  fail_list(code, format, arguments);
+  va_end(arguments);
+  throw Failure(code);
+}
 
 /// Throws unless `result` is SHD_OK.
 inline void require(shd_result result) {
