@@ -70,6 +70,9 @@ static inline shd_color_desc shd_color_desc_default(void)
     return desc;
 }
 
+/** Text of the built-in config, to start one of your own from. Static. Any thread. @since 0.1 */
+SHD_API const char *shd_color_default_config(void);
+
 /**
  * Read a config.
  * @param context    retained; its executor runs the transforms
@@ -152,7 +155,7 @@ SHD_API const char *shd_color_view_name(const shd_color *color, const char *disp
 /** Default view of a display, NULL = the default one; borrowed until release; NULL if there is none. @since 0.1 */
 SHD_API const char *shd_color_default_view(const shd_color *color, const char *display);
 
-/** Number of colour spaces. @since 0.1 */
+/** Number of colour spaces, those of the displays included. @since 0.1 */
 SHD_API uint32_t shd_color_space_count(const shd_color *color);
 
 /** Name of a colour space; borrowed until release; NULL if there is none. @since 0.1 */

@@ -10,6 +10,7 @@
 #include "abi/extension_guard.h"
 #include "color/apply.h"
 #include "color/config.h"
+#include "color/default_config.h"
 #include "color/source.h"
 
 namespace {
@@ -126,6 +127,8 @@ const char* name_at(const std::vector<std::string>& names, uint32_t index) {
 }  // namespace
 
 extern "C" {
+
+const char* shd_color_default_config(void) { return color::kDefaultConfig; }
 
 shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, shd_color** out_color) {
   return guard([&]() -> shd_result {

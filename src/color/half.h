@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+// libshd has the same conversions in image/half.h, but does not export them.
 namespace shd::color {
 
 /// binary16 to binary32 (IEEE 754-2019, 3.6), exact.
