@@ -35,7 +35,8 @@
  * Memory:   OpenColorIO allocates with malloc, not with the context's allocator.
  * Globals:  while a config is read or a transform is built, OpenColorIO's process-wide logging level is NONE;
  *           then it is what it was. The environment variables OCIO_LOGGING_LEVEL and OCIO_OPTIMIZATION_FLAGS
- *           act as OpenColorIO documents. The locale of the host does not matter.
+ *           act as OpenColorIO documents. The locale of the host does not matter; only if the global locale of
+ *           C++ (std::locale::global) writes decimals with a comma, it is replaced for the same short time.
  *
  * Lifetime:      reference counted; create returns an owned reference; the context is retained.
  * Thread safety: retain/release from any thread; functions taking `const shd_color *` may run concurrently

@@ -3,6 +3,8 @@
 #include <locale.h>
 
 #include <exception>
+#include <locale>
+#include <mutex>
 #include <new>
 #include <sstream>
 
@@ -18,37 +20,65 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 using extension::refuse;
 
-/// OpenColorIO silent for the life of a scope; its level is process-wide, so scopes of all threads share one count.
-class QuietScope {
+/// OpenColorIO silent, and numbers read with decimal points, for the life of a scope. What it changes is
+/// process-wide, so the scopes of all threads share one count: the first changes, the last puts back.
+class GlobalScope {
  public:
-  QuietScope() {
+  GlobalScope() {
     const std::lock_guard<std::mutex> lock(s_mutex);
-    if (s_depth++ != 0) return;
-    s_saved = ocio::GetLoggingLevel();
-    ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);
+    if (s_depth == 0) {
+      swap_locale_in();
+      s_level = ocio::GetLoggingLevel();
+      ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);
+    }
+    ++s_depth;
   }
-  ~QuietScope() {
+  ~GlobalScope() {
     const std::lock_guard<std::mutex> lock(s_mutex);
-    if (--s_depth == 0) ocio::SetLoggingLevel(s_saved);
+    if (--s_depth != 0) return;
+    ocio::SetLoggingLevel(s_level);
+    swap_locale_out();
   }
-  QuietScope(const QuietScope&) = delete;
-  QuietScope& operator=(const QuietScope&) = delete;
+  GlobalScope(const GlobalScope&) = delete;
+  GlobalScope& operator=(const GlobalScope&) = delete;
 
  private:
+  // yaml-cpp reads numbers through streams of the global C++ locale. It is left alone unless it would misread; the
+  // one swapped in has no name, because a named one would change the C locale too.
+  static void swap_locale_in() {
+    const std::locale host;
+    const auto& numbers = std::use_facet<std::numpunct<char>>(host);
+    if (numbers.decimal_point() == '.' && numbers.grouping().empty()) return;
+    const std::locale plain(std::locale::classic(), new std::numpunct<char>);
+    s_locale = new std::locale(host);
+    std::locale::global(plain);
+  }
+  static void swap_locale_out() {
+    if (!s_locale) return;
+    const char* name = setlocale(LC_ALL, nullptr);
+    const std::string c_locale = name ? name : "C";
+    std::locale::global(*s_locale);
+    setlocale(LC_ALL, c_locale.c_str());
+    delete s_locale;
+    s_locale = nullptr;
+  }
+
   static std::mutex s_mutex;
   static int s_depth;
-  static ocio::LoggingLevel s_saved;
+  static ocio::LoggingLevel s_level;
+  static std::locale* s_locale;  // the host's, while swapped out
 };
-std::mutex QuietScope::s_mutex;
-int QuietScope::s_depth = 0;
-ocio::LoggingLevel QuietScope::s_saved = ocio::LOGGING_LEVEL_DEFAULT;
+std::mutex GlobalScope::s_mutex;
+int GlobalScope::s_depth = 0;
+ocio::LoggingLevel GlobalScope::s_level = ocio::LOGGING_LEVEL_DEFAULT;
+std::locale* GlobalScope::s_locale = nullptr;
 
-/// Decimal points on this thread, whatever the host's locale.
-class LocaleScope {
+/// Decimal points in the C library on this thread.
+class ThreadLocale {
  public:
 #if defined(__unix__) || defined(__APPLE__)
-  LocaleScope() : c_(newlocale(LC_ALL_MASK, "C", locale_t{})), saved_(uselocale(c_)) {}
-  ~LocaleScope() {
+  ThreadLocale() : c_(newlocale(LC_ALL_MASK, "C", locale_t{})), saved_(uselocale(c_)) {}
+  ~ThreadLocale() {
     uselocale(saved_);
     if (c_) freelocale(c_);
   }
@@ -56,18 +86,18 @@ class LocaleScope {
  private:
   locale_t c_, saved_;
 #else
-  LocaleScope() {}
+  ThreadLocale() {}
 #endif
  public:
-  LocaleScope(const LocaleScope&) = delete;
-  LocaleScope& operator=(const LocaleScope&) = delete;
+  ThreadLocale(const ThreadLocale&) = delete;
+  ThreadLocale& operator=(const ThreadLocale&) = delete;
 };
 
 /// Runs `body` on OpenColorIO and gives its exceptions a result.
 template <class Body>
 auto call_ocio(const char* what, shd_result otherwise, Body&& body) {
-  const QuietScope quiet;
-  const LocaleScope locale;
+  const GlobalScope globals;
+  const ThreadLocale locale;
   try {
     return body();
   } catch (const extension::Failure&) {
