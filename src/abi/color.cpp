@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include <shd/color.h>
+
+#include <memory>
+#include <string>
+
+#include <shd/extension.h>
+
+#include "abi/extension_desc.h"
+#include "abi/extension_guard.h"
+#include "color/apply.h"
+#include "color/config.h"
+#include "color/default_config.h"
+#include "color/source.h"
+
+namespace {
+
+using namespace shd;
+using extension::guard;
+using extension::refuse;
+
+constexpr uint32_t kColorType = 'C' << 24 | 'O' << 16 | 'L' << 8 | 'R';
+
+struct Body {
+  std::unique_ptr<color::Config> config;
+  std::string working_space;
+};
+
+const shd_object* object_of(const shd_color* handle) {
+  return reinterpret_cast<const shd_object*>(handle);
+}
+shd_object* object_of(shd_color* handle) {
+  return reinterpret_cast<shd_object*>(handle);
+}
+
+const Body& body_of(const shd_color* handle) {
+  if (!handle) refuse(SHD_ERROR_INVALID_ARGUMENT, "color: NULL");
+  const void* body = shd_object_body(object_of(handle), kColorType);
+  if (!body) refuse(SHD_ERROR_INVALID_ARGUMENT, "color: not a live handle of its type");
+  return *static_cast<const Body*>(body);
+}
+
+std::unique_ptr<Body> make_body(const shd_color_desc& desc) {
+  auto body = std::make_unique<Body>();
+  body->config = color::load_config(color::read_source(desc));
+  body->working_space =
+      body->config->space("color.working_space", desc.working_space ? desc.working_space : "scene_linear");
+  return body;
+}
+
+/// `name` null = the working space.
+std::string read_space(const Body& body, const char* field, const char* name) {
+  return name ? body.config->space(field, name) : body.working_space;
+}
+
+color::TransformRef to_display(const Body& body, const std::string& from, const char* display_name,
+                               const char* view_name) {
+  const color::Catalog& catalog = body.config->catalog();
+  const color::Display& display = catalog.display(display_name);
+  return body.config->to_display(from, display.name, color::Catalog::view(display, view_name));
+}
+
+shd_image read_float_image(const char* name, const shd_image* in) {
+  const shd_image image = extension::read_image(name, in);
+  if (image.format == SHD_FORMAT_RGBA16F || image.format == SHD_FORMAT_RGBA32F) return image;
+  refuse(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not RGBA16F or RGBA32F", name, static_cast<int>(image.format));
+}
+
+shd_image read_output_image(const char* name, const shd_image* in, uint32_t width, uint32_t height) {
+  const shd_image image = extension::read_image(name, in);
+  if (image.format == SHD_FORMAT_R8) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d has not four channels", name, static_cast<int>(image.format));
+  }
+  if (image.width != width || image.height != height) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: %u x %u is not the input's %u x %u", name, image.width, image.height, width,
+           height);
+  }
+  return image;
+}
+
+/// Either the same pixels or none in common.
+void check_overlap(const shd_image& in, const shd_image& out) {
+  const auto* in_begin = static_cast<const unsigned char*>(in.pixels);
+  const auto* out_begin = static_cast<const unsigned char*>(out.pixels);
+  const bool same = in_begin == out_begin && in.format == out.format && in.row_stride == out.row_stride;
+  const auto bytes = [](const shd_image& image) {
+    return image.row_stride * (image.height - 1) + shd_format_size(image.format) * image.width;
+  };
+  if (same || in_begin + bytes(in) <= out_begin || out_begin + bytes(out) <= in_begin) return;
+  refuse(SHD_ERROR_INVALID_ARGUMENT, "out.pixels: overlaps in.pixels, but is not the same image");
+}
+
+color::Planes read_planes(const shd_framebuffer* framebuffer, const shd_context* context) {
+  if (!framebuffer) refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
+  shd_framebuffer_info info;
+  extension::require(shd_framebuffer_get_info(framebuffer, &info));
+  if (shd_framebuffer_context(framebuffer) != context) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: of another context than color");
+  }
+  color::Planes planes{{}, {}, info.width, info.height};
+  for (int c = 0; c < 4; ++c) {
+    shd_plane_view view;
+    extension::require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(SHD_PLANE_R + c), &view));
+    planes.plane[c] = view.f32;
+    planes.row_stride[c] = view.row_stride;
+  }
+  return planes;
+}
+
+/// Answer of a question that has no result code: what `body` finds, or `none` with the error text set.
+template <class Answer, class Find>
+Answer ask(Answer none, Find&& find) {
+  Answer answer = none;
+  if (guard([&]() -> shd_result {
+        answer = find();
+        return SHD_OK;
+      }) != SHD_OK) {
+    return none;
+  }
+  return answer;
+}
+
+const char* name_at(const std::vector<std::string>& names, uint32_t index) {
+  return index < names.size() ? names[index].c_str() : nullptr;
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* shd_color_default_config(void) { return color::kDefaultConfig; }
+
+shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, shd_color** out_color) {
+  return guard([&]() -> shd_result {
+    if (!out_color) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_color: NULL");
+    *out_color = nullptr;
+    if (shd_context_worker_count(context) == 0) {
+      refuse(SHD_ERROR_INVALID_ARGUMENT, context ? "context: not a live handle" : "context: NULL");
+    }
+    shd_color_desc read = shd_color_desc_default();
+    extension::read_desc("color", desc, &read);
+    if (read.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "color.reserved: %u is not 0", read.reserved);
+    std::unique_ptr<Body> body = make_body(read);
+    const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
+    shd_object* object = nullptr;
+    extension::require(shd_object_create(context, kColorType, body.get(), destroy, &object));
+    (void)body.release();
+    *out_color = reinterpret_cast<shd_color*>(object);
+    return SHD_OK;
+  });
+}
+
+void shd_color_retain(shd_color* color) {
+  shd_object_retain(object_of(color), kColorType);
+}
+
+void shd_color_release(shd_color* color) {
+  shd_object_release(object_of(color), kColorType);
+}
+
+shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer* framebuffer, const char* display,
+                                   const char* view, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    const Body& body = body_of(color);
+    shd_context* context = shd_object_context(object_of(color));
+    const color::Planes planes = read_planes(framebuffer, context);
+    const shd_image image = read_output_image("out", out, planes.width, planes.height);
+    const color::TransformRef transform = to_display(body, body.working_space, display, view);
+    color::apply_planes(context, *transform, planes, image);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_color_apply_display_image(const shd_color* color, const shd_image* in, const char* from_space,
+                                         const char* display, const char* view, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    const Body& body = body_of(color);
+    const shd_image source = read_float_image("in", in);
+    const shd_image image = read_output_image("out", out, source.width, source.height);
+    check_overlap(source, image);
+    const std::string from = read_space(body, "from_space", from_space);
+    const color::TransformRef transform = to_display(body, from, display, view);
+    color::apply_image(shd_object_context(object_of(color)), *transform, source, image);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_color_convert(const shd_color* color, const char* from_space, const char* to_space,
+                             const shd_image* in_out) {
+  return guard([&]() -> shd_result {
+    const Body& body = body_of(color);
+    if (!from_space) refuse(SHD_ERROR_INVALID_ARGUMENT, "from_space: NULL");
+    const shd_image image = read_float_image("in_out", in_out);
+    const std::string from = read_space(body, "from_space", from_space);
+    const std::string to = read_space(body, "to_space", to_space);
+    const color::TransformRef transform = body.config->between(from, to);
+    color::apply_in_place(shd_object_context(object_of(color)), *transform, image);
+    return SHD_OK;
+  });
+}
+
+uint32_t shd_color_display_count(const shd_color* color) {
+  return ask(0u, [&] { return static_cast<uint32_t>(body_of(color).config->catalog().displays.size()); });
+}
+
+const char* shd_color_display_name(const shd_color* color, uint32_t index) {
+  return ask<const char*>(nullptr, [&] {
+    const auto& displays = body_of(color).config->catalog().displays;
+    return index < displays.size() ? displays[index].name.c_str() : nullptr;
+  });
+}
+
+const char* shd_color_default_display(const shd_color* color) {
+  return ask<const char*>(nullptr, [&] { return body_of(color).config->catalog().display(nullptr).name.c_str(); });
+}
+
+uint32_t shd_color_view_count(const shd_color* color, const char* display) {
+  return ask(0u, [&] {
+    const color::Display* found = body_of(color).config->catalog().find_display(display);
+    return found ? static_cast<uint32_t>(found->views.size()) : 0u;
+  });
+}
+
+const char* shd_color_view_name(const shd_color* color, const char* display, uint32_t index) {
+  return ask<const char*>(nullptr, [&] {
+    const color::Display* found = body_of(color).config->catalog().find_display(display);
+    return found ? name_at(found->views, index) : nullptr;
+  });
+}
+
+const char* shd_color_default_view(const shd_color* color, const char* display) {
+  return ask<const char*>(nullptr, [&] {
+    const color::Display* found = body_of(color).config->catalog().find_display(display);
+    return found ? found->default_view.c_str() : nullptr;
+  });
+}
+
+uint32_t shd_color_space_count(const shd_color* color) {
+  return ask(0u, [&] { return static_cast<uint32_t>(body_of(color).config->catalog().spaces.size()); });
+}
+
+const char* shd_color_space_name(const shd_color* color, uint32_t index) {
+  return ask<const char*>(nullptr, [&] { return name_at(body_of(color).config->catalog().spaces, index); });
+}
+
+const char* shd_color_working_space(const shd_color* color) {
+  return ask<const char*>(nullptr, [&] { return body_of(color).working_space.c_str(); });
+}
+
+}  // extern "C"

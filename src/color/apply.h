@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shd/context.h>
+#include <shd/image.h>
+
+#include "color/config.h"
+#include "color/pixels.h"
+
+namespace shd::color {
+
+// Each runs a transform over a whole image on the context's executor; sizes have been checked. Throws Failure.
+
+void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out);
+void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out);
+/// Alpha takes no part.
+void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out);
+
+}  // namespace shd::color

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "color/source.h"
+
+namespace shd::color {
+
+/// A transform ready to run. apply() may run on several threads at once.
+class Transform {
+ public:
+  virtual ~Transform() = default;
+  /// In place, planes of `count` values each.
+  virtual void apply(float* r, float* g, float* b, size_t count) const = 0;
+};
+using TransformRef = std::shared_ptr<const Transform>;
+
+struct Display {
+  std::string name;
+  std::string default_view;
+  std::vector<std::string> views;
+};
+
+/// The names in a config, copied once so that they can be read without a lock.
+struct Catalog {
+  std::vector<Display> displays;
+  std::vector<std::string> spaces;
+  const Display* default_display = nullptr;
+
+  /// null = the default one; throws NOT_FOUND with the names there are.
+  const Display& display(const char* name) const;
+  /// The same without throwing: null when it is not there.
+  const Display* find_display(const char* name) const;
+  static const std::string& view(const Display& display, const char* name);
+};
+
+/// 'a', 'b', 'c': as many names as fit a message.
+std::string quoted_list(const std::vector<std::string>& names);
+
+/// A loaded config with a cache of the transforms built from it.
+class Config {
+ public:
+  virtual ~Config() = default;
+
+  const Catalog& catalog() const { return catalog_; }
+  /// Proper name of a colour space, alias or role; throws NOT_FOUND saying `field`.
+  virtual std::string space(const char* field, const char* name) const = 0;
+  /// From colour space `from` to a display and view; the names as in the catalog.
+  TransformRef to_display(const std::string& from, const std::string& display, const std::string& view) const;
+  TransformRef between(const std::string& from, const std::string& to) const;
+
+ protected:
+  virtual TransformRef build_to_display(const std::string& from, const std::string& display,
+                                        const std::string& view) const = 0;
+  virtual TransformRef build_between(const std::string& from, const std::string& to) const = 0;
+  Catalog catalog_;
+
+ private:
+  template <class Build>
+  TransformRef cached(const std::vector<std::string>& key, Build&& build) const;
+
+  mutable std::mutex mutex_;  // guards cache_, and building: OpenColorIO's own caches are shared
+  mutable std::map<std::vector<std::string>, TransformRef> cache_;
+};
+
+/// Parses and checks; throws extension::Failure.
+std::unique_ptr<Config> load_config(const Source& source);
+
+}  // namespace shd::color
