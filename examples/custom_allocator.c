@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Bring your own memory: every byte shd uses is counted, can be refused, and comes back. */
-#include <shd/shd.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <shd/shd.h>
 
 /* The context here has one worker, so the callbacks run on this thread; otherwise these need a lock. */
 struct budget {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Render a frame: a shiny ball over a tiled floor, shown through ACES and saved as EXR and PNG. */
-#include <shd/shd.h>
+#include "frame_scene.h"
+
 #include <stdio.h>
 
-#include "frame_scene.h"
+#include <shd/shd.h>
 #ifdef EXAMPLE_HAS_COLOR
 #include <shd/color.h>
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include <shd/shd.h>
 #include <stdio.h>
+
+#include <shd/shd.h>
 
 int main(void)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Look up a batch of texels: a row of points across a checkerboard, sharp at one end and far away at the other. */
 #include <math.h>
-#include <shd/shd.h>
 #include <stdio.h>
+
+#include <shd/shd.h>
 
 enum { SIZE = 512, COUNT = 1000 };
 

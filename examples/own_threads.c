@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Bring your own threads: shd's work runs on a pool of pthreads, and the bits are those of one thread. */
 #include <pthread.h>
-#include <shd/shd.h>
 #include <stdio.h>
 #include <string.h>
+
+#include <shd/shd.h>
 
 enum { WORKERS = 4, SIZE = 256, COUNT = 300000 };
 

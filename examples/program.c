@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Program the fragment stage: your own shading code, thousands of fragments per call, as columns. */
 #include <math.h>
-#include <shd/shd.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <shd/shd.h>
 
 enum { WIDTH = 320, HEIGHT = 200 };
 

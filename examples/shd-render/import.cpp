@@ -160,11 +160,10 @@ void place_node(Import& import, const aiNode& node, const aiMatrix4x4& parent, i
 
 const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyBool(AI_CONFIG_PP_FD_REMOVE, true);
   // FlipUVs: assimp hands texture coordinates over with v up, whatever the format stores; shd's v grows downwards.
-  const unsigned steps = aiProcess_Triangulate | aiProcess_FindDegenerates | aiProcess_SortByPType |
-                         aiProcess_JoinIdenticalVertices | aiProcess_TransformUVCoords | aiProcess_GenUVCoords |
-                         aiProcess_FlipUVs;
+  // Degenerate triangles stay: shd skips them, and assimp's own check would take all of a very small model away.
+  const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
+                         aiProcess_TransformUVCoords | aiProcess_GenUVCoords | aiProcess_FlipUVs;
   const aiScene* scene = importer.ReadFile(path, steps);
   if (!scene || !scene->mRootNode) throw Failure(kExitInput, path + ": " + importer.GetErrorString());
   return scene;
