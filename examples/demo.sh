@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# From a fresh Debian 12 to three pictures: installs what is missing, builds shd, renders a duck, a spider and a teapot.
+# Run it as root, or as a user who may use sudo. Without either it works if the packages are there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(
+  build-essential cmake ninja-build pkg-config  # to build
+  libhwy-dev                                    # SIMD (Highway)
+  libtbb-dev                                    # threads
+  libopenimageio-dev                            # image files
+  libopencolorio-dev                            # colour management
+  libassimp-dev assimp-testmodels               # 3D models: the importer, and the duck and the spider
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "== Installing ${missing[*]}"
+  as_root=()
+  [ "$(id -u)" = 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+fi
+
+echo "== Building shd in build/demo"
+cmake -S . -B build/demo -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
+cmake --build build/demo --target shd-render
+
+models=/usr/share/assimp/models
+render=build/demo/examples/shd-render/shd-render
+mkdir -p out
+
+# picture NAME MODEL OPTIONS...: renders MODEL, or the checkered teapot where that is not installed
+picture() {
+  local name=$1 model=$2
+  shift 2
+  if [ ! -f "$model" ]; then
+    echo "   $model is not there: the teapot stands in"
+    "$render" --stats --size 1280x960 --texture checker -o "out/$name.png"
+  else
+    "$render" --stats --size 1280x960 "$@" -o "out/$name.png" "$model"
+  fi
+}
+
+echo "== Rendering"
+picture duck "$models/Collada/duck.dae" --orbit 35,15 --specular 0.35 --exponent 60 --background 0.75
+picture spider "$models/OBJ/spider.obj" --orbit 35,30 --background 0.75
+"$render" --stats --size 1280x960 --tessellation 32 --orbit 25,25 --background 0.75 --specular 0.5 --exponent 120 \
+  -o out/teapot.png
+
+echo "== Done. The pictures:"
+for name in duck spider teapot; do
+  echo "   $PWD/out/$name.png"
+done

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#include <stdio.h>
+
+#include <shd/shd.h>
+
+int main(void)
+{
+    const uint8_t pixels[4] = {0, 255, 255, 255}; /* 2 x 2, one channel */
+    float u = 0.5f, v = 0.5f, red = 0.0f;
+    shd_context *context = NULL;
+    shd_texture *texture = NULL;
+    shd_sampler *sampler = NULL;
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_lookups where = shd_lookups_default();
+    shd_texels out = {0};
+
+    desc.width = desc.height = 2;
+    desc.format = SHD_FORMAT_R8;
+    desc.texels = pixels;
+    where.count = 1;
+    where.u.data = &u, where.v.data = &v, out.channel[0].data = &red;
+    if (shd_context_create(NULL, &context) || shd_texture_create(context, &desc, &texture) ||
+        shd_sampler_create(context, NULL, &sampler) || shd_texture_sample(texture, sampler, &where, &out)) {
+        fprintf(stderr, "hello: %s\n", shd_last_error());
+    }
+    printf("the middle of the texture is %.2f\n", red);
+    shd_sampler_release(sampler), shd_texture_release(texture), shd_context_release(context);
+    return red == 0.75f ? 0 : 1;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <shd/view.h>
+
+#include "model.h"
+#include "options.h"
+
+/// The eye on a sphere around the model's centre, looking there.
+struct Camera {
+  shd_view view;
+  std::array<float, 3> right, up, back;  // of the view, world space, unit
+};
+
+/// Camera of `--orbit` and `--fov`. Without a distance the eye stands where every vertex is just in the picture.
+Camera make_camera(const Options& options, const Model& model, const Bounds& bounds);

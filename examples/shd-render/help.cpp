@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+const char* help_text() {
+  return R"(shd-render: a picture of a 3D model, shaded on the CPU by shd.
+
+  shd-render [options] [MODEL] -o OUT.png
+
+MODEL is any file assimp reads (glTF, OBJ, Collada, PLY, STL, 3DS ...); without one, the Utah teapot.
+Textures are looked for as the model names them, then beside it, whatever the case of their letters.
+
+Picture
+  -o, --output FILE     .png, .tif: through the display transform; .exr: scene-linear (default out.png)
+  --size WxH            pixels (default 960x640)
+  --background R,G,B    scene-linear, or one number for grey, or none = transparent (default none)
+  --display NAME        display of the colour config (default sRGB)
+  --view NAME           view of that display (default "ACES 1.0 SDR-video"; "Plain" = encoding alone)
+  --no-color            no display transform: the sRGB curve alone, clamped
+  --aov                 also save texture coordinates, normals and triangle numbers (.exr only)
+
+Camera
+  --orbit AZ,EL[,DIST]  where the eye is, seen from the model's centre: degrees to the right of the front, degrees
+                        up, radii of the model away (default 30,20 and far enough to see all of it)
+  --fov DEGREES         vertical field of view (default 35)
+
+Light
+  --lights PRESET       studio, headlight, none (default studio, or none when lights are given)
+  --light X,Y,Z[:R,G,B] point light, in radii of the model around its centre; colour at one radius; repeatable
+  --sun X,Y,Z[:R,G,B]   light from that direction; repeatable
+  --ambient R,G,B       or one number for all three (default 0.15)
+
+Surface
+  --model M             lambert, blinn-phong (default blinn-phong)
+  --frequency F         flat, gouraud, phong (default phong)
+  --specular KS         strength of the highlight, instead of the model's
+  --exponent P          its sharpness, instead of the model's
+  --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern
+  --filter F            nearest, bilinear, trilinear (default trilinear)
+  --tessellation N      divisions of each of the teapot's 32 patches (default 16)
+
+Machine
+  --threads N           workers (default one per core); the picture does not depend on it
+  --simd T              best, scalar, ssse3, sse4, avx2, avx512, neon, wasm; neither on this
+  --progress            report progress even when stderr is no terminal
+  --stats               what was drawn and how long it took, on stderr
+
+Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model or --texture cannot be read, 4 the picture cannot be
+written. A texture of the model that cannot be read is reported and its colour used instead.
+Some damaged models make assimp end the whole process: run models you do not trust in a sandbox of your own.
+)";
+}

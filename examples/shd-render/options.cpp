@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "failure.h"
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& value, const char* wanted) {
+  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + " (shd-render --help)");
+}
+
+/// `count` numbers between commas; moves `text` behind them. False if there are fewer.
+bool read_numbers(const char*& text, float* out, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && *text++ != ',') return false;
+    char* end = nullptr;
+    out[i] = std::strtof(text, &end);
+    if (end == text || !std::isfinite(out[i])) return false;
+    text = end;
+  }
+  return true;
+}
+
+float read_number(const std::string& option, const std::string& value, float low, float high, const char* wanted) {
+  const char* text = value.c_str();
+  float number = 0.0f;
+  if (!read_numbers(text, &number, 1) || *text || number < low || number > high) refuse(option, value, wanted);
+  return number;
+}
+
+template <class Value>
+struct Name {
+  const char* name;
+  Value value;
+};
+
+template <class Value, size_t kCount>
+Value pick(const std::string& option, const std::string& value, const Name<Value> (&names)[kCount]) {
+  std::string wanted = "one of";
+  for (const Name<Value>& name : names) {
+    if (value == name.name) return name.value;
+    wanted += std::string(" ") + name.name;
+  }
+  refuse(option, value, wanted.c_str());
+}
+
+constexpr Name<shd_filter> kFilters[] = {
+    {"nearest", SHD_FILTER_NEAREST}, {"bilinear", SHD_FILTER_BILINEAR}, {"trilinear", SHD_FILTER_TRILINEAR}};
+constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT}, {"blinn-phong", SHD_MODEL_BLINN_PHONG}};
+constexpr Name<shd_frequency> kFrequencies[] = {
+    {"flat", SHD_FREQUENCY_FLAT}, {"gouraud", SHD_FREQUENCY_GOURAUD}, {"phong", SHD_FREQUENCY_PHONG}};
+constexpr Name<LightPreset> kPresets[] = {
+    {"studio", LightPreset::kStudio}, {"headlight", LightPreset::kHeadlight}, {"none", LightPreset::kNone}};
+constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST}, {"scalar", SHD_SIMD_SCALAR}, {"ssse3", SHD_SIMD_SSSE3},
+                                    {"sse4", SHD_SIMD_SSE4}, {"avx2", SHD_SIMD_AVX2},     {"avx512", SHD_SIMD_AVX512},
+                                    {"neon", SHD_SIMD_NEON}, {"wasm", SHD_SIMD_WASM}};
+
+void read_size(const std::string& option, const std::string& value, Options& out) {
+  char* end = nullptr;
+  const unsigned long width = std::strtoul(value.c_str(), &end, 10);
+  const unsigned long height = *end == 'x' ? std::strtoul(end + 1, &end, 10) : 0;
+  if (*end || width < 1 || width > 16384 || height < 1 || height > 16384) {
+    refuse(option, value, "WIDTHxHEIGHT, each 1..16384");
+  }
+  out.width = static_cast<uint32_t>(width);
+  out.height = static_cast<uint32_t>(height);
+}
+
+void read_orbit(const std::string& option, const std::string& value, Options& out) {
+  const char* wanted = "AZIMUTH,ELEVATION[,DISTANCE] in degrees (elevation -90..90) and radii (above 1)";
+  const char* text = value.c_str();
+  float angles[2];
+  if (!read_numbers(text, angles, 2) || angles[1] < -90.0f || angles[1] > 90.0f) refuse(option, value, wanted);
+  out.azimuth = angles[0];
+  out.elevation = angles[1];
+  if (*text == ',') {
+    ++text;
+    if (!read_numbers(text, &out.distance, 1) || !(out.distance > 1.0f) || out.distance > 1e4f) {
+      refuse(option, value, wanted);
+    }
+  }
+  if (*text) refuse(option, value, wanted);
+}
+
+LightOption read_light(const std::string& option, const std::string& value, bool directional) {
+  const char* wanted = "X,Y,Z or X,Y,Z:R,G,B (colour not negative; a direction is not 0,0,0)";
+  const char* text = value.c_str();
+  LightOption light;
+  light.directional = directional;
+  if (!read_numbers(text, light.place.data(), 3)) refuse(option, value, wanted);
+  if (*text == ':') {
+    ++text;
+    if (!read_numbers(text, light.color.data(), 3)) refuse(option, value, wanted);
+  }
+  for (const float c : light.color) {
+    if (c < 0.0f || c > 1e9f) refuse(option, value, wanted);
+  }
+  if (*text || (directional && light.place == std::array<float, 3>{0, 0, 0})) refuse(option, value, wanted);
+  return light;
+}
+
+/// One number for all three channels, or three.
+std::array<float, 3> read_color(const std::string& option, const std::string& value) {
+  const char* text = value.c_str();
+  std::array<float, 3> color{};
+  if (!read_numbers(text, color.data(), 1)) refuse(option, value, "R,G,B or one number");
+  color[1] = color[2] = color[0];
+  if (*text == ',' && (++text, !read_numbers(text, color.data() + 1, 2))) refuse(option, value, "R,G,B");
+  for (const float c : color) {
+    if (*text || c < 0.0f || c > 1e6f) refuse(option, value, "R,G,B, each 0..1e6");
+  }
+  return color;
+}
+
+/// Options that take no value. False if `name` is not one.
+bool set_switch(const std::string& name, Options& out) {
+  if (name == "--help" || name == "-h") return out.help = true;
+  if (name == "--teapot") return out.model.clear(), true;
+  if (name == "--no-color") return out.color = false, true;
+  if (name == "--aov") return out.aov = true;
+  if (name == "--progress") return out.progress = true;
+  if (name == "--stats") return out.stats = true;
+  return false;
+}
+
+void set_background(const std::string& name, const std::string& value, Options& out) {
+  if (value == "none") {
+    out.background = {0, 0, 0, 0};
+    return;
+  }
+  const std::array<float, 3> color = read_color(name, value);
+  out.background = {color[0], color[1], color[2], 1.0f};
+}
+
+/// Options that describe the picture and the machine. False if `name` is not one.
+bool set_output_value(const std::string& name, const std::string& value, Options& out) {
+  if (name == "-o" || name == "--output") return out.output = value, true;
+  if (name == "--size") return read_size(name, value, out), true;
+  if (name == "--display") return out.display = value, true;
+  if (name == "--view") return out.view = value, true;
+  if (name == "--background") return set_background(name, value, out), true;
+  if (name == "--simd") return out.simd = pick(name, value, kSimd), true;
+  if (name == "--threads") {
+    return out.threads = static_cast<uint32_t>(read_number(name, value, 0, 1024, "a number 0..1024")), true;
+  }
+  return false;
+}
+
+/// Options that describe the scene. False if `name` is not one.
+bool set_scene_value(const std::string& name, const std::string& value, Options& out) {
+  if (name == "--orbit") return read_orbit(name, value, out), true;
+  if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
+  if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
+  if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
+  if (name == "--frequency") return out.frequency = pick(name, value, kFrequencies), true;
+  if (name == "--light") return out.lights.push_back(read_light(name, value, false)), true;
+  if (name == "--sun") return out.lights.push_back(read_light(name, value, true)), true;
+  if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
+  if (name == "--ambient") return out.ambient = read_color(name, value), true;
+  if (name == "--exponent") return out.exponent = read_number(name, value, 0, 1e6f, "a number 0..1e6"), true;
+  if (name == "--specular") return out.specular = read_number(name, value, 0, 1e6f, "a number 0..1e6"), true;
+  if (name == "--texture") return out.texture = value, true;
+  if (name == "--tessellation") {
+    return out.tessellation = static_cast<int>(read_number(name, value, 1, 256, "a number 1..256")), true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Options parse_options(int argc, const char* const* argv) {
+  Options options;
+  bool named = false, only_files = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    if (!only_files && name == "--") {
+      only_files = true;
+    } else if (only_files || name.empty() || name[0] != '-') {
+      if (named) throw Failure(kExitUsage, "one model at a time: \"" + options.model + "\" and \"" + name + "\"");
+      if (name.empty()) throw Failure(kExitUsage, "the name of the model is empty");
+      options.model = name;
+      named = true;
+    } else if (!set_switch(name, options)) {
+      const bool last = i + 1 == argc;
+      const std::string value = last ? "" : argv[i + 1];
+      if (!set_output_value(name, value, options) && !set_scene_value(name, value, options)) {
+        throw Failure(kExitUsage, "unknown option " + name + " (shd-render --help)");
+      }
+      if (last) throw Failure(kExitUsage, name + " needs a value (shd-render --help)");
+      ++i;
+    }
+  }
+  if (!options.preset) options.preset = options.lights.empty() ? LightPreset::kStudio : LightPreset::kNone;
+  return options;
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "handles.h"
+#include "model.h"
+#include "options.h"
+
+/// A model as shd objects, ready for shd_render_desc.
+struct Scene {
+  std::vector<Texture> textures;  // of the model, then perhaps the one of --texture
+  std::vector<Sampler> samplers;  // of the materials
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<shd_draw> draws;
+};
+
+/// Loads the textures and hands everything to shd. A texture of the model that cannot be read is reported on stderr
+/// and left out; one of `--texture` that cannot be read is a Failure.
+Scene make_scene(shd_context* context, const Model& model, const Options& options);

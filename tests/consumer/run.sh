@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds and runs the examples as a user of shd would. Usage: run.sh find_package | pkg_config | add_subdirectory,
+# with what the build knows in the environment (see CMakeLists.txt). Exit code 77: not for this build.
+set -euo pipefail
+kind=$1
+examples=(hello lookup program custom_allocator own_threads frame)
+warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
+
+if [ -n "$SANITIZE" ]; then
+  echo "a sanitized library needs a sanitized program: not run"
+  exit 77
+fi
+rm -rf "$WORK"
+mkdir -p "$WORK/run"
+
+install_shd() {
+  "$CMAKE" --install "$BUILD" --config "$CONFIG" --prefix "$WORK/prefix" >"$WORK/install.log"
+}
+
+# run FOLDER: every example in it, from a folder of their own because frame writes files
+run() {
+  local example
+  cd "$WORK/run"
+  for example in "${examples[@]}"; do
+    "$1/$example"
+  done
+}
+
+# build FOLDER OPTIONS...: configures and builds that project
+build() {
+  local project=$1
+  shift
+  "$CMAKE" -S "$project" -B "$WORK/build" -G "$GENERATOR" -DCMAKE_BUILD_TYPE="$CONFIG" \
+    -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_C_FLAGS="${warnings[*]}" \
+    -DEXAMPLES_DIR="$SOURCE/examples" "$@"
+  "$CMAKE" --build "$WORK/build" --config "$CONFIG"
+}
+
+with_find_package() {
+  local components=()
+  [ "$HAS_COLOR" = 0 ] || components+=(color)
+  [ "$HAS_IO" = 0 ] || components+=(io)
+  install_shd
+  build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
+    "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
+  run "$WORK/build"
+}
+
+with_pkg_config() {
+  local example modules sources defines flags
+  install_shd
+  export PKG_CONFIG_PATH="$WORK/prefix/$LIBDIR/pkgconfig" LD_LIBRARY_PATH="$WORK/prefix/$LIBDIR"
+  for example in "${examples[@]}"; do
+    modules=(shd) sources=("$SOURCE/examples/$example.c") defines=()
+    if [ "$example" = frame ]; then
+      sources+=("$SOURCE/examples/frame_scene.c")
+      [ "$HAS_COLOR" = 0 ] || { modules+=(shd_color) && defines+=(-DEXAMPLE_HAS_COLOR); }
+      [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
+    fi
+    read -ra flags <<<"$(pkg-config --cflags --libs "${modules[@]}")"
+    "$CC" "${warnings[@]}" "${defines[@]}" "${sources[@]}" -o "$WORK/$example" "${flags[@]}" -lm -pthread
+  done
+  run "$WORK"
+}
+
+# One generic SIMD target and no files or colour: quick to build, and the options an embedder would turn.
+with_add_subdirectory() {
+  build "$SOURCE/tests/consumer/add_subdirectory" -DSHD_SOURCE_DIR="$SOURCE" -DBUILD_SHARED_LIBS="$SHARED" \
+    -DSHD_WITH_TBB="$HAS_TBB" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER"
+  run "$WORK/build"
+}
+
+"with_$kind"
