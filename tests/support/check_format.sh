@@ -9,6 +9,10 @@ mapfile -t files < <(git ls-files -- '*.c' '*.cpp' '*.h' '*.hpp' | grep -v '^tes
 if [ "${1:-}" = --fix ]; then
   "$format" -i --style=file "${files[@]}"
 else
-  "$format" --dry-run -Werror --style=file "${files[@]}"
-  echo "style.format: ${#files[@]} files are formatted"
+  bad=0
+  for file in "${files[@]}"; do
+    "$format" --dry-run -Werror --style=file "$file" 2>/dev/null || { echo "not formatted: $file"; bad=$((bad + 1)); }
+  done
+  echo "style.format: $bad of ${#files[@]} files are not formatted"
+  [ "$bad" -eq 0 ]
 fi
