@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include <shd/shd.h>
+
+namespace shd::bench {
+
+/// Ends the program with the error text when a call fails: a benchmark of a failing call means nothing.
+inline void check(shd_result result) {
+  if (result == SHD_OK) return;
+  std::fprintf(stderr, "%s: %s\n", shd_result_name(result), shd_last_error());
+  std::exit(1);
+}
+
+/// A SIMD target this machine and build offer, by the name the library gives it.
+struct Target {
+  shd_simd simd;
+  std::string name;
+};
+std::vector<Target> targets();
+
+/// A context on the calling thread alone.
+shd_context* make_context(shd_simd simd);
+
+/// Rate of the loop of a benchmark by the processor time of the whole process, so that ratios between rows do not
+/// depend on what else the machine does and a peer's extra threads would count.
+class Stopwatch {
+ public:
+  double items_per_second(double items) const {
+    return items * CLOCKS_PER_SEC / static_cast<double>(std::clock() - start_);
+  }
+
+ private:
+  std::clock_t start_ = std::clock();
+};
+
+/// Peers first, so that the rows of shd can print their ratio.
+void register_texture_peers();
+void register_frame_peers();
+void register_texture();
+void register_frame();
+
+}  // namespace shd::bench

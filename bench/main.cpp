@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+
+#include "bench.h"
+#include "peers/peers.h"
+
+namespace shd::bench {
+
+std::vector<Target> targets() {
+  std::vector<Target> found;
+  for (int simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+    shd_context_desc desc = shd_context_desc_default();
+    desc.worker_count = 1;
+    desc.simd = static_cast<shd_simd>(simd);
+    shd_context* context = nullptr;
+    if (shd_context_create(&desc, &context) != SHD_OK) continue;
+    found.push_back({desc.simd, shd_simd_target(context)});
+    shd_context_release(context);
+  }
+  return found;
+}
+
+shd_context* make_context(shd_simd simd) {
+  shd_context_desc desc = shd_context_desc_default();
+  desc.worker_count = 1;
+  desc.simd = simd;
+  shd_context* context = nullptr;
+  check(shd_context_create(&desc, &context));
+  return context;
+}
+
+namespace {
+
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+void add_context() {
+  benchmark::AddCustomContext("cpu", cpu_name());
+  benchmark::AddCustomContext("compiler", SHD_BENCH_COMPILER);
+  benchmark::AddCustomContext("commit", SHD_BENCH_COMMIT);
+#ifdef SHD_BENCH_OSMESA
+  benchmark::AddCustomContext("llvmpipe", llvmpipe_description());
+#endif
+#ifdef SHD_BENCH_OIIO
+  benchmark::AddCustomContext("openimageio", openimageio_description());
+#endif
+}
+
+}  // namespace
+}  // namespace shd::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  shd::bench::add_context();
+  shd::bench::register_frame_peers();
+  shd::bench::register_texture_peers();
+  shd::bench::register_frame();
+  shd::bench::register_texture();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

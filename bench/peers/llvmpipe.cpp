@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/osmesa.h>
+// glcorearb.h would collide with gl.h, which osmesa.h includes.
+#include <GL/glext.h>
+
+#include "peers.h"
+
+namespace shd::bench {
+namespace {
+
+[[noreturn]] void die(const char* what, const char* detail = "") {
+  std::fprintf(stderr, "llvmpipe: %s %s\n", what, detail);
+  std::exit(1);
+}
+
+/// The one off-screen context. LP_NUM_THREADS=0 makes llvmpipe rasterise in the calling thread (1 would make one
+/// worker, and the caller would still run the vertex stage beside it).
+void make_current() {
+  static std::vector<uint8_t> screen(16 * 16 * 4);
+  static OSMesaContext context = nullptr;
+  if (context) return;
+  setenv("LP_NUM_THREADS", "0", 1);
+  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
+  context = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!context || !OSMesaMakeCurrent(context, screen.data(), GL_UNSIGNED_BYTE, 16, 16)) die("no context");
+}
+
+GLuint compile(GLenum kind, const char* source) {
+  const GLuint shader = glCreateShader(kind);
+  GLint ok = 0;
+  char log[1024] = "";
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+  if (!ok) die("shader:", log);
+  return shader;
+}
+
+GLuint link(const char* vertex, const char* fragment) {
+  const GLuint program = glCreateProgram();
+  GLint ok = 0;
+  char log[1024] = "";
+  glAttachShader(program, compile(GL_VERTEX_SHADER, vertex));
+  glAttachShader(program, compile(GL_FRAGMENT_SHADER, fragment));
+  glLinkProgram(program);
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
+  glGetProgramInfoLog(program, sizeof log, nullptr, log);
+  if (!ok) die("program:", log);
+  return program;
+}
+
+GLuint make_texture(uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter) {
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(edge), static_cast<GLsizei>(edge), 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, texels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  const GLint magnify = filter == SHD_FILTER_NEAREST ? GL_NEAREST : GL_LINEAR;
+  const GLint minify = filter == SHD_FILTER_TRILINEAR ? GL_LINEAR_MIPMAP_LINEAR : magnify;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
+  return texture;
+}
+
+GLuint make_buffer(GLenum target, const void* data, size_t size) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(size), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
+/// Framebuffer, vertex array and texture of one pass.
+class Pass : public Peer {
+ public:
+  Pass(uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter) {
+    make_current();
+    constexpr GLsizei kEdge = kFrameEdge;
+    glGenFramebuffers(1, &framebuffer_);
+    glGenRenderbuffers(2, planes_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glBindRenderbuffer(GL_RENDERBUFFER, planes_[0]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kEdge, kEdge);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, planes_[0]);
+    glBindRenderbuffer(GL_RENDERBUFFER, planes_[1]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, kEdge, kEdge);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, planes_[1]);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) die("incomplete framebuffer");
+    glGenVertexArrays(1, &vertex_array_);
+    glBindVertexArray(vertex_array_);
+    texture_ = make_texture(edge, texels, filter);
+  }
+  ~Pass() override {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(2, planes_);
+    glDeleteVertexArrays(1, &vertex_array_);
+    glDeleteTextures(1, &texture_);
+    glDeleteProgram(program_);
+  }
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  std::vector<float> image() override {
+    std::vector<float> upside_down(kLookupCount * 4), result(kLookupCount * 4);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glReadPixels(0, 0, kFrameEdge, kFrameEdge, GL_RGBA, GL_FLOAT, upside_down.data());
+    constexpr size_t kRow = size_t{kFrameEdge} * 4;
+    for (size_t y = 0; y < kFrameEdge; ++y) {
+      std::copy_n(&upside_down[(kFrameEdge - 1 - y) * kRow], kRow, &result[y * kRow]);
+    }
+    return result;
+  }
+
+ protected:
+  void begin() {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glViewport(0, 0, kFrameEdge, kFrameEdge);
+    glBindVertexArray(vertex_array_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glUseProgram(program_);
+  }
+
+  void attribute(GLuint location, GLint size, const std::vector<float>& values) {
+    make_buffer(GL_ARRAY_BUFFER, values.data(), values.size() * sizeof(float));
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, 0, nullptr);
+  }
+
+  GLuint program_ = 0;
+
+ private:
+  GLuint framebuffer_ = 0, vertex_array_ = 0, texture_ = 0;
+  GLuint planes_[2] = {};
+};
+
+constexpr char kFloorVertex[] = R"(#version 330 core
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec2 uv;
+out vec2 v_uv;
+void main() { gl_Position = position; v_uv = uv; }
+)";
+constexpr char kFloorFragment[] = R"(#version 330 core
+uniform sampler2D image;
+in vec2 v_uv;
+out vec4 colour;
+void main() { colour = texture(image, v_uv); }
+)";
+
+class FloorPass final : public Pass {
+ public:
+  FloorPass(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter)
+      : Pass(edge, texels, filter) {
+    std::vector<float> position, uv;
+    for (int corner = 0; corner < 4; ++corner) {
+      const bool right = corner & 1, bottom = corner & 2;
+      const float z = floor.z(bottom ? kFrameEdge : 0.0f);
+      position.insert(position.end(), {right ? z : -z, bottom ? -z : z, 0.0f, z});
+      uv.insert(uv.end(), {floor.u(right ? kFrameEdge : 0.0f, z), floor.v(z)});
+    }
+    attribute(0, 4, position);
+    attribute(1, 2, uv);
+    program_ = link(kFloorVertex, kFloorFragment);
+  }
+  void run() override {
+    begin();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glFinish();
+  }
+};
+
+constexpr char kSphereVertex[] = R"(#version 330 core
+uniform mat4 object_to_world, world_to_clip;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 uv;
+out vec3 v_position, v_normal;
+out vec2 v_uv;
+void main() {
+  vec4 world = object_to_world * vec4(position, 1.0);
+  gl_Position = world_to_clip * world;
+  v_position = world.xyz;
+  v_normal = position;
+  v_uv = uv;
+}
+)";
+constexpr char kSphereFragment[] = R"(#version 330 core
+uniform sampler2D image;
+uniform vec3 eye, light_position[2], light_intensity[2];
+uniform float diffuse, specular, exponent;
+in vec3 v_position, v_normal;
+in vec2 v_uv;
+out vec4 colour;
+void main() {
+  vec3 n = normalize(v_normal), v = normalize(eye - v_position);
+  vec3 kd = diffuse * texture(image, v_uv).rgb;
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 2; ++i) {
+    vec3 to_light = light_position[i] - v_position;
+    float r2 = dot(to_light, to_light);
+    vec3 l = to_light * inversesqrt(r2), e = light_intensity[i] / r2;
+    float cosine = dot(n, l);
+    if (cosine > 0.0) sum += e * (kd * cosine + specular * pow(max(0.0, dot(n, normalize(v + l))), exponent));
+  }
+  colour = vec4(sum, 1.0);
+}
+)";
+
+class SpherePass final : public Pass {
+ public:
+  SpherePass(const Spheres& spheres, const std::vector<uint8_t>& texels)
+      : Pass(kFrameTextureEdge, texels, SHD_FILTER_TRILINEAR), spheres_(spheres) {
+    std::vector<float> position, uv;
+    for (size_t i = 0; i < spheres.position[0].size(); ++i) {
+      for (const std::vector<float>& column : spheres.position) position.push_back(column[i]);
+      for (const std::vector<float>& column : spheres.uv) uv.push_back(column[i]);
+    }
+    attribute(0, 3, position);
+    attribute(1, 2, uv);
+    make_buffer(GL_ELEMENT_ARRAY_BUFFER, spheres.indices.data(), spheres.indices.size() * sizeof(uint32_t));
+    program_ = link(kSphereVertex, kSphereFragment);
+    set_uniforms();
+    object_to_world_ = glGetUniformLocation(program_, "object_to_world");
+  }
+  void run() override {
+    begin();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_CULL_FACE);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (size_t i = 0; i < spheres_.sphere_count(); ++i) {
+      glUniformMatrix4fv(object_to_world_, 1, GL_FALSE, &spheres_.object_to_world[16 * i]);
+      glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(spheres_.indices.size()), GL_UNSIGNED_INT, nullptr);
+    }
+    glFinish();
+  }
+
+ private:
+  void set_uniforms() {
+    const shd_view& view = spheres_.view;
+    float clip[16];
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 4; ++row) {
+        float sum = 0.0f;
+        for (int k = 0; k < 4; ++k) sum += view.view_to_clip[4 * k + row] * view.world_to_view[4 * column + k];
+        clip[4 * column + row] = sum;
+      }
+      clip[4 * column + 2] = 2.0f * clip[4 * column + 2] - clip[4 * column + 3];  // depth 0..1 to -1..1
+    }
+    glUseProgram(program_);
+    glUniformMatrix4fv(glGetUniformLocation(program_, "world_to_clip"), 1, GL_FALSE, clip);
+    glUniform3fv(glGetUniformLocation(program_, "eye"), 1, view.eye);
+    for (int i = 0; i < 2; ++i) {
+      const std::string index = "[" + std::to_string(i) + "]";
+      glUniform3fv(glGetUniformLocation(program_, ("light_position" + index).c_str()), 1, kLights[i].position);
+      glUniform3fv(glGetUniformLocation(program_, ("light_intensity" + index).c_str()), 1, kLights[i].intensity);
+    }
+    glUniform1f(glGetUniformLocation(program_, "diffuse"), kDiffuse);
+    glUniform1f(glGetUniformLocation(program_, "specular"), kSpecular);
+    glUniform1f(glGetUniformLocation(program_, "exponent"), kExponent);
+  }
+
+  const Spheres& spheres_;
+  GLint object_to_world_ = -1;
+};
+
+}  // namespace
+
+std::string llvmpipe_description() {
+  make_current();
+  return std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", " +
+         reinterpret_cast<const char*>(glGetString(GL_VERSION)) + ", LP_NUM_THREADS=0";
+}
+
+std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::vector<uint8_t>& texels) {
+  return std::make_unique<SpherePass>(spheres, texels);
+}
+
+std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
+                                          shd_filter filter) {
+  return std::make_unique<FloorPass>(floor, edge, texels, filter);
+}
+
+}  // namespace shd::bench

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../workload.h"
+
+/// Other renderers on the same workload. Their own headers stay in this folder.
+namespace shd::bench {
+
+/// One pass over the workload on one thread, finished when run() returns.
+class Peer {
+ public:
+  virtual ~Peer() = default;
+  virtual void run() = 0;
+  /// The last pass as RGBA floats, kFrameEdge^2 pixels, row 0 on top.
+  virtual std::vector<float> image() = 0;
+};
+
+/// Version and settings, for the context of the results.
+std::string llvmpipe_description();
+std::string openimageio_description();
+
+/// Mesa llvmpipe: the frame with a GLSL shader of the same reflectance model, into RGBA8 with a 32-bit depth.
+std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::vector<uint8_t>& texels);
+
+/// Mesa llvmpipe: the floor as one quadrilateral over the frame, into RGBA8.
+std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
+                                          shd_filter filter);
+
+/// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
+std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                       shd_filter filter);
+
+}  // namespace shd::bench

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <shd/shd.h>
+
+/// What shd and its peers are measured on, built outside the timed loop with fixed seeds.
+namespace shd::bench {
+
+/// One lookup a pixel of a square frame.
+constexpr uint32_t kFrameEdge = 1024;
+constexpr size_t kLookupCount = size_t{kFrameEdge} * kFrameEdge;
+
+/// Texels of a square texture: smooth waves with noise on top, four 8-bit channels, packed, row 0 on top.
+std::vector<uint8_t> make_rgba8(uint32_t edge);
+
+/// A plane that recedes to `far` times the distance of its nearest row, seen over the whole frame. In pixels from the
+/// top left: 1/z = 1/far + (1 - 1/far) (y + 1/2) / edge, u = scale (x + 1/2 - edge/2) / edge z, v = scale z.
+struct Floor {
+  float far = 20.0f;
+  float scale = 0.25f;
+
+  /// The same footprint in texels for any size: half a texel across the nearest pixel.
+  static Floor of_texture(uint32_t edge) { return {20.0f, 0.25f * 2048.0f / static_cast<float>(edge)}; }
+  float z(float y) const { return 1.0f / (1.0f / far + (1.0f - 1.0f / far) * y / kFrameEdge); }
+  float u(float x, float z) const { return scale * (x / kFrameEdge - 0.5f) * z; }
+  float v(float z) const { return scale * z; }
+};
+
+/// Columns of kLookupCount lookups with analytic derivatives, in frame order.
+struct Lookups {
+  std::vector<float> u, v, dudx, dvdx, dudy, dvdy;
+};
+
+Lookups floor_lookups(const Floor& floor);
+/// Uniform in [0, 1)^2 with a footprint of `texels` texels along both axes.
+Lookups random_lookups(uint32_t edge, float texels);
+
+/// Spheres on a cubic grid in [-1, 1]^3, one mesh drawn many times.
+struct Spheres {
+  std::string name;
+  uint32_t slices, stacks, per_axis;
+
+  std::vector<float> position[3], uv[2];  // normals are the positions: the mesh is the unit sphere
+  std::vector<uint32_t> indices;
+  std::vector<float> object_to_world;  // 16 a sphere, column-major
+  shd_view view;
+
+  size_t sphere_count() const { return size_t{per_axis} * per_axis * per_axis; }
+  size_t triangle_count() const { return indices.size() / 3 * sphere_count(); }
+};
+
+Spheres make_spheres(const std::string& name, uint32_t slices, uint32_t stacks, uint32_t per_axis);
+
+/// The two point lights and the one material of every frame.
+struct PointLight {
+  float position[3];
+  float intensity[3];
+};
+constexpr PointLight kLights[2] = {{{3.0f, 4.0f, 5.0f}, {60.0f, 58.0f, 55.0f}},
+                                   {{-4.0f, 1.0f, 3.0f}, {12.0f, 14.0f, 18.0f}}};
+constexpr float kDiffuse = 0.7f;
+constexpr float kSpecular = 0.3f;
+constexpr float kExponent = 32.0f;
+constexpr uint32_t kFrameTextureEdge = 1024;
+
+/// Mean and largest absolute difference of two RGBA images, r, g, b only, both clamped to [0, 1].
+struct Difference {
+  double mean = 0.0, max = 0.0;
+};
+Difference compare(const std::vector<float>& a, const std::vector<float>& b);
+
+/// Writes r, g, b as a binary PPM when the environment names a folder in SHD_BENCH_WRITE.
+void maybe_write(const std::string& name, const std::vector<float>& rgba);
+
+/// Rates that peers reached, for the ratio column of the rows that follow.
+void record_rate(const std::string& row, double items_per_second);
+/// 0 if the peer did not run.
+double recorded_rate(const std::string& row);
+
+}  // namespace shd::bench

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* Size of every public struct and place of every member on LP64, and that no struct has padding: a stray padding
+ * byte would look like a field this version does not know. */
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <shd/shd.h>
+#ifdef SHD_TEST_COLOR
+#include <shd/color.h>
+#endif
+#ifdef SHD_TEST_IO
+#include <shd/io.h>
+#endif
+
+#if defined(__LP64__) || defined(_LP64)
+
+#define SHD_STRUCT(type, size) _Static_assert(sizeof(type) == (size), #type " has another size");
+#define SHD_FIELD(type, field, offset, size)                                      \
+    _Static_assert(offsetof(type, field) == (offset), #type "." #field " moved"); \
+    _Static_assert(sizeof(((type *)0)->field) == (size), #type "." #field " has another size");
+#include "layouts.inc"
+#undef SHD_STRUCT
+#undef SHD_FIELD
+
+/** A struct (field is "") or one of its members. */
+struct row {
+    const char *type;
+    const char *field;
+    size_t offset, size;
+};
+
+#define SHD_STRUCT(type, size) {#type, "", 0, size},
+#define SHD_FIELD(type, field, offset, size) {#type, #field, offset, size},
+static const struct row k_rows[] = {
+#include "layouts.inc"
+};
+
+int main(void)
+{
+    const size_t count = sizeof k_rows / sizeof k_rows[0];
+    size_t structs = 0, holes = 0, i = 0;
+    while (i < count) {
+        const struct row *owner = &k_rows[i++];
+        size_t end = 0;
+        for (; i < count && k_rows[i].field[0]; ++i) {
+            if (k_rows[i].offset != end || strcmp(k_rows[i].type, owner->type)) {
+                printf("%s: hole or stray member before %s at %zu\n", owner->type, k_rows[i].field, end);
+                ++holes;
+            }
+            end = k_rows[i].offset + k_rows[i].size;
+        }
+        if (end != owner->size) {
+            printf("%s: members end at %zu, size is %zu\n", owner->type, end, owner->size);
+            ++holes;
+        }
+        ++structs;
+    }
+    printf("%zu structs, %zu members, %zu holes\n", structs, count - structs, holes);
+    return holes != 0;
+}
+
+#else
+
+int main(void)
+{
+    puts("layouts are stated for LP64 only");
+    return 77;
+}
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Random textures, samplers and lookups, legal and not: no call may crash, leak, write outside its columns, give a
+// non-finite value from finite texels, or give other bits on another SIMD target.
+#include "source.h"
+
+namespace shd::fuzz {
+namespace {
+
+constexpr float kCanary = -12345.75f;
+
+/// What one input asks for, so that it can run on several contexts.
+struct Case {
+  shd_texture_desc texture = shd_texture_desc_default();
+  shd_sampler_desc sampler = shd_sampler_desc_default();
+  std::vector<uint8_t> texels;
+  std::vector<float> columns[7];
+  size_t column_stride[7] = {};
+  size_t count = 0;
+  size_t out_stride[4] = {};
+  uint32_t channels = 0;
+  bool integer_texels = false;
+};
+
+uint32_t random_edge(Source& source) {
+  constexpr uint32_t kEdges[] = {0, 1, 2, 3, 5, 7, 13, 16, 17, 31, 64, 65536, 65537, 0xffffffffu};
+  return source.one_in(3) ? 1 + source.below(70) : kEdges[source.below(sizeof kEdges / sizeof kEdges[0])];
+}
+
+void fill_texture(Source& source, Case& c) {
+  shd_texture_desc& desc = c.texture;
+  desc.format = static_cast<shd_format>(source.one_in(16) ? source.word() & 0x7fffffff : 1 + source.below(6));
+  desc.width = random_edge(source);
+  desc.height = random_edge(source);
+  if (uint64_t{desc.width} * desc.height > 1 << 18 && desc.width <= 65536 && desc.height <= 65536) desc.height = 1;
+  desc.tables = source.one_in(16) ? source.word() : source.below(2);
+  desc.reserved = source.one_in(64);
+  if (source.one_in(64)) desc.struct_size = source.one_in(2) ? source.below(sizeof desc) : 0x80000000u | source.word();
+  const size_t pixel = shd_format_size(desc.format);
+  const size_t packed = desc.width * pixel;
+  if (source.one_in(4)) desc.row_stride = source.one_in(8) ? source.word() : packed + 16 * source.below(4);
+  const size_t rows = size_t{desc.height} > 65536 ? 1 : desc.height;
+  const size_t stride = desc.row_stride > packed && desc.row_stride < packed + 64 ? desc.row_stride : packed;
+  const size_t size = rows * stride;
+  c.texels.assign(size <= size_t{1} << 24 ? size : 16, 0);
+  const bool floats = desc.format == SHD_FORMAT_RGBA32F;
+  c.integer_texels = !floats && desc.format != SHD_FORMAT_RGBA16F;
+  for (size_t i = 0; i + 4 <= c.texels.size() && i < 4096; i += 4) {
+    const float value = floats ? source.hostile() : 0.0f;
+    const uint32_t bits = source.word();
+    std::memcpy(&c.texels[i], floats ? static_cast<const void*>(&value) : &bits, 4);
+  }
+  // A stride that is out of the ordinary could make the library read past the buffer legitimately: refuse it here.
+  if (desc.row_stride > packed + 64 && desc.height > 1) desc.row_stride = packed;
+  desc.texels = source.one_in(32) ? nullptr : c.texels.data();
+}
+
+void fill_sampler(Source& source, Case& c) {
+  shd_sampler_desc& desc = c.sampler;
+  desc.filter = static_cast<shd_filter>(source.one_in(32) ? source.word() & 0x7fffffff : source.below(3));
+  desc.wrap_u = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 4));
+  desc.wrap_v = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 4));
+  for (float& value : desc.border) value = source.one_in(16) ? source.hostile() : source.unit();
+  desc.lod_bias = source.one_in(16) ? source.hostile() : source.unit() * 15.0f;
+  desc.lod_min = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(33));
+  desc.lod_max = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(33));
+}
+
+void fill_lookups(Source& source, Case& c) {
+  c.count = source.below(100);
+  for (int k = 0; k < 7; ++k) {
+    if (k >= 2 && source.one_in(3)) continue;
+    if (k == 6 && !source.one_in(3)) continue;
+    c.column_stride[k] = 4 * (1 + source.below(3));
+    c.columns[k].resize(c.count * c.column_stride[k] / 4 + 1);
+    for (float& value : c.columns[k]) value = source.hostile();
+  }
+  c.channels = source.below(16);
+  for (size_t& stride : c.out_stride) stride = 4 * (1 + source.below(3));
+}
+
+shd_lookups make_lookups(const Case& c) {
+  shd_lookups lookups = shd_lookups_default();
+  lookups.count = c.count;
+  shd_f32_in* columns[7] = {&lookups.u,    &lookups.v,    &lookups.dudx, &lookups.dvdx,
+                            &lookups.dudy, &lookups.dvdy, &lookups.lod};
+  for (int k = 0; k < 7; ++k) {
+    if (c.columns[k].empty()) continue;
+    columns[k]->data = c.columns[k].data();
+    columns[k]->stride = c.column_stride[k];
+  }
+  return lookups;
+}
+
+/// Output columns, canaries between and after the elements included.
+struct Output {
+  std::vector<float> channel[4];
+  size_t nonfinite_count = 0;
+};
+
+void check_output(const Case& c, const Output& output, int channel) {
+  const size_t step = c.out_stride[channel] / 4;
+  const std::vector<float>& values = output.channel[channel];
+  for (size_t i = 0; i < values.size(); ++i) {
+    const bool written = i % step == 0 && i / step < c.count;
+    if (!written) SHD_FUZZ_CHECK(values[i] == kCanary);
+    if (written && c.integer_texels) SHD_FUZZ_CHECK(std::isfinite(values[i]));
+  }
+}
+
+/// Runs the case on one target; false if texture or sampler was refused.
+bool run(const Case& c, shd_simd simd, Output& output) {
+  Memory memory;
+  shd_context* context = make_context(memory, simd);
+  shd_texture* texture = nullptr;
+  shd_sampler* sampler = nullptr;
+  const bool made = shd_texture_create(context, &c.texture, &texture) == SHD_OK &&
+                    shd_sampler_create(context, &c.sampler, &sampler) == SHD_OK;
+  if (made) {
+    const shd_lookups lookups = make_lookups(c);
+    shd_texels out = {};
+    for (int k = 0; k < 4; ++k) {
+      if (!(c.channels >> k & 1)) continue;
+      output.channel[k].assign(c.count * c.out_stride[k] / 4 + 1, kCanary);
+      out.channel[k].data = output.channel[k].data();
+      out.channel[k].stride = c.out_stride[k];
+    }
+    SHD_FUZZ_CHECK(shd_texture_sample(texture, sampler, &lookups, &out) == SHD_OK);
+    SHD_FUZZ_CHECK(out.nonfinite_count <= c.count);
+    output.nonfinite_count = out.nonfinite_count;
+    for (int k = 0; k < 4; ++k) check_output(c, output, k);
+  } else {
+    SHD_FUZZ_CHECK(shd_last_error()[0] != '\0');
+  }
+  shd_sampler_release(sampler);
+  shd_texture_release(texture);
+  shd_context_release(context);
+  SHD_FUZZ_CHECK(memory.live == 0);
+  return made;
+}
+
+}  // namespace
+}  // namespace shd::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace shd::fuzz;
+  Source source(data, size);
+  Case c;
+  fill_texture(source, c);
+  fill_sampler(source, c);
+  fill_lookups(source, c);
+  Output best, scalar;
+  const bool made = run(c, SHD_SIMD_BEST, best);
+  SHD_FUZZ_CHECK(run(c, SHD_SIMD_SCALAR, scalar) == made);
+  SHD_FUZZ_CHECK(best.nonfinite_count == scalar.nonfinite_count);
+  for (int k = 0; k < 4; ++k) SHD_FUZZ_CHECK(same_values(best.channel[k], scalar.channel[k]));
+  return 0;
+}

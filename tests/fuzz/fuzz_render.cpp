@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Random frames, legal and not: hostile vertices and matrices, odd sizes, every frequency, cull mode and flag. No
+// call may crash, leak or lose count of triangles, and two SIMD targets give the same planes.
+#include "source.h"
+
+namespace shd::fuzz {
+namespace {
+
+constexpr size_t kMaxDraws = 3;
+constexpr size_t kMaxLights = 3;
+
+struct MeshData {
+  std::vector<float> columns[8];  // x y z, nx ny nz, u v
+  std::vector<uint32_t> indices;
+  bool normals = false, uvs = false, indexed = false;
+  uint32_t flags = 0, normal_weight = 0, vertex_count = 0;
+};
+
+struct DrawData {
+  MeshData mesh;
+  shd_material_desc material = shd_material_desc_default();
+  shd_draw draw = shd_draw_default();
+  bool textured = false;
+};
+
+/// What one input asks for, so that it can run on several contexts.
+struct Case {
+  shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
+  shd_render_desc render = shd_render_desc_default();
+  DrawData draws[kMaxDraws];
+  shd_light_desc lights[kMaxLights];
+  size_t draw_count = 0, light_count = 0;
+};
+
+void fill_matrix(Source& source, float* matrix, bool affine) {
+  const uint32_t kind = source.below(8);
+  for (int i = 0; i < 16; ++i) {
+    if (kind == 0) matrix[i] = source.hostile();
+    if (kind == 1) matrix[i] = source.hostile_finite();
+    if (kind == 2 || kind == 3) matrix[i] = source.unit() * 2.0f;
+  }
+  if (affine && kind != 0) {
+    matrix[3] = matrix[7] = matrix[11] = 0.0f;
+    matrix[15] = 1.0f;
+  }
+}
+
+void fill_mesh(Source& source, MeshData& mesh) {
+  mesh.vertex_count = source.below(40);
+  mesh.normals = source.one_in(2);
+  mesh.uvs = source.one_in(2);
+  mesh.indexed = source.one_in(2);
+  mesh.flags = source.one_in(64) ? source.word() : source.below(2);
+  mesh.normal_weight = source.below(source.one_in(32) ? 100 : 3);
+  const bool hostile = source.one_in(2);
+  for (int k = 0; k < 8; ++k) {
+    mesh.columns[k].resize(mesh.vertex_count);
+    for (float& value : mesh.columns[k]) value = hostile && source.one_in(4) ? source.hostile() : source.unit();
+  }
+  const uint32_t count = source.below(40) * 3 + source.one_in(32);
+  if (!mesh.indexed) return;
+  for (uint32_t i = 0; i < count; ++i) {
+    mesh.indices.push_back(source.one_in(1024) ? source.word()
+                                               : source.below(mesh.vertex_count ? mesh.vertex_count : 1));
+  }
+}
+
+void fill_draw(Source& source, DrawData& data) {
+  fill_mesh(source, data.mesh);
+  data.material.model = static_cast<shd_model>(source.below(source.one_in(32) ? 100 : 2));
+  data.material.flags = source.below(4);
+  data.material.exponent = source.one_in(8) ? source.hostile() : static_cast<float>(source.below(200));
+  for (float& value : data.material.diffuse) value = source.one_in(16) ? source.hostile() : std::fabs(source.unit());
+  data.textured = source.one_in(2);
+  data.draw.frequency = static_cast<shd_frequency>(source.below(source.one_in(32) ? 100 : 3));
+  data.draw.cull = static_cast<shd_cull>(source.below(source.one_in(32) ? 100 : 3));
+  fill_matrix(source, data.draw.object_to_world, true);
+}
+
+void fill_case(Source& source, Case& c) {
+  c.framebuffer.width = 1 + source.below(90);
+  c.framebuffer.height = 1 + source.below(90);
+  c.framebuffer.aovs = source.below(8);
+  c.draw_count = source.below(kMaxDraws + 1);
+  c.light_count = source.below(kMaxLights + 1);
+  for (size_t i = 0; i < c.draw_count; ++i) fill_draw(source, c.draws[i]);
+  for (size_t i = 0; i < c.light_count; ++i) {
+    c.lights[i] = shd_light_desc_default();
+    c.lights[i].kind = static_cast<shd_light_kind>(source.below(3));
+    for (float& value : c.lights[i].position) value = source.hostile_finite();
+    for (float& value : c.lights[i].direction) value = source.unit();
+  }
+  shd_camera camera = shd_camera_default();
+  for (float& value : camera.eye) value = source.one_in(8) ? source.hostile() : 3.0f * source.unit();
+  for (float& value : camera.target) value = source.one_in(8) ? source.hostile() : source.unit();
+  shd_view view;
+  if (shd_view_from_camera(&camera, &view) == SHD_OK) c.render.view = view;
+  if (source.one_in(4)) fill_matrix(source, c.render.view.world_to_view, true);
+  if (source.one_in(4)) fill_matrix(source, c.render.view.view_to_clip, false);
+  for (float& value : c.render.clear_color) value = source.one_in(16) ? source.hostile() : source.unit();
+  c.render.keep = source.below(source.one_in(32) ? 5 : 2);
+}
+
+/// The library's objects of one run.
+struct Objects {
+  shd_framebuffer* framebuffer = nullptr;
+  shd_texture* texture = nullptr;
+  shd_mesh* meshes[kMaxDraws] = {};
+  shd_material* materials[kMaxDraws] = {};
+  shd_light* lights[kMaxLights] = {};
+};
+
+bool make_mesh(shd_context* context, const MeshData& data, shd_mesh** out) {
+  shd_mesh_desc desc = shd_mesh_desc_default();
+  desc.vertex_count = data.vertex_count;
+  desc.flags = data.flags;
+  desc.normal_weight = static_cast<shd_normal_weight>(data.normal_weight);
+  for (int k = 0; k < 3; ++k) {
+    desc.position[k].data = data.columns[k].data();
+    if (data.normals) desc.normal[k].data = data.columns[3 + k].data();
+    if (data.uvs && k < 2) desc.uv[k].data = data.columns[6 + k].data();
+  }
+  if (data.indexed) {
+    desc.indices.data = data.indices.data();
+    desc.index_count = data.indices.size();
+  }
+  return shd_mesh_create(context, &desc, out) == SHD_OK;
+}
+
+bool make_objects(shd_context* context, const Case& c, Objects& o) {
+  const uint8_t texels[16] = {255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 0, 255, 255, 255, 255};
+  shd_texture_desc texture = shd_texture_desc_default();
+  texture.format = SHD_FORMAT_RGBA8_SRGB;
+  texture.width = texture.height = 2;
+  texture.tables = SHD_TABLE_MIPMAP;
+  texture.texels = texels;
+  bool made = shd_texture_create(context, &texture, &o.texture) == SHD_OK &&
+              shd_framebuffer_create(context, &c.framebuffer, &o.framebuffer) == SHD_OK;
+  for (size_t i = 0; i < c.draw_count && made; ++i) {
+    shd_material_desc material = c.draws[i].material;
+    if (c.draws[i].textured) material.diffuse_texture = o.texture;
+    made = make_mesh(context, c.draws[i].mesh, &o.meshes[i]) &&
+           shd_material_create(context, &material, &o.materials[i]) == SHD_OK;
+  }
+  for (size_t i = 0; i < c.light_count && made; ++i) {
+    made = shd_light_create(context, &c.lights[i], &o.lights[i]) == SHD_OK;
+  }
+  return made;
+}
+
+void release(Objects& o) {
+  shd_framebuffer_release(o.framebuffer);
+  shd_texture_release(o.texture);
+  for (shd_mesh* mesh : o.meshes) shd_mesh_release(mesh);
+  for (shd_material* material : o.materials) shd_material_release(material);
+  for (shd_light* light : o.lights) shd_light_release(light);
+}
+
+void read_planes(const Case& c, const Objects& o, std::vector<float>& planes) {
+  const size_t pixels = size_t{c.framebuffer.width} * c.framebuffer.height;
+  for (int plane = SHD_PLANE_R; plane <= SHD_PLANE_NZ; ++plane) {
+    std::vector<float> values(pixels);
+    shd_f32_out out = {values.data(), 0};
+    if (shd_framebuffer_read_plane(o.framebuffer, static_cast<shd_plane>(plane), out) != SHD_OK) continue;
+    planes.insert(planes.end(), values.begin(), values.end());
+  }
+}
+
+/// Runs the case on one target; false if any part of it was refused.
+bool run(const Case& c, shd_simd simd, std::vector<float>& planes) {
+  Memory memory;
+  shd_context* context = make_context(memory, simd);
+  Objects o;
+  bool made = make_objects(context, c, o);
+  if (made) {
+    shd_draw draws[kMaxDraws];
+    shd_render_stats stats = {};
+    shd_render_desc desc = c.render;
+    for (size_t i = 0; i < c.draw_count; ++i) {
+      draws[i] = c.draws[i].draw;
+      draws[i].mesh = o.meshes[i];
+      draws[i].material = o.materials[i];
+    }
+    desc.framebuffer = o.framebuffer;
+    desc.draws = draws;
+    desc.draw_count = c.draw_count;
+    desc.lights = o.lights;
+    desc.light_count = c.light_count;
+    desc.stats = &stats;
+    made = shd_render(context, &desc) == SHD_OK;
+    SHD_FUZZ_CHECK(stats.nonfinite + stats.outside + stats.culled + stats.empty + stats.rasterised == stats.triangles);
+    SHD_FUZZ_CHECK(stats.nonfinite_fragments <= stats.fragments);
+    SHD_FUZZ_CHECK(stats.fragments <= uint64_t{c.framebuffer.width} * c.framebuffer.height);
+    if (made) read_planes(c, o, planes);
+  }
+  if (!made) SHD_FUZZ_CHECK(shd_last_error()[0] != '\0');
+  release(o);
+  shd_context_release(context);
+  SHD_FUZZ_CHECK(memory.live == 0);
+  return made;
+}
+
+}  // namespace
+}  // namespace shd::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace shd::fuzz;
+  Source source(data, size);
+  Case c;
+  fill_case(source, c);
+  std::vector<float> best, scalar;
+  const bool made = run(c, SHD_SIMD_BEST, best);
+  SHD_FUZZ_CHECK(run(c, SHD_SIMD_SCALAR, scalar) == made);
+  SHD_FUZZ_CHECK(same_values(best, scalar));
+  return 0;
+}

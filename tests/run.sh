@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds and tests everything on Debian 12, from a fresh machine, as root or with sudo.
+#
+#   tests/run.sh [stage...]      all (default) | quick | format | release | asan | tsan | core | scalar
+#
+#   format    clang-format 14 over every tracked C and C++ file
+#   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
+#   asan      address and undefined-behaviour sanitizers; every test but those about the binary
+#   tsan      thread sanitizer on libshd alone
+#   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB
+#   scalar    one generic SIMD target, libshd alone
+#   quick     format and release
+#
+# Missing Debian packages are installed first, by name and without recommendations; nothing is asked of the network
+# when all are there. SHD_NO_INSTALL=1 never installs. Builds go to build/ci/<stage>; ccache is used when present.
+set -uo pipefail
+cd "$(dirname "$0")/.." || exit 1
+
+packages=(ca-certificates ccache clang clang-format cmake g++ gcc git libbenchmark-dev libcmocka-dev libhwy-dev
+          libopencolorio-dev libopenimageio-dev libtbb-dev ninja-build pkg-config python3)
+jobs=$(nproc)
+summary=()
+failed=0
+
+say() { printf '\n== %s\n' "$*"; }
+
+missing_packages() {
+  local name
+  for name in "${packages[@]}"; do
+    dpkg-query -W -f='${db:Status-Abbrev}' "$name" 2>/dev/null | grep -q '^ii' || printf '%s\n' "$name"
+  done
+}
+
+install_packages() {
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages)
+  if [ "${#missing[@]}" -eq 0 ]; then
+    say "packages: all ${#packages[@]} are installed"
+    return 0
+  fi
+  if [ "${SHD_NO_INSTALL:-0}" = 1 ]; then
+    say "packages: missing ${missing[*]} (SHD_NO_INSTALL=1)"
+    return 0
+  fi
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  say "packages: installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -q &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${missing[@]}"
+}
+
+# stage, CMake options...: configures build/ci/<stage> from the preset of that name and builds it
+build() {
+  local stage=$1 launcher=()
+  shift
+  if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  cmake --preset "$stage" -B "build/ci/$stage" "${launcher[@]}" "$@" && ninja -C "build/ci/$stage" -j "$jobs"
+}
+
+# stage, ctest options...: leaves CTest's count for the summary in build/ci/<stage>.count
+run_tests() {
+  local stage=$1 log status
+  shift
+  log=build/ci/$stage.log
+  "${runner[@]}" ctest --test-dir "build/ci/$stage" -j "$jobs" --output-on-failure --no-tests=error "$@" 2>&1 |
+    tee "$log"
+  status=${PIPESTATUS[0]}
+  grep -E 'tests? passed' "$log" | tail -n 1 >"build/ci/$stage.count"
+  return "$status"
+}
+
+stage_format() { tests/support/check_format.sh; }
+stage_release() { build release && run_tests release; }
+# The binary and the style are the release stage's matter; a sanitized library loads and exports more.
+stage_asan() {
+  build asan -DSHD_BUILD_EXAMPLES=OFF &&
+    ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:allocator_may_return_null=1 \
+      LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 \
+      UBSAN_OPTIONS=print_stacktrace=1 run_tests asan -E '^(abi|style|consumer)\.'
+}
+# Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels.
+stage_tsan() {
+  local runner=()
+  setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
+  build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+    TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
+      run_tests tsan -E '^(abi|style|consumer|fuzz)\.'
+}
+stage_core() { build core && run_tests core; }
+stage_scalar() {
+  build scalar -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+    run_tests scalar -E '^(style|consumer)\.'
+}
+
+run_stage() {
+  local stage=$1 start=$SECONDS status=passed runner=() count
+  say "stage $stage"
+  rm -f "build/ci/$stage.count"
+  if ! "stage_$stage"; then
+    status=FAILED
+    failed=1
+  fi
+  count=$(cat "build/ci/$stage.count" 2>/dev/null)
+  summary+=("$(printf '%-8s %-7s %4d s  %s' "$stage" "$status" $((SECONDS - start)) "$count")")
+}
+
+stages=()
+for argument in "${@:-all}"; do
+  case $argument in
+    all) stages+=(format release asan tsan core scalar) ;;
+    quick) stages+=(format release) ;;
+    format | release | asan | tsan | core | scalar) stages+=("$argument") ;;
+    *)
+      sed -n '3,18p' "$0" | sed 's/^# \{0,1\}//'
+      exit 2
+      ;;
+  esac
+done
+
+mkdir -p build/ci
+install_packages || exit 1
+for stage in "${stages[@]}"; do run_stage "$stage"; done
+
+say "summary"
+printf '%s\n' "${summary[@]}"
+[ "$failed" -eq 0 ] && echo "all stages passed" || echo "a stage FAILED"
+exit "$failed"
