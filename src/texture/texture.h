@@ -26,10 +26,10 @@ constexpr uint32_t kMaxLevels = 17;  // 65536 = 2^16 and the base
 /// Texels of every level in one block.
 struct Texture {
   shd_format format;
-  uint32_t width, height;         // of level 0
-  uint32_t level_count;           // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];    // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
-  core::Array<uint8_t> texels;    // rows packed, levels one after the other, padded at the end for whole gathers
+  uint32_t width, height;       // of level 0
+  uint32_t level_count;         // 1..kMaxLevels
+  uint32_t offset[kMaxLevels];  // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
+  core::Array<uint8_t> texels;  // rows packed, levels one after the other, padded at the end for whole gathers
 };
 
 /// A checked sampler desc in the form that kernels want.

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <shd/lookup.h>
+
+#include <atomic>
+#include <cstring>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "core/executor.h"
+#include "data/column.h"
+#include "texture/texture.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr size_t kInputs = 7;
+constexpr size_t kChannels = 4;
+constexpr size_t kChunk = 16384;  // lookups per task
+constexpr uint64_t kMaxTasks = 1u << 20;
+constexpr size_t kStage = 512;  // lookups per copy of strided columns: 22 KB of stack
+
+/// The columns of one call, in the order of texture::Lookups.
+struct Batch {
+  size_t count;
+  shd_f32_in in[kInputs];
+  shd_f32_out out[kChannels];
+};
+
+constexpr const char* kInputNames[kInputs] = {"lookups.u",    "lookups.v",    "lookups.dudx", "lookups.dvdx",
+                                              "lookups.dudy", "lookups.dvdy", "lookups.lod"};
+constexpr const char* kChannelNames[kChannels] = {"texels.channel[0]", "texels.channel[1]", "texels.channel[2]",
+                                                  "texels.channel[3]"};
+
+/// Where a column lies: elements at first + i * stride, i < count.
+struct Extent {
+  uintptr_t first;
+  size_t stride, count;
+
+  Extent(const void* data, size_t column_stride, size_t column_count)
+      : first(reinterpret_cast<uintptr_t>(data)), stride(column_stride ? column_stride : 4), count(column_count) {}
+  uintptr_t last() const { return first + (count - 1) * stride; }
+};
+
+/// Whether `packed`, which has no gaps, holds an element of `other`.
+bool holds_element(const Extent& packed, const Extent& other) {
+  if (other.last() < packed.first || other.first > packed.last()) return false;
+  if (other.first >= packed.first) return true;
+  const size_t skipped = (packed.first - other.first + other.stride - 1) / other.stride;
+  return other.first + skipped * other.stride <= packed.last();
+}
+
+/// Exact for equal strides and where one column is packed; others are not looked into.
+bool overlap(const Extent& a, const Extent& b) {
+  if (a.stride == 4) return holds_element(a, b);
+  if (b.stride == 4) return holds_element(b, a);
+  if (a.stride != b.stride || a.last() < b.first || b.last() < a.first) return false;
+  return (a.first > b.first ? a.first - b.first : b.first - a.first) % a.stride == 0;
+}
+
+shd_result check_overlap(const Batch& batch) {
+  for (size_t c = 0; c < kChannels; ++c) {
+    if (!batch.out[c].data) continue;
+    const Extent out(batch.out[c].data, batch.out[c].stride, batch.count);
+    for (size_t i = 0; i < kInputs; ++i) {
+      if (batch.in[i].data && overlap(out, Extent(batch.in[i].data, batch.in[i].stride, batch.count))) {
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kInputNames[i]);
+      }
+    }
+    for (size_t i = 0; i < c; ++i) {
+      if (batch.out[i].data && overlap(out, Extent(batch.out[i].data, batch.out[i].stride, batch.count))) {
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kChannelNames[i]);
+      }
+    }
+  }
+  return SHD_OK;
+}
+
+shd_result check_batch(const Batch& batch) {
+  for (size_t i = 0; i < kInputs; ++i) SHD_TRY(check_column(kInputNames[i], batch.in[i], batch.count));
+  for (size_t c = 0; c < kChannels; ++c) SHD_TRY(check_column(kChannelNames[c], batch.out[c], batch.count));
+  if (batch.count == 0) return SHD_OK;
+  SHD_TRY(check_not_null("lookups.u.data", batch.in[0].data));
+  SHD_TRY(check_not_null("lookups.v.data", batch.in[1].data));
+  bool wanted = false;
+  for (const shd_f32_out& channel : batch.out) wanted = wanted || channel.data;
+  if (!wanted) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.channel: NULL for all four");
+  return check_overlap(batch);
+}
+
+/// A 0.1 shd_texels may leave its struct_size 0.
+shd_result read_texels(const shd_texels* in, shd_texels* out) {
+  SHD_TRY(check_not_null("texels", in));
+  uint32_t size;
+  std::memcpy(&size, in, sizeof size);
+  if (size == 0) {
+    std::memcpy(out, in, sizeof *out);
+  } else {
+    SHD_TRY(read_desc("texels", in, false, out));
+  }
+  return check_zero("texels.reserved", out->reserved);
+}
+
+/// Samples elements first..first + count - 1 of a batch on this thread, strided columns through copies.
+class Chunk {
+ public:
+  Chunk(const texture::Texture& texture, const texture::Sampler& sampler, const core::SimdTarget& simd,
+        const Batch& batch)
+      : texture_(texture), sampler_(sampler), simd_(simd), batch_(batch) {}
+
+  size_t run(size_t first, size_t count) const {
+    bool packed = true;
+    for (const shd_f32_in& column : batch_.in) packed = packed && (!column.data || data::is_packed(column.stride));
+    for (const shd_f32_out& column : batch_.out) packed = packed && (!column.data || data::is_packed(column.stride));
+    if (packed) return run_packed(first, count);
+    size_t nonfinite = 0;
+    for (size_t done = 0; done < count; done += kStage) {
+      nonfinite += run_staged(first + done, count - done < kStage ? count - done : kStage);
+    }
+    return nonfinite;
+  }
+
+ private:
+  size_t run_packed(size_t first, size_t count) const {
+    const float* in[kInputs];
+    texture::Texels out;
+    for (size_t i = 0; i < kInputs; ++i) in[i] = batch_.in[i].data ? batch_.in[i].data + first : nullptr;
+    for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? batch_.out[c].data + first : nullptr;
+    return sample(in, count, out);
+  }
+
+  size_t run_staged(size_t first, size_t count) const {
+    float in_copy[kInputs][kStage], out_copy[kChannels][kStage];
+    const float* in[kInputs] = {};
+    texture::Texels out = {};
+    for (size_t i = 0; i < kInputs; ++i) {
+      if (!batch_.in[i].data) continue;
+      for (size_t k = 0; k < count; ++k) in_copy[i][k] = data::load(batch_.in[i], first + k);
+      in[i] = in_copy[i];
+    }
+    for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? out_copy[c] : nullptr;
+    const size_t nonfinite = sample(in, count, out);
+    for (size_t c = 0; c < kChannels; ++c) {
+      if (!batch_.out[c].data) continue;
+      for (size_t k = 0; k < count; ++k) data::store(batch_.out[c], first + k, out_copy[c][k]);
+    }
+    return nonfinite;
+  }
+
+  size_t sample(const float* const* in, size_t count, const texture::Texels& out) const {
+    const texture::Lookups lookups = {count, in[0], in[1], in[2], in[3], in[4], in[5], in[6]};
+    return texture::sample(texture_, sampler_, simd_, lookups, out);
+  }
+
+  const texture::Texture& texture_;
+  const texture::Sampler& sampler_;
+  const core::SimdTarget& simd_;
+  const Batch& batch_;
+};
+
+/// Splits the batch over the executor; the bits do not depend on where.
+size_t run_batch(const core::Context& context, const Chunk& chunk, size_t count) {
+  const size_t size = count / kMaxTasks < kChunk ? kChunk : count / kMaxTasks + 1;
+  const auto tasks = static_cast<uint32_t>(count / size + (count % size != 0));
+  std::atomic<size_t> nonfinite{0};
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
+    const size_t first = task * size;
+    nonfinite.fetch_add(chunk.run(first, count - first < size ? count - first : size), std::memory_order_relaxed);
+  });
+  return nonfinite.load(std::memory_order_relaxed);
+}
+
+}  // namespace
+
+extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_sampler* sampler,
+                                         const shd_lookups* lookups, shd_texels* out) {
+  return guard([&]() -> shd_result {
+    const texture::Texture* texture_body;
+    const texture::Sampler* sampler_body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
+    SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
+    shd_lookups in = shd_lookups_default();
+    SHD_TRY(read_desc("lookups", lookups, false, &in));
+    SHD_TRY(check_zero("lookups.reserved", in.reserved));
+    shd_texels texels;
+    SHD_TRY(read_texels(out, &texels));
+    Batch batch = {in.count, {in.u, in.v, in.dudx, in.dvdx, in.dudy, in.dvdy, in.lod}, {}};
+    std::memcpy(batch.out, texels.channel, sizeof batch.out);
+    SHD_TRY(check_batch(batch));
+
+    const core::Context& context = *object_of(texture)->context;
+    const Chunk chunk(*texture_body, *sampler_body, context.simd, batch);
+    out->nonfinite_count = run_batch(context, chunk, batch.count);
+    return SHD_OK;
+  });
+}

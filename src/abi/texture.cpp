@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <shd/texture.h>
+
+#include <cstring>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "image/format.h"
+#include "texture/storage.h"
+#include "texture/texture.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+/// Texel indices of all levels, times four channels, stay within 32-bit gathers.
+constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
+
+shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& format) {
+  SHD_TRY(check_not_null("texture.texels", desc.texels));
+  const size_t row = desc.width * format.pixel_size;
+  const size_t stride = desc.row_stride ? desc.row_stride : row;
+  if (stride < row) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu is below %zu", stride, row);
+  }
+  if (stride % format.channel_size != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu is not a multiple of %zu", stride,
+                      format.channel_size);
+  }
+  size_t bytes;
+  if (__builtin_mul_overflow(stride, size_t{desc.height}, &bytes) || bytes > PTRDIFF_MAX) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu times %u rows exceeds the address space",
+                      stride, desc.height);
+  }
+  if (reinterpret_cast<uintptr_t>(desc.texels) % format.channel_size != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to %zu bytes", format.channel_size);
+  }
+  return SHD_OK;
+}
+
+shd_result check_texture_desc(const shd_texture_desc& desc) {
+  const image::FormatInfo format = image::format_info(desc.format);
+  if (!format.textures) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %d is not a format of textures",
+                      static_cast<int>(desc.format));
+  }
+  SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
+  SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
+  SHD_TRY(check_count("texture.width * texture.height", uint64_t{desc.width} * desc.height, 1, kMaxTexels));
+  SHD_TRY(check_rows(desc, format));
+  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP));
+  return check_zero("texture.reserved", desc.reserved);
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_texture_create(shd_context* context, const shd_texture_desc* desc, shd_texture** out_texture) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_texture", out_texture));
+    *out_texture = nullptr;
+    SHD_TRY(check_context(context));
+    shd_texture_desc read = shd_texture_desc_default();
+    SHD_TRY(read_desc("texture", desc, false, &read));
+    SHD_TRY(check_texture_desc(read));
+
+    core::Context& owner = context_of(context);
+    auto* body = core::create<texture::Texture>(owner.allocator);
+    try {
+      texture::build(owner, read, body);
+    } catch (...) {
+      core::destroy(owner.allocator, body);
+      throw;
+    }
+    make_handle(owner, core::ObjectType::kTexture, body, out_texture);
+    return SHD_OK;
+  });
+}
+
+void shd_texture_retain(shd_texture* texture) {
+  retain_handle(texture, core::ObjectType::kTexture);
+}
+
+void shd_texture_release(shd_texture* texture) {
+  release_handle(texture, core::ObjectType::kTexture);
+}
+
+shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* out_info) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_info", out_info));
+    *out_info = shd_texture_info{};
+    const texture::Texture* body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    *out_info = {body->format, body->width, body->height, body->level_count, texture::byte_size(*body)};
+    return SHD_OK;
+  });
+}
+
+shd_result shd_texture_read_level(const shd_texture* texture, uint32_t level, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    const texture::Texture* body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    SHD_TRY(check_count("level", level, 0, body->level_count - 1));
+    shd_image image;
+    SHD_TRY(read_image("out", out, &image));
+    if (image.format != body->format) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is not the texture's %d",
+                        static_cast<int>(image.format), static_cast<int>(body->format));
+    }
+    const uint32_t width = texture::level_size(body->width, level), height = texture::level_size(body->height, level);
+    SHD_TRY(check_count("out.width", image.width, width, width));
+    SHD_TRY(check_count("out.height", image.height, height, height));
+    const size_t pixel_size = image::format_info(body->format).pixel_size;
+    auto* pixels = static_cast<uint8_t*>(image.pixels);
+    for (uint32_t y = 0; y < height; ++y) {
+      std::memcpy(pixels + y * image.row_stride, texture::row_of(*body, pixel_size, level, y), width * pixel_size);
+    }
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

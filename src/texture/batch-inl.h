@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The loop over a batch, the same for every filter: whole vectors in place, the tail through a padded copy.
+
+#if defined(SHD_TEXTURE_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_BATCH_INL_H_
+#undef SHD_TEXTURE_BATCH_INL_H_
+#else
+#define SHD_TEXTURE_BATCH_INL_H_
+#endif
+
+#include <cstring>
+
+#include <hwy/highway.h>
+
+#include "texture/lod-inl.h"
+#include "texture/texture.h"
+#include "texture/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr size_t kMaxLanes = 16;
+using BatchTag = hn::CappedTag<float, kMaxLanes>;
+
+/// One vector of lookups, made finite: NaN and infinite coordinates and NaN derivatives are 0.
+template <class D>
+struct Points {
+  hn::Vec<D> u, v;
+  Derivatives<D> derivatives;  // of what is absent: 0
+  hn::Vec<D> lod;              // not NaN
+  size_t nonfinite;            // lanes where something was not finite
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
+  return column ? hn::LoadU(d, column + i) : hn::Zero(d);
+}
+
+template <class D, class V>
+HWY_INLINE V ZeroIfNotFinite(D d, V value) {
+  return hn::IfThenElseZero(hn::Eq(hn::Sub(value, value), hn::Zero(d)), value);
+}
+template <class V>
+HWY_INLINE V ZeroIfNaN(V value) {
+  return hn::IfThenElseZero(hn::Eq(value, value), value);
+}
+
+template <class D>
+HWY_INLINE Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+  Points<D> p;
+  p.u = hn::LoadU(d, in.u + i);
+  p.v = hn::LoadU(d, in.v + i);
+  p.lod = LoadOrZero(d, in.lod, i);
+  Derivatives<D>& j = p.derivatives;
+  j.dudx = LoadOrZero(d, in.lod ? nullptr : in.dudx, i);
+  j.dvdx = LoadOrZero(d, in.lod ? nullptr : in.dvdx, i);
+  j.dudy = LoadOrZero(d, in.lod ? nullptr : in.dudy, i);
+  j.dvdy = LoadOrZero(d, in.lod ? nullptr : in.dvdy, i);
+  // x - x is 0 for finite x and NaN for others.
+  const auto point = hn::Add(hn::Sub(p.u, p.u), hn::Sub(p.v, p.v));
+  const auto along_x = hn::Add(hn::Sub(j.dudx, j.dudx), hn::Sub(j.dvdx, j.dvdx));
+  const auto along_y = hn::Add(hn::Sub(j.dudy, j.dudy), hn::Sub(j.dvdy, j.dvdy));
+  const auto all = hn::Add(hn::Add(point, hn::Sub(p.lod, p.lod)), hn::Add(along_x, along_y));
+  const auto finite = hn::Eq(all, hn::Zero(d));
+  p.nonfinite = 0;
+  if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+    p.nonfinite = hn::Lanes(d) - hn::CountTrue(d, finite);
+    p.u = ZeroIfNotFinite(d, p.u);
+    p.v = ZeroIfNotFinite(d, p.v);
+    p.lod = ZeroIfNaN(p.lod);
+    j.dudx = ZeroIfNaN(j.dudx);
+    j.dvdx = ZeroIfNaN(j.dvdx);
+    j.dudy = ZeroIfNaN(j.dudy);
+    j.dvdy = ZeroIfNaN(j.dvdy);
+  }
+  return p;
+}
+
+/// The last `count` < Lanes lookups of a batch in columns of whole vectors, padded with zeros.
+struct Tail {
+  alignas(64) float in_columns[7][kMaxLanes];
+  alignas(64) float out_columns[4][kMaxLanes];
+  Lookups in;
+  Texels out;
+
+  HWY_INLINE Tail(const Lookups& from, const Texels& to, size_t first) {
+    const size_t count = from.count - first;
+    std::memset(in_columns, 0, sizeof in_columns);
+    const float* columns[7] = {from.u, from.v, from.dudx, from.dvdx, from.dudy, from.dvdy, from.lod};
+    for (size_t c = 0; c < 7; ++c) {
+      if (!columns[c]) continue;
+      std::memcpy(in_columns[c], columns[c] + first, count * sizeof(float));
+      columns[c] = in_columns[c];
+    }
+    in = {count, columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6]};
+    for (size_t c = 0; c < 4; ++c) out.channel[c] = to.channel[c] ? out_columns[c] : nullptr;
+  }
+  HWY_INLINE void copy_out(const Texels& to, size_t first) const {
+    for (size_t c = 0; c < 4; ++c) {
+      if (to.channel[c]) std::memcpy(to.channel[c] + first, out_columns[c], in.count * sizeof(float));
+    }
+  }
+};
+
+/// filter(d, points, out, i) writes one vector of results to element i of the columns. Returns the number of
+/// lookups that were not finite.
+template <class Filter>
+HWY_INLINE size_t ForEachVector(const Filter& filter, const Lookups& in, const Texels& out) {
+  const BatchTag d;
+  const size_t lanes = hn::Lanes(d);
+  size_t nonfinite = 0, i = 0;
+  for (;; i += lanes) {
+    if (i + lanes > in.count) break;
+    const Points<BatchTag> points = LoadPoints(d, in, i);
+    nonfinite += points.nonfinite;
+    filter(d, points, out, i);
+  }
+  if (i == in.count) return nonfinite;
+  Tail tail(in, out, i);
+  const Points<BatchTag> points = LoadPoints(d, tail.in, 0);
+  filter(d, points, tail.out, 0);
+  tail.copy_out(out, i);
+  return nonfinite + points.nonfinite;
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_BATCH_INL_H_

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What the kernels know of each texture format: how to fetch a texel and how to unpack one channel of it.
+//
+//   Texel<D>     raw bits of one texel per lane
+//   fetch        texels at indices (gathers of whole, aligned words)
+//   decode<C>    channel C as a float in the format's lerp domain: unorm channels stay in 0..255
+//   finish<C>    from the lerp domain to the result
+//   kFloat       texels may be infinite, NaN or so far apart that their difference overflows
+
+#if defined(SHD_TEXTURE_FORMAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FORMAT_INL_H_
+#undef SHD_TEXTURE_FORMAT_INL_H_
+#else
+#define SHD_TEXTURE_FORMAT_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "image/srgb.h"
+#include "texture/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// code / 255, the correctly rounded quotient for whole codes 0..255, else within 1 ulp of it. 1/255 is split into
+/// two factors of which the first times a code is exact; a division would take three times as long.
+template <class D, class V>
+HWY_INLINE V CodeToUnit(D d, V code) {
+  return hn::Add(hn::Mul(code, hn::Set(d, 0x1.01p-8f)), hn::Mul(code, hn::Set(d, 0x1.0101p-24f)));
+}
+
+template <class D>
+HWY_INLINE Ints<D> GatherWords(D d, const uint8_t* texels, Ints<D> index) {
+  const hn::RebindToSigned<D> di;
+  (void)d;
+  return hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texels), index);
+}
+
+/// Byte C of every word.
+template <size_t C, class DI, class VI>
+HWY_INLINE VI Byte(DI di, VI words) {
+  const hn::RebindToUnsigned<DI> du;
+  const auto shifted = hn::BitCast(di, hn::ShiftRight<static_cast<int>(8 * C)>(hn::BitCast(du, words)));
+  return C == 3 ? shifted : hn::And(shifted, hn::Set(di, 255));
+}
+
+struct R8 {
+  static constexpr size_t kChannels = 1;
+  static constexpr bool kFloat = false;
+  template <class D>
+  using Texel = hn::Vec<D>;
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
+    const hn::RebindToSigned<D> di;
+    const auto word = GatherWords(d, texels, hn::ShiftRight<2>(index));
+    // Two selects by the lower bits of the index: cheaper than a shift per lane where that is emulated.
+    const auto odd = hn::Ne(hn::And(index, hn::Set(di, 1)), hn::Zero(di));
+    const auto high = hn::Ne(hn::And(index, hn::Set(di, 2)), hn::Zero(di));
+    const auto pair = hn::IfThenElse(high, hn::ShiftRight<16>(word), word);
+    const auto byte = hn::IfThenElse(odd, hn::ShiftRight<8>(pair), pair);
+    return hn::ConvertTo(d, hn::And(byte, hn::Set(di, 255)));
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D, Texel<D> texel) {
+    return texel;
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
+    return CodeToUnit(d, value);
+  }
+};
+
+struct Rgba8 {
+  static constexpr size_t kChannels = 4;
+  static constexpr bool kFloat = false;
+  template <class D>
+  using Texel = Ints<D>;
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
+    return GatherWords(d, texels, index);
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
+    const hn::RebindToSigned<D> di;
+    return hn::ConvertTo(d, Byte<C>(di, texel));
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
+    return CodeToUnit(d, value);
+  }
+};
+
+/// r, g and b go through the table of correctly rounded linear values; alpha is a code.
+struct Srgb8 {
+  static constexpr size_t kChannels = 4;
+  static constexpr bool kFloat = false;
+  template <class D>
+  using Texel = Ints<D>;
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
+    return GatherWords(d, texels, index);
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
+    const hn::RebindToSigned<D> di;
+    const auto code = Byte<C>(di, texel);
+    if constexpr (C == 3) return hn::ConvertTo(d, code);
+    return hn::GatherIndex(d, image::kSrgb8ToLinear, code);
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
+    if constexpr (C == 3) return CodeToUnit(d, value);
+    return value;
+  }
+};
+
+/// binary32 of the binary16 in the lower half of every lane, exact.
+template <class D, class VI>
+HWY_INLINE hn::Vec<D> HalfToFloat(D d, VI half) {
+  const hn::RebindToSigned<D> di;
+  const auto magnitude = hn::And(half, hn::Set(di, 0x7fff));
+  const auto sign = hn::ShiftLeft<16>(hn::And(half, hn::Set(di, 0x8000)));
+  const auto shifted = hn::ShiftLeft<13>(magnitude);
+  const auto normal = hn::Add(shifted, hn::Set(di, 112 << 23));
+  const auto special = hn::Or(shifted, hn::Set(di, 0x7f800000));
+  const auto subnormal = hn::BitCast(di, hn::Mul(hn::ConvertTo(d, magnitude), hn::Set(d, 0x1p-24f)));
+  const auto finite = hn::IfThenElse(hn::Lt(magnitude, hn::Set(di, 0x400)), subnormal, normal);
+  const auto bits = hn::IfThenElse(hn::Gt(magnitude, hn::Set(di, 0x7bff)), special, finite);
+  return hn::BitCast(d, hn::Or(bits, sign));
+}
+
+struct Rgba16f {
+  static constexpr size_t kChannels = 4;
+  static constexpr bool kFloat = true;
+  template <class D>
+  struct Texel {
+    Ints<D> rg, ba;
+  };
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
+    const auto first = hn::Add(index, index);
+    return {GatherWords(d, texels, first), GatherWords(d, texels + 4, first)};
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
+    const auto pair = C < 2 ? texel.rg : texel.ba;
+    return HalfToFloat(d, C % 2 ? hn::ShiftRight<16>(pair) : pair);
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D, hn::Vec<D> value) {
+    return value;
+  }
+};
+
+/// Channels are gathered when they are wanted.
+struct Rgba32f {
+  static constexpr size_t kChannels = 4;
+  static constexpr bool kFloat = true;
+  template <class D>
+  struct Texel {
+    const float* first;
+    Ints<D> index;
+  };
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D, const uint8_t* texels, Ints<D> index) {
+    return {reinterpret_cast<const float*>(texels), hn::ShiftLeft<2>(index)};
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
+    return hn::GatherIndex(d, texel.first + C, texel.index);
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D, hn::Vec<D> value) {
+    return value;
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_FORMAT_INL_H_

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Mip levels as exact box averages of the base (Williams, "Pyramidal Parametrics", 1983, for any size).
+//
+// As long as both sizes halve evenly (or are 1 already) the average of the base is the average of the unrounded
+// level above: tiles of the base go down up to kTileSteps levels in a scratch of 8 KB, and the unrounded averages
+// of the last of them are kept for the next round. From the first uneven step on, a level is summed from the base,
+// each texel weighted by the integer part of its area: a level texel i covers [i w, (i + 1) w), a base texel x
+// [x w', (x + 1) w'), where w and w' are the sizes of base and level.
+//
+// Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
+// gives constant levels: c n with n <= 2^28 and a c of 24 bits is exact.
+#include <cstring>
+
+#include "core/executor.h"
+#include "texture/codes.h"
+#include "texture/storage.h"
+
+namespace shd::texture {
+namespace {
+
+constexpr uint32_t kTileSteps = 5;
+constexpr uint32_t kTile = 1u << kTileSteps;
+
+/// Unrounded values of one level, rows packed.
+using Plane = core::Array<double>;
+
+/// Averages the pairs (or the one column) of two rows, `down` doubles apart; 0 where there is only one row.
+template <size_t kChannels>
+void halve_rows(const double* row, size_t down, uint32_t width, double* to) {
+  const size_t right = width > 1 ? kChannels : 0;
+  for (uint32_t x = 0; x < (width + 1) / 2; ++x, row += 2 * right) {
+    for (size_t c = 0; c < kChannels; ++c) {
+      *to++ = 0.25 * ((row[c] + row[c + right]) + (row[c + down] + row[c + right + down]));
+    }
+  }
+}
+
+/// Halves a whole plane in place.
+template <size_t kChannels>
+void halve(double* plane, uint32_t width, uint32_t height) {
+  const size_t pitch = width * kChannels, to_pitch = (width + 1) / 2 * kChannels;
+  for (uint32_t y = 0; y < (height + 1) / 2; ++y) {
+    halve_rows<kChannels>(plane + 2 * y * pitch, height > 1 ? pitch : 0, width, plane + y * to_pitch);
+  }
+}
+
+/// The same from two stored rows (equal where the height is 1).
+template <class Code>
+void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
+  const size_t right = width > 1 ? Code::kSize : 0;
+  for (uint32_t x = 0; x < (width + 1) / 2; ++x, top += 2 * right, bottom += 2 * right) {
+    double a[Code::kChannels], b[Code::kChannels], c[Code::kChannels], d[Code::kChannels];
+    Code::load(top, a);
+    Code::load(top + right, b);
+    Code::load(bottom, c);
+    Code::load(bottom + right, d);
+    for (size_t i = 0; i < Code::kChannels; ++i) *to++ = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
+  }
+}
+
+/// One round down the even levels: from level `from` (stored if 0, else `source`) to level from + steps.
+template <class Code>
+struct Round {
+  Texture& texture;
+  const double* source;  // unrounded level `from`, null for the base
+  double* last;          // unrounded level from + steps, or null
+  uint32_t from, steps;
+
+  void run(const core::Context& context) const {
+    const uint32_t rows = level_size(texture.height, from + steps);
+    core::parallel_for(context, rows, [this](uint32_t row, uint32_t) {
+      const uint32_t columns = level_size(texture.width, from + steps);
+      for (uint32_t column = 0; column < columns; ++column) run_tile(column, row, columns);
+    });
+  }
+
+  void run_tile(uint32_t column, uint32_t row, uint32_t columns) const {
+    double scratch[Code::kChannels * kTile * kTile / 4];
+    const uint32_t level_width = level_size(texture.width, from), level_height = level_size(texture.height, from);
+    uint32_t width = level_width < 1u << steps ? level_width : 1u << steps;
+    uint32_t height = level_height < 1u << steps ? level_height : 1u << steps;
+    halve_source(column * width, row * height, width, height, scratch);
+    for (uint32_t step = 1; step <= steps; ++step) {
+      if (step > 1) halve<Code::kChannels>(scratch, width, height);
+      width = width > 1 ? width / 2 : 1;
+      height = height > 1 ? height / 2 : 1;
+      store(from + step, column * width, row * height, width, height, scratch);
+    }
+    if (last) {
+      std::memcpy(last + (size_t{row} * columns + column) * Code::kChannels, scratch, Code::kChannels * sizeof(double));
+    }
+  }
+
+  /// First step of a tile whose first texel is (x, y).
+  void halve_source(uint32_t x, uint32_t y, uint32_t width, uint32_t height, double* to) const {
+    const uint32_t down = height > 1 ? 1 : 0;
+    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Code::kChannels;
+    for (uint32_t j = 0; j < (height + 1) / 2; ++j, to += to_row) {
+      const uint32_t top = y + 2 * j;
+      if (source) {
+        const size_t pitch = size_t{level_size(texture.width, from)} * Code::kChannels;
+        halve_rows<Code::kChannels>(source + top * pitch + x * Code::kChannels, down * pitch, width, to);
+      } else {
+        halve_texels<Code>(row_of(texture, Code::kSize, 0, top) + x * Code::kSize,
+                           row_of(texture, Code::kSize, 0, top + down) + x * Code::kSize, width, to);
+      }
+    }
+  }
+
+  void store(uint32_t level, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const double* average) const {
+    for (uint32_t j = 0; j < height; ++j) {
+      uint8_t* texel = row_of(texture, Code::kSize, level, y + j) + x * Code::kSize;
+      for (uint32_t i = 0; i < width; ++i, texel += Code::kSize, average += Code::kChannels) {
+        Code::store(average, texel);
+      }
+    }
+  }
+};
+
+/// Base texels under one level texel along an axis, with their weights; the inner ones weigh `full`.
+struct Span {
+  uint32_t first, last;  // inclusive
+  double head, full, tail;
+
+  Span(uint32_t index, uint32_t base, uint32_t level) {
+    const uint64_t begin = uint64_t{index} * base, end = begin + base;
+    first = static_cast<uint32_t>(begin / level);
+    last = static_cast<uint32_t>((end - 1) / level);
+    full = level;
+    head = static_cast<double>((uint64_t{first} + 1) * level - begin);
+    tail = static_cast<double>(end - uint64_t{last} * level);
+    if (first == last) head = static_cast<double>(base);
+  }
+};
+
+/// Weighted sum of the texels of `span` in one stored row.
+template <class Code>
+void add_row(const uint8_t* row, const Span& span, double weight, double* sum) {
+  double value[Code::kChannels], total[Code::kChannels] = {};
+  if (span.last > span.first + 1) {
+    Code::add(row + (size_t{span.first} + 1) * Code::kSize, span.last - span.first - 1, total);
+  }
+  for (size_t c = 0; c < Code::kChannels; ++c) total[c] *= span.full;
+  Code::load(row + size_t{span.first} * Code::kSize, value);
+  for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.head * value[c];
+  if (span.last > span.first) {
+    Code::load(row + size_t{span.last} * Code::kSize, value);
+    for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.tail * value[c];
+  }
+  for (size_t c = 0; c < Code::kChannels; ++c) sum[c] += weight * total[c];
+}
+
+/// One level from the base.
+template <class Code>
+void sum_level(const core::Context& context, Texture& texture, uint32_t level) {
+  const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
+  const double area = static_cast<double>(texture.width) * texture.height;
+  core::parallel_for(context, height, [&](uint32_t y, uint32_t) {
+    const Span down(y, texture.height, height);
+    uint8_t* texel = row_of(texture, Code::kSize, level, y);
+    for (uint32_t x = 0; x < width; ++x, texel += Code::kSize) {
+      const Span across(x, texture.width, width);
+      double sum[Code::kChannels] = {};
+      for (uint32_t row = down.first; row <= down.last; ++row) {
+        const double weight = row == down.first ? down.head : row == down.last ? down.tail : down.full;
+        add_row<Code>(row_of(texture, Code::kSize, 0, row), across, weight, sum);
+      }
+      for (size_t c = 0; c < Code::kChannels; ++c) sum[c] /= area;
+      Code::store(sum, texel);
+    }
+  });
+}
+
+/// How many levels follow the base by halving evenly.
+uint32_t even_steps(const Texture& texture) {
+  uint32_t steps = 0;
+  for (uint32_t width = texture.width, height = texture.height; steps + 1 < texture.level_count; ++steps) {
+    if ((width > 1 && width % 2) || (height > 1 && height % 2)) break;
+    width = width > 1 ? width / 2 : 1;
+    height = height > 1 ? height / 2 : 1;
+  }
+  return steps;
+}
+
+template <class Code>
+void build_levels(const core::Context& context, Texture& texture) {
+  const uint32_t even = even_steps(texture);
+  Plane source;
+  for (uint32_t from = 0; from < even;) {
+    const uint32_t steps = even - from < kTileSteps ? even - from : kTileSteps;
+    Plane last;
+    if (from + steps < even) {
+      const size_t texels = size_t{level_size(texture.width, from + steps)} * level_size(texture.height, from + steps);
+      last = Plane(context.allocator, core::checked_mul(texels, Code::kChannels));
+    }
+    Round<Code>{texture, source.data(), last.data(), from, steps}.run(context);
+    source = static_cast<Plane&&>(last);
+    from += steps;
+  }
+  for (uint32_t level = even + 1; level < texture.level_count; ++level) sum_level<Code>(context, texture, level);
+}
+
+}  // namespace
+
+void build_mip_levels(const core::Context& context, Texture* texture) {
+  switch (texture->format) {
+    case SHD_FORMAT_R8: return build_levels<CodeR8>(context, *texture);
+    case SHD_FORMAT_RGBA8: return build_levels<CodeRgba8>(context, *texture);
+    case SHD_FORMAT_RGBA8_SRGB: return build_levels<CodeSrgb8>(context, *texture);
+    case SHD_FORMAT_RGBA16F: return build_levels<CodeRgba16f>(context, *texture);
+    default: return build_levels<CodeRgba32f>(context, *texture);
+  }
+}
+
+}  // namespace shd::texture

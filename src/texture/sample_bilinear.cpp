@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "texture/sample.h"
+
+#include "core/simd_target.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/sample_bilinear.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/batch-inl.h"
+#include "texture/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class F, bool kBorder>
+struct Bilinear {
+  const Texture& texture;
+  const Sampler& sampler;
+
+  template <class D>
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
+    const auto u = ReduceCoordinate(d, sampler.wrap_u, p.u);
+    const auto v = ReduceCoordinate(d, sampler.wrap_v, p.v);
+    const Quad<F, D> quad = FetchQuad<F>(d, texture, sampler, SameLevel(d, texture, 0), u, v);
+    StoreQuad<F, kBorder>(d, quad, sampler, out, i);
+  }
+};
+
+template <class F>
+size_t BilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  if (has_border(sampler)) return ForEachVector(Bilinear<F, true>{texture, sampler}, in, out);
+  return ForEachVector(Bilinear<F, false>{texture, sampler}, in, out);
+}
+
+size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  switch (texture.format) {
+    case SHD_FORMAT_R8: return BilinearOfFormat<R8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA8: return BilinearOfFormat<Rgba8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA8_SRGB: return BilinearOfFormat<Srgb8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA16F: return BilinearOfFormat<Rgba16f>(texture, sampler, in, out);
+    default: return BilinearOfFormat<Rgba32f>(texture, sampler, in, out);
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(BilinearBatch);
+}  // namespace
+
+size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                       const Lookups& lookups, const Texels& out) {
+  return SHD_DISPATCH(BilinearBatch, simd)(texture, sampler, lookups, out);
+}
+
+}  // namespace shd::texture
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "texture/sample.h"
+
+#include "core/simd_target.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/sample_trilinear.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/batch-inl.h"
+#include "texture/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Bilinear on the levels floor(lambda) and the next, blended by the fraction (Williams, "Pyramidal Parametrics",
+/// 1983). The short cuts for lanes that share a level or blend nothing give the bits of the general path.
+template <class F, bool kBorder>
+struct Trilinear {
+  const Texture& texture;
+  const Sampler& sampler;
+  LodRange range;
+  bool lod_given;
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> lambda_of(D d, const Points<D>& p) const {
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
+    return ClampLod(d, lambda, sampler.lod_bias, range);
+  }
+
+  template <class D>
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
+    const hn::RebindToSigned<D> di;
+    const auto u = ReduceCoordinate(d, sampler.wrap_u, p.u);
+    const auto v = ReduceCoordinate(d, sampler.wrap_v, p.v);
+    const auto lambda = lambda_of(d, p);
+    const auto floor = hn::Floor(lambda);
+    const auto fraction = hn::Sub(lambda, floor);
+    const float first = hn::GetLane(floor);
+    const bool same = hn::AllTrue(d, hn::Eq(floor, hn::Set(d, first)));
+    const auto level = hn::ConvertTo(di, floor);
+    const Quad<F, D> high = FetchQuad<F>(
+        d, texture, sampler,
+        same ? SameLevel(d, texture, static_cast<uint32_t>(first)) : LevelPerLane(d, texture, level), u, v);
+    if (hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)))) return StoreQuad<F, kBorder>(d, high, sampler, out, i);
+
+    const auto last = static_cast<int32_t>(texture.level_count - 1);
+    const auto next = hn::Min(hn::Add(level, hn::Set(di, 1)), hn::Set(di, last));
+    const Quad<F, D> low = FetchQuad<F>(
+        d, texture, sampler,
+        same ? SameLevel(d, texture, static_cast<uint32_t>(hn::GetLane(next))) : LevelPerLane(d, texture, next), u, v);
+    store<0>(d, high, low, fraction, out, i);
+    if constexpr (F::kChannels == 4) {
+      store<1>(d, high, low, fraction, out, i);
+      store<2>(d, high, low, fraction, out, i);
+      store<3>(d, high, low, fraction, out, i);
+    }
+  }
+
+  template <size_t C, class D>
+  HWY_INLINE void store(D d, const Quad<F, D>& high, const Quad<F, D>& low, hn::Vec<D> fraction, const Texels& out,
+                        size_t i) const {
+    using B = Blend<F, kBorder>;
+    if (!out.channel[C]) return;
+    const auto value =
+        B::blend(d, BlendQuad<F, kBorder, C>(d, high, sampler), BlendQuad<F, kBorder, C>(d, low, sampler), fraction);
+    hn::StoreU(B::template finish<C>(d, value), d, out.channel[C] + i);
+  }
+};
+
+template <class F>
+size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  if (has_border(sampler))
+    return ForEachVector(Trilinear<F, true>{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in, out);
+  return ForEachVector(Trilinear<F, false>{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in, out);
+}
+
+size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  switch (texture.format) {
+    case SHD_FORMAT_R8: return TrilinearOfFormat<R8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA8: return TrilinearOfFormat<Rgba8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA8_SRGB: return TrilinearOfFormat<Srgb8>(texture, sampler, in, out);
+    case SHD_FORMAT_RGBA16F: return TrilinearOfFormat<Rgba16f>(texture, sampler, in, out);
+    default: return TrilinearOfFormat<Rgba32f>(texture, sampler, in, out);
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(TrilinearBatch);
+}  // namespace
+
+size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                        const Lookups& lookups, const Texels& out) {
+  return SHD_DISPATCH(TrilinearBatch, simd)(texture, sampler, lookups, out);
+}
+
+}  // namespace shd::texture
+#endif

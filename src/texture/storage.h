@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// Bytes after the last texel that a gather of whole words may read.
+constexpr size_t kPadding = 64;
+
+/// Width or height of a level from that of the base.
+inline uint32_t level_size(uint32_t base, uint32_t level) {
+  const uint32_t size = base >> level;
+  return size ? size : 1;
+}
+
+/// floor(log2(max(width, height))) + 1.
+uint32_t full_level_count(uint32_t width, uint32_t height);
+
+/// Bytes of all levels.
+inline size_t byte_size(const Texture& texture) {
+  return texture.texels.size() - kPadding;
+}
+
+/// Whether texels outside the image read the border colour on some axis.
+inline bool has_border(const Sampler& sampler) {
+  return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
+}
+
+/// First byte of row y of a level; rows are packed.
+inline uint8_t* row_of(Texture& texture, size_t pixel_size, uint32_t level, uint32_t y) {
+  const size_t first = texture.offset[level] + size_t{y} * level_size(texture.width, level);
+  return texture.texels.data() + first * pixel_size;
+}
+inline const uint8_t* row_of(const Texture& texture, size_t pixel_size, uint32_t level, uint32_t y) {
+  return row_of(const_cast<Texture&>(texture), pixel_size, level, y);
+}
+
+/// Fills levels 1.. of a texture whose level 0 is there (mip.cpp).
+/// Every texel is the average of the base level over its area, in linear light, rounded once to what the format
+/// stores: unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
+void build_mip_levels(const core::Context& context, Texture* texture);
+
+}  // namespace shd::texture

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Texel coordinates and wrapping, one axis at a time (Vulkan 1.3 specification, "Texel Coordinate Systems" and
+// "Wrapping Operation"). Ranges are reduced as floats, so that no finite coordinate leaves the range of an int.
+
+#if defined(SHD_TEXTURE_WRAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_WRAP_INL_H_
+#undef SHD_TEXTURE_WRAP_INL_H_
+#else
+#define SHD_TEXTURE_WRAP_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <shd/sampler.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using Ints = hn::Vec<hn::RebindToSigned<D>>;
+template <class D>
+using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
+
+/// The part of wrapping that does not depend on the level: a finite coordinate in whole periods, [0, 1], for
+/// repeat and mirror (whose period is 2); itself for the others. -tiny gives 1, which the callers allow for.
+template <class D, class V>
+HWY_INLINE V ReduceCoordinate(D d, shd_wrap wrap, V u) {
+  if (wrap == SHD_WRAP_REPEAT) return hn::Sub(u, hn::Floor(u));
+  if (wrap == SHD_WRAP_MIRROR) {
+    const V half = hn::Mul(u, hn::Set(d, 0.5f));
+    return hn::Sub(half, hn::Floor(half));
+  }
+  return u;
+}
+
+/// One axis of a level.
+template <class D>
+struct AxisSize {
+  hn::Vec<D> real;
+  Ints<D> whole;
+};
+
+/// The two taps of linear filtering along one axis; weights are 1 - s and s, s in [0, 1).
+template <class D>
+struct LinearTaps {
+  hn::Vec<D> s;
+  Ints<D> i0, i1;      // in 0..size - 1
+  MaskOf<D> in0, in1;  // false = border colour; set for SHD_WRAP_BORDER only
+};
+
+/// Index of the mirrored period 0..2n - 1, or one beyond at either end, folded into 0..n - 1.
+template <class DI, class VI>
+HWY_INLINE VI Fold(DI di, VI i, VI size) {
+  const VI last = hn::Sub(hn::Add(size, size), hn::Set(di, 1));
+  return hn::Max(hn::Zero(di), hn::Min(i, hn::Sub(last, i)));
+}
+
+/// Index clamped to 0..size - 1, and whether it was there before.
+template <class D, class VI>
+HWY_INLINE VI ClampBorder(D d, VI i, VI size, MaskOf<D>* in) {
+  const hn::RebindToSigned<D> di;
+  const VI clamped = hn::Min(hn::Max(i, hn::Zero(di)), hn::Sub(size, hn::Set(di, 1)));
+  *in = hn::RebindMask(d, hn::Eq(i, clamped));
+  return clamped;
+}
+
+/// Taps at u * size - 1/2 of a reduced coordinate.
+template <class D>
+HWY_INLINE LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> di;
+  const auto one = hn::Set(di, 1);
+  const V half = hn::Set(d, 0.5f);
+  const V below_one = hn::Set(d, 0x1.fffffep-1f);
+  LinearTaps<D> taps;
+  taps.in0 = taps.in1 = hn::Eq(half, half);
+  V x = hn::Mul(reduced, size.real);
+  switch (wrap) {
+    case SHD_WRAP_REPEAT: {
+      x = hn::Sub(x, half);
+      const V floor = hn::Floor(x);
+      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      const auto i = hn::ConvertTo(di, floor);  // -1..size - 1
+      taps.i0 = hn::Add(i, hn::And(size.whole, hn::BroadcastSignBit(i)));
+      const auto next = hn::Add(i, one);
+      taps.i1 = hn::IfThenZeroElse(hn::Eq(next, size.whole), next);
+      return taps;
+    }
+    case SHD_WRAP_MIRROR: {
+      x = hn::Sub(hn::Add(x, x), half);
+      const V floor = hn::Floor(x);
+      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      const auto i = hn::ConvertTo(di, floor);  // -1..2 size - 1
+      taps.i0 = Fold(di, i, size.whole);
+      taps.i1 = Fold(di, hn::Add(i, one), size.whole);
+      return taps;
+    }
+    case SHD_WRAP_BORDER: {
+      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Set(d, -1.0f)), size.real);
+      const V floor = hn::Floor(x);
+      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      const auto i = hn::ConvertTo(di, floor);  // -1..size
+      taps.i0 = ClampBorder(d, i, size.whole, &taps.in0);
+      taps.i1 = ClampBorder(d, hn::Add(i, one), size.whole, &taps.in1);
+      return taps;
+    }
+    default: {
+      // Outside, both taps would be the same edge texel: the edge with weight 1 is that.
+      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Zero(d)), hn::Sub(size.real, hn::Set(d, 1.0f)));
+      const V floor = hn::Floor(x);
+      taps.s = hn::Sub(x, floor);
+      taps.i0 = hn::ConvertTo(di, floor);
+      taps.i1 = hn::Min(hn::Add(taps.i0, one), hn::Sub(size.whole, one));
+      return taps;
+    }
+  }
+}
+
+/// Texel that contains a reduced coordinate.
+template <class D>
+HWY_INLINE Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> di;
+  const V x = hn::Mul(reduced, size.real);
+  const V last = hn::Sub(size.real, hn::Set(d, 1.0f));
+  *in = hn::Eq(last, last);
+  switch (wrap) {
+    case SHD_WRAP_REPEAT: return hn::ConvertTo(di, hn::Min(x, last));
+    case SHD_WRAP_MIRROR: return Fold(di, hn::ConvertTo(di, hn::Add(x, x)), size.whole);
+    case SHD_WRAP_BORDER: {
+      const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Set(d, -1.0f)), size.real);
+      return ClampBorder(d, hn::ConvertTo(di, clamped), size.whole, in);
+    }
+    default: return hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(d)), last));
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_WRAP_INL_H_
