@@ -14,7 +14,7 @@ using namespace shd::abi;
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
 
 shd_result check_material_desc(const shd_material_desc& desc) {
-  SHD_TRY(check_count("material.model", static_cast<uint32_t>(desc.model), SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
+  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
   SHD_TRY(check_flags("material.flags", desc.flags, SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
