@@ -13,7 +13,7 @@ using namespace shd::abi;
 
 shd_result check_context_desc(const shd_context_desc& desc) {
   SHD_TRY(check_count("context.worker_count", desc.worker_count, 0, 1024));
-  SHD_TRY(check_count("context.simd", static_cast<uint32_t>(desc.simd), SHD_SIMD_BEST, SHD_SIMD_WASM));
+  SHD_TRY(check_enum("context.simd", desc.simd, SHD_SIMD_BEST, SHD_SIMD_WASM));
   SHD_TRY(check_zero("context.reserved", desc.reserved));
   SHD_TRY(check_zero("context.executor.reserved", desc.executor.reserved));
   if (!desc.allocator.allocate != !desc.allocator.free) {

@@ -107,8 +107,11 @@ shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
     std::snprintf(field, sizeof field, "%s.%s", name, member);
     return field;
   };
-  const size_t pixel = shd_format_size(out->format);
-  if (pixel == 0) return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not a format", name, out->format);
+  const uint32_t format = enum_bits(out->format);
+  if (format < SHD_FORMAT_R8 || format > SHD_FORMAT_RGBA16) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %u is not a format", name, format);
+  }
+  const size_t pixel = image::format_info(out->format).pixel_size;
   SHD_TRY(check_count(path("width"), out->width, 1, 65536));
   SHD_TRY(check_count(path("height"), out->height, 1, 65536));
   SHD_TRY(check_not_null(path("pixels"), out->pixels));
@@ -153,7 +156,7 @@ extern "C" {
 shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
   using shd::abi::write_defaults;
   SHD_TRY(shd::abi::check_not_null("desc_init.ptr", ptr));
-  switch (kind) {
+  switch (shd::abi::enum_bits(kind)) {
     case SHD_DESC_CONTEXT: return write_defaults(shd_context_desc_default(), ptr, size);
     case SHD_DESC_TEXTURE: return write_defaults(shd_texture_desc_default(), ptr, size);
     case SHD_DESC_SAMPLER: return write_defaults(shd_sampler_desc_default(), ptr, size);
@@ -166,7 +169,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_RENDER: return write_defaults(shd_render_desc_default(), ptr, size);
     case SHD_DESC_IMAGE: return write_defaults(shd_image_default(), ptr, size);
     case SHD_DESC_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
-    default: return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %d is not a desc", kind);
+    default:
+      return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }
 }
 

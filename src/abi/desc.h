@@ -30,6 +30,19 @@ shd_result read_desc(const char* name, const Desc* in, bool optional, Desc* out)
 /// Checks that name the field: each answers SHD_OK or SHD_ERROR_INVALID_ARGUMENT.
 shd_result check_range(const char* field, double value, double low, double high);
 shd_result check_count(const char* field, uint64_t value, uint64_t low, uint64_t high);
+/// The number behind an enum, which a C caller may have set to anything: loading it as the enum is undefined
+/// for values beyond the enumerators' bits, so it is checked as bytes first.
+template <class Enum>
+uint32_t enum_bits(const Enum& value) {
+  static_assert(sizeof value == sizeof(uint32_t));
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+template <class Enum>
+shd_result check_enum(const char* field, const Enum& value, uint32_t low, uint32_t high) {
+  return check_count(field, enum_bits(value), low, high);
+}
 shd_result check_zero(const char* field, uint64_t value);
 shd_result check_flags(const char* field, uint32_t value, uint32_t known);
 shd_result check_not_null(const char* field, const void* pointer);

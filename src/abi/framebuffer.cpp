@@ -38,8 +38,11 @@ shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** o
   return read_handle("framebuffer", handle, kType, out);
 }
 
-shd_result check_plane(const Framebuffer& framebuffer, shd_plane plane) {
-  SHD_TRY(check_count("plane", static_cast<uint32_t>(plane), SHD_PLANE_R, SHD_PLANE_TRIANGLE));
+shd_result check_plane_value(const shd_plane& plane) {
+  return check_enum("plane", plane, SHD_PLANE_R, SHD_PLANE_TRIANGLE);
+}
+
+shd_result check_plane(const Framebuffer& framebuffer, const shd_plane& plane) {
   if (film::has_plane(framebuffer, plane)) return SHD_OK;
   return core::fail(SHD_ERROR_NOT_FOUND, "plane: %d is not among the framebuffer's aovs 0x%x", static_cast<int>(plane),
                     framebuffer.aovs);
@@ -95,6 +98,7 @@ shd_result shd_framebuffer_view_plane(const shd_framebuffer* framebuffer, shd_pl
     *out_view = {};
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
+    SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_plane(*body, plane));
     out_view->row_stride = body->stride * sizeof(float);
     if (plane == SHD_PLANE_TRIANGLE) {
@@ -110,6 +114,7 @@ shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_pl
   return guard([&]() -> shd_result {
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
+    SHD_TRY(check_plane_value(plane));
     if (plane == SHD_PLANE_TRIANGLE) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                         "plane: SHD_PLANE_TRIANGLE holds integers; take shd_framebuffer_read_triangles");

@@ -14,7 +14,7 @@ using namespace shd::abi;
 constexpr core::ObjectType kType = core::ObjectType::kLight;
 
 shd_result check_light_desc(const shd_light_desc& desc) {
-  SHD_TRY(check_count("light.kind", static_cast<uint32_t>(desc.kind), SHD_LIGHT_POINT, SHD_LIGHT_AMBIENT));
+  SHD_TRY(check_enum("light.kind", desc.kind, SHD_LIGHT_POINT, SHD_LIGHT_AMBIENT));
   SHD_TRY(check_values("light.intensity", desc.intensity, 3, 0.0, 1e12));
   SHD_TRY(check_finite("light.position", desc.position, 3));
   SHD_TRY(check_finite("light.direction", desc.direction, 3));

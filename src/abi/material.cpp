@@ -14,7 +14,7 @@ using namespace shd::abi;
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
 
 shd_result check_material_desc(const shd_material_desc& desc) {
-  SHD_TRY(check_count("material.model", static_cast<uint32_t>(desc.model), SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
+  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
   SHD_TRY(check_flags("material.flags", desc.flags, SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
@@ -32,16 +32,13 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   return SHD_OK;
 }
 
-/// Retains what an optional handle of the same context stands for; `body` and `object` stay null without one.
+/// Retains what an optional handle stands for, from any context; `body` and `object` stay null without one.
 template <class Body, class Handle>
-shd_result retain_part(const char* field, const core::Context& context, Handle* handle, core::ObjectType type,
-                       const Body** body, core::Object** object) {
+shd_result retain_part(const char* field, Handle* handle, core::ObjectType type, const Body** body,
+                       core::Object** object) {
   if (!handle) return SHD_OK;
   Body* found = nullptr;
   SHD_TRY(read_handle(field, handle, type, &found));
-  if (object_of(handle)->context != &context) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: belongs to another context", field);
-  }
   if (!core::retain(object_of(handle), static_cast<uint32_t>(type))) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not a live handle of its type", field);
   }
@@ -50,12 +47,12 @@ shd_result retain_part(const char* field, const core::Context& context, Handle* 
   return SHD_OK;
 }
 
-shd_result fill(const core::Context& context, const shd_material_desc& desc, material::Material* out) {
+shd_result fill(const shd_material_desc& desc, material::Material* out) {
   const texture::Texture* texture = nullptr;
   const texture::Sampler* sampler = nullptr;
-  SHD_TRY(retain_part("material.diffuse_texture", context, desc.diffuse_texture, core::ObjectType::kTexture, &texture,
+  SHD_TRY(retain_part("material.diffuse_texture", desc.diffuse_texture, core::ObjectType::kTexture, &texture,
                       &out->texture_object));
-  SHD_TRY(retain_part("material.diffuse_sampler", context, desc.diffuse_sampler, core::ObjectType::kSampler, &sampler,
+  SHD_TRY(retain_part("material.diffuse_sampler", desc.diffuse_sampler, core::ObjectType::kSampler, &sampler,
                       &out->sampler_object));
   material::build(desc, texture, sampler, out);
   return SHD_OK;
@@ -75,7 +72,7 @@ shd_result shd_material_create(shd_context* context, const shd_material_desc* de
     SHD_TRY(check_material_desc(read));
     core::Context& owner = context_of(context);
     auto* material = core::create<material::Material>(owner.allocator);
-    if (const shd_result result = fill(owner, read, material)) {
+    if (const shd_result result = fill(read, material)) {
       core::destroy(owner.allocator, material);
       return result;
     }

@@ -65,8 +65,7 @@ shd_result check_index_count(const shd_mesh_desc& desc) {
 
 shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
-  SHD_TRY(check_count("mesh.normal_weight", static_cast<uint32_t>(desc.normal_weight), SHD_NORMAL_WEIGHT_AREA,
-                      SHD_NORMAL_WEIGHT_ANGLE));
+  SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
   SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE));
   SHD_TRY(check_columns(desc));
   return check_index_count(desc);

@@ -2,6 +2,7 @@
 #include <shd/base.h>
 #include <shd/result.h>
 
+#include "abi/desc.h"
 #include "core/status.h"
 
 extern "C" {
@@ -15,7 +16,7 @@ const char* shd_last_error(void) {
 }
 
 const char* shd_result_name(shd_result result) {
-  switch (result) {
+  switch (shd::abi::enum_bits(result)) {
     case SHD_OK: return "SHD_OK";
     case SHD_ERROR_INVALID_ARGUMENT: return "SHD_ERROR_INVALID_ARGUMENT";
     case SHD_ERROR_OUT_OF_MEMORY: return "SHD_ERROR_OUT_OF_MEMORY";
@@ -27,7 +28,6 @@ const char* shd_result_name(shd_result result) {
     case SHD_ERROR_CANCELLED: return "SHD_ERROR_CANCELLED";
     case SHD_ERROR_CALLBACK: return "SHD_ERROR_CALLBACK";
     case SHD_ERROR_INTERNAL: return "SHD_ERROR_INTERNAL";
-    case SHD_RESULT_MAX_ENUM: break;
   }
   return "SHD_RESULT_UNKNOWN";
 }

@@ -196,6 +196,7 @@ static const struct color_case k_color[] = {
     {"color/r8", SHD_FORMAT_R8, 7, 3, 0, 0, BAD, "out.format: 1 is not an RGBA format"},
     {"color/format_0", SHD_FORMAT_NONE, 7, 3, 0, 0, BAD, "out.format: 0"},
     {"color/format_99", (shd_format)99, 7, 3, 0, 0, BAD, "out.format: 99"},
+    {"color/format_negative", (shd_format)-1, 7, 3, 0, 0, BAD, "out.format: 4294967295 is not a format"},
     {"color/width_6", SHD_FORMAT_RGBA8, 6, 3, 0, 0, BAD, "out.width: 6x3 is not the framebuffer's 7x3"},
     {"color/height_4", SHD_FORMAT_RGBA8, 7, 4, 0, 0, BAD, "out.height: 7x4"},
     {"color/width_0", SHD_FORMAT_RGBA8, 0, 3, 0, 0, BAD, "out.width: 0"},

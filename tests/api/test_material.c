@@ -116,6 +116,111 @@ static void test_null_desc(void **state)
     shd_material_release(material);
 }
 
+/* Handles of a texture and a sampler on a counting allocator. */
+struct parts {
+    shd_fault_allocator memory;
+    shd_context *context;
+    shd_texture *texture;
+    shd_sampler *sampler;
+};
+
+static void open_parts(struct parts *p)
+{
+    static const float k_texel[4] = {1, 1, 1, 1};
+    shd_context_desc context;
+    shd_texture_desc texture = shd_texture_desc_default();
+    memset(p, 0, sizeof *p);
+    context = shd_fault_context_desc(&p->memory);
+    shd_assert_ok(shd_context_create(&context, &p->context));
+    texture.format = SHD_FORMAT_RGBA32F;
+    texture.width = texture.height = 1;
+    texture.texels = k_texel;
+    shd_assert_ok(shd_texture_create(p->context, &texture, &p->texture));
+    shd_assert_ok(shd_sampler_create(p->context, NULL, &p->sampler));
+}
+
+static shd_result look_up(const struct parts *p)
+{
+    const float half = 0.5f;
+    float red;
+    shd_lookups lookups = shd_lookups_default();
+    shd_texels texels;
+    memset(&texels, 0, sizeof texels);
+    lookups.count = 1;
+    lookups.u.data = lookups.v.data = &half;
+    texels.channel[0].data = &red;
+    return shd_texture_sample(p->texture, p->sampler, &lookups, &texels);
+}
+
+/* The material keeps both alive, and lets both go with its own last reference. */
+static void test_parts_retained(void **state)
+{
+    struct parts p;
+    shd_material_desc desc = shd_material_desc_default();
+    shd_material *material = NULL;
+    (void)state;
+    open_parts(&p);
+    desc.diffuse_texture = p.texture;
+    desc.diffuse_sampler = p.sampler;
+    shd_assert_ok(shd_material_create(p.context, &desc, &material));
+    shd_texture_release(p.texture);
+    shd_sampler_release(p.sampler);
+    shd_context_release(p.context);
+    shd_material_retain(material);
+    shd_material_release(material);
+    shd_assert_ok(look_up(&p));
+    shd_material_release(material);
+    shd_assert_all_freed("parts_retained", &p.memory);
+}
+
+/* A texture that is fine goes back to one reference when the sampler is refused. */
+static void test_parts_after_refusal(void **state)
+{
+    struct parts p;
+    shd_material_desc desc = shd_material_desc_default();
+    shd_material *material = (shd_material *)&p;
+    size_t before;
+    (void)state;
+    open_parts(&p);
+    before = p.memory.live_bytes;
+    desc.diffuse_texture = p.texture;
+    desc.diffuse_sampler = (shd_sampler *)(void *)p.texture;
+    shd_assert_result("sampler", shd_material_create(p.context, &desc, &material), BAD,
+                      "material.diffuse_sampler: not a live handle of its type");
+    assert_null(material);
+    assert_int_equal(p.memory.live_bytes, before);
+    shd_assert_ok(look_up(&p));
+    shd_texture_release(p.texture);
+    shd_assert_result("texture", look_up(&p), BAD, "texture: not a live handle of its type");
+    desc.diffuse_sampler = p.sampler;
+    shd_assert_result("released", shd_material_create(p.context, &desc, &material), BAD,
+                      "material.diffuse_texture: not a live handle of its type");
+    shd_sampler_release(p.sampler);
+    shd_context_release(p.context);
+    shd_assert_all_freed("parts_after_refusal", &p.memory);
+}
+
+/* Either alone is fine. */
+static void test_one_part(void **state)
+{
+    struct parts p;
+    shd_material_desc textured = shd_material_desc_default(), sampled = shd_material_desc_default();
+    shd_material *a = NULL, *b = NULL;
+    (void)state;
+    open_parts(&p);
+    textured.diffuse_texture = p.texture;
+    sampled.diffuse_sampler = p.sampler;
+    shd_assert_ok(shd_material_create(p.context, &textured, &a));
+    shd_assert_ok(shd_material_create(p.context, &sampled, &b));
+    shd_context_release(p.context);
+    shd_texture_release(p.texture);
+    shd_sampler_release(p.sampler);
+    shd_assert_ok(look_up(&p));
+    shd_material_release(b);
+    shd_material_release(a);
+    shd_assert_all_freed("one_part", &p.memory);
+}
+
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
 
 int main(void)
@@ -129,6 +234,9 @@ int main(void)
         tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
     }
     tests[n++] = (struct CMUnitTest){"create/null_desc", test_null_desc, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"parts/retained", test_parts_retained, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"parts/after_refusal", test_parts_after_refusal, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"parts/one_of_two", test_one_part, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.material", tests, n, NULL, NULL);
     shd_light_release(g_light);
     shd_context_release(g_context);

@@ -73,10 +73,10 @@ uint32_t next_random(uint64_t* state) {  // Knuth, "The Art of Computer Programm
 
 /// Any vertices joined to any others, some of them twice; coordinates of a given magnitude.
 void random_mesh(uint64_t seed, float magnitude) {
-  g_shape.vertex_count = kMaxVertices;
-  g_shape.triangle_count = kMaxTriangles;
+  g_shape.vertex_count = 500;
+  g_shape.triangle_count = 1000;
   for (float& p : g_shape.position) p = (static_cast<float>(next_random(&seed)) / 1073741824.0f - 1.0f) * magnitude;
-  for (uint32_t& i : g_shape.indices) i = next_random(&seed) % kMaxVertices;
+  for (uint32_t& i : g_shape.indices) i = next_random(&seed) % 500;
 }
 
 void random_1() {
