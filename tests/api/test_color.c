@@ -328,7 +328,8 @@ static void test_files(void **state)
 /** A view whose lookup table is not there is refused by name; the others work. */
 static void test_missing_table(void **state)
 {
-    static const char text[] = HEAD "search_path: /nowhere\n" SPACES SPACE("table", "    from_scene_reference: !<FileTransform> {src: gone.cube}\n");
+    static const char text[] = HEAD "search_path: /nowhere\n" SPACES
+        SPACE("table", "    from_scene_reference: !<FileTransform> {src: gone.cube}\n");
     const float pixel[4] = {0.5f, 0.5f, 0.5f, 1.0f};
     float out[4] = {-1, -1, -1, -1};
     shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, 1, 1, out);

@@ -66,6 +66,9 @@ static inline shd_framebuffer *shd_test_framebuffer(shd_context *context, uint32
     return framebuffer;
 }
 
+/** Scattered values in 0..2, the same for the same index. */
+static inline float shd_test_value(size_t i) { return (float)((i * 2654435761u >> 7) % 4099u) / 2048.0f; }
+
 /** Value of a binary16. */
 static inline double shd_test_half(uint16_t half)
 {
