@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include <shd/io.h>
+
+#include <cmath>
+#include <new>
+
+#include "abi/io_common.h"
+#include "io/io.h"
+#include "io/isolate.h"
+#include "io/load.h"
+#include "io/read_file.h"
+#include "io/transfer.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::extension;
+
+constexpr uint32_t kBitmapType = 0x424d4150;  // 'BMAP'
+
+/// Body of a shd_bitmap, in memory of its context.
+struct BitmapBody {
+  shd_context* context;
+  io::Bitmap bitmap;
+};
+
+void destroy_bitmap(void* memory) {
+  auto* body = static_cast<BitmapBody*>(memory);
+  shd_context* context = body->context;
+  body->~BitmapBody();
+  shd_context_free(context, memory, sizeof(BitmapBody), alignof(BitmapBody));
+}
+
+const BitmapBody* body_of(const shd_bitmap* bitmap) {
+  return static_cast<const BitmapBody*>(shd_object_body(reinterpret_cast<const shd_object*>(bitmap), kBitmapType));
+}
+
+shd_bitmap* make_bitmap(shd_context* context, io::Bitmap&& bitmap) {
+  void* memory = shd_context_allocate(context, sizeof(BitmapBody), alignof(BitmapBody));
+  if (!memory) throw std::bad_alloc();
+  auto* body = ::new (memory) BitmapBody{context, std::move(bitmap)};
+  shd_object* object = nullptr;
+  const shd_result result = shd_object_create(context, kBitmapType, body, destroy_bitmap, &object);
+  if (result != SHD_OK) destroy_bitmap(body);
+  require(result);
+  return reinterpret_cast<shd_bitmap*>(object);
+}
+
+void require_flags(const char* field, uint32_t value, uint32_t known) {
+  if (value & ~known) refuse(SHD_ERROR_UNSUPPORTED, "%s: bits 0x%x are not known", field, value & ~known);
+}
+
+/// A budget where 0 is the default and everything else must be positive and finite.
+double positive(const char* field, double value, double standard) {
+  if (value == 0) return standard;
+  if (!(value > 0) || !std::isfinite(value)) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: %g is not positive", field, value);
+  return value;
+}
+
+/// A load desc, read and checked.
+struct LoadRequest {
+  shd_load_desc desc = shd_load_desc_default();
+  io::LoadOptions options;
+};
+
+LoadRequest read_load_desc(const shd_load_desc* in) {
+  LoadRequest request;
+  shd_load_desc& desc = request.desc;
+  read_desc("load", in, &desc);
+  constexpr uint32_t kFormats = 0x1fff | SHD_FILE_FORMAT_ANY;
+  require_flags("load.formats", desc.formats, kFormats);
+  require_flags("load.flags", desc.flags, SHD_LOAD_ISOLATE | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
+  if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
+           static_cast<int>(desc.color_space));
+  }
+  if (desc.subimage > 65535) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.subimage: %u is not in 0..65535", desc.subimage);
+  if (desc.worker_path && !*desc.worker_path) refuse(SHD_ERROR_INVALID_ARGUMENT, "load.worker_path: empty");
+  io::LoadOptions& options = request.options;
+  if (desc.formats) options.formats = desc.formats;
+  options.flags = desc.flags;
+  options.encoding = desc.color_space;
+  options.subimage = desc.subimage;
+  io::Limits& limits = options.limits;
+  if (desc.max_file_bytes) limits.file_bytes = desc.max_file_bytes;
+  if (desc.max_pixels) limits.pixels = desc.max_pixels;
+  if (desc.max_bytes) limits.bytes = desc.max_bytes;
+  limits.ratio = positive("load.max_ratio", desc.max_ratio, limits.ratio);
+  limits.seconds = positive("load.time_limit", desc.time_limit, limits.seconds);
+  return request;
+}
+
+/// `bytes` is ours and may be scrubbed.
+io::Bitmap load_bytes(shd_context* context, const LoadRequest& request, unsigned char* bytes, size_t size) {
+  const io::Deadline deadline(request.options.limits.seconds);
+  const io::Memory memory = memory_of(context);
+  if (!(request.desc.flags & SHD_LOAD_ISOLATE)) return io::load(bytes, size, request.options, memory, deadline);
+  io::accept(bytes, size, request.options);
+  return io::load_isolated(request.desc.worker_path, bytes, size, request.options, memory, deadline);
+}
+
+io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& request) {
+  require_path(path);
+  const io::Buffer bytes = io::read_file(path, request.options.limits, memory_of(context));
+  try {
+    return load_bytes(context, request, bytes.data(), bytes.size());
+  } catch (const io::Failure& failure) {
+    io::fail(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
+  }
+}
+
+/// Texels of a bitmap whose numbers no texture format means, linear.
+io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
+  const io::Transfer transfer = io::transfer_of(bitmap.color_space);
+  if (transfer.curve == io::Curve::kUnknown) {
+    refuse(SHD_ERROR_UNSUPPORTED, "colour space \"%s\" of the file is not known: set load.color_space",
+           bitmap.color_space);
+  }
+  const size_t pixels = size_t{bitmap.width} * bitmap.height;
+  const bool as_stored = transfer.curve == io::Curve::kLinear && bitmap.format != SHD_FORMAT_RGBA16;
+  if (as_stored || bitmap.format == SHD_FORMAT_RGBA8_SRGB) return io::Buffer();
+  io::Buffer texels(memory, pixels * 16);
+  io::linearise(transfer, bitmap.format, bitmap.pixels.data(), pixels, reinterpret_cast<float*>(texels.data()));
+  return texels;
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_bitmap_load(shd_context* context, const char* path, const shd_load_desc* desc, shd_bitmap** out_bitmap) {
+  return io_guard([&]() -> shd_result {
+    if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
+    *out_bitmap = nullptr;
+    require_context(context);
+    *out_bitmap = make_bitmap(context, load_path(context, path, read_load_desc(desc)));
+    return SHD_OK;
+  });
+}
+
+shd_result shd_bitmap_load_memory(shd_context* context, const void* bytes, size_t size, const shd_load_desc* desc,
+                                  shd_bitmap** out_bitmap) {
+  return io_guard([&]() -> shd_result {
+    if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
+    *out_bitmap = nullptr;
+    require_context(context);
+    if (!bytes) return fail(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
+    const LoadRequest request = read_load_desc(desc);
+    if (size > request.options.limits.file_bytes) {
+      return fail(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
+                  static_cast<unsigned long long>(request.options.limits.file_bytes));
+    }
+    io::accept(static_cast<const unsigned char*>(bytes), size, request.options);
+    const io::Buffer copy(memory_of(context), size);
+    std::memcpy(copy.data(), bytes, size);
+    *out_bitmap = make_bitmap(context, load_bytes(context, request, copy.data(), size));
+    return SHD_OK;
+  });
+}
+
+void shd_bitmap_retain(shd_bitmap* bitmap) {
+  shd_object_retain(reinterpret_cast<shd_object*>(bitmap), kBitmapType);
+}
+
+void shd_bitmap_release(shd_bitmap* bitmap) {
+  shd_object_release(reinterpret_cast<shd_object*>(bitmap), kBitmapType);
+}
+
+shd_result shd_bitmap_image(const shd_bitmap* bitmap, shd_image* out_image) {
+  if (!out_image) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_image: NULL");
+  std::memset(out_image, 0, sizeof *out_image);
+  const BitmapBody* body = body_of(bitmap);
+  if (!body) return SHD_ERROR_INVALID_ARGUMENT;
+  *out_image = shd_image_default();
+  out_image->format = body->bitmap.format;
+  out_image->width = body->bitmap.width;
+  out_image->height = body->bitmap.height;
+  out_image->pixels = body->bitmap.pixels.data();
+  out_image->row_stride = body->bitmap.width * io::bitmap_pixel_size(body->bitmap.format);
+  return SHD_OK;
+}
+
+const char* shd_bitmap_color_space(const shd_bitmap* bitmap) {
+  const BitmapBody* body = body_of(bitmap);
+  return body ? body->bitmap.color_space : "";
+}
+
+shd_result shd_bitmap_get_info(const shd_bitmap* bitmap, shd_bitmap_info* out_info) {
+  if (!out_info) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_info: NULL");
+  *out_info = shd_bitmap_info();
+  const BitmapBody* body = body_of(bitmap);
+  if (!body) return SHD_ERROR_INVALID_ARGUMENT;
+  *out_info = body->bitmap.info;
+  return SHD_OK;
+}
+
+shd_result shd_texture_load(shd_context* context, const char* path, const shd_load_desc* desc,
+                            shd_texture** out_texture) {
+  return io_guard([&]() -> shd_result {
+    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
+    *out_texture = nullptr;
+    require_context(context);
+    const LoadRequest request = read_load_desc(desc);
+    const io::Bitmap bitmap = load_path(context, path, request);
+    const io::Buffer linear = linear_texels(bitmap, memory_of(context));
+    shd_texture_desc texture = shd_texture_desc_default();
+    texture.format = linear.size() ? SHD_FORMAT_RGBA32F : bitmap.format;
+    texture.width = bitmap.width;
+    texture.height = bitmap.height;
+    texture.texels = linear.size() ? linear.data() : bitmap.pixels.data();
+    texture.tables = request.desc.tables;
+    return shd_texture_create(context, &texture, out_texture);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include <shd/io.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "abi/io_common.h"
+#include "io/oiio.h"
+#include "io/transfer.h"
+#include "io/write_file.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::extension;
+using io::EncodeJob;
+using io::Sample;
+
+/// What a file extension stands for.
+enum class Kind { kPng, kExr, kHdr, kTiff, kTga, kBmp };
+struct Extension {
+  const char* text;
+  Kind kind;
+  const char* writer;
+};
+constexpr Extension kExtensions[] = {
+    {".png", Kind::kPng, "png"},   {".exr", Kind::kExr, "openexr"}, {".hdr", Kind::kHdr, "hdr"},
+    {".tif", Kind::kTiff, "tiff"}, {".tiff", Kind::kTiff, "tiff"},  {".tga", Kind::kTga, "targa"},
+    {".bmp", Kind::kBmp, "bmp"},
+};
+
+const Extension& extension_of(const char* path) {
+  const std::string whole(path);
+  const size_t dot = whole.rfind('.');
+  std::string text = dot == std::string::npos || whole.find('/', dot) != std::string::npos ? "" : whole.substr(dot);
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  }
+  for (const Extension& extension : kExtensions) {
+    if (text == extension.text) return extension;
+  }
+  refuse(SHD_ERROR_UNSUPPORTED, "path: extension \"%s\" is not .png, .exr, .hdr, .tif, .tiff, .tga or .bmp",
+         io::printable(text).c_str());
+}
+
+shd_save_desc read_save_desc(const shd_save_desc* in) {
+  shd_save_desc desc = shd_save_desc_default();
+  read_desc("save", in, &desc);
+  if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.color_space: %d is not a shd_color_encoding",
+           static_cast<int>(desc.color_space));
+  }
+  if (desc.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.reserved: %u is not 0", desc.reserved);
+  return desc;
+}
+
+void save(const EncodeJob& job, const char* path) {
+  const std::vector<unsigned char> bytes = io::encode(job);
+  io::write_file(path, bytes.data(), bytes.size());
+}
+
+// ---- framebuffers
+
+/// Planes of a framebuffer by shd_plane; absent ones are all null.
+constexpr int kPlaneCount = SHD_PLANE_TRIANGLE + 1;
+struct Planes {
+  shd_plane_view view[kPlaneCount] = {};
+  uint32_t width = 0;
+  bool half = false;  // colour, in EXR
+  bool curve = true;  // sRGB-encode, in integer formats
+};
+
+float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
+  const shd_plane_view& view = planes.view[plane];
+  float value;
+  std::memcpy(&value, reinterpret_cast<const char*>(view.f32) + y * view.row_stride + x * sizeof value, sizeof value);
+  return value;
+}
+
+/// Linear premultiplied colour as straight, in 0..1, encoded if asked.
+template <class T>
+void display_row(const void* user_data, uint32_t y, unsigned char* out) {
+  const auto& planes = *static_cast<const Planes*>(user_data);
+  constexpr double kMaximum = T(~T(0));
+  for (uint32_t x = 0; x < planes.width; ++x) {
+    T rgba[4];
+    const double alpha = static_cast<double>(plane_value(planes, SHD_PLANE_A, x, y));
+    for (int c = 0; c < 4; ++c) {
+      double value = c == 3 ? alpha : static_cast<double>(plane_value(planes, c, x, y));
+      if (c < 3 && alpha > 0) value /= alpha;
+      value = value > 0 ? (value < 1 ? value : 1) : 0;  // NaN to 0
+      if (c < 3 && planes.curve) value = io::encode_srgb(value);
+      rgba[c] = static_cast<T>(value * kMaximum + 0.5);
+    }
+    std::memcpy(out + x * sizeof rgba, rgba, sizeof rgba);
+  }
+}
+
+/// Three or four colour channels as they are.
+template <int kChannels>
+void float_row(const void* user_data, uint32_t y, unsigned char* out) {
+  const auto& planes = *static_cast<const Planes*>(user_data);
+  for (uint32_t x = 0; x < planes.width; ++x) {
+    for (int c = 0; c < kChannels; ++c, out += sizeof(float)) {
+      const float value = plane_value(planes, c, x, y);
+      std::memcpy(out, &value, sizeof value);
+    }
+  }
+}
+
+/// Every plane there is, in the order of shd_plane.
+void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
+  const auto& planes = *static_cast<const Planes*>(user_data);
+  for (uint32_t x = 0; x < planes.width; ++x) {
+    for (int plane = 0; plane < kPlaneCount; ++plane) {
+      const shd_plane_view& view = planes.view[plane];
+      if (view.u32) {
+        std::memcpy(out, reinterpret_cast<const char*>(view.u32) + y * view.row_stride + x * 4, 4);
+        out += 4;
+      } else if (view.f32) {
+        const float value = plane_value(planes, plane, x, y);
+        const bool half = planes.half && plane <= SHD_PLANE_A;
+        const uint16_t narrow = io::half_from_float(value);
+        std::memcpy(out, half ? static_cast<const void*>(&narrow) : &value, half ? sizeof narrow : sizeof value);
+        out += half ? sizeof narrow : sizeof value;
+      }
+    }
+  }
+}
+
+Planes view_planes(const shd_framebuffer* framebuffer, EncodeJob* job) {
+  shd_framebuffer_info info;
+  require(shd_framebuffer_get_info(framebuffer, &info));
+  Planes planes;
+  job->width = planes.width = info.width;
+  job->height = info.height;
+  for (int plane = 0; plane < kPlaneCount; ++plane) {
+    const bool aov = plane > SHD_PLANE_DEPTH;
+    const uint32_t bit = plane <= SHD_PLANE_V ? SHD_AOV_UV : plane <= SHD_PLANE_NZ ? SHD_AOV_NORMAL : SHD_AOV_TRIANGLE;
+    if (aov && !(info.aovs & bit)) continue;
+    require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(plane), &planes.view[plane]));
+  }
+  return planes;
+}
+
+void describe_exr(EncodeJob* job, Planes* planes, uint32_t depth) {
+  constexpr const char* kNames[kPlaneCount] = {"R",    "G",   "B",   "A",   "Z",       "uv.u",
+                                               "uv.v", "N.x", "N.y", "N.z", "triangle"};
+  planes->half = depth == 16;
+  for (int plane = 0; plane < kPlaneCount; ++plane) {
+    if (!planes->view[plane].f32 && !planes->view[plane].u32) continue;
+    const bool color = plane <= SHD_PLANE_A;
+    const Sample sample = planes->view[plane].u32 ? Sample::kU32
+                          : color && planes->half ? Sample::kHalf
+                                                  : Sample::kFloat;
+    job->channels.push_back({kNames[plane], sample});
+  }
+  job->alpha = 3;
+  job->color_space = "Linear";
+  job->row = plane_row;
+}
+
+void describe_color(EncodeJob* job, Sample sample, int channels) {
+  constexpr const char* kNames[4] = {"R", "G", "B", "A"};
+  for (int i = 0; i < channels; ++i) job->channels.push_back({kNames[i], sample});
+  job->alpha = channels == 4 ? 3 : -1;
+}
+
+void describe_display(EncodeJob* job, Planes* planes, uint32_t depth, shd_color_encoding encoding) {
+  planes->curve = encoding == SHD_COLOR_ENCODING_AUTO || encoding == SHD_COLOR_ENCODING_SRGB;
+  describe_color(job, depth == 8 ? Sample::kU8 : Sample::kU16, 4);
+  job->straight = true;
+  job->color_space = planes->curve ? "sRGB" : "Linear";
+  job->row = depth == 8 ? display_row<uint8_t> : display_row<uint16_t>;
+}
+
+uint32_t depth_for(const Extension& extension, uint32_t wanted) {
+  const bool png = extension.kind == Kind::kPng;
+  const bool exr = extension.kind == Kind::kExr;
+  const bool tiff = extension.kind == Kind::kTiff;
+  if (!png && !exr && !tiff && extension.kind != Kind::kHdr) {
+    refuse(SHD_ERROR_UNSUPPORTED, "path: a framebuffer cannot be saved as %s", extension.text);
+  }
+  if (wanted == 0) return png ? 8 : exr ? 16 : 32;
+  const bool known = (wanted == 8 && (png || tiff)) || (wanted == 16 && (png || exr || tiff)) || (wanted == 32 && !png);
+  if (!known) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: %u is not one that %s has", wanted, extension.text);
+  return wanted;
+}
+
+void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, const shd_save_desc& desc) {
+  const Extension& extension = extension_of(path);
+  const uint32_t depth = depth_for(extension, desc.bit_depth);
+  EncodeJob job;
+  job.writer = extension.writer;
+  Planes planes = view_planes(framebuffer, &job);
+  job.user_data = &planes;
+  if (extension.kind == Kind::kExr) {
+    describe_exr(&job, &planes, depth);
+  } else if (extension.kind == Kind::kHdr) {
+    describe_color(&job, Sample::kFloat, 3);
+    job.row = float_row<3>;
+  } else if (depth == 32) {
+    describe_color(&job, Sample::kFloat, 4);
+    job.color_space = "Linear";
+    job.row = float_row<4>;
+  } else {
+    describe_display(&job, &planes, depth, desc.color_space);
+  }
+  save(job, path);
+}
+
+// ---- images
+
+bool takes(Kind kind, shd_format format) {
+  const bool bytes = format == SHD_FORMAT_R8 || format == SHD_FORMAT_RGBA8 || format == SHD_FORMAT_RGBA8_SRGB;
+  switch (kind) {
+    case Kind::kPng: return bytes || format == SHD_FORMAT_RGBA16;
+    case Kind::kExr: return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F;
+    case Kind::kHdr: return format == SHD_FORMAT_RGBA32F;
+    case Kind::kTiff: return true;
+    default: return bytes;
+  }
+}
+
+Sample sample_of(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_RGBA16: return Sample::kU16;
+    case SHD_FORMAT_RGBA16F: return Sample::kHalf;
+    case SHD_FORMAT_RGBA32F: return Sample::kFloat;
+    default: return Sample::kU8;
+  }
+}
+
+const char* tag_of(shd_color_encoding encoding, shd_format format) {
+  switch (encoding) {
+    case SHD_COLOR_ENCODING_SRGB: return "sRGB";
+    case SHD_COLOR_ENCODING_LINEAR:
+    case SHD_COLOR_ENCODING_DATA: return "Linear";
+    default: break;
+  }
+  if (format == SHD_FORMAT_RGBA8_SRGB) return "sRGB";
+  return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F ? "Linear" : "";
+}
+
+void image_row(const void* user_data, uint32_t y, unsigned char* out) {
+  const auto& image = *static_cast<const shd_image*>(user_data);
+  std::memcpy(out, static_cast<const char*>(image.pixels) + y * image.row_stride,
+              image.width * shd_format_size(image.format));
+}
+
+/// Radiance files have no alpha.
+void image_row_rgb(const void* user_data, uint32_t y, unsigned char* out) {
+  const auto& image = *static_cast<const shd_image*>(user_data);
+  const char* row = static_cast<const char*>(image.pixels) + y * image.row_stride;
+  for (uint32_t x = 0; x < image.width; ++x) std::memcpy(out + x * 12, row + x * 16, 12);
+}
+
+void save_image(const shd_image& image, const char* path, const shd_save_desc& desc) {
+  if (desc.bit_depth != 0)
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: %u is not 0, for an image", desc.bit_depth);
+  const Extension& extension = extension_of(path);
+  if (!takes(extension.kind, image.format)) {
+    refuse(SHD_ERROR_UNSUPPORTED, "image.format: pixels of format %d cannot be stored in %s as they are",
+           static_cast<int>(image.format), extension.text);
+  }
+  EncodeJob job;
+  job.writer = extension.writer;
+  job.width = image.width;
+  job.height = image.height;
+  job.user_data = &image;
+  job.straight = extension.kind != Kind::kExr;
+  job.color_space = tag_of(desc.color_space, image.format);
+  job.row = extension.kind == Kind::kHdr ? image_row_rgb : image_row;
+  if (image.format == SHD_FORMAT_R8) {
+    job.channels.push_back({"Y", Sample::kU8});
+  } else {
+    describe_color(&job, sample_of(image.format), extension.kind == Kind::kHdr ? 3 : 4);
+  }
+  save(job, path);
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_framebuffer_save(const shd_framebuffer* framebuffer, const char* path, const shd_save_desc* desc) {
+  return io_guard([&]() -> shd_result {
+    if (!framebuffer) return fail(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
+    require_path(path);
+    save_framebuffer(framebuffer, path, read_save_desc(desc));
+    return SHD_OK;
+  });
+}
+
+shd_result shd_image_save(const shd_image* image, const char* path, const shd_save_desc* desc) {
+  return io_guard([&]() -> shd_result {
+    const shd_image read = read_image("image", image);
+    require_path(path);
+    save_image(read, path, read_save_desc(desc));
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

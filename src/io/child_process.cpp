@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "io/child_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+#include "io/failure.h"
+#include "io/file_descriptor.h"
+
+extern "C" char** environ;
+
+namespace shd::io {
+
+namespace {
+
+/// posix_spawn's two option objects.
+struct SpawnOptions {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  SpawnOptions() {
+    if (::posix_spawn_file_actions_init(&files) != 0) throw std::bad_alloc();
+    if (::posix_spawnattr_init(&attributes) != 0) {
+      ::posix_spawn_file_actions_destroy(&files);
+      throw std::bad_alloc();
+    }
+  }
+  ~SpawnOptions() {
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&files);
+  }
+};
+
+int fill_options(SpawnOptions& options, int socket) {
+  // Descriptor 0 first: the socket may itself be 1 or 2, which are replaced after.
+  int error = ::posix_spawn_file_actions_adddup2(&options.files, socket, 0);
+  if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 1, "/dev/null", O_WRONLY, 0);
+  if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 2, "/dev/null", O_WRONLY, 0);
+#if defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 34)
+  if (!error) error = ::posix_spawn_file_actions_addclosefrom_np(&options.files, 3);
+#endif
+#endif
+  sigset_t none, all;
+  ::sigemptyset(&none);
+  ::sigfillset(&all);
+  if (!error) error = ::posix_spawnattr_setsigmask(&options.attributes, &none);
+  if (!error) error = ::posix_spawnattr_setsigdefault(&options.attributes, &all);
+  if (!error) error = ::posix_spawnattr_setflags(&options.attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  return error;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& program, int socket) {
+  if (::access(program.c_str(), X_OK) != 0) fail_errno("cannot run", program.c_str(), errno);
+  SpawnOptions options;
+  int error = fill_options(options, socket);
+  char* arguments[] = {const_cast<char*>(program.c_str()), nullptr};
+  pid_t pid = -1;
+  if (!error) error = ::posix_spawn(&pid, program.c_str(), &options.files, &options.attributes, arguments, environ);
+  if (error) fail_errno("cannot run", program.c_str(), error);
+  pid_ = pid;
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
+std::string ChildProcess::finish(bool kill_first) {
+  if (pid_ <= 0) return "ended before";
+  if (kill_first) ::kill(pid_, SIGKILL);
+  int status = 0;
+  pid_t got;
+  do {
+    got = ::waitpid(pid_, &status, 0);
+  } while (got < 0 && errno == EINTR);
+  pid_ = -1;
+  if (got < 0) return "reaped by the host";  // SIGCHLD ignored, or a waitpid(-1) elsewhere
+  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
+  return "exit status " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace shd::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+namespace shd::io {
+
+/// A program with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask
+/// and default signal handlers. Killed and reaped at the end at the latest.
+class ChildProcess {
+ public:
+  /// Fails with SHD_ERROR_NOT_FOUND when the program is missing.
+  ChildProcess(const std::string& program, int socket);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Waits for the end of the process, killing it first if asked, and says how it ended.
+  std::string finish(bool kill_first);
+
+ private:
+  pid_t pid_ = -1;
+};
+
+}  // namespace shd::io

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace shd::io {
+
+/// Checks a DDS header (Microsoft, "Programming Guide for DDS"): fails on cube maps, volumes, unknown pixel
+/// formats, and files too short for their first level. The decoder trusts all of these.
+void check_dds_header(const unsigned char* bytes, size_t size);
+
+}  // namespace shd::io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "io/file_descriptor.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "io/failure.h"
+
+namespace shd::io {
+
+void fail_errno(const char* action, const char* path, int error) {
+  shd_result code = SHD_ERROR_IO;
+  if (error == ENOENT || error == ENOTDIR) code = SHD_ERROR_NOT_FOUND;
+  if (error == ENAMETOOLONG || error == EILSEQ || error == EINVAL) code = SHD_ERROR_INVALID_ARGUMENT;
+  if (error == ENOMEM) code = SHD_ERROR_OUT_OF_MEMORY;
+  char buffer[128] = "";
+  // The GNU strerror_r returns the text, the POSIX one a number; this build has the GNU one.
+  const char* reason = ::strerror_r(error, buffer, sizeof buffer);
+  fail(code, "%s \"%s\": %s", action, printable(path).c_str(), reason);
+}
+
+}  // namespace shd::io

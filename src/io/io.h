@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: io, files in and out.
+///
+/// Input:      bytes nobody vouches for; rows of pixels to store.
+/// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
+/// Invariants: no file of this folder calls libshd, so that the worker process needs none of it; sizes are
+///             checked against the Limits before memory is taken; OpenImageIO never sees a path, only memory;
+///             its process-wide attributes are set in the worker alone.
+///
+/// | file             | what                                                                |
+/// |------------------|---------------------------------------------------------------------|
+/// | failure.h        | Failure, a result with its text as an exception                      |
+/// | memory.h         | Buffer, memory of the host's allocator                               |
+/// | limits.h         | budgets: checked sizes, deadline                                     |
+/// | read_file.h      | a regular file as bytes                                              |
+/// | write_file.h     | bytes as a file, whole or not at all                                 |
+/// | sniff.h          | format and declared size from the first bytes                        |
+/// | exr_header.h     | what an OpenEXR header declares                                      |
+/// | dds_header.h     | the same of a DDS header                                            |
+/// | scrub.h          | removes metadata that decoders would parse                           |
+/// | channels.h       | which channels of a file are r, g, b, a, and their expansion to RGBA |
+/// | transfer.h       | colour-space names, transfer curves, half floats                     |
+/// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
+/// | load.h           | the pipeline: sniff, scrub, check, decode                            |
+/// | isolate.h        | the same in a child process (worker_main.cpp)                        |
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <shd/io.h>
+
+#include "io/limits.h"
+#include "io/memory.h"
+
+namespace shd::io {
+
+/// A load desc with its defaults filled in.
+struct LoadOptions {
+  uint32_t formats = SHD_FILE_FORMAT_DEFAULT;
+  uint32_t flags = SHD_LOAD_DEFAULT;
+  shd_color_encoding encoding = SHD_COLOR_ENCODING_AUTO;
+  uint32_t subimage = 0;
+  Limits limits;
+};
+
+/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top.
+struct Bitmap {
+  shd_format format = SHD_FORMAT_NONE;
+  uint32_t width = 0;
+  uint32_t height = 0;
+  shd_bitmap_info info = {};
+  char color_space[64] = {};  // printable ASCII
+  Buffer pixels;
+};
+
+/// Bytes of one RGBA pixel of a bitmap; 0 for formats bitmaps do not have.
+inline size_t bitmap_pixel_size(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_RGBA8:
+    case SHD_FORMAT_RGBA8_SRGB: return 4;
+    case SHD_FORMAT_RGBA16:
+    case SHD_FORMAT_RGBA16F: return 8;
+    case SHD_FORMAT_RGBA32F: return 16;
+    default: return 0;
+  }
+}
+
+}  // namespace shd::io

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "io/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/failure.h"
+
+namespace shd::io {
+
+namespace {
+
+unsigned long long wide(uint64_t value) {
+  return static_cast<unsigned long long>(value);
+}
+
+}  // namespace
+
+void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height) {
+  if (width == 0 || height == 0 || width > INT32_MAX || height > INT32_MAX) {
+    fail(SHD_ERROR_CORRUPT, "%s of %llu x %llu pixels", what, wide(width), wide(height));
+  }
+  if (width > kMaxSide || height > kMaxSide) {
+    fail(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels: a side is above %llu", what, wide(width), wide(height),
+         wide(kMaxSide));
+  }
+  if (width * height > limits.pixels) {
+    fail(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels is above load.max_pixels %llu", what, wide(width), wide(height),
+         wide(limits.pixels));
+  }
+}
+
+size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size) {
+  const uint64_t bytes = width * height * pixel_size;  // at most 2^32 * 16 after check_extent
+  if (bytes > limits.bytes || bytes > PTRDIFF_MAX) {
+    fail(SHD_ERROR_LIMIT, "%llu decoded bytes are above load.max_bytes %llu", wide(bytes), wide(limits.bytes));
+  }
+  if (bytes > kRatioFloor && static_cast<double>(bytes) > limits.ratio * static_cast<double>(file_size)) {
+    fail(SHD_ERROR_LIMIT, "%llu decoded bytes from %zu are above load.max_ratio %g", wide(bytes), file_size,
+         limits.ratio);
+  }
+  return static_cast<size_t>(bytes);
+}
+
+Deadline::Deadline(double seconds)
+    : end_(std::chrono::steady_clock::now() +
+           std::chrono::milliseconds(static_cast<int64_t>(std::ceil(std::min(seconds, 1e9) * 1e3)))),
+      seconds_(seconds) {}
+
+void Deadline::check() const {
+  if (std::chrono::steady_clock::now() >= end_) {
+    fail(SHD_ERROR_LIMIT, "decoding took longer than load.time_limit %g s", seconds_);
+  }
+}
+
+int Deadline::milliseconds_left() const {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end_ - std::chrono::steady_clock::now());
+  return static_cast<int>(std::clamp<int64_t>(left.count() + 1, 0, 1 << 30));
+}
+
+}  // namespace shd::io

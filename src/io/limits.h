@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace shd::io {
+
+/// Budgets of a load, none of them 0.
+struct Limits {
+  uint64_t file_bytes = uint64_t{1} << 30;
+  uint64_t pixels = uint64_t{1} << 28;
+  uint64_t bytes = uint64_t{1} << 32;
+  double ratio = 4000;  // decoded bytes per file byte
+  double seconds = 60;
+};
+
+/// Decoded sizes below this are never a bomb. [bytes]
+constexpr uint64_t kRatioFloor = uint64_t{1} << 24;
+
+/// Largest width and height of a shd_image. [pixels]
+constexpr uint64_t kMaxSide = 65536;
+
+/// Fails unless a window of that size is within the budgets. `what` names it in the message.
+void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
+
+/// Bytes of width * height pixels after check_extent; fails beyond limits.bytes or limits.ratio.
+size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size);
+
+/// The moment a load must be done.
+class Deadline {
+ public:
+  explicit Deadline(double seconds);
+  /// Fails with SHD_ERROR_LIMIT when the time has passed.
+  void check() const;
+  /// Until the deadline, rounded up, 0 when it has passed. [ms]
+  int milliseconds_left() const;
+
+ private:
+  std::chrono::steady_clock::time_point end_;
+  double seconds_;
+};
+
+}  // namespace shd::io

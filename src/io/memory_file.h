@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "io/file_descriptor.h"
+
+namespace shd::io {
+
+/// An anonymous file with a path, for decoders that want one.
+class MemoryFile {
+ public:
+  /// Makes the file if `wanted`; the bytes are copied.
+  MemoryFile(bool wanted, const unsigned char* bytes, size_t size);
+  const std::string& path() const { return path_; }
+
+ private:
+  FileDescriptor file_;
+  std::string path_;
+};
+
+}  // namespace shd::io

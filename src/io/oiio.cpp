@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// The only user of OpenImageIO.
+#include "io/oiio.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "io/channels.h"
+#include "io/failure.h"
+#include "io/memory_file.h"
+#include "io/sniff.h"
+#include "io/transfer.h"
+
+namespace shd::io {
+
+namespace {
+
+constexpr int kMaxChannels = 1024;
+constexpr size_t kBandBytes = size_t{1} << 22;  // decoded between two looks at the clock
+
+struct Reader {
+  shd_file_format format;
+  const char* name;  // of OpenImageIO's format
+};
+
+constexpr Reader kReaders[] = {
+    {SHD_FILE_FORMAT_PNG, "png"},   {SHD_FILE_FORMAT_JPEG, "jpeg"}, {SHD_FILE_FORMAT_EXR, "openexr"},
+    {SHD_FILE_FORMAT_TIFF, "tiff"}, {SHD_FILE_FORMAT_HDR, "hdr"},   {SHD_FILE_FORMAT_TGA, "targa"},
+    {SHD_FILE_FORMAT_BMP, "bmp"},   {SHD_FILE_FORMAT_DDS, "dds"},   {SHD_FILE_FORMAT_WEBP, "webp"},
+    {SHD_FILE_FORMAT_PNM, "pnm"},   {SHD_FILE_FORMAT_PSD, "psd"},   {SHD_FILE_FORMAT_DPX, "dpx"},
+    {SHD_FILE_FORMAT_GIF, "gif"},
+};
+
+/// An input or output whose pending errors are fetched at its end: OpenImageIO prints those nobody asked for.
+template <class Handle>
+struct Quiet {
+  std::unique_ptr<Handle> handle;
+  std::string error() {
+    std::string text = handle ? handle->geterror() : std::string();
+    if (text.empty()) text = OIIO::geterror();
+    return text.empty() ? "no reason given" : text;
+  }
+  ~Quiet() {
+    try {
+      if (handle) {
+        handle->close();
+        (void)handle->geterror();
+      }
+      handle.reset();
+      (void)OIIO::geterror();
+    } catch (...) {
+      handle.reset();
+    }
+  }
+};
+
+/// Everything one decode works on.
+struct Decoder {
+  shd_file_format format;
+  const LoadOptions& options;
+  const Deadline& deadline;
+  OIIO::Filesystem::IOMemReader* proxy;
+  Quiet<OIIO::ImageInput> input;
+  OIIO::ImageSpec spec;
+  ChannelMap map = {};
+  int first = 0;  // channels of the file that are read: [first, end)
+  int end = 0;
+  OIIO::TypeDesc type;
+};
+
+[[noreturn]] void fail_decode(Decoder& d, const char* action) {
+  fail(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
+}
+
+void open_input(Decoder& d, const MemoryFile& file) {
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  if (d.format == SHD_FILE_FORMAT_ANY) {
+    d.input.handle = OIIO::ImageInput::open(file.path(), &config);
+    if (!d.input.handle) {
+      fail(SHD_ERROR_UNSUPPORTED, "no reader of OpenImageIO takes the file: %s", printable(d.input.error()).c_str());
+    }
+    d.spec = d.input.handle->spec();
+    return;
+  }
+  const auto* reader =
+      std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
+  d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
+  if (!d.input.handle) fail(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without it", format_name(d.format));
+  OIIO::Filesystem::IOProxy* proxy = d.proxy;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) fail_decode(d, "cannot open");
+}
+
+/// Fails on images this library does not take, with everything the spec says checked before it is used.
+void check_spec(const Decoder& d) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const Limits& limits = d.options.limits;
+  if (spec.deep) fail(SHD_ERROR_UNSUPPORTED, "deep images are not supported");
+  if (spec.depth > 1 || spec.full_depth > 1) fail(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
+  if (spec.nchannels < 1) fail(SHD_ERROR_CORRUPT, "%d channels", spec.nchannels);
+  if (spec.nchannels > kMaxChannels) fail(SHD_ERROR_LIMIT, "%d channels are above %d", spec.nchannels, kMaxChannels);
+  const auto side = [](int value) { return static_cast<uint64_t>(value < 0 ? 0 : value); };
+  check_extent(limits, "image", side(spec.width), side(spec.height));
+  check_extent(limits, "display window", side(spec.full_width), side(spec.full_height));
+  if (spec.tile_width < 0 || spec.tile_height < 0 || spec.tile_depth > 1) fail(SHD_ERROR_CORRUPT, "bad tile size");
+  const uint64_t tile = side(spec.tile_width) * side(spec.tile_height);
+  const uint64_t row = std::max(tile, side(spec.width)) * side(spec.nchannels) * 8;
+  if (tile > limits.pixels || row > std::max(limits.bytes, uint64_t{1} << 26)) {
+    fail(SHD_ERROR_LIMIT, "a tile or row of the file is above load.max_bytes");
+  }
+}
+
+void choose_channels(Decoder& d) {
+  const OIIO::ImageSpec& spec = d.spec;
+  std::vector<std::string> names(spec.channelnames.begin(), spec.channelnames.end());
+  names.resize(static_cast<size_t>(spec.nchannels));
+  const int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
+  d.map = map_channels(names, alpha);
+  d.first = spec.nchannels;
+  d.type = OIIO::TypeUInt8;
+  for (const int index : d.map.index) {
+    if (index < 0) continue;
+    d.first = std::min(d.first, index);
+    d.end = std::max(d.end, index + 1);
+    const auto base = static_cast<OIIO::TypeDesc::BASETYPE>(spec.channelformat(index).basetype);
+    const bool narrow = base == OIIO::TypeDesc::UINT8;
+    const bool words = base == OIIO::TypeDesc::UINT16;
+    const bool halves = base == OIIO::TypeDesc::HALF;
+    if (narrow) continue;
+    const bool first_choice = d.type == OIIO::TypeUInt8;
+    if (words && (first_choice || d.type == OIIO::TypeUInt16)) {
+      d.type = OIIO::TypeUInt16;
+    } else if (halves && (first_choice || d.type == OIIO::TypeHalf)) {
+      d.type = OIIO::TypeHalf;
+    } else {
+      d.type = OIIO::TypeFloat;
+    }
+  }
+}
+
+shd_format bitmap_format(const OIIO::TypeDesc& type) {
+  if (type == OIIO::TypeUInt8) return SHD_FORMAT_RGBA8;
+  if (type == OIIO::TypeUInt16) return SHD_FORMAT_RGBA16;
+  return type == OIIO::TypeHalf ? SHD_FORMAT_RGBA16F : SHD_FORMAT_RGBA32F;
+}
+
+/// Rows [y, y_end) of the file, counted from its first one, into `band`.
+bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const int subimage = static_cast<int>(d.options.subimage);
+  if (spec.tile_width > 0) {
+    return d.input.handle->read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end, spec.z,
+                                      spec.z + 1, d.first, d.end, d.type, band);
+  }
+  return d.input.handle->read_scanlines(subimage, 0, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type, band);
+}
+
+/// Rows read between two looks at the clock: whole tiles, else a multiple of OpenEXR's largest block where it fits.
+int band_height(const Decoder& d) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels) * d.type.size();
+  const auto fitting = static_cast<int>(std::clamp<size_t>(kBandBytes / row, 1, static_cast<size_t>(spec.height)));
+  const int step = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
+  if (fitting >= step) return fitting / step * step;
+  return spec.tile_width > 0 ? step : fitting;
+}
+
+/// Copies rows of the data window to their place in the display window.
+void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, Bitmap* out) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const size_t pixel = bitmap_pixel_size(out->format);
+  const auto channels = static_cast<size_t>(d.end - d.first);
+  const int64_t shift_x = int64_t{spec.x} - spec.full_x;
+  const int64_t shift_y = int64_t{spec.y} - spec.full_y;
+  const int64_t begin = std::max<int64_t>(0, -shift_x);
+  const int64_t end = std::min<int64_t>(spec.width, int64_t{spec.full_width} - shift_x);
+  if (begin >= end) return;
+  for (int row = y; row < y_end; ++row) {
+    int64_t target = row + shift_y;
+    if (target < 0 || target >= spec.full_height) continue;
+    if (d.options.flags & SHD_LOAD_FLIP_V) target = spec.full_height - 1 - target;
+    const unsigned char* in =
+        band + (static_cast<size_t>(row - y) * static_cast<size_t>(spec.width) + static_cast<size_t>(begin)) *
+                   channels * d.type.size();
+    unsigned char* to =
+        out->pixels.data() + (static_cast<size_t>(target) * out->width + static_cast<size_t>(begin + shift_x)) * pixel;
+    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), out->format, to);
+  }
+}
+
+/// Rows of a damaged band one by one, down to the damage.
+void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, Bitmap* out) {
+  out->info.partial = 1;
+  if (d.spec.tile_width > 0) return;
+  for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
+}
+
+void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const int step = band_height(d);
+  const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
+  const Buffer band(memory, row * static_cast<size_t>(std::min(step, spec.height)));
+  for (int y = 0; y < spec.height; y += step) {
+    d.deadline.check();
+    const int y_end = std::min(spec.height, y + step);
+    if (!read_rows(d, y, y_end, band.data())) {
+      if (!(d.options.flags & SHD_LOAD_PARTIAL)) fail_decode(d, "damaged");
+      salvage_rows(d, band.data(), y, y_end, out);
+      return;
+    }
+    place_rows(d, band.data(), y, y_end, out);
+  }
+}
+
+void describe(const Decoder& d, Bitmap* out) {
+  const OIIO::ImageSpec& spec = d.spec;
+  const bool integers = d.type == OIIO::TypeUInt8 || d.type == OIIO::TypeUInt16;
+  const OIIO::ParamValue* primaries = spec.find_attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8));
+  const std::string said = spec.get_string_attribute("oiio:ColorSpace");
+  const std::string name = name_color_space(d.options.encoding, said, integers,
+                                            primaries ? static_cast<const float*>(primaries->data()) : nullptr);
+  std::memcpy(out->color_space, name.c_str(), std::min(name.size(), sizeof out->color_space - 1));
+  if (out->format == SHD_FORMAT_RGBA8 && name == "sRGB") out->format = SHD_FORMAT_RGBA8_SRGB;
+  const bool straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+  const bool always = d.format == SHD_FILE_FORMAT_EXR;
+  const bool may = always || d.format == SHD_FILE_FORMAT_TIFF || d.format == SHD_FILE_FORMAT_ANY;
+  out->info.file_format = d.format;
+  out->info.channels = static_cast<uint32_t>(spec.nchannels);
+  out->info.premultiplied = d.map.index[3] >= 0 && (always || (may && !straight));
+}
+
+Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool complete, const Memory& memory) {
+  open_input(d, file);
+  d.input.handle->threads(1);
+  check_spec(d);
+  if (d.options.subimage > 0) {
+    if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), 0)) {
+      fail(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
+    }
+    d.spec = d.input.handle->spec();
+    check_spec(d);
+  }
+  choose_channels(d);
+  Bitmap out;
+  out.format = bitmap_format(d.type);
+  out.width = static_cast<uint32_t>(d.spec.full_width);
+  out.height = static_cast<uint32_t>(d.spec.full_height);
+  const size_t pixel = bitmap_pixel_size(out.format);
+  check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width), static_cast<uint64_t>(d.spec.height), pixel,
+              file_size);
+  const size_t bytes = check_bytes(d.options.limits, out.width, out.height, pixel, file_size);
+  out.pixels = Buffer(memory, bytes);
+  std::memset(out.pixels.data(), 0, bytes);
+  read_pixels(d, memory, &out);
+  describe(d, &out);
+  if (!complete) out.info.partial = 1;
+  return out;
+}
+
+OIIO::TypeDesc sample_type(Sample sample) {
+  switch (sample) {
+    case Sample::kU8: return OIIO::TypeUInt8;
+    case Sample::kU16: return OIIO::TypeUInt16;
+    case Sample::kHalf: return OIIO::TypeHalf;
+    case Sample::kU32: return OIIO::TypeUInt32;
+    default: return OIIO::TypeFloat;
+  }
+}
+
+OIIO::ImageSpec encode_spec(const EncodeJob& job) {
+  OIIO::ImageSpec spec(static_cast<int>(job.width), static_cast<int>(job.height), static_cast<int>(job.channels.size()),
+                       sample_type(job.channels[0].sample));
+  spec.channelnames.clear();
+  bool mixed = false;
+  for (const EncodeChannel& channel : job.channels) {
+    spec.channelnames.push_back(channel.name);
+    spec.channelformats.push_back(sample_type(channel.sample));
+    mixed = mixed || channel.sample != job.channels[0].sample;
+  }
+  if (!mixed) spec.channelformats.clear();
+  spec.alpha_channel = job.alpha;
+  if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
+  if (job.color_space[0]) spec.attribute("oiio:ColorSpace", job.color_space);
+  if (std::strcmp(job.writer, "openexr") == 0 && std::strcmp(job.color_space, "Linear") == 0) {
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709);
+  }
+  return spec;
+}
+
+}  // namespace
+
+Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
+              const LoadOptions& options, const Memory& memory, const Deadline& deadline) {
+  try {
+    OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes), size);
+    const MemoryFile file(format == SHD_FILE_FORMAT_ANY, bytes, size);
+    Decoder decoder{format, options, deadline, &proxy, {}, {}, {}, 0, 0, {}};
+    return decode_with(decoder, file, file_size, complete, memory);
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    fail(SHD_ERROR_CORRUPT, "%s: %s", format_name(format), printable(error.what()).c_str());
+  }
+}
+
+std::vector<unsigned char> encode(const EncodeJob& job) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);
+  Quiet<OIIO::ImageOutput> output;
+  output.handle = OIIO::ImageOutput::create(job.writer, nullptr, "");
+  if (!output.handle) fail(SHD_ERROR_UNSUPPORTED, "OpenImageIO was built without a writer of %s", job.writer);
+  const OIIO::ImageSpec spec = encode_spec(job);
+  output.handle->threads(1);
+  output.handle->set_ioproxy(&proxy);
+  const auto require = [&](bool ok) {
+    if (!ok) fail(SHD_ERROR_IO, "cannot encode %s: %s", job.writer, printable(output.error()).c_str());
+  };
+  require(output.handle->open(std::string("memory.") + job.writer, spec));
+  std::vector<unsigned char> row(spec.scanline_bytes(true));
+  for (uint32_t y = 0; y < job.height; ++y) {
+    job.row(job.user_data, y, row.data());
+    require(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data()));
+  }
+  require(output.handle->close());
+  output.handle.reset();
+  return bytes;
+}
+
+void limit_process(uint64_t max_bytes) {
+  OIIO::attribute("threads", 1);
+  OIIO::attribute("exr_threads", -1);
+  OIIO::attribute("limits:channels", kMaxChannels);
+  const uint64_t megabytes = (max_bytes >> 20) + 1;
+  OIIO::attribute("limits:imagesize_MB", static_cast<int>(std::min<uint64_t>(megabytes, 32768)));
+}
+
+}  // namespace shd::io

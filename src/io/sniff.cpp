@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "io/sniff.h"
+
+#include "io/byte_reader.h"
+#include "io/dds_header.h"
+#include "io/exr_header.h"
+#include "io/failure.h"
+
+namespace shd::io {
+
+namespace {
+
+struct Signature {
+  shd_file_format format;
+  const char* name;
+  size_t offset;
+  size_t size;
+  const char* bytes;
+};
+
+// Signatures at a fixed place; several rows may name one format.
+constexpr Signature kSignatures[] = {
+    {SHD_FILE_FORMAT_PNG, "PNG", 0, 8, "\x89PNG\r\n\x1a\n"},
+    {SHD_FILE_FORMAT_JPEG, "JPEG", 0, 3, "\xff\xd8\xff"},
+    {SHD_FILE_FORMAT_EXR, "OpenEXR", 0, 4, "\x76\x2f\x31\x01"},
+    {SHD_FILE_FORMAT_TIFF, "TIFF", 0, 4, "II\x2a\0"},
+    {SHD_FILE_FORMAT_TIFF, "TIFF", 0, 4, "MM\0\x2a"},
+    {SHD_FILE_FORMAT_TIFF, "TIFF", 0, 4, "II\x2b\0"},
+    {SHD_FILE_FORMAT_TIFF, "TIFF", 0, 4, "MM\0\x2b"},
+    {SHD_FILE_FORMAT_HDR, "Radiance HDR", 0, 10, "#?RADIANCE"},
+    {SHD_FILE_FORMAT_HDR, "Radiance HDR", 0, 6, "#?RGBE"},
+    {SHD_FILE_FORMAT_BMP, "BMP", 0, 2, "BM"},
+    {SHD_FILE_FORMAT_DDS, "DDS", 0, 4, "DDS "},
+    {SHD_FILE_FORMAT_WEBP, "WebP", 8, 4, "WEBP"},
+    {SHD_FILE_FORMAT_PSD, "PSD", 0, 4, "8BPS"},
+    {SHD_FILE_FORMAT_DPX, "DPX", 0, 4, "SDPX"},
+    {SHD_FILE_FORMAT_DPX, "DPX", 0, 4, "XPDS"},
+    {SHD_FILE_FORMAT_GIF, "GIF", 0, 6, "GIF87a"},
+    {SHD_FILE_FORMAT_GIF, "GIF", 0, 6, "GIF89a"},
+};
+
+bool is_pnm(const ByteReader& in) {
+  if (!in.has(0, 3) || in.bytes[0] != 'P') return false;
+  const unsigned char kind = in.bytes[1];
+  const unsigned char space = in.bytes[2];
+  const bool white = space == ' ' || space == '\t' || space == '\r' || space == '\n' || space == '#';
+  return white && ((kind >= '1' && kind <= '6') || kind == 'F' || kind == 'f');
+}
+
+/// A header that no Truevision TGA 2.0 writer would contradict: there is no signature in front.
+bool is_tga(ByteReader in) {
+  if (!in.has(0, 18)) return false;
+  const uint32_t map_kind = in.u8(1);
+  const uint32_t kind = in.u8(2);
+  const uint32_t depth = in.u8(16);
+  const bool mapped = kind == 1 || kind == 9;
+  const bool known = mapped || kind == 2 || kind == 3 || kind == 10 || kind == 11;
+  const bool depth_known = depth == 8 || depth == 15 || depth == 16 || depth == 24 || depth == 32;
+  return known && depth_known && map_kind <= 1 && (!mapped || map_kind == 1) && in.u16(12) > 0 && in.u16(14) > 0 &&
+         (in.u8(17) & 0xc0) == 0;
+}
+
+struct Extent {
+  uint64_t width = 0;
+  uint64_t height = 0;
+};
+
+Extent webp_extent(ByteReader in) {
+  if (in.is(12, "VP8X", 4)) return {1 + in.number(24, 3), 1 + in.number(27, 3)};
+  if (in.is(12, "VP8L", 4)) {
+    const uint32_t packed = in.u32(21);
+    return {1 + (packed & 0x3fff), 1 + ((packed >> 14) & 0x3fff)};
+  }
+  return {in.u16(26) & 0x3fffu, in.u16(28) & 0x3fffu};
+}
+
+/// BITMAPCOREHEADER has 16-bit sizes; later ones signed 32-bit sizes, negative height = rows from the top.
+Extent bmp_extent(ByteReader in) {
+  if (in.u32(14) == 12) return {in.u16(18), in.u16(20)};
+  const auto height = static_cast<int32_t>(in.u32(22));
+  const int64_t rows = height;
+  return {in.u32(18), static_cast<uint64_t>(rows < 0 ? -rows : rows)};
+}
+
+/// Size where the format keeps it at a fixed place; 0 x 0 for formats that do not.
+Extent declared_extent(shd_file_format format, const unsigned char* bytes, size_t size, bool* truncated) {
+  ByteReader in{bytes, size, true};
+  ByteReader little{bytes, size, false};
+  Extent extent;
+  switch (format) {
+    case SHD_FILE_FORMAT_PNG: extent = {in.u32(16), in.u32(20)}; break;
+    case SHD_FILE_FORMAT_PSD: extent = {in.u32(18), in.u32(14)}; break;
+    case SHD_FILE_FORMAT_BMP:
+      extent = bmp_extent(little);
+      little.u8(25);
+      break;
+    case SHD_FILE_FORMAT_TGA: extent = {little.u16(12), little.u16(14)}; break;
+    case SHD_FILE_FORMAT_DDS: extent = {little.u32(16), little.u32(12)}; break;
+    case SHD_FILE_FORMAT_GIF: extent = {little.u16(6), little.u16(8)}; break;
+    case SHD_FILE_FORMAT_WEBP:
+      extent = webp_extent(little);
+      little.u8(29);
+      break;
+    case SHD_FILE_FORMAT_DPX: {
+      ByteReader dpx{bytes, size, in.is(0, "SDPX", 4)};
+      extent = {dpx.u32(772), dpx.u32(776)};
+      in.ok = dpx.ok;
+      break;
+    }
+    default: break;
+  }
+  *truncated = !in.ok || !little.ok;
+  return extent;
+}
+
+/// Offset of the marker that ends a JPEG header (SOS), or size.
+size_t jpeg_scan_start(const ByteReader& in) {
+  size_t at = 2;
+  while (in.has(at, 4)) {
+    if (in.bytes[at] != 0xff) return at;
+    const unsigned char marker = in.bytes[at + 1];
+    if (marker == 0xff) {
+      ++at;
+      continue;
+    }
+    if (marker == 0xda) return at;
+    const bool alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+    at += alone ? 2 : 2 + (size_t{in.bytes[at + 2]} << 8) + in.bytes[at + 3];
+  }
+  return in.size;
+}
+
+}  // namespace
+
+shd_file_format sniff(const unsigned char* bytes, size_t size) {
+  const ByteReader in{bytes, size, false};
+  for (const Signature& row : kSignatures) {
+    if (!in.is(row.offset, row.bytes, row.size)) continue;
+    if (row.format == SHD_FILE_FORMAT_WEBP && !in.is(0, "RIFF", 4)) continue;
+    return row.format;
+  }
+  if (is_pnm(in)) return SHD_FILE_FORMAT_PNM;
+  if (is_tga(in)) return SHD_FILE_FORMAT_TGA;
+  return SHD_FILE_FORMAT_NONE;
+}
+
+const char* format_name(shd_file_format format) {
+  for (const Signature& row : kSignatures) {
+    if (row.format == format) return row.name;
+  }
+  return format == SHD_FILE_FORMAT_PNM ? "PNM" : format == SHD_FILE_FORMAT_TGA ? "TGA" : "unknown";
+}
+
+void check_header(shd_file_format format, const unsigned char* bytes, size_t size, const Limits& limits) {
+  if (format == SHD_FILE_FORMAT_EXR) {
+    check_exr_header(bytes, size, limits);
+    return;
+  }
+  bool truncated = false;
+  const Extent extent = declared_extent(format, bytes, size, &truncated);
+  if (truncated) fail(SHD_ERROR_CORRUPT, "%s header is cut off", format_name(format));
+  const bool fixed = extent.width != 0 || extent.height != 0;
+  if (fixed || (format != SHD_FILE_FORMAT_JPEG && format != SHD_FILE_FORMAT_TIFF && format != SHD_FILE_FORMAT_HDR &&
+                format != SHD_FILE_FORMAT_PNM && format != SHD_FILE_FORMAT_NONE)) {
+    check_extent(limits, "image", extent.width, extent.height);
+    check_bytes(limits, extent.width, extent.height, 4, size);
+  }
+  if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
+}
+
+bool jpeg_is_complete(const unsigned char* bytes, size_t size) {
+  const ByteReader in{bytes, size, true};
+  for (size_t at = jpeg_scan_start(in); at + 1 < size; ++at) {
+    if (bytes[at] == 0xff && bytes[at + 1] == 0xd9) return true;
+  }
+  return false;
+}
+
+}  // namespace shd::io

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "io/transfer.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace shd::io {
+
+namespace {
+
+// SMPTE ST 2065-1:2012 (AP0) and S-2014-004 (AP1).
+constexpr float kAp0[8] = {0.7347f, 0.2653f, 0.0f, 1.0f, 0.0001f, -0.0770f, 0.32168f, 0.33767f};
+constexpr float kAp1[8] = {0.713f, 0.293f, 0.165f, 0.830f, 0.128f, 0.044f, 0.32168f, 0.33767f};
+
+bool near_all(const float* a, const float* b) {
+  for (int i = 0; i < 8; ++i) {
+    if (!(std::fabs(a[i] - b[i]) <= 2e-3f)) return false;
+  }
+  return true;
+}
+
+std::string lower(const std::string& text) {
+  std::string out = text;
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+  }
+  return out;
+}
+
+bool says_linear(const std::string& said) {
+  const std::string text = lower(said);
+  return text == "linear" || text == "scene_linear" || text == "lin_srgb" || text == "lin_rec709" ||
+         text == "linear rec.709" || text == "linear rec.709 (srgb)";
+}
+
+/// Digits and a point only: strtod would follow the host's locale.
+double parse_gamma(const std::string& text) {
+  double value = 0, scale = 0;
+  for (const char c : text) {
+    if (c == '.' && scale == 0) {
+      scale = 1;
+    } else if (c >= '0' && c <= '9') {
+      value = value * 10 + (c - '0');
+      scale *= 10;
+    } else {
+      return 0;
+    }
+  }
+  return scale > 0 ? value / scale : value;
+}
+
+double normal_value(shd_format format, const unsigned char* at) {
+  uint16_t word;
+  float number;
+  switch (format) {
+    case SHD_FORMAT_RGBA8:
+    case SHD_FORMAT_RGBA8_SRGB: return at[0] / 255.0;
+    case SHD_FORMAT_RGBA16: std::memcpy(&word, at, sizeof word); return word / 65535.0;
+    case SHD_FORMAT_RGBA16F: std::memcpy(&word, at, sizeof word); return static_cast<double>(float_from_half(word));
+    default: std::memcpy(&number, at, sizeof number); return static_cast<double>(number);
+  }
+}
+
+/// Decoded value of every code of an integer format; empty for the others.
+std::vector<float> code_table(const Transfer& transfer, shd_format format) {
+  const bool wide = format == SHD_FORMAT_RGBA16;
+  if (!wide && format != SHD_FORMAT_RGBA8 && format != SHD_FORMAT_RGBA8_SRGB) return {};
+  const size_t maximum = wide ? 65535 : 255;
+  std::vector<float> table(maximum + 1);
+  for (size_t i = 0; i <= maximum; ++i) {
+    table[i] = static_cast<float>(decode(transfer, static_cast<double>(i) / static_cast<double>(maximum)));
+  }
+  return table;
+}
+
+size_t code_at(shd_format format, const unsigned char* at) {
+  if (format != SHD_FORMAT_RGBA16) return at[0];
+  uint16_t word;
+  std::memcpy(&word, at, sizeof word);
+  return word;
+}
+
+}  // namespace
+
+Transfer transfer_of(const std::string& color_space) {
+  const std::string text = lower(color_space);
+  if (text == "srgb") return {Curve::kSrgb, 1};
+  if (text == "rec709") return {Curve::kRec709, 1};
+  if (text == "data" || text == "raw" || text == "acescg" || text == "aces2065-1" || says_linear(text)) {
+    return {Curve::kLinear, 1};
+  }
+  if (text.rfind("linear (", 0) == 0) return {Curve::kLinear, 1};
+  if (text.rfind("gamma", 0) == 0) {
+    const double gamma = parse_gamma(text.substr(5));
+    if (gamma >= 0.1 && gamma <= 10) return {Curve::kGamma, gamma};
+  }
+  return {};
+}
+
+std::string name_color_space(shd_color_encoding wanted, const std::string& said, bool integers,
+                             const float* chromaticities) {
+  switch (wanted) {
+    case SHD_COLOR_ENCODING_SRGB: return "sRGB";
+    case SHD_COLOR_ENCODING_LINEAR: return "Linear Rec.709";
+    case SHD_COLOR_ENCODING_DATA: return "data";
+    default: break;
+  }
+  if (said.empty() && integers) return "sRGB";
+  if (said.empty() || says_linear(said)) {
+    if (!chromaticities || near_all(chromaticities, kRec709)) return "Linear Rec.709";
+    if (near_all(chromaticities, kAp1)) return "ACEScg";
+    if (near_all(chromaticities, kAp0)) return "ACES2065-1";
+    return "Linear (other primaries)";
+  }
+  if (lower(said) == "srgb") return "sRGB";
+  std::string name;
+  for (const char c : said.substr(0, 63)) name += c > 0x20 - 1 && c < 0x7f ? c : '?';
+  return name;
+}
+
+double decode(const Transfer& transfer, double value) {
+  if (value < 0) return -decode(transfer, -value);
+  switch (transfer.curve) {
+    case Curve::kSrgb: return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    case Curve::kRec709: return value < 0.081 ? value / 4.5 : std::pow((value + 0.099) / 1.099, 1 / 0.45);
+    case Curve::kGamma: return std::pow(value, transfer.gamma);
+    default: return value;
+  }
+}
+
+double encode_srgb(double light) {
+  return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+uint16_t half_from_float(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  const auto sign = static_cast<uint16_t>((bits >> 16) & 0x8000);
+  bits &= 0x7fffffff;
+  if (bits > 0x7f800000) return static_cast<uint16_t>(sign | 0x7e00 | ((bits >> 13) & 0x1ff));
+  if (bits >= 0x47800000) return static_cast<uint16_t>(sign | 0x7c00);  // 2^16 and above, infinity
+  if (bits < 0x33000000) return sign;                                   // below half the smallest denormal
+  uint32_t mantissa, shift;
+  if (bits < 0x38800000) {  // denormal halves: count multiples of 2^-24
+    mantissa = (bits & 0x7fffff) | 0x800000;
+    shift = 126 - (bits >> 23);
+  } else {
+    mantissa = bits - 0x38000000;
+    shift = 13;
+  }
+  const uint32_t below = mantissa & ((1u << shift) - 1);
+  const uint32_t middle = 1u << (shift - 1);
+  uint32_t half = mantissa >> shift;
+  if (below > middle || (below == middle && (half & 1))) ++half;  // a carry runs into the exponent, as it should
+  return static_cast<uint16_t>(sign | half);
+}
+
+float float_from_half(uint16_t half) {
+  const uint32_t sign = static_cast<uint32_t>(half & 0x8000) << 16;
+  const uint32_t exponent = (half >> 10) & 0x1f;
+  const uint32_t mantissa = half & 0x3ff;
+  uint32_t bits;
+  if (exponent == 0) {
+    const float value = static_cast<float>(mantissa) * 0x1p-24f;
+    std::memcpy(&bits, &value, sizeof bits);
+    bits |= sign;
+  } else {
+    bits = sign | (exponent == 31 ? 0x7f800000 : (exponent + 112) << 23) | mantissa << 13;
+  }
+  float value;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+void linearise(const Transfer& transfer, shd_format format, const void* in, size_t count, float* out) {
+  const std::vector<float> table = code_table(transfer, format);
+  const size_t channel = format == SHD_FORMAT_RGBA32F                                  ? 4
+                         : format == SHD_FORMAT_RGBA16 || format == SHD_FORMAT_RGBA16F ? 2
+                                                                                       : 1;
+  const auto* bytes = static_cast<const unsigned char*>(in);
+  for (size_t i = 0; i < 4 * count; ++i) {
+    const unsigned char* at = bytes + i * channel;
+    if (i % 4 == 3) {
+      out[i] = static_cast<float>(normal_value(format, at));
+    } else {
+      out[i] =
+          table.empty() ? static_cast<float>(decode(transfer, normal_value(format, at))) : table[code_at(format, at)];
+    }
+  }
+}
+
+}  // namespace shd::io

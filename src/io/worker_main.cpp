@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. It takes what it must not exceed from the
+// kernel's limits, so that a decoder gone wrong takes this process with it and nothing else.
+#include <sys/resource.h>
+#include <sys/socket.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "io/failure.h"
+#include "io/load.h"
+#include "io/oiio.h"
+#include "io/worker_protocol.h"
+
+namespace {
+
+using namespace shd::io;
+
+constexpr int kSocket = 0;
+
+void* plain_allocate(void*, size_t size) {
+  return std::malloc(size);
+}
+void plain_free(void*, void* memory, size_t) {
+  std::free(memory);
+}
+constexpr Memory kPlain = {nullptr, plain_allocate, plain_free};
+
+bool receive_all(void* bytes, size_t size) {
+  auto* next = static_cast<unsigned char*>(bytes);
+  while (size > 0) {
+    const ssize_t got = ::recv(kSocket, next, size, 0);
+    if (got <= 0) return false;
+    next += got;
+    size -= static_cast<size_t>(got);
+  }
+  return true;
+}
+
+bool send_all(const void* bytes, size_t size) {
+  const auto* next = static_cast<const unsigned char*>(bytes);
+  while (size > 0) {
+    const ssize_t put = ::send(kSocket, next, size, MSG_NOSIGNAL);
+    if (put <= 0) return false;
+    next += put;
+    size -= static_cast<size_t>(put);
+  }
+  return true;
+}
+
+/// Address space in use now: the decoder's libraries. [bytes]
+uint64_t address_space() {
+  unsigned long long pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
+  const rlimit limit = {value, value};
+  (void)::setrlimit(resource, &limit);
+}
+
+void confine(const WorkerRequest& request) {
+  set_limit(RLIMIT_CORE, 0);
+  set_limit(RLIMIT_CPU, static_cast<uint64_t>(std::ceil(std::min(request.limits.seconds, 1e9))) + 1);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  // Decoders hold a picture up to twice beside the result; the rest is their own bookkeeping.
+  const uint64_t decoded = std::min(request.limits.bytes, request.limits.pixels * 16);
+  const uint64_t used = address_space();
+  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{512} << 20));
+#endif
+#ifdef __linux__
+  (void)::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+#endif
+  limit_process(std::min<uint64_t>(request.limits.bytes, request.limits.pixels * 16));
+}
+
+LoadOptions options_of(const WorkerRequest& request) {
+  LoadOptions options;
+  options.formats = request.formats;
+  options.flags = request.flags;
+  options.encoding = static_cast<shd_color_encoding>(request.encoding);
+  options.subimage = request.subimage;
+  options.limits = request.limits;
+  return options;
+}
+
+void refuse(shd_result code, const char* text, WorkerReply* reply) {
+  reply->code = static_cast<uint32_t>(code);
+  std::strncpy(reply->message, text, sizeof reply->message - 1);
+}
+
+/// Decodes the file of a request; a failure ends in the reply.
+Bitmap answer(const WorkerRequest& request, WorkerReply* reply) {
+  Bitmap bitmap;
+  try {
+    Buffer bytes(kPlain, request.size);
+    if (!receive_all(bytes.data(), bytes.size())) std::_Exit(3);
+    const Deadline deadline(request.limits.seconds);
+    bitmap = load(bytes.data(), bytes.size(), options_of(request), kPlain, deadline);
+    reply->code = SHD_OK;
+    reply->format = static_cast<uint32_t>(bitmap.format);
+    reply->width = bitmap.width;
+    reply->height = bitmap.height;
+    reply->size = bitmap.pixels.size();
+    reply->info = bitmap.info;
+    std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
+  } catch (const Failure& failure) {
+    refuse(failure.code, failure.what(), reply);
+  } catch (const std::bad_alloc&) {
+    refuse(SHD_ERROR_OUT_OF_MEMORY, "out of memory in the worker", reply);
+  } catch (const std::exception& error) {
+    refuse(SHD_ERROR_INTERNAL, error.what(), reply);
+  }
+  return bitmap;
+}
+
+}  // namespace
+
+int main() {
+#ifdef __linux__
+  (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  WorkerRequest request;
+  if (!receive_all(&request, sizeof request) || request.magic != kWorkerMagic) return 2;
+  confine(request);
+  static WorkerReply reply;
+  reply.magic = kWorkerMagic;
+  const Bitmap bitmap = answer(request, &reply);
+  const bool sent = send_all(&reply, sizeof reply) && send_all(bitmap.pixels.data(), bitmap.pixels.size());
+  // Without destructors: the libraries behind the decoders take longer to end than to decode.
+  std::_Exit(sent ? 0 : 3);
+}

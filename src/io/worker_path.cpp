@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "io/worker_path.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace shd::io {
+
+std::string default_worker_path() {
+  Dl_info info = {};
+  if (::dladdr(reinterpret_cast<const void*>(&default_worker_path), &info) != 0 && info.dli_fname) {
+    const std::string file(info.dli_fname);
+    const size_t slash = file.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : file.substr(0, slash);
+    for (const char* relative : {"/shd-io-worker", "/" SHD_WORKER_FROM_LIBRARY}) {
+      const std::string path = folder + relative;
+      if (::access(path.c_str(), X_OK) == 0) return path;
+    }
+  }
+  return SHD_WORKER_INSTALLED;
+}
+
+}  // namespace shd::io

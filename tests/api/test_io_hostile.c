@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* Damaged files: truncation at every byte and seeded byte flips of one small file of each format. Each runs in a
+   child of this test, so that a decoder that dies is counted and not the end of the test. */
+#define _GNU_SOURCE
+#include "support/io_corpus.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+
+enum { MAX_CASES = 4096, FLIPS = 400 };
+
+/** How one load ended; in memory shared with the children. */
+struct outcome {
+    int result; /* shd_result, or a negative signal number */
+    uint64_t hash;
+};
+static struct outcome *g_outcomes;
+
+/* Where the children's standard output and error go: nothing may come. */
+static int g_printed = -1;
+
+static long printed_bytes(void)
+{
+    struct stat status;
+    return fstat(g_printed, &status) == 0 ? (long)status.st_size : -1;
+}
+
+static void damage(const io_sample *sample, size_t index, io_bytes *out)
+{
+    out->size = sample->bytes.size;
+    memcpy(out->data, sample->bytes.data, out->size);
+    if (index < sample->bytes.size) {
+        out->size = index;
+    } else if (index < sample->bytes.size + FLIPS) {
+        uint64_t random = 0x9e3779b97f4a7c15ull * (index + 1);
+        int flips = 1 + (int)(io_random(&random) % 4);
+        while (flips-- > 0) {
+            const size_t at = io_random(&random) % out->size;
+            out->data[at] = (unsigned char)(out->data[at] ^ (1 + io_random(&random) % 255));
+        }
+    }
+}
+
+/* Loads cases [first, count) until one kills this process. */
+static void run_cases(const io_sample *sample, size_t first, size_t count, const shd_load_desc *desc)
+{
+    shd_context_desc one_worker = shd_context_desc_default();
+    shd_context *context = NULL;
+    io_bytes damaged = {(unsigned char *)malloc(sample->bytes.size), 0};
+    size_t i;
+    one_worker.worker_count = 1;
+    dup2(g_printed, 1);
+    dup2(g_printed, 2);
+    if (shd_context_create(&one_worker, &context) != SHD_OK) _exit(99);
+    for (i = first; i < count; ++i) {
+        shd_bitmap *bitmap = NULL;
+        damage(sample, i, &damaged);
+        g_outcomes[i].result = -1;
+        alarm(20);
+        g_outcomes[i].result = shd_bitmap_load_memory(context, damaged.data, damaged.size, desc, &bitmap);
+        g_outcomes[i].hash = bitmap ? io_hash_bitmap(bitmap) : 0;
+        shd_bitmap_release(bitmap);
+    }
+    shd_context_release(context);
+    free(damaged.data);
+}
+
+/* Number of cases that killed a child. */
+static int run_all(const io_sample *sample, size_t count, const shd_load_desc *desc)
+{
+    size_t first = 0;
+    int deaths = 0;
+    while (first < count) {
+        int status = 0;
+        const pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) {
+            run_cases(sample, first, count, desc);
+            _exit(0);
+        }
+        assert_int_equal(waitpid(child, &status, 0), child);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
+        while (first < count && g_outcomes[first].result != -1) ++first;
+        g_outcomes[first].result = -1000 - (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+        ++deaths;
+        ++first;
+    }
+    return deaths;
+}
+
+static void test_damaged(void **state)
+{
+    const io_sample *sample = (const io_sample *)*state;
+    const shd_load_desc desc = shd_load_desc_default();
+    const size_t count = sample->bytes.size + FLIPS + 1; /* the last one whole */
+    size_t i, loaded = 0, refused = 0, silent = 0;
+    uint64_t whole = 0;
+    int deaths;
+    assert_true(count <= MAX_CASES);
+    memset(g_outcomes, 0xff, count * sizeof *g_outcomes);
+    deaths = run_all(sample, count, &desc);
+    assert_int_equal(g_outcomes[count - 1].result, SHD_OK);
+    whole = g_outcomes[count - 1].hash;
+    for (i = 0; i < count; ++i) {
+        if (g_outcomes[i].result == SHD_OK) {
+            ++loaded;
+            if (i < sample->bytes.size && g_outcomes[i].hash != whole) ++silent;
+        } else if (g_outcomes[i].result > 0) {
+            ++refused;
+        } else {
+            print_message("%s: case %zu ended with signal %d\n", sample->name, i, -g_outcomes[i].result - 1000);
+        }
+    }
+    print_message("%s: %zu truncations and %d flips in process: %zu loaded, %zu refused, %d deaths\n", sample->name,
+                  sample->bytes.size, FLIPS, loaded, refused, deaths);
+    assert_int_equal(deaths, 0);
+    assert_int_equal(silent, 0); /* a file that is cut off is refused, or what is missing did not matter */
+    assert_int_equal(printed_bytes(), 0);
+}
+
+/* A few damaged files of each format through the worker: the same answers, and this process lives. */
+static void test_isolated(void **state)
+{
+    const io_sample *sample = (const io_sample *)*state;
+    shd_load_desc desc = shd_load_desc_default();
+    const size_t count = sample->bytes.size + FLIPS;
+    size_t step;
+    io_bytes damaged = {(unsigned char *)malloc(sample->bytes.size), 0};
+    desc.flags = SHD_LOAD_ISOLATE;
+    desc.time_limit = 20;
+#ifdef SHD_IO_WORKER
+    desc.worker_path = SHD_IO_WORKER;
+#endif
+    for (step = 1; step <= 3; ++step) {
+        const size_t i = step * count / 4;
+        shd_context *context = NULL;
+        shd_bitmap *bitmap = NULL;
+        shd_result result;
+        damage(sample, i, &damaged);
+        shd_assert_ok(shd_context_create(NULL, &context));
+        result = shd_bitmap_load_memory(context, damaged.data, damaged.size, &desc, &bitmap);
+        assert_int_equal(result, g_outcomes[i].result);
+        if (bitmap) assert_true(io_hash_bitmap(bitmap) == g_outcomes[i].hash);
+        shd_bitmap_release(bitmap);
+        shd_context_release(context);
+    }
+    free(damaged.data);
+}
+
+/* Decoding threads do not survive a fork, so this process never decodes or encodes itself. */
+static void make_corpus_in_child(void)
+{
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        io_make_corpus();
+        _exit(0);
+    }
+    waitpid(child, &status, 0);
+    io_make_corpus();
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[2 * IO_SAMPLE_COUNT];
+    static char names[2 * IO_SAMPLE_COUNT][64];
+    size_t n = 0, i;
+    void *state = NULL;
+    int failed;
+    g_outcomes = (struct outcome *)mmap(NULL, MAX_CASES * sizeof *g_outcomes, PROT_READ | PROT_WRITE,
+                                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (g_outcomes == MAP_FAILED || io_make_folder(&state) != 0) return 1;
+    make_corpus_in_child();
+    g_printed = open(io_path("printed"), O_RDWR | O_CREAT, 0600);
+    for (i = 0; i < IO_SAMPLE_COUNT; ++i) {
+        snprintf(names[n], sizeof names[n], "damaged/%s", g_corpus[i].name);
+        tests[n] = (struct CMUnitTest){names[n], test_damaged, NULL, NULL, &g_corpus[i]};
+        ++n;
+        snprintf(names[n], sizeof names[n], "isolated/%s", g_corpus[i].name);
+        tests[n] = (struct CMUnitTest){names[n], test_isolated, NULL, NULL, &g_corpus[i]};
+        ++n;
+    }
+    failed = _cmocka_run_group_tests("api.io_hostile", tests, n, NULL, NULL);
+    io_free_corpus();
+    io_remove_folder(&state);
+    return failed;
+}
