@@ -18,6 +18,15 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/shdConfigVersion.cmake CO
 install(FILES ${PROJECT_BINARY_DIR}/shdConfig.cmake ${PROJECT_BINARY_DIR}/shdConfigVersion.cmake
         DESTINATION ${cmake_dir})
 
+# The .pc files find their prefix from where they lie, so that `cmake --install --prefix` and moved trees work.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+else()
+  file(RELATIVE_PATH pc_up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
+  string(REGEX REPLACE "/$" "" pc_up ${pc_up})
+  string(CONCAT PC_PREFIX "\${pcfiledir}/" "${pc_up}")
+endif()
+
 # name, description, what a static link needs besides, what a shared link needs besides
 function(shd_pkg_config name description private_requires requires)
   set(PC_NAME ${name})
