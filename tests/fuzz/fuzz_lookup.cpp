@@ -74,7 +74,7 @@ void fill_lookups(Source& source, Case& c) {
     c.columns[k].resize(c.count * c.column_stride[k] / 4 + 1);
     for (float& value : c.columns[k]) value = source.hostile();
   }
-  c.channels = source.below(16);
+  c.channels = 1 + source.below(15);  // none at all is refused
   for (size_t& stride : c.out_stride) stride = 4 * (1 + source.below(3));
 }
 
