@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// Coverage against exact arithmetic: single triangles of every shape and place, fans and meshes that must hit each
+// sample once, and depth.
+#include "support/check.h"
+
+#include "raster/coverage.h"
+#include "ref/raster_ref.h"
+#include "support/random.h"
+#include "support/targets.h"
+
+namespace shd::tests {
+namespace {
+
+using geometry::ScreenTriangle;
+using raster::kNoSlot;
+using raster::kTile;
+using raster::kTilePixels;
+using raster::Tile;
+
+Tile g_tile, g_first;
+uint32_t g_hits[kTilePixels];
+constexpr int32_t kFarthest = 1 << 28;  // guard band in fixed point
+
+void clear(Tile* tile) {
+  for (size_t i = 0; i < kTilePixels; ++i) {
+    tile->depth[i] = 1.0f;
+    tile->slot[i] = kNoSlot;
+  }
+}
+
+/// The triangle turned as assembly turns it; false if it has no area.
+bool turn(ScreenTriangle* t) {
+  const int64_t area = (int64_t{t->x[1]} - t->x[0]) * (int64_t{t->y[2]} - t->y[0]) -
+                       (int64_t{t->x[2]} - t->x[0]) * (int64_t{t->y[1]} - t->y[0]);
+  if (area < 0) {
+    std::swap(t->x[1], t->x[2]);
+    std::swap(t->y[1], t->y[2]);
+    std::swap(t->z[1], t->z[2]);
+  }
+  return area != 0;
+}
+
+void cover_one(const core::SimdTarget& target, const ScreenTriangle& t, int32_t left, int32_t top, Tile* tile) {
+  const uint32_t entry = 0;
+  raster::cover(target, &t, &entry, 1, 0, left, top, tile);
+}
+
+/// Three vertices around a tile whose corner is at (left, top), in fixed point.
+using Shape = void (*)(Random* random, int32_t left, int32_t top, ScreenTriangle* t);
+
+void place(ScreenTriangle* t, int k, int64_t x, int64_t y) {
+  t->x[k] = static_cast<int32_t>(std::clamp<int64_t>(x, -kFarthest, kFarthest));
+  t->y[k] = static_cast<int32_t>(std::clamp<int64_t>(y, -kFarthest, kFarthest));
+}
+
+/// Vertices within `reach` pixels of a point of the tile, on multiples of `grid` plus `offset`.
+void around(Random* random, int32_t left, int32_t top, int64_t reach, int32_t grid, int32_t offset, ScreenTriangle* t) {
+  const int64_t cx = 256 * (left + random->whole(0, kTile - 1)), cy = 256 * (top + random->whole(0, kTile - 1));
+  for (int k = 0; k < 3; ++k) {
+    const int64_t x = cx + random->whole(-256 * reach, 256 * reach), y = cy + random->whole(-256 * reach, 256 * reach);
+    place(t, k, (x / grid) * grid + offset, (y / grid) * grid + offset);
+  }
+}
+
+void tiny(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 1, 1, 0, t);
+}
+void small(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 8, 1, 0, t);
+}
+void tile_crossing(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 200, 1, 0, t);
+}
+void vertices_on_centres(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 40, 256, 128, t);
+}
+void edges_through_centres(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 400, 128, 0, t);
+}
+void axis_aligned(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 20, 64, 0, t);
+  t->x[1] = t->x[0];
+  t->y[2] = t->y[random->bits() & 1];
+}
+void sliver(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 90, 1, 0, t);
+  place(t, 2, (int64_t{t->x[0]} + t->x[1]) / 2 + random->whole(-3, 3),
+        (int64_t{t->y[0]} + t->y[1]) / 2 + random->whole(-3, 3));
+}
+void huge(Random* random, int32_t, int32_t, ScreenTriangle* t) {
+  for (int k = 0; k < 3; ++k) {
+    place(t, k, random->whole(-kFarthest, kFarthest), random->whole(-kFarthest, kFarthest));
+  }
+}
+/// One edge exactly through a pixel centre of the tile, from one end of the guard band towards the other.
+void huge_edge_on_centre(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  const int64_t cx = 256 * (left + random->whole(0, kTile - 1)) + 128;
+  const int64_t cy = 256 * (top + random->whole(0, kTile - 1)) + 128;
+  const int64_t far_x = random->whole(1, kFarthest / 2), far_y = random->whole(-kFarthest / 2, kFarthest / 2);
+  place(t, 0, cx - far_x, cy - far_y);
+  place(t, 1, cx + far_x, cy + far_y);
+  place(t, 2, random->whole(-kFarthest, kFarthest), random->whole(-kFarthest, kFarthest));
+}
+void huge_sliver(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  huge_edge_on_centre(random, left, top, t);
+  place(t, 2, int64_t{t->x[1]} + random->whole(-200, 200), int64_t{t->y[1]} + random->whole(-200, 200));
+}
+/// Edge steps just below, at and above where int32 gives way to int64.
+void step_limit(Random* random, int32_t left, int32_t top, ScreenTriangle* t) {
+  around(random, left, top, 32, 1, 0, t);
+  const int64_t step = (int64_t{1} << 23) + random->whole(-1, 1);
+  place(t, 1, t->x[0] + (random->bits() & 1 ? step : -step), int64_t{t->y[0]} + random->whole(-30000, 30000));
+  if (random->bits() & 1) {
+    std::swap(t->x[0], t->y[0]);
+    std::swap(t->x[1], t->y[1]);
+  }
+}
+
+struct shape_case {
+  const char* name;
+  Shape shape;
+  int count;
+};
+const shape_case k_shapes[] = {
+    {"coverage/tiny", tiny, 2000},
+    {"coverage/small", small, 1000},
+    {"coverage/tile_crossing", tile_crossing, 1000},
+    {"coverage/vertices_on_centres", vertices_on_centres, 1000},
+    {"coverage/edges_through_centres", edges_through_centres, 1000},
+    {"coverage/axis_aligned", axis_aligned, 1000},
+    {"coverage/sliver", sliver, 2000},
+    {"coverage/guard_band", huge, 1000},
+    {"coverage/guard_band_edge_on_centre", huge_edge_on_centre, 1000},
+    {"coverage/guard_band_sliver", huge_sliver, 1000},
+    {"coverage/edge_step_2^23", step_limit, 1000},
+};
+
+constexpr int32_t kCorners[][2] = {{0, 0}, {64, 0}, {0, 64}, {1984, 1024}, {32768, 65472}, {65472, 65472}};
+
+void check_triangle(const char* target, const ScreenTriangle& t, int32_t left, int32_t top) {
+  for (int32_t i = 0; i < static_cast<int32_t>(kTilePixels); ++i) {
+    const int32_t x = left + i % kTile, y = top + i / kTile;
+    const bool want = ref::covers(t, x, y);
+    const ref::Depth depth = want ? ref::depth_at(t, x, y) : ref::Depth{1.0, 0.0};
+    if (want != (g_tile.slot[i] == 0) || (!want && g_tile.slot[i] != kNoSlot) ||
+        !shd_is_close(g_tile.depth[i], depth.value, 3 * 0x1p-24 * depth.scale, 0.0)) {
+      fail_msg("%s: (%d %d %g) (%d %d %g) (%d %d %g) pixel %d %d: slot %u depth %.9g, want %d %.9g", target, t.x[0],
+               t.y[0], t.z[0], t.x[1], t.y[1], t.z[1], t.x[2], t.y[2], t.z[2], x, y, g_tile.slot[i], g_tile.depth[i],
+               want, depth.value);
+    }
+  }
+}
+
+void test_shape(void** state) {
+  const auto* c = static_cast<const shape_case*>(*state);
+  Random random = {static_cast<uint64_t>(c - k_shapes) + 100};
+  for (int i = 0; i < c->count; ++i) {
+    const int32_t* corner = kCorners[i % 6];
+    ScreenTriangle t = {};
+    c->shape(&random, corner[0], corner[1], &t);
+    for (float& z : t.z) z = random.real(0.0, 0.99);
+    if (!turn(&t)) continue;
+    for_each_target([&](const core::SimdTarget& target, bool first) {
+      clear(&g_tile);
+      cover_one(target, t, corner[0], corner[1], &g_tile);
+      if (first) {
+        check_triangle(target.name, t, corner[0], corner[1]);
+        g_first = g_tile;
+      }
+      if (memcmp(&g_tile, &g_first, sizeof g_tile) != 0) fail_msg("%s differs, triangle %d", target.name, i);
+    });
+  }
+}
+
+/// Counts the pixels of a triangle in rows [begin, end) and leaves the tile as it was.
+void count_hits(const core::SimdTarget& target, const ScreenTriangle& t, int32_t begin, int32_t end) {
+  cover_one(target, t, 0, 0, &g_tile);
+  for (int32_t i = begin * kTile; i < end * kTile; ++i) {
+    g_hits[i] += g_tile.slot[i] != kNoSlot;
+    g_tile.slot[i] = kNoSlot;
+    g_tile.depth[i] = 1.0f;
+  }
+}
+
+/// Distance along the outline of a box to a point of it.
+void outline_point(const int32_t box[4], int64_t distance, int32_t* x, int32_t* y) {
+  const int64_t width = box[2] - box[0], height = box[3] - box[1];
+  distance %= 2 * (width + height);
+  const int64_t from_right = distance - width, from_bottom = from_right - height, from_left = from_bottom - width;
+  *x = static_cast<int32_t>(from_right < 0    ? box[0] + distance
+                            : from_bottom < 0 ? box[2]
+                            : from_left < 0   ? box[2] - from_bottom
+                                              : box[0]);
+  *y = static_cast<int32_t>(from_right < 0    ? box[1]
+                            : from_bottom < 0 ? box[1] + from_right
+                            : from_left < 0   ? box[3]
+                                              : box[3] - from_left);
+}
+
+constexpr int kMaxSpokes = 64;
+
+/// Spokes from a point to the outline of a box, its corners among them, in order; returns how many.
+int make_spokes(Random* random, const int32_t box[4], int32_t (*spoke)[2]) {
+  const int64_t width = box[2] - box[0], height = box[3] - box[1], length = 2 * (width + height);
+  int64_t at[kMaxSpokes] = {0, width, width + height, 2 * width + height};
+  const int count = random->whole(4, kMaxSpokes);
+  for (int i = 4; i < count; ++i) {
+    // Every other spoke lies next to another, 1/256 to 3/256 pixel away.
+    at[i] = i % 2 ? random->whole(0, length - 1) : (at[i - 1] + random->whole(1, 3)) % length;
+  }
+  std::sort(at, at + count);
+  const int unique = static_cast<int>(std::unique(at, at + count) - at);
+  for (int i = 0; i < unique; ++i) outline_point(box, at[i], &spoke[i][0], &spoke[i][1]);
+  return unique;
+}
+
+/// Fans that fill a box: each centre in it is hit once, each other one not at all. Returns the triangles used.
+int run_fan(const core::SimdTarget& target, Random* random) {
+  int32_t box[4];
+  const int32_t reach = random->bits() % 8 == 0 ? 1000 * 256 : 64 * 256;
+  const bool on_centres = random->bits() % 4 == 0;
+  const auto coordinate = [&](int32_t low, int32_t high) {
+    const int32_t value = random->whole(low, high);
+    return on_centres ? (value & ~255) | 128 : value;
+  };
+  for (int k = 0; k < 2; ++k) {
+    const int32_t middle = random->whole(0, 64 * 256), half = 256 + random->whole(0, reach / 2);
+    box[k] = coordinate(middle - half, middle - 256);
+    box[k + 2] = coordinate(middle + 256, middle + half);
+  }
+  const int32_t cx = coordinate(box[0] + 1, box[2] - 1), cy = coordinate(box[1] + 1, box[3] - 1);
+  int32_t spoke[kMaxSpokes][2];
+  const int spokes = make_spokes(random, box, spoke);
+  const int32_t begin = std::clamp(box[1] / 256 - 1, 0, kTile), end = std::clamp(box[3] / 256 + 2, 0, kTile);
+  std::fill_n(g_hits, kTilePixels, 0u);
+  for (int i = 0; i < spokes; ++i) {
+    const int32_t *a = spoke[i], *b = spoke[(i + 1) % spokes];
+    ScreenTriangle t = {{cx, a[0], b[0]}, {cy, a[1], b[1]}, {0.5f, 0.25f, 0.75f}, 0, 0, 0};
+    if (turn(&t)) count_hits(target, t, begin, end);
+  }
+  for (int32_t i = 0; i < static_cast<int32_t>(kTilePixels); ++i) {
+    const int32_t x = 256 * (i % kTile) + 128, y = 256 * (i / kTile) + 128;
+    const uint32_t want = x >= box[0] && x < box[2] && y >= box[1] && y < box[3];
+    if (g_hits[i] != want) {
+      fail_msg("%s: pixel %d %d of the fan at %d %d in %d %d %d %d hit %u times, want %u", target.name, i % kTile,
+               i / kTile, cx, cy, box[0], box[1], box[2], box[3], g_hits[i], want);
+    }
+  }
+  return spokes;
+}
+
+void test_fans(void**) {
+  clear(&g_tile);
+  for_each_target([&](const core::SimdTarget& target, bool first) {
+    Random random = {7};
+    for (int triangles = 0; triangles < (first ? 1000000 : 50000);) triangles += run_fan(target, &random);
+  });
+}
+
+constexpr int kCells = 12;
+
+/// A grid larger than the tile, its inner vertices moved by up to just under half a cell, its diagonals at random.
+void test_mesh(void**) {
+  clear(&g_tile);
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    Random random = {11};
+    for (int mesh = 0; mesh < 40; ++mesh) {
+      const int32_t cell = mesh % 2 ? 1536 : 1500, jitter = mesh % 3 ? 600 : 0;
+      int32_t x[kCells + 1][kCells + 1], y[kCells + 1][kCells + 1];
+      for (int j = 0; j <= kCells; ++j) {
+        for (int i = 0; i <= kCells; ++i) {
+          x[j][i] = (i - 1) * cell + 128 + random.whole(-jitter / 2, jitter / 2);
+          y[j][i] = (j - 1) * cell + 128 + random.whole(-jitter / 2, jitter / 2);
+        }
+      }
+      std::fill_n(g_hits, kTilePixels, 0u);
+      for (int j = 0; j < kCells; ++j) {
+        for (int i = 0; i < kCells; ++i) {
+          const int flip = static_cast<int>(random.bits() & 1);
+          const int corner[4][2] = {{j, i}, {j, i + 1}, {j + 1, i + 1}, {j + 1, i}};
+          for (int half = 0; half < 2; ++half) {
+            ScreenTriangle t = {{0, 0, 0}, {0, 0, 0}, {0.1f, 0.5f, 0.9f}, 0, 0, 0};
+            for (int k = 0; k < 3; ++k) {
+              const int* at = corner[(flip + 2 * half + k) % 4];
+              place(&t, k, x[at[0]][at[1]], y[at[0]][at[1]]);
+            }
+            if (turn(&t)) count_hits(target, t, 0, kTile);
+          }
+        }
+      }
+      for (size_t i = 0; i < kTilePixels; ++i) {
+        if (g_hits[i] != 1) fail_msg("%s: mesh %d pixel %zu hit %u times", target.name, mesh, i, g_hits[i]);
+      }
+    }
+  });
+}
+
+/// A pixel's depth is the same whichever tile it is reached through.
+void test_depth_across_tiles(void**) {
+  Random random = {13};
+  for (int n = 0; n < 300; ++n) {
+    ScreenTriangle t = {};
+    (n % 3 == 0 ? huge : tile_crossing)(&random, 64, 64, &t);
+    for (float& z : t.z) z = random.real(0.0, 0.99);
+    if (!turn(&t)) continue;
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      clear(&g_first);
+      cover_one(target, t, 64, 64, &g_first);
+      for (int32_t shift : {-32, 32}) {
+        clear(&g_tile);
+        cover_one(target, t, 64 + shift, 64 - shift, &g_tile);
+        for (int32_t y = std::max(0, -shift); y < std::min(kTile, kTile - shift); ++y) {
+          for (int32_t x = std::max(0, shift); x < std::min(kTile, kTile + shift); ++x) {
+            const int32_t here = y * kTile + x, there = (y + shift) * kTile + x - shift;
+            if (memcmp(&g_first.depth[here], &g_tile.depth[there], 4) != 0) {
+              fail_msg("%s: triangle %d at %d %d: %a and %a", target.name, n, x, y,
+                       static_cast<double>(g_first.depth[here]), static_cast<double>(g_tile.depth[there]));
+            }
+          }
+        }
+      }
+    });
+  }
+}
+
+struct order_case {
+  const char* name;
+  float z[3];     // of three triangles over the whole tile
+  uint32_t slot;  // that wins
+};
+const order_case k_orders[] = {
+    {"order/nearer_later", {0.5f, 0.25f, 0.75f}, 11},        {"order/tie_keeps_first", {0.5f, 0.5f, 0.5f}, 10},
+    {"order/tie_of_the_last_two", {0.5f, 0.25f, 0.25f}, 11}, {"order/at_the_far_plane", {1.0f, 1.0f, 1.0f}, kNoSlot},
+    {"order/at_the_near_plane", {0.0f, 0.0f, 0.0f}, 10},     {"order/minus_zero_is_no_nearer", {0.0f, -0.0f, 0.0f}, 10},
+};
+
+void test_order(void** state) {
+  const auto* c = static_cast<const order_case*>(*state);
+  ScreenTriangle t[3];
+  for (int i = 0; i < 3; ++i) {
+    t[i] = {{-20000, 100000, -20000}, {-20000, -20000, 100000}, {c->z[i], c->z[i], c->z[i]}, 0, 0, 0};
+  }
+  const uint32_t entries[3] = {0, 1, 2};
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    clear(&g_tile);
+    raster::cover(target, t, entries, 3, 10, 0, 0, &g_tile);
+    for (size_t i = 0; i < kTilePixels; ++i) assert_int_equal(g_tile.slot[i], c->slot);
+  });
+}
+
+/// Depth that nothing passes, as outside the frame, stays.
+void test_unreachable(void**) {
+  const ScreenTriangle t = {{-20000, 100000, -20000}, {-20000, -20000, 100000}, {0.0f, 0.0f, 0.0f}, 0, 0, 0};
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    clear(&g_tile);
+    for (size_t i = 0; i < kTilePixels; i += 2) g_tile.depth[i] = -1.0f;
+    cover_one(target, t, 0, 0, &g_tile);
+    for (size_t i = 0; i < kTilePixels; ++i) assert_int_equal(g_tile.slot[i], i % 2 ? 0 : kNoSlot);
+  });
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  using namespace shd::tests;
+  CMUnitTest tests[32];
+  size_t n = 0;
+  for (const shape_case& c : k_shapes) tests[n++] = {c.name, test_shape, nullptr, nullptr, const_cast<shape_case*>(&c)};
+  for (const order_case& c : k_orders) tests[n++] = {c.name, test_order, nullptr, nullptr, const_cast<order_case*>(&c)};
+  tests[n++] = {"fans/10^6_triangles", test_fans, nullptr, nullptr, nullptr};
+  tests[n++] = {"mesh/shared_edges", test_mesh, nullptr, nullptr, nullptr};
+  tests[n++] = {"depth/same_through_any_tile", test_depth_across_tiles, nullptr, nullptr, nullptr};
+  tests[n++] = {"depth/outside_the_frame", test_unreachable, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.raster.coverage", tests, n, nullptr, nullptr);
+}
