@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT */
+/* The same bits for any SIMD target, worker count, scheduling order and run; and the same as the stored hashes. */
+#define _POSIX_C_SOURCE 200809L
+#include "support/pool.h"
+#include "support/scene.h"
+
+static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "small"};
+static const uint32_t k_workers[] = {1, 2, 3, 8, 16};
+enum { k_worker_counts = sizeof k_workers / sizeof k_workers[0], k_runs = 3 };
+
+/* Opens a scene in a context made from `desc`, renders it k_runs times, and compares with `want`. */
+static void expect_scene(const char *what, const shd_context_desc *desc, shd_scene_kind kind, uint64_t want)
+{
+    shd_context *context = NULL;
+    shd_scene scene;
+    int run;
+    shd_assert_ok(shd_context_create(desc, &context));
+    shd_scene_open(&scene, kind, context);
+    for (run = 0; run < k_runs; ++run) {
+        const uint64_t got = shd_scene_render(&scene);
+        if (got != want) {
+            fail_msg("%s, scene %s, run %d on %s: hash %016llx, want %016llx", what, k_kind_names[kind], run,
+                     shd_simd_target(context), (unsigned long long)got, (unsigned long long)want);
+        }
+    }
+    shd_scene_close(&scene);
+    shd_context_release(context);
+}
+
+static int can_run(int simd)
+{
+    shd_context_desc desc = shd_context_desc_default();
+    shd_context *context = NULL;
+    shd_result result;
+    desc.simd = (shd_simd)simd;
+    result = shd_context_create(&desc, &context);
+    shd_context_release(context);
+    return result == SHD_OK;
+}
+
+static void test_targets_and_workers(void **state)
+{
+    const uint64_t want = shd_scene_reference(SHD_SCENE_MIXED);
+    int simd, targets = 0;
+    (void)state;
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        size_t i;
+        if (!can_run(simd)) continue;
+        ++targets;
+        for (i = 0; i < k_worker_counts; ++i) {
+            shd_context_desc desc = shd_context_desc_default();
+            desc.simd = (shd_simd)simd;
+            desc.worker_count = k_workers[i];
+            expect_scene("built-in executor", &desc, SHD_SCENE_MIXED, want);
+        }
+    }
+    print_message("%d targets x %d worker counts x %d runs\n", targets, k_worker_counts, k_runs);
+    assert_true(targets >= 1);
+}
+
+static void test_orders(void **state)
+{
+    const uint64_t want = shd_scene_reference(SHD_SCENE_MIXED);
+    int order;
+    size_t i;
+    (void)state;
+    for (order = SHD_POOL_FORWARD; order <= SHD_POOL_RANDOM; ++order) {
+        for (i = 0; i < k_worker_counts; ++i) {
+            shd_pool pool;
+            shd_context_desc desc;
+            pool.worker_count = k_workers[i];
+            pool.order = (shd_pool_order)order;
+            pool.seed = (uint32_t)i;
+            desc = shd_pool_context_desc(&pool);
+            expect_scene("executor of the host", &desc, SHD_SCENE_MIXED, want);
+        }
+    }
+}
+
+/* Every draw of the mixed scene must be seen, or the hashes above say nothing about it. */
+static void test_scene_is_whole(void **state)
+{
+    shd_context *context = NULL;
+    shd_scene scene;
+    size_t count, draw;
+    shd_plane_view view;
+    (void)state;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_scene_open(&scene, SHD_SCENE_MIXED, context);
+    (void)shd_scene_render(&scene);
+    assert_true(scene.stats.triangles > 4000);
+    assert_true(scene.stats.nonfinite > 10);
+    assert_true(scene.stats.clipped > 10);
+    assert_true(scene.stats.culled > 100);
+    assert_true(scene.stats.rasterised > 1000);
+    assert_int_equal(scene.stats.nonfinite_fragments, 0);
+    assert_int_equal(scene.stats.triangles, scene.stats.nonfinite + scene.stats.outside + scene.stats.culled +
+                                                scene.stats.empty + scene.stats.rasterised);
+    count = scene.desc.draw_count;
+    for (draw = 0; draw < count; ++draw) {
+        scene.desc.draws = &scene.draw[draw];
+        scene.desc.draw_count = 1;
+        (void)shd_scene_render(&scene);
+        if (scene.stats.fragments < 20) fail_msg("draw %zu: %llu fragments", draw,
+                                                 (unsigned long long)scene.stats.fragments);
+    }
+    shd_assert_ok(shd_framebuffer_view_plane(scene.framebuffer, SHD_PLANE_R, &view));
+    shd_scene_close(&scene);
+    shd_context_release(context);
+}
+
+/* Lookups: every filter and format of the mixed scene's textures, with every special value among the inputs. */
+enum { k_lookups = 40000 };
+
+static void fill_lookups(float *columns)
+{
+    static const float k_special[] = {0.0f, -0.0f, 1.0f,  -1.0f, 0.5f,  1e-45f, -1e-45f,        1e30f,
+                                      -1e30f, 3e38f, 1e-30f, NAN, INFINITY, -INFINITY, 16777216.5f, 1.0e9f};
+    uint32_t seed = 2024;
+    size_t i, c;
+    for (c = 0; c < 6; ++c) {
+        for (i = 0; i < k_lookups; ++i) {
+            const float x = shd_scene_random(&seed), pick = shd_scene_random(&seed);
+            const float scale = c < 2 ? 4.0f : pick < 0.3f ? 0.001f : pick < 0.6f ? 0.03f : 0.5f;
+            const int special = shd_scene_random(&seed) < 0.02f;
+            columns[c * k_lookups + i] = special ? k_special[(int)(x * 16.0f)] : scale * (2.0f * x - 1.0f);
+        }
+    }
+}
+
+static uint64_t hash_lookups(shd_scene *s)
+{
+    float *in = (float *)shd_scene_memory(6 * k_lookups * sizeof(float));
+    float *out = (float *)shd_scene_memory(4 * k_lookups * sizeof(float));
+    uint64_t hash = SHD_HASH_START;
+    size_t t, f, c, i;
+    fill_lookups(in);
+    for (t = 0; t < SHD_SCENE_TEXTURES; ++t) {
+        for (f = 0; f < SHD_SCENE_SAMPLERS; ++f) {
+            shd_lookups lookups = shd_lookups_default();
+            shd_texels texels;
+            shd_f32_in *const column[6] = {&lookups.u,    &lookups.v,    &lookups.dudx,
+                                           &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
+            memset(&texels, 0, sizeof texels);
+            lookups.count = k_lookups;
+            for (c = 0; c < 6; ++c) column[c]->data = in + c * k_lookups;
+            for (c = 0; c < 4; ++c) texels.channel[c].data = out + c * k_lookups;
+            shd_assert_ok(shd_texture_sample(s->texture[t], s->sampler[f], &lookups, &texels));
+            for (i = 0; i < 4 * k_lookups; ++i) {
+                if (!isfinite(out[i])) fail_msg("texture %zu, sampler %zu: out[%zu] = %g", t, f, i, (double)out[i]);
+            }
+            hash = shd_hash(hash, out, 4 * k_lookups * sizeof(float));
+            hash = shd_hash(hash, &texels.nonfinite_count, sizeof texels.nonfinite_count);
+        }
+    }
+    free(in);
+    free(out);
+    return hash;
+}
+
+static uint64_t lookups_on(const shd_context_desc *desc)
+{
+    shd_context *context = NULL;
+    shd_scene scene;
+    uint64_t hash;
+    shd_assert_ok(shd_context_create(desc, &context));
+    shd_scene_open(&scene, SHD_SCENE_SMALL, context);
+    hash = hash_lookups(&scene);
+    shd_scene_close(&scene);
+    shd_context_release(context);
+    return hash;
+}
+
+static void test_lookups(void **state)
+{
+    const uint64_t want = lookups_on(NULL);
+    int simd;
+    size_t i;
+    (void)state;
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        if (!can_run(simd)) continue;
+        for (i = 0; i < k_worker_counts; ++i) {
+            shd_context_desc desc = shd_context_desc_default();
+            desc.simd = (shd_simd)simd;
+            desc.worker_count = k_workers[i];
+            assert_true(lookups_on(&desc) == want);
+        }
+    }
+}
+
+/* The stored hashes: lines "<name> <hash>", # starts a comment. */
+struct golden_row {
+    const char *name;
+    uint64_t hash;
+};
+static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0}, {"lit", 0}, {"lookups", 0}};
+enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
+
+static void measure_golden(void)
+{
+    int kind;
+    for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_LIT; ++kind) {
+        k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
+    }
+    k_golden[k_golden_count - 1].hash = lookups_on(NULL);
+}
+
+static void test_golden(void **state)
+{
+    FILE *file = fopen(SHD_GOLDEN_DIR "/hashes.txt", "r");
+    char line[256];
+    size_t found = 0, i;
+    (void)state;
+    if (!file) fail_msg("cannot open %s", SHD_GOLDEN_DIR "/hashes.txt");
+    measure_golden();
+    while (fgets(line, sizeof line, file)) {
+        char name[32];
+        unsigned long long hash;
+        if (line[0] == '#' || sscanf(line, "%31s %llx", name, &hash) != 2) continue;
+        for (i = 0; i < k_golden_count; ++i) {
+            if (strcmp(name, k_golden[i].name)) continue;
+            ++found;
+            if (k_golden[i].hash != hash) {
+                fail_msg("%s: hash %016llx, stored %016llx", name, (unsigned long long)k_golden[i].hash, hash);
+            }
+        }
+    }
+    fclose(file);
+    assert_int_equal(found, k_golden_count);
+}
+
+/* `test_api_determinism --hashes` prints the lines of tests/golden/hashes.txt. */
+static int print_golden(void)
+{
+    size_t i;
+    measure_golden();
+    for (i = 0; i < k_golden_count; ++i) {
+        printf("%-8s %016llx\n", k_golden[i].name, (unsigned long long)k_golden[i].hash);
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct CMUnitTest k_tests[] = {
+        {"scene_is_whole", test_scene_is_whole, NULL, NULL, NULL},
+        {"targets_and_workers", test_targets_and_workers, NULL, NULL, NULL},
+        {"orders", test_orders, NULL, NULL, NULL},
+        {"lookups", test_lookups, NULL, NULL, NULL},
+        {"golden", test_golden, NULL, NULL, NULL},
+    };
+    if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();
+    return _cmocka_run_group_tests("api.determinism", k_tests, sizeof k_tests / sizeof k_tests[0], NULL, NULL);
+}

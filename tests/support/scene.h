@@ -1,0 +1,440 @@
+/* SPDX-License-Identifier: MIT */
+/* Small scenes that every test of whole frames shares. Built from exact arithmetic only (no libm but sqrtf), so
+   that their hashes are the same on every machine. Objects are made one step at a time, so that a test can make
+   each step fail. */
+#ifndef SHD_TESTS_SUPPORT_SCENE_H
+#define SHD_TESTS_SUPPORT_SCENE_H
+
+#include <stdlib.h>
+
+#include "support/check.h"
+
+#include <shd/shd.h>
+
+/** Which scene. */
+typedef enum shd_scene_kind {
+    SHD_SCENE_MIXED = 0, /* every model, frequency and filter, clipped at the near plane, NaN; 5k triangles */
+    SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel */
+    SHD_SCENE_LIT = 2,   /* lights of every kind on all three frequencies */
+    SHD_SCENE_SMALL = 3, /* as MIXED with few triangles: for tests that render hundreds of times */
+    SHD_SCENE_KINDS = 4
+} shd_scene_kind;
+
+enum {
+    SHD_SCENE_TEXTURES = 4,
+    SHD_SCENE_SAMPLERS = 4,
+    SHD_SCENE_MESHES = 4,
+    SHD_SCENE_MATERIALS = 8,
+    SHD_SCENE_LIGHTS = 4,
+    SHD_SCENE_DRAWS = 10,
+    SHD_SCENE_STEPS = SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS +
+                      SHD_SCENE_LIGHTS + 1
+};
+
+/** Objects of a scene and the frame made of them. Zero is an empty one. */
+typedef struct shd_scene {
+    shd_scene_kind kind;
+    shd_context *context; /* borrowed */
+    shd_texture *texture[SHD_SCENE_TEXTURES];
+    shd_sampler *sampler[SHD_SCENE_SAMPLERS];
+    shd_mesh *mesh[SHD_SCENE_MESHES];
+    shd_material *material[SHD_SCENE_MATERIALS];
+    shd_light *light[SHD_SCENE_LIGHTS];
+    shd_framebuffer *framebuffer;
+    shd_draw draw[SHD_SCENE_DRAWS];
+    shd_render_desc desc;
+    shd_render_stats stats;
+} shd_scene;
+
+/** Next number of a linear congruential sequence (Knuth), in [0, 1). */
+static inline float shd_scene_random(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (float)(*state >> 8) * (1.0f / 16777216.0f);
+}
+
+/** Fails unless memory was there: the test's own, not the library's. */
+static inline void *shd_scene_memory(size_t size)
+{
+    void *memory = malloc(size);
+    if (!memory) abort();
+    return memory;
+}
+
+static inline shd_result shd_scene_texture(shd_scene *s, size_t which)
+{
+    static const shd_format k_format[SHD_SCENE_TEXTURES] = {SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA8,
+                                                            SHD_FORMAT_RGBA32F, SHD_FORMAT_R8};
+    static const uint32_t k_width[SHD_SCENE_TEXTURES] = {61, 16, 7, 8}, k_height[SHD_SCENE_TEXTURES] = {37, 16, 5, 8};
+    const size_t pixel = shd_format_size(k_format[which]);
+    const size_t pixels = (size_t)k_width[which] * k_height[which];
+    unsigned char *texels = (unsigned char *)shd_scene_memory(pixels * pixel);
+    shd_texture_desc desc = shd_texture_desc_default();
+    uint32_t seed = 77u + (uint32_t)which;
+    shd_result result;
+    size_t i;
+    if (k_format[which] == SHD_FORMAT_RGBA32F) {
+        for (i = 0; i < pixels * 4; ++i) ((float *)(void *)texels)[i] = 3.0f * shd_scene_random(&seed);
+    } else {
+        for (i = 0; i < pixels * pixel; ++i) texels[i] = (unsigned char)(255.0f * shd_scene_random(&seed));
+    }
+    desc.format = k_format[which];
+    desc.width = k_width[which];
+    desc.height = k_height[which];
+    desc.texels = texels;
+    desc.tables = which == 2 ? SHD_TABLE_NONE : SHD_TABLE_MIPMAP;
+    result = shd_texture_create(s->context, &desc, &s->texture[which]);
+    free(texels);
+    return result;
+}
+
+static inline shd_result shd_scene_sampler(shd_scene *s, size_t which)
+{
+    static const shd_filter k_filter[SHD_SCENE_SAMPLERS] = {SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR,
+                                                            SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR};
+    static const shd_wrap k_wrap[SHD_SCENE_SAMPLERS] = {SHD_WRAP_REPEAT, SHD_WRAP_MIRROR, SHD_WRAP_CLAMP,
+                                                        SHD_WRAP_BORDER};
+    shd_sampler_desc desc = shd_sampler_desc_default();
+    desc.filter = k_filter[which];
+    desc.wrap_u = k_wrap[which];
+    desc.wrap_v = k_wrap[(which + 1) % SHD_SCENE_SAMPLERS];
+    desc.border[0] = 0.25f;
+    desc.border[3] = 1.0f;
+    desc.lod_bias = which == 3 ? 0.5f : 0.0f;
+    return shd_sampler_create(s->context, &desc, &s->sampler[which]);
+}
+
+/** Vertices as records of five floats, position and uv, and triangles. */
+typedef struct shd_scene_geometry {
+    float *vertices;
+    uint32_t *indices;
+    uint32_t vertex_count;
+    size_t index_count;
+} shd_scene_geometry;
+
+static inline void shd_scene_vertex(shd_scene_geometry *g, float x, float y, float z, float u, float v)
+{
+    float *out = g->vertices + 5 * (size_t)g->vertex_count++;
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+    out[3] = u;
+    out[4] = v;
+}
+
+/** An (n + 1) x (n + 1) grid of the latest vertices as triangles. */
+static inline void shd_scene_grid_indices(shd_scene_geometry *g, uint32_t n)
+{
+    const uint32_t first = g->vertex_count - (n + 1) * (n + 1);
+    uint32_t x, y, k;
+    for (y = 0; y < n; ++y) {
+        for (x = 0; x < n; ++x) {
+            const uint32_t a = first + y * (n + 1) + x;
+            const uint32_t corner[6] = {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1};
+            for (k = 0; k < 6; ++k) g->indices[g->index_count++] = corner[k];
+        }
+    }
+}
+
+/** A unit sphere: a cube of n x n cells a side, its vertices pushed out. */
+static inline void shd_scene_sphere(shd_scene_geometry *g, uint32_t n)
+{
+    uint32_t face, x, y;
+    for (face = 0; face < 6; ++face) {
+        for (y = 0; y <= n; ++y) {
+            for (x = 0; x <= n; ++x) {
+                const float a = 2.0f * (float)x / (float)n - 1.0f, b = 2.0f * (float)y / (float)n - 1.0f;
+                const float side = face < 3 ? 1.0f : -1.0f;
+                const float length = sqrtf(a * a + b * b + 1.0f);
+                float p[3];
+                p[face % 3] = side / length;
+                p[(face + 1) % 3] = side * a / length;
+                p[(face + 2) % 3] = b / length;
+                shd_scene_vertex(g, p[0], p[1], p[2], 2.0f * (float)x / (float)n, (float)y / (float)n);
+            }
+        }
+        shd_scene_grid_indices(g, n);
+    }
+}
+
+/** Hills over [-1, 1]^2, facing +y. */
+static inline void shd_scene_hills(shd_scene_geometry *g, uint32_t n)
+{
+    uint32_t seed = 5, x, y;
+    for (y = 0; y <= n; ++y) {
+        for (x = 0; x <= n; ++x) {
+            const float a = 2.0f * (float)x / (float)n - 1.0f, b = 2.0f * (float)y / (float)n - 1.0f;
+            shd_scene_vertex(g, a, 0.15f * shd_scene_random(&seed) - 0.3f * a * b, -b, a, b);
+        }
+    }
+    shd_scene_grid_indices(g, n);
+}
+
+/** A plane y = 0 of half-width 1000, as one quad. */
+static inline void shd_scene_plane(shd_scene_geometry *g)
+{
+    shd_scene_vertex(g, -1000.0f, 0.0f, 1000.0f, -500.0f, 500.0f);
+    shd_scene_vertex(g, 1000.0f, 0.0f, 1000.0f, 500.0f, 500.0f);
+    shd_scene_vertex(g, -1000.0f, 0.0f, -1000.0f, -500.0f, -500.0f);
+    shd_scene_vertex(g, 1000.0f, 0.0f, -1000.0f, 500.0f, -500.0f);
+    shd_scene_grid_indices(g, 1);
+}
+
+/** Loose triangles, every third with a vertex that is not finite, some without area. */
+static inline void shd_scene_broken(shd_scene_geometry *g, uint32_t triangles)
+{
+    uint32_t seed = 9, i, k;
+    for (i = 0; i < triangles; ++i) {
+        const float x = 4.0f * shd_scene_random(&seed) - 2.0f, y = 2.0f * shd_scene_random(&seed);
+        for (k = 0; k < 3; ++k) {
+            const float bad = k == i / 3 % 3 && i % 3 == 1 ? (i % 2 ? (float)NAN : (float)INFINITY) : 0.0f;
+            const float spread = i % 5 == 4 ? 0.0f : 0.4f;
+            const float dx = spread * shd_scene_random(&seed), dy = spread * shd_scene_random(&seed);
+            shd_scene_vertex(g, x + dx, y + dy + bad, -1.0f - dx * dy, dx, dy);
+            g->indices[g->index_count++] = g->vertex_count - 1;
+        }
+    }
+}
+
+static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
+{
+    const int small = s->kind == SHD_SCENE_SMALL;
+    shd_scene_geometry g = {NULL, NULL, 0, 0};
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_result result;
+    int c;
+    g.vertices = (float *)shd_scene_memory(4096 * 5 * sizeof(float));
+    g.indices = (uint32_t *)shd_scene_memory(16384 * sizeof(uint32_t));
+    switch (which) {
+    case 0: shd_scene_plane(&g); break;
+    case 1: shd_scene_sphere(&g, small ? 2 : 8); break;
+    case 2: shd_scene_hills(&g, small ? 3 : 28); break;
+    default: shd_scene_broken(&g, small ? 9 : 60); break;
+    }
+    desc.vertex_count = g.vertex_count;
+    for (c = 0; c < 5; ++c) {
+        shd_f32_in *column = c < 3 ? &desc.position[c] : &desc.uv[c - 3];
+        column->data = g.vertices + c;
+        column->stride = 5 * sizeof(float);
+        if (c < 3 && which == 1) desc.normal[c] = *column; /* the unit sphere is its own normal */
+    }
+    desc.indices.data = g.indices;
+    desc.index_count = g.index_count;
+    desc.normal_weight = SHD_NORMAL_WEIGHT_ANGLE;
+    desc.flags = which == 3 ? SHD_MESH_KEEP_NONFINITE : SHD_MESH_NONE;
+    result = shd_mesh_create(s->context, &desc, &s->mesh[which]);
+    free(g.vertices);
+    free(g.indices);
+    return result;
+}
+
+/** A program that reads every column. */
+static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out, void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) {
+        const float facing = in->nx[i] * in->ox[i] + in->ny[i] * in->oy[i] + in->nz[i] * in->oz[i];
+        const float spread = in->dudx[i] + in->dvdx[i] + in->dudy[i] + in->dvdy[i];
+        out->r[i] = facing * in->u[i] + 0.01f * in->px[i];
+        out->g[i] = facing * in->v[i] + 0.01f * in->py[i] + 0.001f * (float)(in->triangle[i] % 7);
+        out->b[i] = spread + 0.01f * in->pz[i] + 0.001f * (in->x[i] - in->y[i]) + in->depth[i];
+        out->a[i] = 0.5f;
+    }
+}
+
+static inline shd_result shd_scene_material(shd_scene *s, size_t which)
+{
+    shd_material_desc desc = shd_material_desc_default();
+    desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
+    desc.exponent = which == 2 ? 7.5f : 64.0f;
+    if (which < SHD_SCENE_TEXTURES) {
+        desc.diffuse_texture = s->texture[which];
+        desc.diffuse_sampler = which == 1 ? NULL : s->sampler[which];
+    } else if (which == 4) {
+        desc.flags = SHD_SPECULAR_UNGATED;
+    } else if (which == 5) {
+        desc.flags = SHD_AMBIENT_PER_LIGHT;
+        desc.diffuse_texture = s->texture[0];
+        desc.diffuse_sampler = s->sampler[1];
+    } else if (which == 6) {
+        desc.model = SHD_MODEL_PROGRAM;
+        desc.program.fragment = shd_scene_program;
+    } else {
+        desc.model = SHD_MODEL_LAMBERT;
+    }
+    return shd_material_create(s->context, &desc, &s->material[which]);
+}
+
+static inline shd_result shd_scene_light(shd_scene *s, size_t which)
+{
+    shd_light_desc desc = shd_light_desc_default();
+    desc.kind = which == 0 ? SHD_LIGHT_AMBIENT : which == 1 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.position[0] = which == 2 ? 2.0f : -1.5f;
+    desc.position[1] = which == 2 ? 3.0f : 1.0f;
+    desc.position[2] = 1.0f;
+    desc.direction[0] = 0.3f;
+    desc.direction[2] = -0.6f;
+    desc.intensity[0] = which == 2 ? 9.0f : 0.7f;
+    desc.intensity[1] = which == 3 ? 2.0f : 0.5f;
+    return shd_light_create(s->context, &desc, &s->light[which]);
+}
+
+static inline shd_result shd_scene_framebuffer(shd_scene *s)
+{
+    shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+    desc.width = s->kind == SHD_SCENE_SMALL ? 100 : 203;
+    desc.height = s->kind == SHD_SCENE_SMALL ? 70 : 151;
+    desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
+    return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
+}
+
+/** One object of the scene: steps 0..SHD_SCENE_STEPS - 1, in order. */
+static inline shd_result shd_scene_step(shd_scene *s, size_t step)
+{
+    if (step < SHD_SCENE_TEXTURES) return shd_scene_texture(s, step);
+    step -= SHD_SCENE_TEXTURES;
+    if (step < SHD_SCENE_SAMPLERS) return shd_scene_sampler(s, step);
+    step -= SHD_SCENE_SAMPLERS;
+    if (step < SHD_SCENE_MESHES) return shd_scene_mesh(s, step);
+    step -= SHD_SCENE_MESHES;
+    if (step < SHD_SCENE_MATERIALS) return shd_scene_material(s, step);
+    step -= SHD_SCENE_MATERIALS;
+    if (step < SHD_SCENE_LIGHTS) return shd_scene_light(s, step);
+    return shd_scene_framebuffer(s);
+}
+
+/** Where a draw stands and what it is made of. */
+typedef struct shd_scene_placement {
+    unsigned mesh, material;
+    float scale[3], at[3];
+    shd_frequency frequency;
+    shd_cull cull;
+} shd_scene_placement;
+
+static inline void shd_scene_place(shd_scene *s, const shd_scene_placement *p)
+{
+    shd_draw *draw = &s->draw[s->desc.draw_count++];
+    int c;
+    *draw = shd_draw_default();
+    draw->mesh = s->mesh[p->mesh];
+    draw->material = s->material[p->material];
+    draw->frequency = p->frequency;
+    draw->cull = p->cull;
+    for (c = 0; c < 3; ++c) {
+        draw->object_to_world[5 * c] = p->scale[c];
+        draw->object_to_world[12 + c] = p->at[c];
+    }
+}
+
+/** The frame, once every step is done. */
+static inline void shd_scene_compose(shd_scene *s)
+{
+    static const shd_scene_placement k_mixed[SHD_SCENE_DRAWS] = {
+        {0, 0, {1, 1, 1}, {0, -1, 0}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
+        {1, 3, {1, 1, 1}, {-1, 0, -1}, SHD_FREQUENCY_PHONG, SHD_CULL_BACK},
+        {1, 2, {0.7f, 1.2f, 0.5f}, {1.2f, 0, 0}, SHD_FREQUENCY_GOURAUD, SHD_CULL_NONE},
+        {1, 4, {-0.5f, 0.5f, 0.5f}, {0, 1, -0.5f}, SHD_FREQUENCY_GOURAUD, SHD_CULL_BACK},
+        {2, 1, {2, 1, 2}, {0, -0.8f, -3}, SHD_FREQUENCY_FLAT, SHD_CULL_BACK},
+        {1, 6, {0.4f, 0.4f, 0.4f}, {0.2f, 0.1f, 1}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
+        {2, 6, {0.5f, 0.5f, 0.5f}, {-1.5f, 1, -1}, SHD_FREQUENCY_FLAT, SHD_CULL_NONE},
+        {1, 6, {0.3f, 0.3f, 0.3f}, {1.4f, 1.2f, 0}, SHD_FREQUENCY_GOURAUD, SHD_CULL_FRONT},
+        {3, 5, {1, 1, 1}, {0, 0, 0}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
+        {1, 7, {0.4f, 0.4f, 0.4f}, {0.5f, 0.4f, 2.75f}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
+    };
+    static const shd_scene_placement k_lit[3] = {
+        {1, 4, {1, 1, 1}, {-1.2f, 0, -1}, SHD_FREQUENCY_PHONG, SHD_CULL_BACK},
+        {1, 4, {1, 1, 1}, {1.2f, 0, -1}, SHD_FREQUENCY_GOURAUD, SHD_CULL_BACK},
+        {2, 4, {3, 1, 3}, {0, -1, -1}, SHD_FREQUENCY_FLAT, SHD_CULL_NONE},
+    };
+    const int is_floor = s->kind == SHD_SCENE_FLOOR, is_lit = s->kind == SHD_SCENE_LIT;
+    const size_t count = is_floor ? 1 : is_lit ? 3 : SHD_SCENE_DRAWS;
+    shd_camera camera = shd_camera_default();
+    size_t i;
+    s->desc = shd_render_desc_default();
+    camera.eye[1] = is_floor ? 0.2f : 0.5f;
+    camera.aspect = 4.0f / 3.0f;
+    shd_assert_ok(shd_view_from_camera(&camera, &s->desc.view));
+    for (i = 0; i < count; ++i) shd_scene_place(s, is_lit ? &k_lit[i] : &k_mixed[i]);
+    s->desc.framebuffer = s->framebuffer;
+    s->desc.draws = s->draw;
+    s->desc.lights = (const shd_light *const *)s->light;
+    s->desc.light_count = SHD_SCENE_LIGHTS;
+    s->desc.clear_color[2] = 0.25f;
+    s->desc.clear_color[3] = 1.0f;
+    s->desc.stats = &s->stats;
+}
+
+/** Make a scene that has no reason to fail. */
+static inline void shd_scene_open(shd_scene *s, shd_scene_kind kind, shd_context *context)
+{
+    size_t step;
+    memset(s, 0, sizeof *s);
+    s->kind = kind;
+    s->context = context;
+    for (step = 0; step < SHD_SCENE_STEPS; ++step) shd_assert_ok(shd_scene_step(s, step));
+    shd_scene_compose(s);
+}
+
+/** Release every object; those never made are skipped. */
+static inline void shd_scene_close(shd_scene *s)
+{
+    size_t i;
+    for (i = 0; i < SHD_SCENE_TEXTURES; ++i) shd_texture_release(s->texture[i]);
+    for (i = 0; i < SHD_SCENE_SAMPLERS; ++i) shd_sampler_release(s->sampler[i]);
+    for (i = 0; i < SHD_SCENE_MESHES; ++i) shd_mesh_release(s->mesh[i]);
+    for (i = 0; i < SHD_SCENE_MATERIALS; ++i) shd_material_release(s->material[i]);
+    for (i = 0; i < SHD_SCENE_LIGHTS; ++i) shd_light_release(s->light[i]);
+    shd_framebuffer_release(s->framebuffer);
+    memset(s, 0, sizeof *s);
+}
+
+/** Hash of every plane a framebuffer has; all NaN count as one. */
+static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
+{
+    uint64_t hash = SHD_HASH_START;
+    shd_framebuffer_info info;
+    int plane;
+    shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
+    for (plane = SHD_PLANE_R; plane <= SHD_PLANE_TRIANGLE; ++plane) {
+        shd_plane_view view;
+        uint32_t x, y;
+        if (shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
+        for (y = 0; y < info.height; ++y) {
+            const char *row = (view.f32 ? (const char *)view.f32 : (const char *)view.u32) + y * view.row_stride;
+            for (x = 0; x < info.width; ++x) {
+                uint32_t bits;
+                memcpy(&bits, row + 4 * (size_t)x, sizeof bits);
+                if (view.f32 && (bits & 0x7fffffffu) > 0x7f800000u) bits = 0x7fc00000u;
+                hash = shd_hash(hash, &bits, sizeof bits);
+            }
+        }
+    }
+    return hash;
+}
+
+/** Render; hash of the planes and the statistics. */
+static inline uint64_t shd_scene_render(shd_scene *s)
+{
+    memset(&s->stats, 0xee, sizeof s->stats);
+    shd_assert_ok(shd_render(s->context, &s->desc));
+    return shd_hash(shd_hash_framebuffer(s->framebuffer), &s->stats, sizeof s->stats);
+}
+
+/** The hash that a scene has on one thread with the best SIMD target. */
+static inline uint64_t shd_scene_reference(shd_scene_kind kind)
+{
+    shd_context_desc desc = shd_context_desc_default();
+    shd_context *context = NULL;
+    shd_scene scene;
+    uint64_t hash;
+    desc.worker_count = 1;
+    shd_assert_ok(shd_context_create(&desc, &context));
+    shd_scene_open(&scene, kind, context);
+    hash = shd_scene_render(&scene);
+    shd_scene_close(&scene);
+    shd_context_release(context);
+    return hash;
+}
+
+#endif /* SHD_TESTS_SUPPORT_SCENE_H */
