@@ -26,11 +26,7 @@ struct Level {
 };
 
 template <class D>
-<<<<<<< HEAD
-HWY_INLINE Level<D> SameLevel(D d, const Texture& texture, uint32_t level) {
-=======
 SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, uint32_t level) {
->>>>>>> texture
   const hn::RebindToSigned<D> di;
   const auto width = static_cast<int32_t>(level_size(texture.width, level));
   const auto height = static_cast<int32_t>(level_size(texture.height, level));
@@ -48,11 +44,7 @@ HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
 }
 
 template <class D>
-<<<<<<< HEAD
-HWY_INLINE Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level) {
-=======
 SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level) {
->>>>>>> texture
   const hn::RebindToSigned<D> di;
   const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), level)));
   return {ScaledSize(d, texture.width, scale), ScaledSize(d, texture.height, scale),
@@ -122,13 +114,8 @@ struct Quad {
 };
 
 template <class F, class D>
-<<<<<<< HEAD
-HWY_INLINE Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
-                                hn::Vec<D> u, hn::Vec<D> v) {
-=======
 SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
                                      hn::Vec<D> u, hn::Vec<D> v) {
->>>>>>> texture
   const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
   const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
   const uint8_t* texels = texture.texels.data();
@@ -146,11 +133,7 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
 
 /// Bilinear value of channel C, in the lerp domain.
 template <class F, bool kBorder, size_t C, class D>
-<<<<<<< HEAD
-HWY_INLINE hn::Vec<D> BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
-=======
 SHD_KERNEL_PART hn::Vec<D> BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
->>>>>>> texture
   using B = Blend<F, kBorder>;
   const auto top = B::blend(d, B::template tap<C>(d, quad.t00, quad.in00, sampler),
                             B::template tap<C>(d, quad.t10, quad.in10, sampler), quad.s);
