@@ -167,8 +167,7 @@ static void test_bad_reads(void **state)
     shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
     shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, none), BAD, "out.data: NULL");
     shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, odd), BAD, "out.stride: 2");
-    shd_assert_result("overflow", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, huge), BAD,
-                      "out: 16 elements");
+    shd_assert_result("overflow", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, huge), BAD, "out: 16 elements");
     shd_assert_result("handle", shd_framebuffer_read_plane(NULL, SHD_PLANE_R, out), BAD, "framebuffer: NULL");
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, (shd_plane)99, &view), BAD, "plane: 99");
     assert_true(!view.f32 && view.row_stride == 0);

@@ -132,8 +132,7 @@ static void test_cycles(void **state)
         t->release(handle);
         if (i == 0) after_first = f.memory.live_bytes;
         if (f.memory.live_bytes > after_first) {
-            fail_msg("%s: %zu bytes after cycle %d, %zu after the first", t->name, f.memory.live_bytes, i,
-                     after_first);
+            fail_msg("%s: %zu bytes after cycle %d, %zu after the first", t->name, f.memory.live_bytes, i, after_first);
         }
     }
     close_context(t->name, &f);
@@ -236,8 +235,7 @@ static void test_null_out(void **state)
     (void)state;
     open_context(&f);
     shd_assert_result("mesh", shd_mesh_create(f.context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_mesh: NULL");
-    shd_assert_result("light", shd_light_create(f.context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
-                      "out_light: NULL");
+    shd_assert_result("light", shd_light_create(f.context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_light: NULL");
     shd_assert_result("material", shd_material_create(f.context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out_material: NULL");
     shd_assert_result("framebuffer", shd_framebuffer_create(f.context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
@@ -270,13 +268,13 @@ static void test_two_contexts(void **state)
         release_texture(texture);
         for (i = 0; i < 3; ++i) {
             switch (k_orders[order][i]) {
-            case 0: shd_context_release(a.context); break;
-            case 1: shd_context_release(b.context); break;
-            default:
-                shd_assert_ok(use_material(material));
-                shd_assert_ok(use_texture(texture));
-                shd_material_release(material);
-                break;
+                case 0: shd_context_release(a.context); break;
+                case 1: shd_context_release(b.context); break;
+                default:
+                    shd_assert_ok(use_material(material));
+                    shd_assert_ok(use_texture(texture));
+                    shd_material_release(material);
+                    break;
             }
         }
         shd_assert_all_freed("first context", &a.memory);
@@ -289,8 +287,12 @@ struct script_row {
     CMUnitTestFunction run;
 };
 static const struct script_row k_script[] = {
-    {"references", test_references},     {"wrong_type", test_wrong_type}, {"bad_context", test_bad_context},
-    {"context_first", test_context_first}, {"cycles_10000", test_cycles},   {"alive_1000", test_many_alive},
+    {"references", test_references},
+    {"wrong_type", test_wrong_type},
+    {"bad_context", test_bad_context},
+    {"context_first", test_context_first},
+    {"cycles_10000", test_cycles},
+    {"alive_1000", test_many_alive},
     {"allocation_faults", test_allocation_faults},
 };
 enum { k_script_count = sizeof k_script / sizeof k_script[0] };

@@ -36,10 +36,7 @@ static void edit_black(shd_material_desc *d)
     memset(d->specular, 0, sizeof d->specular);
     d->exponent = 0;
 }
-static void edit_largest(shd_material_desc *d)
-{
-    d->ambient[0] = d->diffuse[1] = d->specular[2] = d->exponent = 1e6f;
-}
+static void edit_largest(shd_material_desc *d) { d->ambient[0] = d->diffuse[1] = d->specular[2] = d->exponent = 1e6f; }
 static void edit_ambient_negative(shd_material_desc *d) { d->ambient[0] = -1; }
 static void edit_ambient_nan(shd_material_desc *d) { d->ambient[2] = (float)NAN; }
 static void edit_diffuse_above(shd_material_desc *d) { d->diffuse[1] = 1.5e6f; }
@@ -86,10 +83,8 @@ static const struct create_case k_create[] = {
     {"create/exponent_nan", edit_exponent_nan, BAD, "material.exponent: "},
     {"create/exponent_2e6", edit_exponent_above, BAD, "material.exponent: 2e+06 is not in 0..1e+06"},
     {"create/reserved_1", edit_reserved, BAD, "material.reserved: 1 is not 0"},
-    {"create/light_as_texture", edit_light_as_texture, BAD,
-     "material.diffuse_texture: not a live handle of its type"},
-    {"create/light_as_sampler", edit_light_as_sampler, BAD,
-     "material.diffuse_sampler: not a live handle of its type"},
+    {"create/light_as_texture", edit_light_as_texture, BAD, "material.diffuse_texture: not a live handle of its type"},
+    {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.diffuse_sampler: not a live handle of its type"},
 };
 
 static void test_create(void **state)

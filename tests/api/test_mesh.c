@@ -161,8 +161,8 @@ static const struct create_case k_create[] = {
     {"create/every_column_with_nonfinite", edit_everything, SHD_OK, "", 9, 3, 4, 0},
     {"create/keep_nan", edit_keep_nan, SHD_OK, "", 9, 3, 3, 1},
     {"create/struct_size_0", edit_size_zero, BAD, "mesh.struct_size: 0", 0, 0, 0, 0},
-    {"create/vertex_count_uint32_max", edit_vertices_max, BAD,
-     "mesh.vertex_count: 4294967295 is not in 0..268435456", 0, 0, 0, 0},
+    {"create/vertex_count_uint32_max", edit_vertices_max, BAD, "mesh.vertex_count: 4294967295 is not in 0..268435456",
+     0, 0, 0, 0},
     {"create/vertex_count_above", edit_vertices_above, BAD, "mesh.vertex_count: 268435457", 0, 0, 0, 0},
     {"create/vertex_count_8_unindexed", edit_vertices_8, BAD,
      "mesh.vertex_count without indices: 8 is not a multiple of 3", 0, 0, 0, 0},
@@ -172,8 +172,8 @@ static const struct create_case k_create[] = {
     {"create/index_count_above", edit_index_count_above, BAD, "mesh.index_count: 805306371", 0, 0, 0, 0},
     {"create/index_count_size_max", edit_index_count_max, BAD, "mesh.index_count: ", 0, 0, 0, 0},
     {"create/index_12_of_9", edit_index_12, BAD, "mesh.indices[7]: 12 is not below vertex_count 9", 0, 0, 0, 0},
-    {"create/index_uint32_max", edit_index_max, BAD, "mesh.indices[1]: 4294967295 is not below vertex_count 9", 0, 0,
-     0, 0},
+    {"create/index_uint32_max", edit_index_max, BAD, "mesh.indices[1]: 4294967295 is not below vertex_count 9", 0, 0, 0,
+     0},
     {"create/index_9_of_9", edit_index_equal, BAD, "mesh.indices[2]: 9 is not below vertex_count 9", 0, 0, 0, 0},
     {"create/index_of_nothing", edit_empty_with_index, BAD, "mesh.indices[0]: 0 is not below vertex_count 0", 0, 0, 0,
      0},
@@ -191,8 +191,8 @@ static const struct create_case k_create[] = {
     {"create/normal_weight_3", edit_weight, BAD, "mesh.normal_weight: 3 is not in 0..2", 0, 0, 0, 0},
     {"create/normal_weight_negative", edit_weight_negative, BAD, "mesh.normal_weight: ", 0, 0, 0, 0},
     {"create/normal_y_only", edit_half_normal, BAD, "mesh.normal[0].data: NULL", 0, 0, 0, 0},
-    {"create/normal_without_z", edit_two_normals, BAD, "mesh.normal[2].data: NULL, but another column is set", 0, 0,
-     0, 0},
+    {"create/normal_without_z", edit_two_normals, BAD, "mesh.normal[2].data: NULL, but another column is set", 0, 0, 0,
+     0},
     {"create/u_without_v", edit_half_uv, BAD, "mesh.uv[1].data: NULL, but another column is set; all 2 or none", 0, 0,
      0, 0},
     {"create/tangent_without_handedness", edit_half_tangent, BAD, "mesh.tangent[3].data: NULL", 0, 0, 0, 0},
@@ -445,8 +445,7 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bounds", test_bounds, NULL, NULL, NULL};
-    tests[n++] =
-        (struct CMUnitTest){"bounds_of_nothing_finite", test_bounds_of_nothing_finite, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"bounds_of_nothing_finite", test_bounds_of_nothing_finite, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"layouts", test_layouts, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"read_normals/bad_columns", test_bad_normal_columns, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"copied", test_copied, NULL, NULL, NULL};

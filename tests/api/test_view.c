@@ -137,9 +137,10 @@ static void check_rigid(const char *name, const shd_camera *camera, const shd_vi
             shd_assert_close(name, (size_t)(3 * a + b), sum, a == b, 3e-7, 0);
         }
     }
-    shd_assert_close(name, 9, (double)m[0] * ((double)m[5] * m[10] - (double)m[9] * m[6]) -
-                                  (double)m[4] * ((double)m[1] * m[10] - (double)m[9] * m[2]) +
-                                  (double)m[8] * ((double)m[1] * m[6] - (double)m[5] * m[2]),
+    shd_assert_close(name, 9,
+                     (double)m[0] * ((double)m[5] * m[10] - (double)m[9] * m[6]) -
+                         (double)m[4] * ((double)m[1] * m[10] - (double)m[9] * m[2]) +
+                         (double)m[8] * ((double)m[1] * m[6] - (double)m[5] * m[2]),
                      1, 5e-7, 0);
     assert_true(m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1);
     for (a = 0; a < 3; ++a) {

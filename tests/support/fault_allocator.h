@@ -12,13 +12,13 @@
 
 /** Counts since it was zeroed, and when to fail. */
 typedef struct shd_fault_allocator {
-    size_t calls;       /* allocations asked for since the last shd_fault_arm */
-    size_t fail_at;     /* 1 = the next one fails; 0 = none does */
-    int persistent;     /* every one after that fails too */
+    size_t calls;   /* allocations asked for since the last shd_fault_arm */
+    size_t fail_at; /* 1 = the next one fails; 0 = none does */
+    int persistent; /* every one after that fails too */
     size_t live_bytes;
     size_t live_blocks;
     size_t peak_bytes;
-    size_t mistakes;    /* frees of foreign memory, or with another size or alignment */
+    size_t mistakes; /* frees of foreign memory, or with another size or alignment */
 } shd_fault_allocator;
 
 /** What stands before every block. */
