@@ -135,8 +135,8 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *
  * @param in_out      RGBA16F or RGBA32F image
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_color_convert(const shd_color *color, const char *from_space,
-                                                   const char *to_space, const shd_image *in_out);
+SHD_NODISCARD SHD_API shd_result shd_color_convert(const shd_color *color, const char *from_space, const char *to_space,
+                                                   const shd_image *in_out);
 
 /** Number of displays; 0 for a bad handle. @since 0.1 */
 SHD_API uint32_t shd_color_display_count(const shd_color *color);

@@ -128,7 +128,9 @@ const char* name_at(const std::vector<std::string>& names, uint32_t index) {
 
 extern "C" {
 
-const char* shd_color_default_config(void) { return color::kDefaultConfig; }
+const char* shd_color_default_config(void) {
+  return color::kDefaultConfig;
+}
 
 shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, shd_color** out_color) {
   return guard([&]() -> shd_result {

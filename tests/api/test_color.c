@@ -11,10 +11,10 @@
 #include <shd/shd.h>
 
 #define SPACE(name, body) "  - !<ColorSpace>\n    name: " name "\n    isdata: false\n" body
-#define HEAD                                                                                                          \
-    "ocio_profile_version: 2\n"                                                                                       \
-    "roles: {default: lin, scene_linear: lin}\n"                                                                      \
-    "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n"                                                 \
+#define HEAD                                                          \
+    "ocio_profile_version: 2\n"                                       \
+    "roles: {default: lin, scene_linear: lin}\n"                      \
+    "file_rules:\n  - !<Rule> {name: Default, colorspace: default}\n" \
     "displays:\n  screen:\n    - !<View> {name: look at it, colorspace: lin}\n"
 #define SPACES "colorspaces:\n" SPACE("lin", "")
 #define CST(src, dst) "!<ColorSpaceTransform> {src: " src ", dst: " dst "}\n"
@@ -51,16 +51,18 @@ static const struct config_case k_config[] = {
          SPACE("b", "    from_scene_reference: " CST("lin", "a")),
      SHD_ERROR_CORRUPT, "is defined in a circle"},
     {"config/circle_in_a_group",
-     HEAD SPACES SPACE("a", "    from_scene_reference: !<GroupTransform>\n      children:\n"
-                            "        - !<MatrixTransform> {offset: [1, 2, 3, 0]}\n        - " CST("lin", "a")),
+     HEAD SPACES SPACE("a",
+                       "    from_scene_reference: !<GroupTransform>\n      children:\n"
+                       "        - !<MatrixTransform> {offset: [1, 2, 3, 0]}\n        - " CST("lin", "a")),
      SHD_ERROR_CORRUPT, "is defined in a circle"},
     {"config/circle_through_a_look",
      HEAD "looks:\n  - !<Look>\n    name: warm\n    process_space: a\n    transform: " CST("a", "lin")
          SPACES SPACE("a", "    to_scene_reference: !<LookTransform> {src: lin, dst: lin, looks: warm}\n"),
      SHD_ERROR_CORRUPT, "is defined in a circle"},
     {"config/circle_through_a_view",
-     HEAD SPACES SPACE("a", "    to_scene_reference: !<DisplayViewTransform> {src: a, display: screen, "
-                            "view: look at it}\n"),
+     HEAD SPACES SPACE("a",
+                       "    to_scene_reference: !<DisplayViewTransform> {src: a, display: screen, "
+                       "view: look at it}\n"),
      SHD_ERROR_CORRUPT, "is defined in a circle"},
     {"config/not_a_circle",
      HEAD SPACES SPACE("a", "    to_scene_reference: " CST("b", "lin"))
@@ -328,8 +330,8 @@ static void test_files(void **state)
 /** A view whose lookup table is not there is refused by name; the others work. */
 static void test_missing_table(void **state)
 {
-    static const char text[] = HEAD "search_path: /nowhere\n" SPACES
-        SPACE("table", "    from_scene_reference: !<FileTransform> {src: gone.cube}\n");
+    static const char text[] = HEAD "search_path: /nowhere\n" SPACES SPACE(
+        "table", "    from_scene_reference: !<FileTransform> {src: gone.cube}\n");
     const float pixel[4] = {0.5f, 0.5f, 0.5f, 1.0f};
     float out[4] = {-1, -1, -1, -1};
     shd_image image = shd_test_image(SHD_FORMAT_RGBA32F, 1, 1, out);
@@ -382,8 +384,8 @@ static void test_silent(void **state)
 static void test_locale(void **state)
 {
     static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8"};
-    static const char text[] = HEAD SPACES
-        SPACE("a", "    to_scene_reference: !<MatrixTransform> {offset: [0.25, 0.5, 0.75, 0]}\n");
+    static const char text[] =
+        HEAD SPACES SPACE("a", "    to_scene_reference: !<MatrixTransform> {offset: [0.25, 0.5, 0.75, 0]}\n");
     shd_context *context = make_context();
     shd_color_desc desc = shd_color_desc_default();
     shd_color *color = NULL;

@@ -39,7 +39,7 @@ static void apply_one(const char *from, const char *display, const char *view, c
 
 /* ---- bad values ---- */
 
-static const char *const k_views[][2] = {{"sRGB", SHD_ACES_VIEW}, {"sRGB", "Plain"},    {"sRGB", "Raw"},
+static const char *const k_views[][2] = {{"sRGB", SHD_ACES_VIEW},    {"sRGB", "Plain"},    {"sRGB", "Raw"},
                                          {"Rec.709", SHD_ACES_VIEW}, {"Rec.709", "Plain"}, {"Rec.709", "Raw"}};
 static const char *const k_spaces[] = {"Linear Rec.709", "ACEScg", "ACES2065-1", "sRGB - Texture", "Raw"};
 static const float k_bad[] = {NAN,    INFINITY, -INFINITY, 1e30f, -1e30f, 3e38f, -3e38f, 1e-40f, -1e-40f, -0.0f,
@@ -161,8 +161,8 @@ static void edit_size(shd_image *i) { i->struct_size = 4; }
 #define BAD SHD_ERROR_INVALID_ARGUMENT
 static const struct refuse_case k_refuse[] = {
     {"refuse/nothing", "sRGB", "Plain", edit_nothing, "", SHD_OK},
-    {"refuse/display", "Screen %s %n", NULL, edit_nothing,
-     "display: no 'Screen %s %n'; there are 'sRGB', 'Rec.709'", SHD_ERROR_NOT_FOUND},
+    {"refuse/display", "Screen %s %n", NULL, edit_nothing, "display: no 'Screen %s %n'; there are 'sRGB', 'Rec.709'",
+     SHD_ERROR_NOT_FOUND},
     {"refuse/display_empty", "", NULL, edit_nothing, "display: no ''", SHD_ERROR_NOT_FOUND},
     {"refuse/view", NULL, "%n%s", edit_nothing,
      "view: no '%n%s' on display 'sRGB'; there are '" SHD_ACES_VIEW "', 'Plain', 'Raw'", SHD_ERROR_NOT_FOUND},
@@ -438,10 +438,13 @@ static void test_memory(void **state)
     assert_true(succeeded && allowed > 1);
 }
 
-#define ADD_ALL(cases, body)                                                                                          \
-    for (i = 0; i < sizeof cases / sizeof cases[0]; ++i)                                                              \
-    tests[n++] = (struct CMUnitTest){cases[i].name, body, NULL, NULL, (void *)(uintptr_t)&cases[i]}
-#define ADD(name, body) tests[n++] = (struct CMUnitTest){name, body, NULL, NULL, NULL}
+#define ADD_ALL(cases, body)                                                              \
+    for (i = 0; i < sizeof cases / sizeof cases[0]; ++i) tests[n++] = (struct CMUnitTest) \
+        {                                                                                 \
+            cases[i].name, body, NULL, NULL, (void *)(uintptr_t)&cases[i]                 \
+        }
+#define ADD(name, body) \
+    tests[n++] = (struct CMUnitTest) { name, body, NULL, NULL, NULL }
 
 int main(void)
 {

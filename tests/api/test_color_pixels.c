@@ -318,10 +318,13 @@ static void test_sources_agree(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
-#define ADD_ALL(cases, body)                                                                                          \
-    for (i = 0; i < sizeof cases / sizeof cases[0]; ++i)                                                              \
-    tests[n++] = (struct CMUnitTest){cases[i].name, body, NULL, NULL, (void *)(uintptr_t)&cases[i]}
-#define ADD(name, body) tests[n++] = (struct CMUnitTest){name, body, NULL, NULL, NULL}
+#define ADD_ALL(cases, body)                                                              \
+    for (i = 0; i < sizeof cases / sizeof cases[0]; ++i) tests[n++] = (struct CMUnitTest) \
+        {                                                                                 \
+            cases[i].name, body, NULL, NULL, (void *)(uintptr_t)&cases[i]                 \
+        }
+#define ADD(name, body) \
+    tests[n++] = (struct CMUnitTest) { name, body, NULL, NULL, NULL }
 
 int main(void)
 {

@@ -16,10 +16,7 @@ static inline double shd_srgb_encode(double x)
 {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
 }
-static inline double shd_srgb_decode(double x)
-{
-    return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
-}
+static inline double shd_srgb_decode(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 
 /** An image over memory of the test. */
 static inline shd_image shd_test_image(shd_format format, uint32_t width, uint32_t height, void *pixels)
@@ -84,11 +81,11 @@ static inline double shd_test_half(uint16_t half)
 static inline double shd_test_channel(const shd_image *image, size_t index)
 {
     switch (image->format) {
-    case SHD_FORMAT_RGBA8:
-    case SHD_FORMAT_RGBA8_SRGB: return ((const uint8_t *)image->pixels)[index] / 255.0;
-    case SHD_FORMAT_RGBA16: return ((const uint16_t *)image->pixels)[index] / 65535.0;
-    case SHD_FORMAT_RGBA16F: return shd_test_half(((const uint16_t *)image->pixels)[index]);
-    default: return (double)((const float *)image->pixels)[index];
+        case SHD_FORMAT_RGBA8:
+        case SHD_FORMAT_RGBA8_SRGB: return ((const uint8_t *)image->pixels)[index] / 255.0;
+        case SHD_FORMAT_RGBA16: return ((const uint16_t *)image->pixels)[index] / 65535.0;
+        case SHD_FORMAT_RGBA16F: return shd_test_half(((const uint16_t *)image->pixels)[index]);
+        default: return (double)((const float *)image->pixels)[index];
     }
 }
 
