@@ -7,7 +7,9 @@
  * bytes, ratio and time have budgets that are checked before memory is taken; metadata that a decoder would
  * have to parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before it is decoded.
  * OpenImageIO and the codecs under it can still crash on a hostile file: SHD_LOAD_ISOLATE decodes in a child
- * process and turns a crash into SHD_ERROR_CORRUPT.
+ * process and turns a crash into SHD_ERROR_CORRUPT. libpng writes a line to stderr about compressed data that is
+ * damaged although its checksums are right, or damaged at all with SHD_LOAD_PARTIAL; an isolated load is silent.
+ * OpenEXR keeps decoding threads after its first file: after a fork the child must not load or save .exr itself.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.
@@ -133,7 +135,8 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_image(const shd_bitmap *bitmap, shd_
 /**
  * Colour space of the pixels: "sRGB", "Linear Rec.709", "ACEScg", "ACES2065-1", "Rec709", "Gamma2.2" (any
  * number), "data", or what the file says (printable ASCII, at most 63 characters). A file that says nothing is
- * sRGB if its channels are integers and Linear Rec.709 if they are floating point.
+ * sRGB if its channels are integers and Linear Rec.709 if they are floating point; PNM of integers is Rec709, as
+ * its specification has it.
  * @return borrowed until release of the bitmap; "" for a bad handle
  * @since 0.1
  */
@@ -168,7 +171,7 @@ typedef struct shd_save_desc {
     uint32_t bit_depth;             /**< of a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
                                          0 = 8, 16 and 32; images keep theirs */
     shd_color_encoding color_space; /**< framebuffers: AUTO or SRGB in 8 and 16 bits; LINEAR and DATA skip the curve.
-                                         Images: what the file is tagged with; AUTO = by pixel format */
+                                         Images: what PNG and EXR are tagged with; AUTO = by pixel format */
     uint32_t reserved;              /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_save_desc;
@@ -201,7 +204,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_save(const shd_framebuffer *fra
 
 /**
  * Write pixels as they are, in the same way. PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and
- * RGBA32F; HDR RGBA32F; TIFF all; TGA and BMP R8, RGBA8 and RGBA8_SRGB. Alpha is written as straight, in EXR as
+ * RGBA32F; HDR RGBA32F; TIFF all but RGBA16F; TGA and BMP R8, RGBA8 and RGBA8_SRGB. Alpha is written as straight, in EXR as
  * it is.
  * @param image  borrowed for the call
  * @since 0.1

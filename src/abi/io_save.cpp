@@ -219,7 +219,7 @@ bool takes(Kind kind, shd_format format) {
     case Kind::kPng: return bytes || format == SHD_FORMAT_RGBA16;
     case Kind::kExr: return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F;
     case Kind::kHdr: return format == SHD_FORMAT_RGBA32F;
-    case Kind::kTiff: return true;
+    case Kind::kTiff: return format != SHD_FORMAT_RGBA16F;  // OpenImageIO stores float instead
     default: return bytes;
   }
 }

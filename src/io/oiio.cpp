@@ -285,7 +285,9 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
   if (!mixed) spec.channelformats.clear();
   spec.alpha_channel = job.alpha;
   if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
-  if (job.color_space[0]) spec.attribute("oiio:ColorSpace", job.color_space);
+  // Tagged sRGB, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone: unreadable.
+  const bool tagged = job.color_space[0] != 0 && std::strcmp(job.writer, "tiff") != 0;
+  if (tagged) spec.attribute("oiio:ColorSpace", job.color_space);
   if (std::strcmp(job.writer, "openexr") == 0 && std::strcmp(job.color_space, "Linear") == 0) {
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709);
   }
@@ -324,9 +326,10 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
   };
   require(output.handle->open(std::string("memory.") + job.writer, spec));
   std::vector<unsigned char> row(spec.scanline_bytes(true));
+  const auto stride = static_cast<OIIO::stride_t>(spec.pixel_bytes(true));
   for (uint32_t y = 0; y < job.height; ++y) {
     job.row(job.user_data, y, row.data());
-    require(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data()));
+    require(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data(), stride));
   }
   require(output.handle->close());
   output.handle.reset();
