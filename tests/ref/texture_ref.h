@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Texture lookup in doubles, one obvious step at a time: the oracle of the texture kernels.
+#pragma once
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <shd/lookup.h>
+
+namespace ref {
+
+/// Stored texels of one level, rows packed.
+struct Level {
+  const uint8_t* texels;
+  int64_t width, height;
+};
+
+/// IEC 61966-2-1.
+inline double srgb_to_linear(double c) {
+  return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+inline double linear_to_srgb(double c) {
+  return c <= 0.0031308 ? c * 12.92 : 1.055 * pow(c, 1 / 2.4) - 0.055;
+}
+
+/// IEEE 754 binary16.
+inline double half_value(uint16_t half) {
+  const int exponent = half >> 10 & 31;
+  const double mantissa = half & 1023, sign = half & 0x8000 ? -1 : 1;
+  if (exponent == 31) return mantissa != 0 ? NAN : sign * INFINITY;
+  return sign * (exponent == 0 ? ldexp(mantissa, -24) : ldexp(1024 + mantissa, exponent - 25));
+}
+
+/// Linear value of channel c of the texel at `texel`.
+inline double decode(shd_format format, const uint8_t* texel, int c) {
+  float value;
+  uint16_t half;
+  switch (format) {
+    case SHD_FORMAT_R8: return c == 0 ? texel[0] / 255.0 : c == 3 ? 1 : 0;
+    case SHD_FORMAT_RGBA8: return texel[c] / 255.0;
+    case SHD_FORMAT_RGBA8_SRGB: return c == 3 ? texel[c] / 255.0 : srgb_to_linear(texel[c] / 255.0);
+    case SHD_FORMAT_RGBA16F: memcpy(&half, texel + 2 * c, 2); return half_value(half);
+    default: memcpy(&value, texel + 4 * c, 4); return static_cast<double>(value);
+  }
+}
+
+inline int64_t modulo(int64_t i, int64_t n) {
+  return (i % n + n) % n;
+}
+
+/// Vulkan 1.3 specification, "Wrapping Operation"; -1 stands for the border.
+inline int64_t wrap_index(shd_wrap wrap, int64_t i, int64_t n) {
+  const auto mirror = [](int64_t x) { return x >= 0 ? x : -(1 + x); };
+  switch (wrap) {
+    case SHD_WRAP_REPEAT: return modulo(i, n);
+    case SHD_WRAP_MIRROR: return n - 1 - mirror(modulo(i, 2 * n) - n);
+    case SHD_WRAP_CLAMP: return i < 0 ? 0 : i >= n ? n - 1 : i;
+    default: return i < 0 || i >= n ? -1 : i;
+  }
+}
+
+/// A coordinate with the same texels as u, small enough for exact doubles: 2 is a period of repeat and mirror, and
+/// beyond [-2, 3] clamp and border do not change.
+inline double reduce(shd_wrap wrap, double u) {
+  if (!isfinite(u)) return 0;
+  if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return fmod(u, 2);
+  return fmin(fmax(u, -2), 3);
+}
+
+struct Image {
+  shd_format format;
+  const Level* levels;
+  int level_count;
+  const shd_sampler_desc* sampler;
+};
+
+inline double texel(const Image& image, int level, int64_t i, int64_t j, int c) {
+  const Level& l = image.levels[level];
+  const int64_t x = wrap_index(image.sampler->wrap_u, i, l.width), y = wrap_index(image.sampler->wrap_v, j, l.height);
+  if (image.format == SHD_FORMAT_R8 && c > 0) return c == 3 ? 1 : 0;
+  if (x < 0 || y < 0) return static_cast<double>(image.sampler->border[c]);
+  const auto size = static_cast<int64_t>(shd_format_size(image.format));
+  return decode(image.format, l.texels + (y * l.width + x) * size, c);
+}
+
+/// A texel of weight 0 does not count, whatever it is.
+inline double mix(double a, double b, double s) {
+  if (s == 0) return a;
+  if (s == 1) return b;
+  return (1 - s) * a + s * b;
+}
+
+/// Texel that contains (u, v) moved by (du, dv) texels.
+inline double nearest(const Image& image, double u, double v, double du, double dv, int c) {
+  const Level& l = image.levels[0];
+  const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) + du;
+  const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) + dv;
+  return texel(image, 0, static_cast<int64_t>(floor(x)), static_cast<int64_t>(floor(y)), c);
+}
+
+inline double bilinear(const Image& image, int level, double u, double v, int c) {
+  const Level& l = image.levels[level];
+  const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) - 0.5;
+  const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) - 0.5;
+  const auto i = static_cast<int64_t>(floor(x)), j = static_cast<int64_t>(floor(y));
+  const double s = x - floor(x), t = y - floor(y);
+  return mix(mix(texel(image, level, i, j, c), texel(image, level, i + 1, j, c), s),
+             mix(texel(image, level, i, j + 1, c), texel(image, level, i + 1, j + 1, c), s), t);
+}
+
+/// log2 of the larger singular value of [dudx dudy; dvdx dvdy] in texels of a w x h base; NaN entries count as 0.
+inline double lambda(double dudx, double dvdx, double dudy, double dvdy, double w, double h) {
+  const auto entry = [](double value, double size) { return isnan(value) ? 0 : value * size; };
+  const double a = entry(dudx, w), b = entry(dudy, w), c = entry(dvdx, h), d = entry(dvdy, h);
+  if (isinf(a) || isinf(b) || isinf(c) || isinf(d)) return INFINITY;
+  // Golub and Van Loan, "Matrix Computations" (1996), 8.6: singular values of a 2 x 2 matrix.
+  const double sum = hypot(a + d, c - b), difference = hypot(a - d, b + c);
+  return log2((sum + difference) / 2);
+}
+
+inline double clamp_lod(const Image& image, double lod) {
+  const shd_sampler_desc& s = *image.sampler;
+  const double bias = static_cast<double>(s.lod_bias);
+  const double low = static_cast<double>(s.lod_min), high = fmax(low, static_cast<double>(s.lod_max));
+  const double clamped = fmax(low, fmin(lod + bias, high));
+  return fmin(fmax(clamped, 0), image.level_count - 1);
+}
+
+inline double trilinear(const Image& image, double u, double v, double lod, int c) {
+  const double d = clamp_lod(image, lod);
+  const int high = static_cast<int>(floor(d));
+  const int low = high + 1 < image.level_count ? high + 1 : image.level_count - 1;
+  return mix(bilinear(image, high, u, v, c), bilinear(image, low, u, v, c), d - floor(d));
+}
+
+/// Length of the part of texel i of n that texel j of m covers, both spanning [0, n m].
+inline double overlap(int64_t i, int64_t n, int64_t j, int64_t m) {
+  const int64_t begin = i * m > j * n ? i * m : j * n;
+  const int64_t end = (i + 1) * m < (j + 1) * n ? (i + 1) * m : (j + 1) * n;
+  return end > begin ? static_cast<double>(end - begin) : 0;
+}
+
+/// Average of the base level over the area of texel (x, y) of a level of width x height.
+inline double box(shd_format format, const Level& base, int64_t width, int64_t height, int64_t x, int64_t y, int c) {
+  const auto size = static_cast<int64_t>(shd_format_size(format));
+  long double sum = 0;
+  for (int64_t j = y * base.height / height; j < base.height && j * height < (y + 1) * base.height; ++j) {
+    for (int64_t i = x * base.width / width; i < base.width && i * width < (x + 1) * base.width; ++i) {
+      const double weight = overlap(i, base.width, x, width) * overlap(j, base.height, y, height);
+      if (weight > 0)
+        sum += static_cast<long double>(weight) * decode(format, base.texels + (j * base.width + i) * size, c);
+    }
+  }
+  return static_cast<double>(sum / (static_cast<long double>(base.width) * base.height));
+}
+
+}  // namespace ref

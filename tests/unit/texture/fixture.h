@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Textures, samplers and points for the texture tests. Everything lives on the heap or in static storage, since
+// cmocka leaves a failing test by longjmp.
+#pragma once
+
+#include "support/check.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include <hwy/highway.h>
+
+#include "core/context.h"
+#include "core/simd_target.h"
+#include "image/format.h"
+#include "ref/texture_ref.h"
+#include "texture/storage.h"
+#include "texture/texture.h"
+
+namespace fixture {
+
+using shd::texture::Lookups;
+using shd::texture::Sampler;
+using shd::texture::Texels;
+using shd::texture::Texture;
+
+constexpr shd_format kFormats[] = {SHD_FORMAT_R8, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F,
+                                   SHD_FORMAT_RGBA32F};
+constexpr size_t kMaxPoints = 512;
+constexpr uint32_t kCanary = 0x7fc0beefu;
+
+/// Numerical Recipes' quick generator: reproducible, good enough to pick test points.
+struct Random {
+  uint32_t state;
+  uint32_t next() { return state = state * 1664525u + 1013904223u; }
+  /// In [low, high).
+  float real(float low, float high) { return low + (high - low) * static_cast<float>(next() >> 8) * 0x1p-24f; }
+};
+
+inline shd::core::Context* context() {
+  static shd::core::Context* made = shd::core::create_context(shd_context_desc_default());
+  return made;
+}
+
+/// Largest magnitude of the random texels of a format.
+inline double magnitude(shd_format format) {
+  return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F ? 8 : 1;
+}
+
+/// Random texels; floats in [-8, 8).
+inline void random_texels(shd_format format, size_t count, uint32_t seed, uint8_t* texels) {
+  Random random{seed};
+  const size_t channels = shd::image::format_info(format).channels;
+  for (size_t i = 0; i < count * channels; ++i) {
+    const float value = random.real(-8, 8);
+    const auto half = static_cast<uint16_t>((random.next() >> 16 & 0x8fff) | 0x3000);  // 2^-3..2^0, both signs
+    if (format == SHD_FORMAT_RGBA32F) {
+      memcpy(texels + 4 * i, &value, 4);
+    } else if (format == SHD_FORMAT_RGBA16F) {
+      memcpy(texels + 2 * i, &half, 2);
+    } else {
+      texels[i] = static_cast<uint8_t>(random.next() >> 24);
+    }
+  }
+}
+
+/// A texture from texels in memory.
+inline Texture* make_texture(shd_format format, uint32_t width, uint32_t height, const uint8_t* texels, bool mipmap) {
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = format;
+  desc.width = width;
+  desc.height = height;
+  desc.texels = texels;
+  desc.tables = mipmap ? SHD_TABLE_MIPMAP : SHD_TABLE_NONE;
+  auto* texture = shd::core::create<Texture>(context()->allocator);
+  shd::texture::build(*context(), desc, texture);
+  return texture;
+}
+inline Texture* random_texture(shd_format format, uint32_t width, uint32_t height, bool mipmap) {
+  auto* texels = static_cast<uint8_t*>(malloc(size_t{width} * height * 16));
+  random_texels(format, size_t{width} * height, width * 31 + height, texels);
+  Texture* texture = make_texture(format, width, height, texels, mipmap);
+  free(texels);
+  return texture;
+}
+inline void free_texture(Texture* texture) {
+  shd::core::destroy(context()->allocator, texture);
+}
+
+inline Sampler make_sampler(const shd_sampler_desc& desc) {
+  return {desc.filter,
+          desc.wrap_u,
+          desc.wrap_v,
+          {desc.border[0], desc.border[1], desc.border[2], desc.border[3]},
+          desc.lod_bias,
+          desc.lod_min,
+          desc.lod_max < desc.lod_min ? desc.lod_min : desc.lod_max};
+}
+
+/// The levels of a texture as the oracle reads them; `levels` has room for all.
+inline ref::Image oracle_image(const Texture& texture, const shd_sampler_desc& sampler, ref::Level* levels) {
+  const size_t size = shd_format_size(texture.format);
+  for (uint32_t l = 0; l < texture.level_count; ++l) {
+    levels[l] = {shd::texture::row_of(texture, size, l, 0), shd::texture::level_size(texture.width, l),
+                 shd::texture::level_size(texture.height, l)};
+  }
+  return {texture.format, levels, static_cast<int>(texture.level_count), &sampler};
+}
+
+/// Columns of points and of their results.
+struct Batch {
+  size_t count;
+  float u[kMaxPoints], v[kMaxPoints];
+  float dudx[kMaxPoints], dvdx[kMaxPoints], dudy[kMaxPoints], dvdy[kMaxPoints], lod[kMaxPoints];
+  float out[4][kMaxPoints + 64];
+
+  Lookups lookups(bool derivatives, bool with_lod) const {
+    const bool j = derivatives;
+    return {count,
+            u,
+            v,
+            j ? dudx : nullptr,
+            j ? dvdx : nullptr,
+            j ? dudy : nullptr,
+            j ? dvdy : nullptr,
+            with_lod ? lod : nullptr};
+  }
+  void set_canaries() {
+    for (auto& column : out) {
+      for (float& value : column) memcpy(&value, &kCanary, sizeof value);
+    }
+  }
+  void check_canaries() const {
+    for (const auto& column : out) {
+      for (size_t i = count; i < kMaxPoints + 64; ++i) assert_memory_equal(&column[i], &kCanary, sizeof kCanary);
+    }
+  }
+};
+
+/// Runs a batch on one target, all four channels.
+inline size_t run(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups,
+                  Batch* batch) {
+  batch->set_canaries();
+  const Texels out = {{batch->out[0], batch->out[1], batch->out[2], batch->out[3]}};
+  const size_t nonfinite =
+      shd::texture::sample(texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
+  batch->check_canaries();
+  return nonfinite;
+}
+
+/// Calls body(target) for every Highway target that can run here.
+template <class Body>
+void for_each_target(Body&& body) {
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) body(target);
+}
+
+}  // namespace fixture
