@@ -47,7 +47,7 @@ HWY_INLINE V ZeroIfNaN(V value) {
 }
 
 template <class D>
-HWY_INLINE Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   Points<D> p;
   p.u = hn::LoadU(d, in.u + i);
   p.v = hn::LoadU(d, in.v + i);
@@ -84,7 +84,7 @@ struct Tail {
   Lookups in;
   Texels out;
 
-  HWY_INLINE Tail(const Lookups& from, const Texels& to, size_t first) {
+  void copy_in(const Lookups& from, const Texels& to, size_t first) {
     const size_t count = from.count - first;
     std::memset(in_columns, 0, sizeof in_columns);
     const float* columns[7] = {from.u, from.v, from.dudx, from.dvdx, from.dudy, from.dvdy, from.lod};
@@ -96,7 +96,7 @@ struct Tail {
     in = {count, columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6]};
     for (size_t c = 0; c < 4; ++c) out.channel[c] = to.channel[c] ? out_columns[c] : nullptr;
   }
-  HWY_INLINE void copy_out(const Texels& to, size_t first) const {
+  void copy_out(const Texels& to, size_t first) const {
     for (size_t c = 0; c < 4; ++c) {
       if (to.channel[c]) std::memcpy(to.channel[c] + first, out_columns[c], in.count * sizeof(float));
     }
@@ -106,22 +106,30 @@ struct Tail {
 /// filter(d, points, out, i) writes one vector of results to element i of the columns. Returns the number of
 /// lookups that were not finite.
 template <class Filter>
-HWY_INLINE size_t ForEachVector(const Filter& filter, const Lookups& in, const Texels& out) {
+HWY_NOINLINE size_t ForEachVector(const Filter& filter, const Lookups& in, const Texels& out) {
   const BatchTag d;
   const size_t lanes = hn::Lanes(d);
-  size_t nonfinite = 0, i = 0;
-  for (;; i += lanes) {
-    if (i + lanes > in.count) break;
-    const Points<BatchTag> points = LoadPoints(d, in, i);
+  const size_t whole = in.count - in.count % lanes;
+  Tail tail;
+  const Lookups* from = &in;
+  const Texels* to = &out;
+  size_t nonfinite = 0;
+  // One call for vectors and tail, as it is inlined.
+  for (size_t i = 0;; i += lanes) {
+    if (i >= whole && from == &in) {
+      if (whole == in.count) return nonfinite;
+      tail.copy_in(in, out, whole);
+      from = &tail.in;
+      to = &tail.out;
+      i = 0;
+    } else if (from != &in) {
+      tail.copy_out(out, whole);
+      return nonfinite;
+    }
+    const Points<BatchTag> points = LoadPoints(d, *from, i);
     nonfinite += points.nonfinite;
-    filter(d, points, out, i);
+    filter(d, points, *to, i);
   }
-  if (i == in.count) return nonfinite;
-  Tail tail(in, out, i);
-  const Points<BatchTag> points = LoadPoints(d, tail.in, 0);
-  filter(d, points, tail.out, 0);
-  tail.copy_out(out, i);
-  return nonfinite + points.nonfinite;
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

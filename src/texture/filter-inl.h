@@ -26,7 +26,7 @@ struct Level {
 };
 
 template <class D>
-HWY_INLINE Level<D> SameLevel(D d, const Texture& texture, uint32_t level) {
+SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, uint32_t level) {
   const hn::RebindToSigned<D> di;
   const auto width = static_cast<int32_t>(level_size(texture.width, level));
   const auto height = static_cast<int32_t>(level_size(texture.height, level));
@@ -44,7 +44,7 @@ HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
 }
 
 template <class D>
-HWY_INLINE Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level) {
+SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level) {
   const hn::RebindToSigned<D> di;
   const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), level)));
   return {ScaledSize(d, texture.width, scale), ScaledSize(d, texture.height, scale),
@@ -114,8 +114,8 @@ struct Quad {
 };
 
 template <class F, class D>
-HWY_INLINE Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
-                                hn::Vec<D> u, hn::Vec<D> v) {
+SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
+                                     hn::Vec<D> u, hn::Vec<D> v) {
   const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
   const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
   const uint8_t* texels = texture.texels.data();
@@ -133,7 +133,7 @@ HWY_INLINE Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& samp
 
 /// Bilinear value of channel C, in the lerp domain.
 template <class F, bool kBorder, size_t C, class D>
-HWY_INLINE hn::Vec<D> BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
+SHD_KERNEL_PART hn::Vec<D> BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
   using B = Blend<F, kBorder>;
   const auto top = B::blend(d, B::template tap<C>(d, quad.t00, quad.in00, sampler),
                             B::template tap<C>(d, quad.t10, quad.in10, sampler), quad.s);

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
+#include "texture/kernel_part.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,7 +29,7 @@ struct Derivatives {
 /// every level for any bias, so neither underflow nor overflow matters.
 /// |error| <= 2e-6 where the result lies in -16..17 (measured 7e-7).
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
+SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f);
   const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
   const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));

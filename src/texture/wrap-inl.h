@@ -13,6 +13,8 @@
 
 #include <shd/sampler.h>
 
+#include "texture/kernel_part.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -67,7 +69,7 @@ HWY_INLINE VI ClampBorder(D d, VI i, VI size, MaskOf<D>* in) {
 
 /// Taps at u * size - 1/2 of a reduced coordinate.
 template <class D>
-HWY_INLINE LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
+SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const auto one = hn::Set(di, 1);
@@ -119,7 +121,7 @@ HWY_INLINE LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, cons
 
 /// Texel that contains a reduced coordinate.
 template <class D>
-HWY_INLINE Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {
+SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const V x = hn::Mul(reduced, size.real);
