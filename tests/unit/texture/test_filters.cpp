@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// Every filter x format x wrap pair x size x target against the oracle, all tails, and the bits of all targets.
+#include "fixture.h"
+
+namespace {
+
+using namespace fixture;
+
+constexpr size_t kPoints = 160;
+
+struct filter_case {
+  const char* name;
+  shd_filter filter;
+  uint32_t width, height;
+};
+const filter_case k_cases[] = {
+    {"nearest/1x1", SHD_FILTER_NEAREST, 1, 1},
+    {"nearest/1x7", SHD_FILTER_NEAREST, 1, 7},
+    {"nearest/5x3", SHD_FILTER_NEAREST, 5, 3},
+    {"nearest/64x64", SHD_FILTER_NEAREST, 64, 64},
+    {"nearest/128x32", SHD_FILTER_NEAREST, 128, 32},
+    {"nearest/1023x511", SHD_FILTER_NEAREST, 1023, 511},
+    {"nearest/4096x1", SHD_FILTER_NEAREST, 4096, 1},
+    {"bilinear/1x1", SHD_FILTER_BILINEAR, 1, 1},
+    {"bilinear/1x7", SHD_FILTER_BILINEAR, 1, 7},
+    {"bilinear/5x3", SHD_FILTER_BILINEAR, 5, 3},
+    {"bilinear/64x64", SHD_FILTER_BILINEAR, 64, 64},
+    {"bilinear/128x32", SHD_FILTER_BILINEAR, 128, 32},
+    {"bilinear/1023x511", SHD_FILTER_BILINEAR, 1023, 511},
+    {"bilinear/4096x1", SHD_FILTER_BILINEAR, 4096, 1},
+    {"trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1},
+    {"trilinear/1x7", SHD_FILTER_TRILINEAR, 1, 7},
+    {"trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3},
+    {"trilinear/64x64", SHD_FILTER_TRILINEAR, 64, 64},
+    {"trilinear/128x32", SHD_FILTER_TRILINEAR, 128, 32},
+    {"trilinear/1023x511", SHD_FILTER_TRILINEAR, 1023, 511},
+    {"trilinear/4096x1", SHD_FILTER_TRILINEAR, 4096, 1},
+};
+
+Batch t_batch, t_first;
+
+/// Coordinates: random, multiples of 2^-10 (exact in the kernel up to 1024 texels), and the awkward ones.
+void make_points(Batch* batch) {
+  const float special[] = {0.0f,      -0.0f,      1.0f,        -1.0f,    2.0f,          -2.0f, 0.5f,   0.99999994f,
+                           -1e-45f,   -1e-30f,    1e-40f,      -1e-8f,   1.0000001f,    1e30f, -1e30f, 3.40282347e38f,
+                           -1e10f,    8388607.5f, -8388607.5f, 16777216, 2147483648.0f, 1e-3f, NAN,    INFINITY,
+                           -INFINITY, 3.0f,       0.25f,       -0.25f,   0.49999997f};
+  constexpr size_t kSpecial = sizeof special / sizeof special[0];
+  Random random{12345};
+  batch->count = kPoints;
+  for (size_t i = 0; i < kPoints; ++i) {
+    const bool exact = i % 2 == 0;
+    batch->u[i] = exact ? floorf(random.real(-2048, 3072)) / 1024 : random.real(-2, 3);
+    batch->v[i] = exact ? floorf(random.real(-2048, 3072)) / 1024 : random.real(-2, 3);
+    if (i >= kPoints - 2 * kSpecial) {
+      const size_t k = (i - (kPoints - 2 * kSpecial)) / 2;
+      (i % 2 ? batch->u : batch->v)[i] = special[k];
+    }
+    const float scale = ldexpf(1, static_cast<int>(random.next() >> 28) - 13);  // footprints from 2^-13 to 4 textures
+    batch->dudx[i] = scale * random.real(-1, 1);
+    batch->dvdx[i] = scale * random.real(-1, 1);
+    batch->dudy[i] = scale * random.real(-1, 1);
+    batch->dvdy[i] = scale * random.real(-1, 1);
+    batch->lod[i] = random.real(-3, 14);
+  }
+  // A run of lanes that share a level, and one that blends nothing.
+  for (size_t i = 0; i < 32; ++i) {
+    batch->dudx[i] = batch->dvdy[i] = ldexpf(1, -4);
+    batch->dvdx[i] = batch->dudy[i] = 0;
+    batch->lod[i] = 1.25f;
+  }
+  for (size_t i = 32; i < 64; ++i) {
+    batch->dudx[i] = batch->dvdx[i] = batch->dudy[i] = batch->dvdy[i] = 0;
+    batch->lod[i] = 2;
+  }
+}
+
+struct Bounds {
+  double absolute, per_texel, lod;
+};
+
+/// The bounds that sample.h states, for values within [-m, m].
+double bound(const filter_case& c, shd_format format, double border) {
+  const double m = fmax(magnitude(format), border), range = 2 * m;
+  const double linear = 3e-7 * m + 4e-7 * (c.width + c.height) * range;
+  return c.filter == SHD_FILTER_TRILINEAR ? linear + 5e-6 * range : linear;
+}
+
+bool nearest_matches(const ref::Image& image, const filter_case& c, double u, double v, int channel, double got) {
+  const double slack_x = 4e-7 * c.width, slack_y = 4e-7 * c.height;
+  for (const double dx : {0.0, -slack_x, slack_x}) {
+    for (const double dy : {0.0, -slack_y, slack_y}) {
+      if (shd_is_close(got, ref::nearest(image, u, v, dx, dy, channel), 1.2e-7, 1.2e-7)) return true;
+    }
+  }
+  return false;
+}
+
+void check_point(const ref::Image& image, const filter_case& c, const Batch& batch, bool lod, size_t i) {
+  const double u = static_cast<double>(batch.u[i]), v = static_cast<double>(batch.v[i]);
+  const bool exact_input = i % 2 == 0 && i < 96 && c.width <= 1024 && c.height <= 1024;
+  const double tolerance = bound(c, image.format, 2);
+  const double tight = 3e-7 * fmax(magnitude(image.format), 2);
+  const double lambda =
+      lod ? static_cast<double>(batch.lod[i])
+          : ref::lambda(static_cast<double>(batch.dudx[i]), static_cast<double>(batch.dvdx[i]),
+                        static_cast<double>(batch.dudy[i]), static_cast<double>(batch.dvdy[i]), c.width, c.height);
+  for (int channel = 0; channel < 4; ++channel) {
+    const double got = static_cast<double>(batch.out[channel][i]);
+    if (c.filter == SHD_FILTER_NEAREST) {
+      if (!nearest_matches(image, c, u, v, channel, got)) {
+        fail_msg("point %zu (%.9g, %.9g) channel %d: got %.9g, want %.9g", i, u, v, channel, got,
+                 ref::nearest(image, u, v, 0, 0, channel));
+      }
+      continue;
+    }
+    const bool bilinear = c.filter == SHD_FILTER_BILINEAR;
+    const double want =
+        bilinear ? ref::bilinear(image, 0, u, v, channel) : ref::trilinear(image, u, v, lambda, channel);
+    shd_assert_close(c.name, i, got, want, bilinear && exact_input ? tight : tolerance, 0);
+  }
+}
+
+void check_combination(const filter_case& c, const Texture& texture, const shd_sampler_desc& desc, bool lod) {
+  const Sampler sampler = make_sampler(desc);
+  ref::Level levels[shd::texture::kMaxLevels];
+  const ref::Image image = oracle_image(texture, desc, levels);
+  bool first = true;
+  for_each_target([&](int64_t target) {
+    const size_t nonfinite = run(texture, sampler, target, t_batch.lookups(!lod, lod), &t_batch);
+    assert_int_equal(nonfinite, 6);
+    if (first) {
+      for (size_t i = 0; i < t_batch.count; ++i) check_point(image, c, t_batch, lod, i);
+      memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
+      first = false;
+    }
+    assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
+  });
+}
+
+void test_filter(void** state) {
+  const auto& c = *static_cast<const filter_case*>(*state);
+  make_points(&t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, c.width, c.height, c.filter == SHD_FILTER_TRILINEAR);
+    for (uint32_t pair = 0; pair < 16; ++pair) {
+      shd_sampler_desc desc = shd_sampler_desc_default();
+      desc.filter = c.filter;
+      desc.wrap_u = static_cast<shd_wrap>(pair % 4);
+      desc.wrap_v = static_cast<shd_wrap>(pair / 4);
+      const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
+      memcpy(desc.border, border, sizeof border);
+      check_combination(c, *texture, desc, false);
+      if (c.filter == SHD_FILTER_TRILINEAR) check_combination(c, *texture, desc, true);
+    }
+    free_texture(texture);
+  }
+}
+
+/// Every tail length gives the bits of the whole batch and writes nothing after it.
+void test_tails(void**) {
+  make_points(&t_batch);
+  memcpy(&t_first, &t_batch, sizeof t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 64, 32, true);
+    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+      shd_sampler_desc desc = shd_sampler_desc_default();
+      desc.filter = filter;
+      const Sampler sampler = make_sampler(desc);
+      for_each_target([&](int64_t target) {
+        run(*texture, sampler, target, t_first.lookups(true, false), &t_first);
+        for (size_t count = 0; count <= 35; ++count) {
+          t_batch.count = count;
+          run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
+          for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
+        }
+      });
+    }
+    free_texture(texture);
+  }
+}
+
+/// A channel that is not wanted is not written, and the others do not change.
+void test_unwanted_channels(void**) {
+  make_points(&t_batch);
+  memcpy(&t_first, &t_batch, sizeof t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 16, 16, true);
+    const Sampler sampler = make_sampler(shd_sampler_desc_default());
+    for_each_target([&](int64_t target) {
+      const Lookups lookups = t_batch.lookups(true, false);
+      run(*texture, sampler, target, lookups, &t_first);
+      for (size_t wanted = 0; wanted < 4; ++wanted) {
+        t_batch.set_canaries();
+        Texels out = {};
+        out.channel[wanted] = t_batch.out[wanted];
+        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
+        assert_memory_equal(t_batch.out[wanted], t_first.out[wanted], t_batch.count * sizeof(float));
+        assert_memory_equal(t_batch.out[(wanted + 1) % 4], &kCanary, sizeof kCanary);
+      }
+    });
+    free_texture(texture);
+  }
+}
+
+/// A constant texture gives exactly its value, whatever the coordinates.
+void test_constant(void**) {
+  make_points(&t_batch);
+  for (const shd_format format : kFormats) {
+    uint8_t texels[16 * 16 * 16];
+    const size_t bytes = shd_format_size(format);
+    random_texels(format, 1, 4242, texels);
+    for (size_t i = 1; i < 256; ++i) memcpy(texels + i * bytes, texels, bytes);
+    Texture* texture = make_texture(format, 16, 16, texels, true);
+    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+      for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR}) {
+        shd_sampler_desc desc = shd_sampler_desc_default();
+        desc.filter = filter;
+        desc.wrap_u = desc.wrap_v = wrap;
+        for_each_target([&](int64_t target) {
+          run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
+          for (int c = 0; c < 4; ++c) {
+            const auto want = static_cast<float>(ref::decode(format, texels, c));
+            for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
+          }
+        });
+      }
+    }
+    free_texture(texture);
+  }
+}
+
+/// At texel centres an 8-bit texel is exactly code / 255, and its decoded value for sRGB.
+void test_centres_exact(void**) {
+  uint8_t texels[256 * 4];
+  for (int i = 0; i < 256; ++i) {
+    for (int c = 0; c < 4; ++c) texels[4 * i + c] = static_cast<uint8_t>(c % 2 ? 255 - i : i);
+  }
+  t_batch.count = 256;
+  for (size_t i = 0; i < 256; ++i) {
+    t_batch.u[i] = (static_cast<float>(i) + 0.5f) / 256;
+    t_batch.v[i] = 0.5f;
+  }
+  for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB}) {
+    for (uint32_t wrap = 0; wrap < 4; ++wrap) {
+      Texture* texture = make_texture(format, 256, 1, texels, true);
+      shd_sampler_desc desc = shd_sampler_desc_default();
+      desc.wrap_u = static_cast<shd_wrap>(wrap);
+      for_each_target([&](int64_t target) {
+        run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
+        for (size_t i = 0; i < 256; ++i) {
+          for (int c = 0; c < 4; ++c) {
+            assert_true(t_batch.out[c][i] == static_cast<float>(ref::decode(format, texels + 4 * i, c)));
+          }
+        }
+      });
+      free_texture(texture);
+    }
+  }
+}
+
+/// A linear ramp is reproduced: value x - 1/2 between the centres of 0, 1, 2, ...
+void test_ramp(void**) {
+  float texels[64 * 4];
+  for (size_t i = 0; i < 256; ++i) texels[i] = static_cast<float>(i / 4);
+  Texture* texture = make_texture(SHD_FORMAT_RGBA32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = SHD_FILTER_BILINEAR;
+  desc.wrap_u = desc.wrap_v = SHD_WRAP_CLAMP;
+  t_batch.count = kMaxPoints;
+  for (size_t i = 0; i < kMaxPoints; ++i) {
+    t_batch.u[i] = (0.5f + 63.0f * static_cast<float>(i) / (kMaxPoints - 1)) / 64;
+    t_batch.v[i] = 0.25f;
+  }
+  for_each_target([&](int64_t target) {
+    run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
+    for (size_t i = 0; i < kMaxPoints; ++i) {
+      const double want = static_cast<double>(t_batch.u[i]) * 64 - 0.5;
+      shd_assert_close("ramp", i, static_cast<double>(t_batch.out[0][i]), want, 4e-6, 1e-7);
+    }
+  });
+  free_texture(texture);
+}
+
+}  // namespace
+
+int main() {
+  CMUnitTest tests[32];
+  size_t n = 0;
+  for (const filter_case& c : k_cases) {
+    tests[n++] = {c.name, test_filter, nullptr, nullptr, const_cast<filter_case*>(&c)};
+  }
+  tests[n++] = {"tails", test_tails, nullptr, nullptr, nullptr};
+  tests[n++] = {"unwanted_channels", test_unwanted_channels, nullptr, nullptr, nullptr};
+  tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};
+  tests[n++] = {"texel_centres", test_centres_exact, nullptr, nullptr, nullptr};
+  tests[n++] = {"ramp", test_ramp, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.texture.filters", tests, n, nullptr, nullptr);
+}
