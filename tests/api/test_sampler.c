@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* Sampler: every field's range, defaults, lifetime. */
+#include "support/check.h"
+
+#include <shd/shd.h>
+
+struct create_case {
+    const char *name;
+    void (*edit)(shd_sampler_desc *desc);
+    shd_result expected;
+    const char *message;
+};
+
+static void edit_nothing(shd_sampler_desc *d) { (void)d; }
+static void edit_size_zero(shd_sampler_desc *d) { d->struct_size = 0; }
+static void edit_size_small(shd_sampler_desc *d) { d->struct_size -= 4; }
+static void edit_size_huge(shd_sampler_desc *d) { d->struct_size = 0x7fffffffu; }
+static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)3; }
+static void edit_filter_negative(shd_sampler_desc *d) { d->filter = (shd_filter)-1; }
+static void edit_wrap_u(shd_sampler_desc *d) { d->wrap_u = (shd_wrap)4; }
+static void edit_wrap_v(shd_sampler_desc *d) { d->wrap_v = SHD_WRAP_MAX_ENUM; }
+static void edit_all_border(shd_sampler_desc *d) { d->wrap_u = d->wrap_v = SHD_WRAP_BORDER; }
+static void edit_border_nan(shd_sampler_desc *d) { d->border[0] = NAN; }
+static void edit_border_infinite(shd_sampler_desc *d) { d->border[3] = -INFINITY; }
+static void edit_border_large(shd_sampler_desc *d) { d->border[1] = 3e38f; }
+static void edit_bias_15(shd_sampler_desc *d) { d->lod_bias = 15; }
+static void edit_bias_16(shd_sampler_desc *d) { d->lod_bias = 16; }
+static void edit_bias_1e30(shd_sampler_desc *d) { d->lod_bias = -1e30f; }
+static void edit_bias_nan(shd_sampler_desc *d) { d->lod_bias = NAN; }
+static void edit_min_negative(shd_sampler_desc *d) { d->lod_min = -0.5f; }
+static void edit_min_33(shd_sampler_desc *d) { d->lod_min = 33; }
+static void edit_max_infinite(shd_sampler_desc *d) { d->lod_max = INFINITY; }
+static void edit_max_nan(shd_sampler_desc *d) { d->lod_max = NAN; }
+static void edit_min_above_max(shd_sampler_desc *d)
+{
+    d->lod_min = 5;
+    d->lod_max = 2;
+}
+static void edit_reserved(shd_sampler_desc *d) { d->reserved = 7; }
+
+static const struct create_case k_create[] = {
+    {"create/defaults", edit_nothing, SHD_OK, ""},
+    {"create/border", edit_all_border, SHD_OK, ""},
+    {"create/border_3e38", edit_border_large, SHD_OK, ""},
+    {"create/bias_15", edit_bias_15, SHD_OK, ""},
+    {"create/lod_min_above_lod_max", edit_min_above_max, SHD_OK, ""},
+    {"create/struct_size_zero", edit_size_zero, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 0"},
+    {"create/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size"},
+    {"create/struct_size_huge", edit_size_huge, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 2147483647"},
+    {"create/filter_unknown", edit_filter, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 3 is not in 0..2"},
+    {"create/filter_negative", edit_filter_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 4294967295"},
+    {"create/wrap_u_unknown", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_u: 4 is not in 0..3"},
+    {"create/wrap_v_unknown", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_v: 2147483647"},
+    {"create/border_nan", edit_border_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[0]: nan is not finite"},
+    {"create/border_infinite", edit_border_infinite, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[3]: -inf"},
+    {"create/bias_16", edit_bias_16, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_bias: 16 is not in -15..15"},
+    {"create/bias_1e30", edit_bias_1e30, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_bias: -1e+30"},
+    {"create/bias_nan", edit_bias_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_bias: nan"},
+    {"create/lod_min_negative", edit_min_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_min: -0.5 is not in 0..32"},
+    {"create/lod_min_33", edit_min_33, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_min: 33"},
+    {"create/lod_max_infinite", edit_max_infinite, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_max: inf"},
+    {"create/lod_max_nan", edit_max_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_max: nan"},
+    {"create/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "sampler.reserved: 7"},
+};
+
+static void test_create(void **state)
+{
+    const struct create_case *c = (const struct create_case *)*state;
+    shd_sampler_desc desc = shd_sampler_desc_default();
+    shd_context *context = NULL;
+    shd_sampler *sampler = (shd_sampler *)&desc;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    c->edit(&desc);
+    shd_assert_result(c->name, shd_sampler_create(context, &desc, &sampler), c->expected, c->message);
+    if (c->expected == SHD_OK) {
+        assert_non_null(sampler);
+    } else {
+        assert_null(sampler);
+    }
+    shd_sampler_release(sampler);
+    shd_context_release(context);
+}
+
+static void test_null_arguments(void **state)
+{
+    shd_context *context = NULL;
+    shd_sampler *sampler = (shd_sampler *)&context;
+    (void)state;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_assert_result("out", shd_sampler_create(context, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_sampler: NULL");
+    shd_assert_result("context", shd_sampler_create(NULL, NULL, &sampler), SHD_ERROR_INVALID_ARGUMENT, "context: NULL");
+    assert_null(sampler);
+    shd_sampler_retain(NULL);
+    shd_sampler_release(NULL);
+    shd_context_release(context);
+}
+
+static void test_null_desc_and_lifetime(void **state)
+{
+    shd_context *context = NULL;
+    shd_sampler *sampler = NULL;
+    (void)state;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_assert_ok(shd_sampler_create(context, NULL, &sampler));
+    shd_sampler_retain(sampler);
+    shd_sampler_release(sampler);
+    shd_context_release(context); /* the sampler keeps it */
+    shd_sampler_release(sampler);
+}
+
+static void test_newer_desc(void **state)
+{
+    struct {
+        shd_sampler_desc desc;
+        uint32_t later;
+    } newer = {shd_sampler_desc_default(), 0};
+    shd_context *context = NULL;
+    shd_sampler *sampler = NULL;
+    (void)state;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    newer.desc.struct_size = (uint32_t)sizeof newer;
+    shd_assert_ok(shd_sampler_create(context, &newer.desc, &sampler));
+    shd_sampler_release(sampler);
+    newer.later = 1;
+    shd_assert_result("tail", shd_sampler_create(context, &newer.desc, &sampler), SHD_ERROR_UNSUPPORTED, "sampler: byte");
+    assert_null(sampler);
+    shd_context_release(context);
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[40];
+    size_t n = 0, i;
+    for (i = 0; i < sizeof k_create / sizeof k_create[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"null_arguments", test_null_arguments, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"null_desc_and_lifetime", test_null_desc_and_lifetime, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"newer_desc", test_newer_desc, NULL, NULL, NULL};
+    return _cmocka_run_group_tests("api.sampler", tests, n, NULL, NULL);
+}
