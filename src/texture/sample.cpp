@@ -15,15 +15,17 @@ void fill(float* column, size_t count, float value) {
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out) {
+  Texels stored = out;  // channels that the format has
   if (image::format_info(texture.format).channels == 1) {
-    fill(out.channel[1], lookups.count, 0.0f);
-    fill(out.channel[2], lookups.count, 0.0f);
-    fill(out.channel[3], lookups.count, 1.0f);
+    for (size_t c = 1; c < 4; ++c) {
+      fill(out.channel[c], lookups.count, c == 3 ? 1.0f : 0.0f);
+      stored.channel[c] = nullptr;
+    }
   }
   switch (sampler.filter) {
-    case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, out);
-    default: return sample_trilinear(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, stored);
+    case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, stored);
+    default: return sample_trilinear(texture, sampler, simd, lookups, stored);
   }
 }
 
