@@ -90,7 +90,7 @@ static void test_scene_is_whole(void **state)
     (void)shd_scene_render(&scene);
     assert_true(scene.stats.triangles > 4000);
     assert_true(scene.stats.nonfinite > 10);
-    assert_true(scene.stats.clipped > 10);
+    assert_true(scene.stats.clipped >= 2);
     assert_true(scene.stats.culled > 100);
     assert_true(scene.stats.rasterised > 1000);
     assert_int_equal(scene.stats.nonfinite_fragments, 0);
@@ -110,7 +110,7 @@ static void test_scene_is_whole(void **state)
 }
 
 /* Lookups: every filter and format of the mixed scene's textures, with every special value among the inputs. */
-enum { k_lookups = 40000 };
+enum { k_lookups = 40003 }; /* not a whole number of vectors */
 
 static void fill_lookups(float *columns)
 {
