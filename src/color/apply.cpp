@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdio>
 
-#include "abi/extension_guard.h"
+#include "core/extension_error.h"
 
 namespace shd::color {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "color/config.h"
 
-#include "abi/extension_guard.h"
+#include "core/extension_error.h"
 
 namespace shd::color {
 using extension::refuse;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "abi/extension_guard.h"
+#include "core/extension_error.h"
 
 namespace shd::color {
 namespace {

@@ -10,9 +10,9 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
-#include "abi/extension_guard.h"
 #include "color/config.h"
 #include "color/cycle.h"
+#include "core/extension_error.h"
 
 namespace shd::color {
 namespace {

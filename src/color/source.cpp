@@ -7,8 +7,8 @@
 #include <memory>
 #include <system_error>
 
-#include "abi/extension_guard.h"
 #include "color/default_config.h"
+#include "core/extension_error.h"
 
 namespace shd::color {
 namespace {
