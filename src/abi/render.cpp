@@ -24,8 +24,8 @@ shd_result in_element(shd_result result, const char* array, size_t index) {
 shd_result read_draw(const shd_draw* in, film::Draw* out) {
   shd_draw draw = shd_draw_default();
   SHD_TRY(read_desc("draw", in, false, &draw));
-  SHD_TRY(check_count("draw.frequency", static_cast<uint32_t>(draw.frequency), 0, SHD_FREQUENCY_FLAT));
-  SHD_TRY(check_count("draw.cull", static_cast<uint32_t>(draw.cull), 0, SHD_CULL_FRONT));
+  SHD_TRY(check_enum("draw.frequency", draw.frequency, 0, SHD_FREQUENCY_FLAT));
+  SHD_TRY(check_enum("draw.cull", draw.cull, 0, SHD_CULL_FRONT));
   SHD_TRY(check_zero("draw.reserved", draw.reserved));
   SHD_TRY(check_finite("draw.object_to_world", draw.object_to_world, 16));
   const float* m = draw.object_to_world;

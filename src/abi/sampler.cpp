@@ -14,9 +14,9 @@ using namespace shd;
 using namespace shd::abi;
 
 shd_result check_sampler_desc(const shd_sampler_desc& desc) {
-  SHD_TRY(check_count("sampler.filter", static_cast<uint32_t>(desc.filter), SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR));
-  SHD_TRY(check_count("sampler.wrap_u", static_cast<uint32_t>(desc.wrap_u), SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
-  SHD_TRY(check_count("sampler.wrap_v", static_cast<uint32_t>(desc.wrap_v), SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
+  SHD_TRY(check_enum("sampler.filter", desc.filter, SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR));
+  SHD_TRY(check_enum("sampler.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
+  SHD_TRY(check_enum("sampler.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
   SHD_TRY(check_finite("sampler.border", desc.border, 4));
   SHD_TRY(check_range("sampler.lod_bias", static_cast<double>(desc.lod_bias), -15, 15));
   SHD_TRY(check_range("sampler.lod_min", static_cast<double>(desc.lod_min), 0, 32));

@@ -41,11 +41,12 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
 }
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
-  const image::FormatInfo format = image::format_info(desc.format);
-  if (!format.textures) {
+  const uint32_t bits = enum_bits(desc.format);
+  if (bits > SHD_FORMAT_RGBA16 || !image::format_info(desc.format).textures) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %d is not a format of textures",
-                      static_cast<int>(desc.format));
+                      static_cast<int>(bits));
   }
+  const image::FormatInfo format = image::format_info(desc.format);
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
   SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
   SHD_TRY(check_count("texture.width * texture.height", uint64_t{desc.width} * desc.height, 1, kMaxTexels));

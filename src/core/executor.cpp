@@ -48,7 +48,9 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out) {
   *out = {serial_parallel_for, nullptr, 1, 0};
 #ifdef SHD_WITH_TBB
-  if (worker_count == 0) worker_count = static_cast<uint32_t>(tbb::info::default_concurrency());
+  // More threads than cores bring nothing, and oneTBB would complain about them on stderr.
+  const auto cores = static_cast<uint32_t>(tbb::info::default_concurrency());
+  if (worker_count == 0 || worker_count > cores) worker_count = cores;
   if (worker_count <= 1) return nullptr;
   Arena* arena = create<Arena>(allocator, static_cast<int>(worker_count));
   *out = {tbb_parallel_for, arena, worker_count, 0};

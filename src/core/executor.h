@@ -13,7 +13,7 @@
 namespace shd::core {
 
 /// The built-in executor: oneTBB in an arena of its own if built in, else the calling thread.
-/// worker_count 0 = one per core. Returns its body, null if it needs none; fills `out`.
+/// worker_count 0 = one per core; at most one per core. Returns its body, null if it needs none; fills `out`.
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out);
 void destroy_executor(const Allocator& allocator, void* body) noexcept;
 
