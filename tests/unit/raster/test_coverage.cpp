@@ -3,6 +3,8 @@
 // sample once, and depth.
 #include "support/check.h"
 
+#include <algorithm>
+
 #include "raster/coverage.h"
 #include "ref/raster_ref.h"
 #include "support/random.h"
