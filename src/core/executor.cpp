@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/executor.h"
 
+#ifdef SHD_WITH_TBB
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 
-#ifdef SHD_WITH_TBB
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
@@ -21,8 +23,9 @@ shd_result serial_parallel_for(void*, uint32_t count, shd_task_fn task, void* ta
 
 #ifdef SHD_WITH_TBB
 struct Arena {
-  explicit Arena(int workers) : arena(workers) {}
+  explicit Arena(int workers) : arena(workers), process(getpid()) {}
   tbb::task_arena arena;
+  const pid_t process;  // threads do not survive a fork
 };
 
 /// Hands out the tasks of one parallel_for.
@@ -38,8 +41,13 @@ struct Queue {
 };
 
 shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, void* task_data) {
-  auto& arena = static_cast<Arena*>(user_data)->arena;
+  auto* body = static_cast<Arena*>(user_data);
+  tbb::task_arena& arena = body->arena;
   Queue queue{count, task, task_data};
+  if (getpid() != body->process) {
+    queue.drain(0);
+    return SHD_OK;
+  }
   try {
     const auto drain = [&](uint32_t) {
       queue.drain(static_cast<uint32_t>(tbb::this_task_arena::current_thread_index()));
