@@ -21,7 +21,11 @@ SHD_BEGIN_DECLS
  */
 SHD_API shd_result shd_report_error(shd_result result, const char *message);
 
-/** Memory from the context's allocator; NULL when it has none, size is 0 or the handle is bad. @since 0.1 */
+/**
+ * Memory from the context's allocator; NULL when it has none, size is 0, alignment is not a power of two (0 counts
+ * as 8) or the handle is bad.
+ * @since 0.1
+ */
 SHD_API void *shd_context_allocate(shd_context *context, size_t size, size_t alignment);
 
 /** Give memory back with the size and alignment it was asked with; NULL is ignored. @since 0.1 */

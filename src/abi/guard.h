@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cerrno>
 #include <exception>
 #include <new>
 
@@ -9,9 +10,22 @@
 
 namespace shd::abi {
 
+/// The host's errno comes back at the end of a scope: a failing malloc sets it.
+class ErrnoScope {
+ public:
+  ErrnoScope() : saved_(errno) {}
+  ~ErrnoScope() { errno = saved_; }
+  ErrnoScope(const ErrnoScope&) = delete;
+  ErrnoScope& operator=(const ErrnoScope&) = delete;
+
+ private:
+  int saved_;
+};
+
 /// Runs `body` and turns anything it throws into a result. The one place in libshd where exceptions end.
 template <class Body>
 shd_result guard(Body&& body) noexcept {
+  const ErrnoScope host_errno;
   try {
     const core::FpScope fp;
     return body();

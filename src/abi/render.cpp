@@ -43,15 +43,17 @@ shd_result read_draw(const shd_draw* in, film::Draw* out) {
 /// Draws lie struct_size bytes apart, as the caller's header laid them out.
 shd_result read_draws(const shd_render_desc& desc, core::Array<film::Draw>* out) {
   const auto* bytes = reinterpret_cast<const char*>(desc.draws);
-  const uint32_t stride = desc.draw_count ? desc.draws->struct_size : 0;
+  uint32_t stride = 0;
+  if (desc.draw_count) std::memcpy(&stride, bytes, sizeof stride);
   for (size_t i = 0; i < desc.draw_count; ++i) {
-    const auto* draw = reinterpret_cast<const shd_draw*>(bytes + i * stride);
-    if (draw->struct_size != stride) {
+    const char* draw = bytes + i * stride;  // a newer header's size need not be a multiple of our alignment
+    uint32_t size;
+    std::memcpy(&size, draw, sizeof size);
+    if (size != stride) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                        "render.draws[%zu].struct_size: %u differs from that of draws[0], %u", i, draw->struct_size,
-                        stride);
+                        "render.draws[%zu].struct_size: %u differs from that of draws[0], %u", i, size, stride);
     }
-    SHD_TRY(in_element(read_draw(draw, &(*out)[i]), "draws", i));
+    SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &(*out)[i]), "draws", i));
   }
   return SHD_OK;
 }

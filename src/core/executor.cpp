@@ -2,7 +2,11 @@
 #include "core/executor.h"
 
 #ifdef SHD_WITH_TBB
-#include <oneapi/tbb/blocked_range.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
@@ -19,27 +23,46 @@ shd_result serial_parallel_for(void*, uint32_t count, shd_task_fn task, void* ta
 
 #ifdef SHD_WITH_TBB
 struct Arena {
-  explicit Arena(int workers) : arena(workers) {}
+  explicit Arena(int workers) : arena(workers), process(getpid()) {}
   tbb::task_arena arena;
+  const pid_t process;  // threads do not survive a fork
+};
+
+/// Hands out the tasks of one parallel_for.
+struct Queue {
+  uint32_t count;
+  shd_task_fn task;
+  void* task_data;
+  std::atomic<uint32_t> next{0};
+
+  void drain(uint32_t worker) noexcept {
+    for (uint32_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) task(task_data, i, worker);
+  }
 };
 
 shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, void* task_data) {
-  try {
-    const auto run = [&](const tbb::blocked_range<uint32_t>& range) {
-      const auto worker = static_cast<uint32_t>(tbb::this_task_arena::current_thread_index());
-      for (uint32_t i = range.begin(); i != range.end(); ++i) task(task_data, i, worker);
-    };
-    // Isolated: a nested call that waits must not pick up tasks of the outer one, whose scratch is in use.
-    static_cast<Arena*>(user_data)->arena.execute([&] {
-      tbb::this_task_arena::isolate(
-          [&] { tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, 1), run, tbb::simple_partitioner()); });
-    });
+  auto* body = static_cast<Arena*>(user_data);
+  tbb::task_arena& arena = body->arena;
+  Queue queue{count, task, task_data};
+  if (getpid() != body->process) {
+    queue.drain(0);
     return SHD_OK;
-  } catch (const std::bad_alloc&) {
-    return SHD_ERROR_OUT_OF_MEMORY;
-  } catch (...) {
-    return SHD_ERROR_INTERNAL;
   }
+  try {
+    const auto drain = [&](uint32_t) {
+      queue.drain(static_cast<uint32_t>(tbb::this_task_arena::current_thread_index()));
+    };
+    const uint32_t drains = std::min(count, static_cast<uint32_t>(arena.max_concurrency()));
+    // Isolated: a nested call that waits must not pick up tasks of the outer one, whose scratch is in use.
+    arena.execute([&] {
+      tbb::this_task_arena::isolate([&] { tbb::parallel_for(uint32_t{0}, drains, drain, tbb::simple_partitioner()); });
+    });
+  } catch (...) {
+    // Tasks do not throw: oneTBB could not start a thread or had no memory. What it began is done, as it waits for
+    // that before it throws.
+    queue.drain(0);
+  }
+  return SHD_OK;
 }
 #endif
 
@@ -48,9 +71,9 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out) {
   *out = {serial_parallel_for, nullptr, 1, 0};
 #ifdef SHD_WITH_TBB
-  // More threads than cores bring nothing, and oneTBB would complain about them on stderr.
-  const auto cores = static_cast<uint32_t>(tbb::info::default_concurrency());
-  if (worker_count == 0 || worker_count > cores) worker_count = cores;
+  // oneTBB has no more threads than that, and would say so on stderr.
+  const auto most = static_cast<uint32_t>(tbb::info::default_concurrency());
+  if (worker_count == 0 || worker_count > most) worker_count = most;
   if (worker_count <= 1) return nullptr;
   Arena* arena = create<Arena>(allocator, static_cast<int>(worker_count));
   *out = {tbb_parallel_for, arena, worker_count, 0};

@@ -13,7 +13,7 @@
 namespace shd::core {
 
 /// The built-in executor: oneTBB in an arena of its own if built in, else the calling thread.
-/// worker_count 0 = one per core; at most one per core. Returns its body, null if it needs none; fills `out`.
+/// worker_count 0, or more than there are cores = one per core. Returns its body, null if it needs none; fills `out`.
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out);
 void destroy_executor(const Allocator& allocator, void* body) noexcept;
 
@@ -32,20 +32,49 @@ struct TaskFailure {
 
 namespace detail {
 
+/// Which tasks have begun: a host's executor may run one twice, and tasks may count on running once.
+class Claims {
+ public:
+  /// Throws std::bad_alloc for more than kInline tasks.
+  Claims(const Allocator& allocator, uint32_t count) : many_(allocator, count > kInline ? (count + 31) / 32 : 0) {}
+
+  /// False if `index` was claimed before.
+  bool claim(uint32_t index) noexcept {
+    std::atomic<uint32_t>* words = many_.size() ? many_.data() : few_;
+    const uint32_t bit = 1u << (index % 32);
+    return !(words[index / 32].fetch_or(bit, std::memory_order_relaxed) & bit);
+  }
+
+ private:
+  static constexpr uint32_t kInline = 1024;
+  std::atomic<uint32_t> few_[kInline / 32] = {};
+  core::Objects<std::atomic<uint32_t>> many_;
+};
+
 template <class Body>
 struct Job {
   Body& body;
   uint32_t count;
   uint32_t worker_count;
+  Claims claims;
   std::atomic<uint32_t> done{0};
   TaskFailure failure;
 
+  Job(const Context& context, uint32_t task_count, Body& task)
+      : body(task),
+        count(task_count),
+        worker_count(context.executor.worker_count),
+        claims(context.allocator, task_count) {}
+
   static void run(void* data, uint32_t index, uint32_t worker) {
     Job& job = *static_cast<Job*>(data);
-    job.done.fetch_add(1, std::memory_order_relaxed);
     if (index >= job.count || worker >= job.worker_count) {
-      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
+      return job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
     }
+    if (!job.claims.claim(index)) {
+      return job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for ran a task twice");
+    }
+    job.done.fetch_add(1, std::memory_order_relaxed);
     if (job.failure.failed.load(std::memory_order_relaxed)) return;
     const FpScope fp;
     try {
@@ -69,7 +98,7 @@ struct Job {
 template <class Body>
 void parallel_for(const Context& context, uint32_t count, Body&& body) {
   if (count == 0) return;
-  detail::Job<std::remove_reference_t<Body>> job{body, count, context.executor.worker_count, {}, {}};
+  detail::Job<std::remove_reference_t<Body>> job(context, count, body);
   shd_result result = SHD_OK;
   if (count == 1) {
     job.run(&job, 0, 0);

@@ -9,6 +9,7 @@
 
 #include "support/check.h"
 
+#include <shd/extension.h>
 #include <shd/shd.h>
 
 /** Which scene. */
