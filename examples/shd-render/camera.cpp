@@ -15,9 +15,16 @@ float dot(const std::array<float, 3>& a, const float* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Smallest distance of the eye from the centre that keeps a vertex inside the field of view, over all vertices.
-float fit_distance(const Camera& camera, const Model& model, const Bounds& bounds, float tan_x, float tan_y) {
+/// Where the eye must look and how far away it must be for a picture that just holds every vertex.
+struct Fit {
+  float right = 0.0f, up = 0.0f;  // of the point looked at, from the centre
   float distance = 0.0f;
+};
+
+/// A vertex at (x, y) in the view, z towards the eye, is inside when |x - right| <= tan_x (distance - z), and so
+/// upwards: each side of the picture bounds right +- tan_x distance by an extreme of x +- tan_x z.
+Fit fit_view(const Camera& camera, const Model& model, const Bounds& bounds, float tan_x, float tan_y) {
+  float left = HUGE_VALF, right = -HUGE_VALF, bottom = HUGE_VALF, top = -HUGE_VALF;
   for (const Instance& instance : model.instances) {
     const float* m = instance.object_to_world.data();
     const Geometry& geometry = model.geometries[instance.geometry];
@@ -25,12 +32,20 @@ float fit_distance(const Camera& camera, const Model& model, const Bounds& bound
       const float* p = &geometry.position[size_t{3} * vertex];
       float q[3];
       for (int c = 0; c < 3; ++c) q[c] = m[c] * p[0] + m[4 + c] * p[1] + m[8 + c] * p[2] + m[12 + c] - bounds.center[c];
-      const float aside = std::max(std::fabs(dot(camera.right, q)) / tan_x, std::fabs(dot(camera.up, q)) / tan_y);
-      const float needed = aside * kMargin + dot(camera.back, q);
-      if (needed > distance) distance = needed;  // false for NaN
+      const float x = dot(camera.right, q), y = dot(camera.up, q), z = dot(camera.back, q);
+      if (!std::isfinite(x + y + z)) continue;
+      left = std::min(left, x - tan_x * z);
+      right = std::max(right, x + tan_x * z);
+      bottom = std::min(bottom, y - tan_y * z);
+      top = std::max(top, y + tan_y * z);
     }
   }
-  return std::max(distance, 1.05f * bounds.radius);
+  Fit fit;
+  if (left > right) return fit;
+  fit.right = 0.5f * (left + right);
+  fit.up = 0.5f * (bottom + top);
+  fit.distance = kMargin * std::max((right - left) / (2.0f * tan_x), (top - bottom) / (2.0f * tan_y));
+  return fit;
 }
 
 }  // namespace
@@ -46,13 +61,18 @@ Camera make_camera(const Options& options, const Model& model, const Bounds& bou
   desc.fov_y = options.fov * kDegree;
   desc.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const float tan_y = std::tan(0.5f * desc.fov_y);
-  const float distance = options.distance > 0.0f ? options.distance * bounds.radius
-                                                 : fit_distance(camera, model, bounds, tan_y * desc.aspect, tan_y);
-  desc.near_plane = std::max(distance - 1.01f * bounds.radius, 0.01f * bounds.radius);
-  desc.far_plane = distance + 1.01f * bounds.radius;
+  Fit fit;
+  if (options.distance > 0.0f) {
+    fit.distance = options.distance * bounds.radius;
+  } else {
+    fit = fit_view(camera, model, bounds, tan_y * desc.aspect, tan_y);
+    fit.distance = std::max(fit.distance, 1.05f * bounds.radius);
+  }
+  desc.near_plane = std::max(fit.distance - 1.01f * bounds.radius, 0.01f * bounds.radius);
+  desc.far_plane = fit.distance + 1.01f * bounds.radius;
   for (size_t c = 0; c < 3; ++c) {
-    desc.target[c] = bounds.center[c];
-    desc.eye[c] = bounds.center[c] + distance * camera.back[c];
+    desc.target[c] = bounds.center[c] + fit.right * camera.right[c] + fit.up * camera.up[c];
+    desc.eye[c] = desc.target[c] + fit.distance * camera.back[c];
     desc.up[c] = camera.up[c];
   }
   check(shd_view_from_camera(&desc, &camera.view), "camera");

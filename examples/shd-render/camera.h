@@ -5,11 +5,12 @@
 #include "model.h"
 #include "options.h"
 
-/// The eye on a sphere around the model's centre, looking there.
+/// The eye and the axes of its view.
 struct Camera {
   shd_view view;
   std::array<float, 3> right, up, back;  // of the view, world space, unit
 };
 
-/// Camera of `--orbit` and `--fov`. Without a distance the eye stands where every vertex is just in the picture.
+/// Camera of `--orbit` and `--fov`. Without a distance the eye stands, and looks aside, so that
+/// every vertex is just in the picture.
 Camera make_camera(const Options& options, const Model& model, const Bounds& bounds);
