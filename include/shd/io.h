@@ -58,7 +58,8 @@ typedef enum shd_color_encoding {
 /** How to load; combine with |. */
 typedef enum shd_load_flag {
     SHD_LOAD_DEFAULT = 0,
-    SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start); on POSIX systems */
+    SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start), which the call waits for; the host's
+                               SIGCHLD handler sees it */
     SHD_LOAD_PARTIAL = 2, /**< a damaged file gives the rows above the damage, zero below, and info.partial */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
@@ -204,8 +205,8 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_save(const shd_framebuffer *fra
 
 /**
  * Write pixels as they are, in the same way. PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and
- * RGBA32F; HDR RGBA32F; TIFF all but RGBA16F; TGA and BMP R8, RGBA8 and RGBA8_SRGB. Alpha is written as straight, in EXR as
- * it is.
+ * RGBA32F; HDR RGBA32F; TIFF all but RGBA16F; TGA and BMP R8, RGBA8 and RGBA8_SRGB. Alpha is written as straight,
+ * in EXR as it is.
  * @param image  borrowed for the call
  * @since 0.1
  */

@@ -61,7 +61,7 @@ void save(const EncodeJob& job, const char* path) {
   io::write_file(path, bytes.data(), bytes.size());
 }
 
-// ---- framebuffers
+// Framebuffers.
 
 /// Planes of a framebuffer by shd_plane; absent ones are all null.
 constexpr int kPlaneCount = SHD_PLANE_TRIANGLE + 1;
@@ -211,7 +211,7 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
   save(job, path);
 }
 
-// ---- images
+// Images.
 
 bool takes(Kind kind, shd_format format) {
   const bool bytes = format == SHD_FORMAT_R8 || format == SHD_FORMAT_RGBA8 || format == SHD_FORMAT_RGBA8_SRGB;

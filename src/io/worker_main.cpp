@@ -26,6 +26,11 @@ using namespace shd::io;
 
 constexpr int kSocket = 0;
 
+/// Most bytes a request lets a bitmap have; without overflow for any request.
+uint64_t decoded_bytes(const WorkerRequest& request) {
+  return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
+}
+
 void* plain_allocate(void*, size_t size) {
   return std::malloc(size);
 }
@@ -56,6 +61,15 @@ bool send_all(const void* bytes, size_t size) {
   return true;
 }
 
+void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
+  const rlimit limit = {value, value};
+  (void)::setrlimit(resource, &limit);
+}
+
+/// Sanitizers reserve more address space than any limit would leave.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+void limit_memory(const WorkerRequest&) {}
+#else
 /// Address space in use now: the decoder's libraries. [bytes]
 uint64_t address_space() {
   unsigned long long pages = 0;
@@ -66,24 +80,22 @@ uint64_t address_space() {
   return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
-  const rlimit limit = {value, value};
-  (void)::setrlimit(resource, &limit);
+/// Decoders hold a picture up to twice beside the result; the rest is their own bookkeeping.
+void limit_memory(const WorkerRequest& request) {
+  const uint64_t decoded = decoded_bytes(request);
+  const uint64_t used = address_space();
+  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{512} << 20));
 }
+#endif
 
 void confine(const WorkerRequest& request) {
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_CPU, static_cast<uint64_t>(std::ceil(std::min(request.limits.seconds, 1e9))) + 1);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  // Decoders hold a picture up to twice beside the result; the rest is their own bookkeeping.
-  const uint64_t decoded = std::min(request.limits.bytes, request.limits.pixels * 16);
-  const uint64_t used = address_space();
-  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{512} << 20));
-#endif
+  limit_memory(request);
 #ifdef __linux__
   (void)::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
 #endif
-  limit_process(std::min<uint64_t>(request.limits.bytes, request.limits.pixels * 16));
+  limit_process(decoded_bytes(request));
 }
 
 LoadOptions options_of(const WorkerRequest& request) {

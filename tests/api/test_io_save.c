@@ -7,12 +7,11 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-
 enum { WIDTH = 7, HEIGHT = 5, PIXELS = WIDTH * HEIGHT };
 
 static shd_context *g_context;
 
-/* ---- images */
+/* Images. */
 
 struct image_case {
     const char *file;
@@ -126,7 +125,7 @@ static void test_image(void **state)
     shd_bitmap_release(bitmap);
 }
 
-/* ---- refusals */
+/* Refusals. */
 
 static void test_arguments(void **state)
 {
@@ -143,13 +142,15 @@ static void test_arguments(void **state)
     bad.pixels = NULL;
     shd_assert_result("pixels", shd_image_save(&bad, "a.png", NULL), SHD_ERROR_INVALID_ARGUMENT, "image.pixels: NULL");
     desc.struct_size = 4;
-    shd_assert_result("size", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.struct_size: 4");
+    shd_assert_result("size", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
+                      "save.struct_size: 4");
     desc = shd_save_desc_default();
     desc.bit_depth = 8;
     shd_assert_result("depth", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: 8");
     desc = shd_save_desc_default();
     desc.reserved = 3;
-    shd_assert_result("reserved", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.reserved: 3");
+    shd_assert_result("reserved", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
+                      "save.reserved: 3");
     desc = shd_save_desc_default();
     desc.color_space = (shd_color_encoding)77;
     shd_assert_result("encoding", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
@@ -249,7 +250,7 @@ static void test_disk_full(void **state)
     signal(SIGXFSZ, handler);
 }
 
-/* ---- framebuffers */
+/* Framebuffers. */
 
 static shd_framebuffer *make_framebuffer(uint32_t aovs)
 {
@@ -264,8 +265,8 @@ static shd_framebuffer *make_framebuffer(uint32_t aovs)
 
 /* Known colours in the planes: the views lead to the framebuffer's own memory. */
 static const float k_colors[6][4] = {
-    {0.5f, 0.25f, 0.125f, 1.0f}, {0.25f, 0.125f, 0.0f, 0.5f}, {4.0f, -1.0f, NAN, 1.0f},
-    {0, 0, 0, 0},                {0.002f, 1.0f, 0.18f, 1.0f}, {0.1f, 0.1f, 0.1f, INFINITY},
+    {0.5f, 0.25f, 0.125f, 1.0f}, {0.25f, 0.125f, 0.0f, 0.5f},  {4.0f, -1.0f, NAN, 1.0f}, {0, 0, 0, 0},
+    {0.002f, 1.0f, 0.18f, 1.0f}, {0.1f, 0.1f, 0.1f, INFINITY},
 };
 
 static void paint(shd_framebuffer *framebuffer)
@@ -366,7 +367,8 @@ static void test_half(void **state)
     static const struct {
         int k;
         uint16_t bits;
-    } want[] = {{0, 0x3800}, {1, 0x3400}, {2, 0x3000}, {3, 0x3c00}, {8, 0x4400}, {9, 0xbc00}, {16, 0x1819}, {23, 0x7c00}};
+    } want[] = {{0, 0x3800}, {1, 0x3400}, {2, 0x3000},  {3, 0x3c00},
+                {8, 0x4400}, {9, 0xbc00}, {16, 0x1819}, {23, 0x7c00}};
     shd_framebuffer *framebuffer = make_framebuffer(0);
     shd_bitmap *bitmap = NULL;
     shd_image loaded;
@@ -383,7 +385,7 @@ static void test_half(void **state)
     shd_bitmap_release(bitmap);
 }
 
-/* ---- textures */
+/* Textures. */
 
 struct texture_case {
     const char *file;
@@ -434,8 +436,10 @@ static void test_texture(void **state)
             double want = stored_value(&image, i % WIDTH, i / WIDTH, k);
             const int curve = c->encoding != SHD_COLOR_ENCODING_DATA && k < 3;
             if (c->stored == SHD_FORMAT_RGBA16) want = curve ? linear_of(want / 65535) : want / 65535;
-            if (c->stored == SHD_FORMAT_RGBA32F && c->encoding == SHD_COLOR_ENCODING_SRGB && k < 3) want = linear_of(want);
-            shd_assert_close(c->file, (size_t)(4 * i + k), stored_value(&out, i % WIDTH, i / WIDTH, k), want, 1e-9, 1e-6);
+            if (c->stored == SHD_FORMAT_RGBA32F && c->encoding == SHD_COLOR_ENCODING_SRGB && k < 3)
+                want = linear_of(want);
+            shd_assert_close(c->file, (size_t)(4 * i + k), stored_value(&out, i % WIDTH, i / WIDTH, k), want, 1e-9,
+                             1e-6);
         }
     }
 }

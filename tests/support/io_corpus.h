@@ -89,7 +89,6 @@ static inline void io_make_corpus(void)
 {
     static const char pgm[] = "P2\n# comment\n3 2\n255\n0 64 128\n192 255 7\n";
     static const char ppm[] = "P6\n2 2\n255\nabcdefghijkl";
-    static const char pfm[] = "Pf\n2 1\n-1.0\n\0\0\200\077\0\0\0\077";
     int n = 0;
     io_add_sample(&n, "png8", SHD_FILE_FORMAT_PNG, io_make_saved(SHD_FORMAT_RGBA8_SRGB, "c8.png"));
     io_add_sample(&n, "png16", SHD_FILE_FORMAT_PNG, io_make_saved(SHD_FORMAT_RGBA16, "c16.png"));
@@ -106,7 +105,6 @@ static inline void io_make_corpus(void)
     io_add_sample(&n, "webp", SHD_FILE_FORMAT_WEBP, io_copy(k_sample_webp, sizeof k_sample_webp));
     io_add_sample(&n, "pgm_text", SHD_FILE_FORMAT_PNM, io_copy(pgm, sizeof pgm - 1));
     io_add_sample(&n, "ppm", SHD_FILE_FORMAT_PNM, io_copy(ppm, sizeof ppm - 1));
-    (void)pfm;
     assert_int_equal(n, IO_SAMPLE_COUNT);
 }
 
