@@ -51,10 +51,11 @@ SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level
           hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level)};
 }
 
-/// Index of texel (x, y) from the first of the texture.
+/// Index of the first texel of row y from the first of the texture: all the addressing there is, as levels are
+/// packed rows.
 template <class D>
-HWY_INLINE Ints<D> TexelIndex(D, const Level<D>& level, Ints<D> x, Ints<D> y) {
-  return hn::Add(hn::Add(hn::Mul(y, level.across.whole), level.offset), x);
+HWY_INLINE Ints<D> RowIndex(D, const Level<D>& level, Ints<D> y) {
+  return hn::Add(hn::Mul(y, level.across.whole), level.offset);
 }
 
 /// a + s (b - a) for values whose difference cannot overflow: a itself where a == b or s == 0.
@@ -119,16 +120,26 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
   const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
   const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
   const uint8_t* texels = texture.texels.data();
-  return {x.s,
-          y.s,
-          F::fetch(d, texels, TexelIndex(d, level, x.i0, y.i0)),
-          F::fetch(d, texels, TexelIndex(d, level, x.i1, y.i0)),
-          F::fetch(d, texels, TexelIndex(d, level, x.i0, y.i1)),
-          F::fetch(d, texels, TexelIndex(d, level, x.i1, y.i1)),
-          hn::And(x.in0, y.in0),
-          hn::And(x.in1, y.in0),
-          hn::And(x.in0, y.in1),
-          hn::And(x.in1, y.in1)};
+  const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
+  Quad<F, D> quad;
+  quad.s = x.s;
+  quad.t = y.s;
+  quad.in00 = hn::And(x.in0, y.in0);
+  quad.in10 = hn::And(x.in1, y.in0);
+  quad.in01 = hn::And(x.in0, y.in1);
+  quad.in11 = hn::And(x.in1, y.in1);
+  if constexpr (F::kWords && kGathersNeighbours) {
+    const hn::RebindToSigned<D> di;
+    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(x.i1, hn::Add(x.i0, hn::Set(di, 1)))))) {
+      GatherNeighbours(d, texels, top, bottom, x.i0, &quad.t00, &quad.t10, &quad.t01, &quad.t11);
+      return quad;
+    }
+  }
+  quad.t00 = F::fetch(d, texels, hn::Add(top, x.i0));
+  quad.t10 = F::fetch(d, texels, hn::Add(top, x.i1));
+  quad.t01 = F::fetch(d, texels, hn::Add(bottom, x.i0));
+  quad.t11 = F::fetch(d, texels, hn::Add(bottom, x.i1));
+  return quad;
 }
 
 /// Bilinear value of channel C, in the lerp domain.

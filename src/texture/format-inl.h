@@ -5,6 +5,7 @@
 //   fetch        texels at indices (gathers of whole, aligned words)
 //   decode<C>    channel C as a float in the format's lerp domain: unorm channels stay in 0..255
 //   finish<C>    from the lerp domain to the result
+//   kWords       a texel is one 32-bit word
 //   kFloat       texels may be infinite, NaN or so far apart that their difference overflows
 
 #if defined(SHD_TEXTURE_FORMAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -17,24 +18,18 @@
 #include <hwy/highway.h>
 
 #include "image/srgb.h"
+#include "texture/gather-inl.h"
 #include "texture/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// code / 255, the correctly rounded quotient for whole codes 0..255, else within 1 ulp of it. 1/255 is split into
-/// two factors of which the first times a code is exact; a division would take three times as long.
+/// code / 255: the correctly rounded quotient for whole codes 0..255, else within 1.2e-7 of it, relative. 1/255 is
+/// split into two factors, of which the first times a whole code is exact; a division would take three times as long.
 template <class D, class V>
 HWY_INLINE V CodeToUnit(D d, V code) {
   return hn::Add(hn::Mul(code, hn::Set(d, 0x1.01p-8f)), hn::Mul(code, hn::Set(d, 0x1.0101p-24f)));
-}
-
-template <class D>
-HWY_INLINE Ints<D> GatherWords(D d, const uint8_t* texels, Ints<D> index) {
-  const hn::RebindToSigned<D> di;
-  (void)d;
-  return hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texels), index);
 }
 
 /// Byte C of every word.
@@ -48,6 +43,7 @@ HWY_INLINE VI Byte(DI di, VI words) {
 struct R8 {
   static constexpr size_t kChannels = 1;
   static constexpr bool kFloat = false;
+  static constexpr bool kWords = false;
   template <class D>
   using Texel = hn::Vec<D>;
 
@@ -75,6 +71,7 @@ struct R8 {
 struct Rgba8 {
   static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = false;
+  static constexpr bool kWords = true;
   template <class D>
   using Texel = Ints<D>;
 
@@ -97,6 +94,7 @@ struct Rgba8 {
 struct Srgb8 {
   static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = false;
+  static constexpr bool kWords = true;
   template <class D>
   using Texel = Ints<D>;
 
@@ -136,6 +134,7 @@ HWY_INLINE hn::Vec<D> HalfToFloat(D d, VI half) {
 struct Rgba16f {
   static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = true;
+  static constexpr bool kWords = false;
   template <class D>
   struct Texel {
     Ints<D> rg, ba;
@@ -161,6 +160,7 @@ struct Rgba16f {
 struct Rgba32f {
   static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = true;
+  static constexpr bool kWords = false;
   template <class D>
   struct Texel {
     const float* first;

@@ -5,11 +5,11 @@
 
 namespace shd::texture {
 
-/// The filters behind sample(): channels that the format stores only. Error bounds against exact arithmetic on the
-/// same floats, for texels of magnitude up to m (1 for unorm) and a level of w x h:
-///   nearest    exact, but for coordinates within 2^-23 of a texel's edge
-///   bilinear   m (3e-7 + 2e-7 (w + h))
-///   trilinear  that of both levels, and 2e-6 m for the level of detail
+/// The filters behind sample(), for the channels that the format stores. Error bounds against exact arithmetic on the
+/// same floats, for texels and borders of magnitude up to m (1 for unorm) and a base level of w x h:
+///   nearest    a texel within 4e-7 w and 4e-7 h texels of the point; its value within 1.2e-7, relative
+///   bilinear   m (3e-7 + 8e-7 (w + h)); m 3e-7 where u w - 1/2 and v h - 1/2 are floats
+///   trilinear  that of bilinear, and m 4e-6 for the level of detail
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

@@ -26,7 +26,7 @@ struct Nearest {
     MaskOf<D> in_x, in_y;
     const auto x = WrapNearest(d, sampler.wrap_u, ReduceCoordinate(d, sampler.wrap_u, p.u), level.across, &in_x);
     const auto y = WrapNearest(d, sampler.wrap_v, ReduceCoordinate(d, sampler.wrap_v, p.v), level.down, &in_y);
-    const auto texel = F::fetch(d, texture.texels.data(), TexelIndex(d, level, x, y));
+    const auto texel = F::fetch(d, texture.texels.data(), hn::Add(RowIndex(d, level, y), x));
     const auto in = hn::And(in_x, in_y);
     store<0>(d, texel, in, out, i);
     if constexpr (F::kChannels == 4) {

@@ -8,8 +8,8 @@
 
 namespace shd::texture {
 
-/// Bytes after the last texel that a gather of whole words may read.
-constexpr size_t kPadding = 64;
+/// Bytes after the last texel that a kernel may read: two vectors of 64 bytes.
+constexpr size_t kPadding = 128;
 
 /// Width or height of a level from that of the base.
 inline uint32_t level_size(uint32_t base, uint32_t level) {

@@ -8,6 +8,22 @@
 ///             levels of detail in log2 base texels.
 /// Invariants: a Texture never changes once built; finite texels give finite values for any input bits; a lane
 ///             depends on its own inputs only.
+///
+/// | file                    | what                                                                        |
+/// |-------------------------|-----------------------------------------------------------------------------|
+/// | storage.h               | layout of levels; the copy of the base                                      |
+/// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
+/// | sample.h                | the filters and their error bounds                                          |
+/// | sample_nearest.cpp      | kernels: nearest x format                                                   |
+/// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
+/// | sample_trilinear.cpp    | kernels: trilinear x format                                                 |
+/// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
+/// | lod-inl.h               | level of detail from the footprint                                          |
+/// | wrap-inl.h              | texel coordinates and wrapping                                              |
+/// | filter-inl.h            | levels, the four texels around a point, blends                              |
+/// | format-inl.h            | fetching and unpacking texels of each format                                |
+/// | gather-inl.h            | loads of neighbouring texels                                                |
+/// | kernel_part.h           | inlining of the larger pieces                                               |
 #pragma once
 
 #include <cstddef>
