@@ -7,8 +7,10 @@
 
 namespace shd::geometry {
 
-/// A triangle cut by every plane has at most this many vertices.
-constexpr int kMaxClipped = 3 + 7;
+/// Room for a triangle cut by every plane. Exact arithmetic leaves at most 3 + 7 vertices; rounding may dent a polygon
+/// by its last bits, and a plane through the dents adds at most half as many vertices as there are: 3, 4, 6, 9, 13, 19,
+/// 28, 42.
+constexpr int kMaxClipped = 42;
 
 /// Cuts a triangle at W >= kMinW, 0 <= Z <= W and the guard band, and puts what is left on the pixel grid.
 /// Vertices that are inside keep their ScreenVertex; a new vertex depends on its edge alone, not on the triangle, so

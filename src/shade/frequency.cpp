@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shade/frequency.h"
 
+#include <cmath>
+
 #include "data/matrix.h"
 
 namespace shd::shade {
@@ -18,6 +20,23 @@ Corner corner(const geometry::Vertices& vertices, uint32_t index) {
   const float* world = &vertices.world[4 * size_t{index}];
   const float* normal = &vertices.normal[4 * size_t{index}];
   return {{world[0], world[1], world[2]}, {normal[0], normal[1], normal[2]}, world[3], normal[3]};
+}
+
+// In double, where neither sums nor products of floats over- or underflow.
+
+float mean(float a, float b, float c) {
+  return static_cast<float>((static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c)) / 3.0);
+}
+
+/// Unit normal of a triangle, counter-clockwise = towards the viewer; 0 without area.
+Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto minus = [](float p, float q) { return static_cast<double>(p) - static_cast<double>(q); };
+  const double e[3] = {minus(b.x, a.x), minus(b.y, a.y), minus(b.z, a.z)};
+  const double f[3] = {minus(c.x, a.x), minus(c.y, a.y), minus(c.z, a.z)};
+  const double n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  if (!(length > 0.0)) return {0.0f, 0.0f, 0.0f};
+  return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }
 
 void set_row(const Corner& c, const float eye[3], uint32_t triangle, size_t row, raster::Fragments* rows) {
@@ -49,12 +68,11 @@ void set_centroid(const geometry::Mesh& mesh, const geometry::Vertices& vertices
                   uint32_t triangle, size_t row, raster::Fragments* rows) {
   const uint32_t* index = &mesh.indices[3 * size_t{triangle}];
   const Corner a = corner(vertices, index[0]), b = corner(vertices, index[1]), c = corner(vertices, index[2]);
-  const Vec3 ab = b.p - a.p, ac = c.p - a.p;
-  const float third = 1.0f / 3.0f;
-  // Unit edges keep the product in range for triangles of any size.
-  const Vec3 face = data::normalized(data::cross(data::normalized(ab), data::normalized(ac)));
-  const Corner centroid = {a.p + third * (ab + ac), orientation * face, a.u + third * ((b.u - a.u) + (c.u - a.u)),
-                           a.v + third * ((b.v - a.v) + (c.v - a.v))};
+  const Vec3 normal = face_normal(a.p, b.p, c.p);
+  const Corner centroid = {{mean(a.p.x, b.p.x, c.p.x), mean(a.p.y, b.p.y, c.p.y), mean(a.p.z, b.p.z, c.p.z)},
+                           orientation * normal,
+                           mean(a.u, b.u, c.u),
+                           mean(a.v, b.v, c.v)};
   set_row(centroid, eye, triangle, row, rows);
 }
 

@@ -53,7 +53,7 @@ void transform(bool perspective) {
   t.raster[11] = perspective ? 1.0f : 0.0f;
   t.width = static_cast<float>(kWidth);
   t.height = static_cast<float>(kHeight);
-  const core::SimdTarget target = core::simd_target_from_bit(hwy::SupportedAndGeneratedTargets().front());
+  const core::SimdTarget target = best_target();
   geometry::transform_vertices(target, g->mesh, t, 0, kRows, &g->vertices);
 }
 

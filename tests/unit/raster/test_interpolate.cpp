@@ -320,8 +320,7 @@ void test_uniform_and_gathered(void**) {
 void test_counts(void**) {
   Random random = {37};
   make_batch(&random, ordinary, 7);
-  raster::interpolate(core::simd_target_from_bit(*hwy::SupportedAndGeneratedTargets().begin()), g->vertices, kEye,
-                      &g->fragments);
+  raster::interpolate(best_target(), g->vertices, kEye, &g->fragments);
   keep_block();
   float x[kBatch], y[kBatch];
   memcpy(x, g->first.x, sizeof x);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Coefficients, ambient light and texture applied to lobes, and values spread from corners and centroids.
+#include "support/check.h"
+
+#include <algorithm>
+
+#include "data/data.h"
+#include "shade/combine.h"
+#include "support/random.h"
+#include "support/targets.h"
+
+namespace shd::tests {
+namespace {
+
+using raster::kBatch;
+
+const core::Allocator g_allocator = {core::default_allocator()};
+
+struct Fixture {
+  material::Material material;
+  shade::LightTable lights = {{0, 0, 0}, 0, {}};
+  raster::Fragments rows;
+  shade::Columns columns, first;
+};
+Fixture* g;
+
+int set_up(void**) {
+  g = new Fixture;
+  raster::allocate(g_allocator, &g->rows);
+  shade::allocate(g_allocator, &g->columns);
+  shade::allocate(g_allocator, &g->first);
+  return 0;
+}
+int tear_down(void**) {
+  delete g;
+  return 0;
+}
+
+struct combine_case {
+  const char* name;
+  shd_model model;
+  uint32_t flags;
+  size_t lights;
+  bool texture;
+};
+const combine_case k_cases[] = {
+    {"lambert", SHD_MODEL_LAMBERT, 0, 1, false},
+    {"lambert/texture", SHD_MODEL_LAMBERT, 0, 1, true},
+    {"lambert/ambient_per_light/0", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 0, false},
+    {"lambert/ambient_per_light/1", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 1, false},
+    {"lambert/ambient_per_light/8", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 8, true},
+    {"blinn_phong/0_lights", SHD_MODEL_BLINN_PHONG, 0, 0, false},
+    {"blinn_phong/2_lights", SHD_MODEL_BLINN_PHONG, 0, 2, false},
+    {"blinn_phong/texture", SHD_MODEL_BLINN_PHONG, 0, 8, true},
+    {"blinn_phong/ambient_per_light/2", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 2, true},
+};
+
+void fill(Random* random, const combine_case& c) {
+  g->material.model = c.model;
+  g->material.flags = c.flags;
+  g->lights.count = c.lights;
+  for (int channel = 0; channel < 3; ++channel) {
+    g->material.ambient[channel] = random->real(0.0, 2.0);
+    g->material.diffuse[channel] = random->real(0.0, 2.0);
+    g->material.specular[channel] = random->real(0.0, 2.0);
+    g->lights.ambient[channel] = random->real(0.0, 2.0);
+    for (size_t i = 0; i < kBatch; ++i) {
+      g->first.lobes.diffuse[channel][i] = random->real(0.0, 10.0);
+      // What Lambert's model must not read.
+      g->first.lobes.specular[channel][i] = c.model == SHD_MODEL_LAMBERT ? NAN : random->real(0.0, 10.0);
+      g->first.texture[channel][i] = random->real(0.0, 1.0);
+    }
+  }
+}
+
+/// The four channels of row i in double; |error| <= 5 half ulps of the terms, one for each rounding on the way.
+void check_row(size_t i, const combine_case& c, const shade::Radiance& got) {
+  const double times = c.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
+  for (int channel = 0; channel < 3; ++channel) {
+    const material::Material& m = g->material;
+    const double t = c.texture ? double{g->first.texture[channel][i]} : 1.0;
+    const double ambient = times * m.ambient[channel] * g->lights.ambient[channel];
+    const double diffuse = t * m.diffuse[channel] * g->first.lobes.diffuse[channel][i];
+    const double specular =
+        c.model == SHD_MODEL_BLINN_PHONG ? double{m.specular[channel]} * g->first.lobes.specular[channel][i] : 0.0;
+    shd_assert_close("channel", i, got.channel[channel][i], ambient + diffuse + specular, 0.0, 5 * 0x1p-24);
+  }
+  assert_true(got.channel[3][i] == 1.0f);
+}
+
+void test_combine(void** state) {
+  const auto* c = static_cast<const combine_case*>(*state);
+  Random random = {61};
+  fill(&random, *c);
+  for_each_target([&](const core::SimdTarget& target, bool first) {
+    for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
+      shade::Radiance& out = g->columns.radiance;
+      for (float* channel : out.channel) std::fill_n(channel, kBatch, -77.0f);
+      shade::combine(target, g->material, g->lights, g->first.lobes, c->texture ? g->first.texture : nullptr, count,
+                     &out);
+      for (size_t i = 0; i < count; ++i) check_row(i, *c, out);
+      for (const float* channel : out.channel) {
+        for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(channel[i] == -77.0f);
+      }
+    }
+    for (int channel = 0; channel < 4; ++channel) {
+      if (first) memcpy(g->first.radiance.channel[channel], g->columns.radiance.channel[channel], 131 * sizeof(float));
+      assert_memory_equal(g->columns.radiance.channel[channel], g->first.radiance.channel[channel],
+                          131 * sizeof(float));
+    }
+  });
+}
+
+/// The largest coefficients and lobes that lights can make: finite.
+void test_range(void**) {
+  Random random = {62};
+  fill(&random, {"", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 0, true});
+  g->lights.count = size_t{1} << 20;
+  for (int channel = 0; channel < 3; ++channel) {
+    g->material.ambient[channel] = g->material.diffuse[channel] = g->material.specular[channel] = 1e6f;
+    g->lights.ambient[channel] = 1e12f * 1048576.0f;
+    for (size_t i = 0; i < kBatch; ++i) {
+      g->first.lobes.diffuse[channel][i] = g->first.lobes.specular[channel][i] = 1e20f * 1048576.0f;
+    }
+  }
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    shade::combine(target, g->material, g->lights, g->first.lobes, g->first.texture, kBatch, &g->columns.radiance);
+    for (const float* channel : g->columns.radiance.channel) {
+      for (size_t i = 0; i < kBatch; ++i) assert_true(std::isfinite(channel[i]));
+    }
+  });
+}
+
+void test_corners(void**) {
+  Random random = {63};
+  float in[kBatch];
+  uint32_t rows[kBatch];
+  for (size_t i = 0; i < kBatch; ++i) {
+    in[i] = random.real(0.0, 100.0);
+    rows[i] = static_cast<uint32_t>(random.whole(0, kBatch / 3 - 1)) * 3;
+    g->rows.bary[1][i] = random.real(0.0, 1.0);
+    g->rows.bary[2][i] = random.real(0.0, 1.0) * (1.0f - g->rows.bary[1][i]);
+    g->rows.bary[0][i] = 1.0f - g->rows.bary[1][i] - g->rows.bary[2][i];
+  }
+  alignas(64) float column[kBatch];
+  alignas(64) uint32_t row_column[kBatch];
+  memcpy(column, in, sizeof in);
+  memcpy(row_column, rows, sizeof rows);
+  for_each_target([&](const core::SimdTarget& target, bool first) {
+    float *out = g->columns.texture[0], *wanted = g->first.texture[0];
+    for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
+      g->rows.count = count;
+      std::fill_n(out, kBatch, -77.0f);
+      shade::spread_corners(target, g->rows, row_column, column, out);
+      for (size_t i = 0; i < count; ++i) {
+        double want = 0.0;
+        for (uint32_t k = 0; k < 3; ++k) want += double{g->rows.bary[k][i]} * in[rows[i] + k];
+        shd_assert_close("corner", i, out[i], want, 100 * 8 * 0x1p-24, 0.0);
+      }
+      for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out[i] == -77.0f);
+    }
+    if (first) memcpy(wanted, out, 131 * sizeof(float));
+    assert_memory_equal(out, wanted, 131 * sizeof(float));
+  });
+}
+
+void test_centroids(void**) {
+  Random random = {64};
+  float in[kBatch], out[kBatch];
+  uint32_t rows[kBatch];
+  for (size_t i = 0; i < kBatch; ++i) {
+    in[i] = random.real(0.0, 100.0);
+    rows[i] = static_cast<uint32_t>(random.whole(0, kBatch - 1));
+    out[i] = -77.0f;
+  }
+  shade::spread_centroids(rows, 301, in, out);
+  for (size_t i = 0; i < kBatch; ++i) assert_true(out[i] == (i < 301 ? in[rows[i]] : -77.0f));
+}
+
+/// Ambient lights are summed apart, the others keep their order.
+void test_table(void**) {
+  light::Light light[5];
+  const light::Light* pointers[5];
+  for (int i = 0; i < 5; ++i) {
+    shd_light_desc desc = shd_light_desc_default();
+    desc.kind = i % 2 ? SHD_LIGHT_AMBIENT : i == 2 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.intensity[0] = static_cast<float>(i);
+    light[i] = light::make_light(desc);
+    pointers[i] = &light[i];
+  }
+  g->lights = shade::make_light_table(g_allocator, pointers, 5);
+  assert_int_equal(g->lights.count, 3);
+  for (size_t k = 0; k < 3; ++k) assert_true(g->lights.lights[k].intensity[0] == static_cast<float>(2 * k));
+  assert_true(g->lights.ambient[0] == 4.0f && g->lights.ambient[1] == 2.0f);
+  g->lights = shade::make_light_table(g_allocator, pointers, 0);
+  assert_true(g->lights.count == 0 && g->lights.ambient[0] == 0.0f);
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  using namespace shd::tests;
+  CMUnitTest tests[32];
+  size_t n = 0;
+  for (const combine_case& c : k_cases) {
+    tests[n++] = {c.name, test_combine, nullptr, nullptr, const_cast<combine_case*>(&c)};
+  }
+  tests[n++] = {"range", test_range, nullptr, nullptr, nullptr};
+  tests[n++] = {"spread/corners", test_corners, nullptr, nullptr, nullptr};
+  tests[n++] = {"spread/centroids", test_centroids, nullptr, nullptr, nullptr};
+  tests[n++] = {"light_table", test_table, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.shade.combine", tests, n, set_up, tear_down);
+}
