@@ -50,7 +50,7 @@ picture() {
 echo "== Rendering"
 picture duck "$models/Collada/duck.dae" --orbit 35,15 --specular 0.35 --exponent 60 --background 0.75
 picture spider "$models/OBJ/spider.obj" --orbit 35,30 --background 0.75
-"$render" --stats --size 1280x960 --tessellation 32 --orbit 25,25 --background 0.75 --specular 0.5 --exponent 120 \
+"$render" --stats --size 1280x960 --tessellation 32 --orbit 25,25 --background 0.1,0.12,0.15 --exponent 120 \
   -o out/teapot.png
 
 echo "== Done. The pictures:"

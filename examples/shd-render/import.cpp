@@ -116,13 +116,17 @@ bool finite(const aiVector3D& p) {
 
 Geometry geometry_of(const aiMesh& mesh) {
   Geometry geometry;
-  const auto append = [](std::vector<float>& to, const aiVector3D& from, int count) {
-    for (unsigned c = 0; c < static_cast<unsigned>(count); ++c) to.push_back(from[c]);
+  const auto append = [](std::vector<float>& to, const aiVector3D& from) {
+    for (unsigned c = 0; c < 3; ++c) to.push_back(from[c]);
   };
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-    append(geometry.position, finite(mesh.mVertices[i]) ? mesh.mVertices[i] : aiVector3D(0, 0, 0), 3);
-    if (mesh.HasNormals()) append(geometry.normal, mesh.mNormals[i], 3);
-    if (mesh.HasTextureCoords(0)) append(geometry.uv, mesh.mTextureCoords[0][i], 2);
+    append(geometry.position, finite(mesh.mVertices[i]) ? mesh.mVertices[i] : aiVector3D(0, 0, 0));
+    if (mesh.HasNormals()) append(geometry.normal, mesh.mNormals[i]);
+    if (!mesh.HasTextureCoords(0)) continue;
+    // assimp's v grows upwards whatever the format stores. Its own aiProcess_FlipUVs runs before the coordinates that
+    // aiProcess_GenUVCoords makes, and leaves those as they are.
+    geometry.uv.push_back(mesh.mTextureCoords[0][i].x);
+    geometry.uv.push_back(1.0f - mesh.mTextureCoords[0][i].y);
   }
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];
@@ -160,10 +164,9 @@ void place_node(Import& import, const aiNode& node, const aiMatrix4x4& parent, i
 
 const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  // FlipUVs: assimp hands texture coordinates over with v up, whatever the format stores; shd's v grows downwards.
   // Degenerate triangles stay: shd skips them, and assimp's own check would take all of a very small model away.
   const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
-                         aiProcess_TransformUVCoords | aiProcess_GenUVCoords | aiProcess_FlipUVs;
+                         aiProcess_TransformUVCoords | aiProcess_GenUVCoords;
   const aiScene* scene = importer.ReadFile(path, steps);
   if (!scene || !scene->mRootNode) throw Failure(kExitInput, path + ": " + importer.GetErrorString());
   return scene;

@@ -9,8 +9,10 @@
 
 namespace {
 
+constexpr const char* kSeeHelp = " (shd-render --help)";
+
 [[noreturn]] void refuse(const std::string& option, const std::string& value, const char* wanted) {
-  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + " (shd-render --help)");
+  throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + kSeeHelp);
 }
 
 /// `count` numbers between commas; moves `text` behind them. False if there are fewer.
@@ -170,6 +172,21 @@ bool set_scene_value(const std::string& name, const std::string& value, Options&
   return false;
 }
 
+bool set_value(const std::string& name, const std::string& value, Options& out) {
+  return set_output_value(name, value, out) || set_scene_value(name, value, out);
+}
+
+/// What is wrong with an option at the end of the line: it lacks its value, or nobody knows it.
+std::string missing_value(const std::string& name) {
+  Options scratch;
+  bool known = true;
+  try {
+    known = set_value(name, "", scratch);
+  } catch (const Failure&) {
+  }
+  return (known ? " needs a value" : " is not an option") + std::string(kSeeHelp);
+}
+
 }  // namespace
 
 Options parse_options(int argc, const char* const* argv) {
@@ -185,12 +202,8 @@ Options parse_options(int argc, const char* const* argv) {
       options.model = name;
       named = true;
     } else if (!set_switch(name, options)) {
-      const bool last = i + 1 == argc;
-      const std::string value = last ? "" : argv[i + 1];
-      if (!set_output_value(name, value, options) && !set_scene_value(name, value, options)) {
-        throw Failure(kExitUsage, "unknown option " + name + " (shd-render --help)");
-      }
-      if (last) throw Failure(kExitUsage, name + " needs a value (shd-render --help)");
+      if (i + 1 == argc) throw Failure(kExitUsage, name + missing_value(name));
+      if (!set_value(name, argv[i + 1], options)) throw Failure(kExitUsage, name + " is not an option" + kSeeHelp);
       ++i;
     }
   }
