@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+/* A frame built by hand: identity view, so that positions are normalised device coordinates; a few draws with a mesh
+   and a material each; and its planes as arrays. */
+#ifndef SHD_TESTS_SUPPORT_FRAME_H
+#define SHD_TESTS_SUPPORT_FRAME_H
+
+#include <stdlib.h>
+
+#include "support/check.h"
+
+#include <shd/shd.h>
+
+enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4 };
+
+/** What a test renders. `plane` is filled by shd_frame_render. */
+typedef struct shd_frame {
+    shd_context *context;
+    shd_framebuffer *framebuffer;
+    shd_mesh *mesh[SHD_FRAME_DRAWS];
+    shd_material *material[SHD_FRAME_DRAWS];
+    shd_light *light[SHD_FRAME_LIGHTS];
+    shd_draw draw[SHD_FRAME_DRAWS];
+    shd_render_desc desc;
+    shd_render_stats stats;
+    uint32_t width, height;
+    float *plane[SHD_PLANE_TRIANGLE];
+    uint32_t *triangle;
+} shd_frame;
+
+static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
+{
+    shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+    int plane;
+    memset(f, 0, sizeof *f);
+    shd_assert_ok(shd_context_create(NULL, &f->context));
+    f->width = desc.width = width;
+    f->height = desc.height = height;
+    desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
+    shd_assert_ok(shd_framebuffer_create(f->context, &desc, &f->framebuffer));
+    for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) {
+        f->plane[plane] = (float *)malloc((size_t)width * height * sizeof(float));
+        assert_non_null(f->plane[plane]);
+    }
+    f->triangle = (uint32_t *)malloc((size_t)width * height * sizeof(uint32_t));
+    assert_non_null(f->triangle);
+    f->desc = shd_render_desc_default();
+    f->desc.framebuffer = f->framebuffer;
+    f->desc.draws = f->draw;
+    f->desc.lights = (const shd_light *const *)f->light;
+    f->desc.stats = &f->stats;
+}
+
+static inline void shd_frame_close(shd_frame *f)
+{
+    int i;
+    for (i = 0; i < SHD_FRAME_DRAWS; ++i) shd_mesh_release(f->mesh[i]);
+    for (i = 0; i < SHD_FRAME_DRAWS; ++i) shd_material_release(f->material[i]);
+    for (i = 0; i < SHD_FRAME_LIGHTS; ++i) shd_light_release(f->light[i]);
+    for (i = 0; i < SHD_PLANE_TRIANGLE; ++i) free(f->plane[i]);
+    free(f->triangle);
+    shd_framebuffer_release(f->framebuffer);
+    shd_context_release(f->context);
+}
+
+/**
+ * Add a draw of `count` vertices, in records of eight floats: position, normal, uv; every three are a triangle.
+ */
+static inline shd_draw *shd_frame_draw(shd_frame *f, const float *vertices, uint32_t count,
+                                       const shd_material_desc *material)
+{
+    const size_t which = f->desc.draw_count++;
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    int c;
+    desc.vertex_count = count;
+    for (c = 0; c < 8; ++c) {
+        shd_f32_in *column = c < 3 ? &desc.position[c] : c < 6 ? &desc.normal[c - 3] : &desc.uv[c - 6];
+        column->data = vertices + c;
+        column->stride = 8 * sizeof(float);
+    }
+    shd_assert_ok(shd_mesh_create(f->context, &desc, &f->mesh[which]));
+    shd_assert_ok(shd_material_create(f->context, material, &f->material[which]));
+    f->draw[which] = shd_draw_default();
+    f->draw[which].mesh = f->mesh[which];
+    f->draw[which].material = f->material[which];
+    return &f->draw[which];
+}
+
+static inline void shd_frame_light(shd_frame *f, const shd_light_desc *desc)
+{
+    shd_assert_ok(shd_light_create(f->context, desc, &f->light[f->desc.light_count]));
+    ++f->desc.light_count;
+}
+
+/** Render and read every plane. */
+static inline void shd_frame_render(shd_frame *f)
+{
+    int plane;
+    shd_assert_ok(shd_render(f->context, &f->desc));
+    for (plane = 0; plane <= SHD_PLANE_TRIANGLE; ++plane) {
+        shd_f32_out out;
+        shd_u32_out triangles;
+        if (plane == SHD_PLANE_TRIANGLE) {
+            triangles.data = f->triangle;
+            triangles.stride = 0;
+            shd_assert_ok(shd_framebuffer_read_triangles(f->framebuffer, triangles));
+        } else {
+            out.data = f->plane[plane];
+            out.stride = 0;
+            shd_assert_ok(shd_framebuffer_read_plane(f->framebuffer, (shd_plane)plane, out));
+        }
+    }
+}
+
+/** A quad over [x0, x1] x [y0, y1] at depths z0 (left) and z1 (right), normal +z, uv (0, 0) top left, (1, 1) bottom
+    right: two counter-clockwise triangles. */
+static inline void shd_frame_quad(float x0, float y0, float x1, float y1, float z0, float z1, float out[48])
+{
+    const float corner[4][8] = {{x0, y0, z0, 0, 0, 1, 0, 1},
+                                {x1, y0, z1, 0, 0, 1, 1, 1},
+                                {x1, y1, z1, 0, 0, 1, 1, 0},
+                                {x0, y1, z0, 0, 0, 1, 0, 0}};
+    static const int k_order[6] = {0, 1, 2, 0, 2, 3};
+    int i;
+    for (i = 0; i < 6; ++i) memcpy(out + 8 * i, corner[k_order[i]], sizeof corner[0]);
+}
+
+/** A material that shines by itself, given an ambient light of 1. */
+static inline shd_material_desc shd_frame_plain(float r, float g, float b)
+{
+    shd_material_desc desc = shd_material_desc_default();
+    desc.ambient[0] = r;
+    desc.ambient[1] = g;
+    desc.ambient[2] = b;
+    return desc;
+}
+
+static inline void shd_frame_ambient(shd_frame *f)
+{
+    shd_light_desc desc = shd_light_desc_default();
+    desc.kind = SHD_LIGHT_AMBIENT;
+    shd_frame_light(f, &desc);
+}
+
+#endif /* SHD_TESTS_SUPPORT_FRAME_H */
