@@ -4,7 +4,7 @@
 // of a row by one element of 8 bytes. Loads alone differ, so the bits are those of plain gathers.
 //
 // RGBA8 trilinear, perspective floor along the rows of a 2048 x 2048 texture, one thread of a Zen 5, in millions of
-// lookups a second: plain gathers 112 (AVX-512) and 75 (AVX2), pairs 115 and 80, rows 148 (AVX-512); rows by byte
+// lookups a second: plain gathers 112 (AVX-512) and 75 (AVX2), pairs 115 and 80, rows 158 and 86; rows by byte
 // shuffles were slower than scalar loads on SSE4. With textures that stay in cache pairs give 189 and 113.
 
 #if defined(SHD_TEXTURE_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
