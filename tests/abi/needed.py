@@ -3,7 +3,8 @@
 """What a shared library loads directly, and what it runs when it is loaded.
 
     needed.py libraries libshd.so --allow libhwy libm ...   each NEEDED entry is an allowed name
-    needed.py constructors libshd.so                        .init_array holds the compiler's frame_dummy alone
+    needed.py constructors libshd.so [--entries 1]          .init_array holds so many entries: 1 is the compiler's
+                                                            frame_dummy, which runs no code of the library
 """
 import argparse
 import pathlib
@@ -32,11 +33,11 @@ def check_libraries(library, allowed):
     return bool(extra) or not needed
 
 
-def check_constructors(library):
+def check_constructors(library, entries):
     size = sum(int(s, 16) for s in INIT_ARRAY.findall(readelf("-SW", library)))
     pointer = struct.calcsize("P")
-    print(f"{pathlib.Path(library).name}: {size // pointer} entries in .init_array (1 = frame_dummy)")
-    return size > pointer
+    print(f"{pathlib.Path(library).name}: {size // pointer} entries in .init_array, {entries} expected")
+    return size != entries * pointer
 
 
 def main():
@@ -44,10 +45,11 @@ def main():
     parser.add_argument("check", choices=["libraries", "constructors"])
     parser.add_argument("library")
     parser.add_argument("--allow", nargs="*", default=[])
+    parser.add_argument("--entries", type=int, default=1)
     arguments = parser.parse_args()
     if arguments.check == "libraries":
         return int(check_libraries(arguments.library, arguments.allow))
-    return int(check_constructors(arguments.library))
+    return int(check_constructors(arguments.library, arguments.entries))
 
 
 if __name__ == "__main__":

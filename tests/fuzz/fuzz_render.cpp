@@ -46,22 +46,21 @@ void fill_matrix(Source& source, float* matrix, bool affine) {
 }
 
 void fill_mesh(Source& source, MeshData& mesh) {
-  mesh.vertex_count = source.below(40);
   mesh.normals = source.one_in(2);
   mesh.uvs = source.one_in(2);
   mesh.indexed = source.one_in(2);
-  mesh.flags = source.one_in(64) ? source.word() : source.below(2);
+  mesh.vertex_count = mesh.indexed ? source.below(40) : 3 * source.below(14);
+  mesh.flags = source.one_in(64) ? source.word() : !source.one_in(16);
   mesh.normal_weight = source.below(source.one_in(32) ? 100 : 3);
   const bool hostile = source.one_in(2);
   for (int k = 0; k < 8; ++k) {
     mesh.columns[k].resize(mesh.vertex_count);
     for (float& value : mesh.columns[k]) value = hostile && source.one_in(4) ? source.hostile() : source.unit();
   }
-  const uint32_t count = source.below(40) * 3 + source.one_in(32);
+  const uint32_t count = mesh.vertex_count == 0 ? 0 : source.below(40) * 3 + source.one_in(64);
   if (!mesh.indexed) return;
   for (uint32_t i = 0; i < count; ++i) {
-    mesh.indices.push_back(source.one_in(1024) ? source.word()
-                                               : source.below(mesh.vertex_count ? mesh.vertex_count : 1));
+    mesh.indices.push_back(source.one_in(2048) ? source.word() : source.below(mesh.vertex_count));
   }
 }
 
@@ -69,8 +68,8 @@ void fill_draw(Source& source, DrawData& data) {
   fill_mesh(source, data.mesh);
   data.material.model = static_cast<shd_model>(source.below(source.one_in(32) ? 100 : 2));
   data.material.flags = source.below(4);
-  data.material.exponent = source.one_in(8) ? source.hostile() : static_cast<float>(source.below(200));
-  for (float& value : data.material.diffuse) value = source.one_in(16) ? source.hostile() : std::fabs(source.unit());
+  data.material.exponent = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(200));
+  for (float& value : data.material.diffuse) value = source.one_in(64) ? source.hostile() : std::fabs(source.unit());
   data.textured = source.one_in(2);
   data.draw.frequency = static_cast<shd_frequency>(source.below(source.one_in(32) ? 100 : 3));
   data.draw.cull = static_cast<shd_cull>(source.below(source.one_in(32) ? 100 : 3));

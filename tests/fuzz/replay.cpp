@@ -33,7 +33,7 @@ void replay_random(uint64_t iterations, uint64_t seed) {
   std::vector<uint8_t> bytes;
   for (uint64_t i = 0; i < iterations; ++i) {
     uint64_t state = seed * 0x100000001b3u + i;  // each iteration can be replayed alone
-    bytes.resize(next_random(state) % 4096);
+    bytes.resize(next_random(state) % 16384);
     for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(next_random(state));
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
   }

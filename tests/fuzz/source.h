@@ -39,8 +39,8 @@ class Source {
   /// In [0, bound).
   uint32_t below(uint32_t bound) { return (bound > 256 ? word() : byte()) % bound; }
 
-  /// True once in `n` times.
-  bool one_in(uint32_t n) { return below(n) == 0; }
+  /// True once in `n` times; false when the bytes have run out.
+  bool one_in(uint32_t n) { return below(n) == n - 1; }
 
   /// In [-1, 1].
   float unit() { return static_cast<float>(static_cast<int>(below(65536)) - 32768) / 32768.0f; }
