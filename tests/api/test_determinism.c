@@ -101,8 +101,8 @@ static void test_scene_is_whole(void **state)
         scene.desc.draws = &scene.draw[draw];
         scene.desc.draw_count = 1;
         (void)shd_scene_render(&scene);
-        if (scene.stats.fragments < 20) fail_msg("draw %zu: %llu fragments", draw,
-                                                 (unsigned long long)scene.stats.fragments);
+        if (scene.stats.fragments < 20)
+            fail_msg("draw %zu: %llu fragments", draw, (unsigned long long)scene.stats.fragments);
     }
     shd_assert_ok(shd_framebuffer_view_plane(scene.framebuffer, SHD_PLANE_R, &view));
     shd_scene_close(&scene);
@@ -114,8 +114,8 @@ enum { k_lookups = 40003 }; /* not a whole number of vectors */
 
 static void fill_lookups(float *columns)
 {
-    static const float k_special[] = {0.0f, -0.0f, 1.0f,  -1.0f, 0.5f,  1e-45f, -1e-45f,        1e30f,
-                                      -1e30f, 3e38f, 1e-30f, NAN, INFINITY, -INFINITY, 16777216.5f, 1.0e9f};
+    static const float k_special[] = {0.0f,   -0.0f, 1.0f,   -1.0f, 0.5f,     1e-45f,    -1e-45f,     1e30f,
+                                      -1e30f, 3e38f, 1e-30f, NAN,   INFINITY, -INFINITY, 16777216.5f, 1.0e9f};
     uint32_t seed = 2024;
     size_t i, c;
     for (c = 0; c < 6; ++c) {

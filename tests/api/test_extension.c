@@ -228,12 +228,12 @@ static void test_object_refusals(void **state)
     assert_null(object);
     shd_assert_result("body", shd_object_create(f.context, k_type, NULL, count_end, &object),
                       SHD_ERROR_INVALID_ARGUMENT, "object.body: NULL");
-    shd_assert_result("destroy", shd_object_create(f.context, k_type, &ends, NULL, &object),
-                      SHD_ERROR_INVALID_ARGUMENT, "object.destroy: NULL");
-    shd_assert_result("context", shd_object_create(NULL, k_type, &ends, count_end, &object),
-                      SHD_ERROR_INVALID_ARGUMENT, "context: NULL");
-    shd_assert_result("out", shd_object_create(f.context, k_type, &ends, count_end, NULL),
-                      SHD_ERROR_INVALID_ARGUMENT, "out_object: NULL");
+    shd_assert_result("destroy", shd_object_create(f.context, k_type, &ends, NULL, &object), SHD_ERROR_INVALID_ARGUMENT,
+                      "object.destroy: NULL");
+    shd_assert_result("context", shd_object_create(NULL, k_type, &ends, count_end, &object), SHD_ERROR_INVALID_ARGUMENT,
+                      "context: NULL");
+    shd_assert_result("out", shd_object_create(f.context, k_type, &ends, count_end, NULL), SHD_ERROR_INVALID_ARGUMENT,
+                      "out_object: NULL");
     assert_int_equal(ends, 0);
     close_context(&f);
 }

@@ -59,9 +59,9 @@ struct fault_case {
     int steady; /* allocates the same every time */
 };
 static const struct fault_case k_faults[] = {
-    {"one_worker/transient", use_one_worker, 0, 1},   {"one_worker/persistent", use_one_worker, 1, 1},
-    {"four_in_turn/transient", use_turns, 0, 1},      {"four_in_turn/persistent", use_turns, 1, 1},
-    {"four_threads/transient", use_threads, 0, 0},    {"four_threads/persistent", use_threads, 1, 0},
+    {"one_worker/transient", use_one_worker, 0, 1},     {"one_worker/persistent", use_one_worker, 1, 1},
+    {"four_in_turn/transient", use_turns, 0, 1},        {"four_in_turn/persistent", use_turns, 1, 1},
+    {"four_threads/transient", use_threads, 0, 0},      {"four_threads/persistent", use_threads, 1, 0},
     {"built_in_of_four/transient", use_built_in, 0, 0}, {"built_in_of_four/persistent", use_built_in, 1, 0},
 };
 
@@ -181,8 +181,17 @@ struct liar {
     shd_result nested;
     const shd_scene *scene;
 };
-enum { k_fail_early, k_fail_late, k_skip_one, k_run_none, k_run_twice, k_twice_and_skip, k_index_out, k_worker_out,
-       k_reenter };
+enum {
+    k_fail_early,
+    k_fail_late,
+    k_skip_one,
+    k_run_none,
+    k_run_twice,
+    k_twice_and_skip,
+    k_index_out,
+    k_worker_out,
+    k_reenter
+};
 
 static void nested_task(void *data, uint32_t index, uint32_t worker)
 {

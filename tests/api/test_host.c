@@ -230,11 +230,10 @@ struct control_case {
     unsigned mxcsr;
 };
 static const struct control_case k_controls[] = {
-    {"control/default", 0x1f80},         {"control/flush_to_zero", 0x9f80},
-    {"control/denormals_are_zero", 0x1fc0}, {"control/both", 0x9fc0},
-    {"control/round_down", 0x3f80},      {"control/round_up", 0x5f80},
-    {"control/truncate", 0x7f80},        {"control/exceptions_unmasked", 0x0000},
-    {"control/everything", 0xe040},      {"control/flags_raised", 0x1fbf},
+    {"control/default", 0x1f80},      {"control/flush_to_zero", 0x9f80},       {"control/denormals_are_zero", 0x1fc0},
+    {"control/both", 0x9fc0},         {"control/round_down", 0x3f80},          {"control/round_up", 0x5f80},
+    {"control/truncate", 0x7f80},     {"control/exceptions_unmasked", 0x0000}, {"control/everything", 0xe040},
+    {"control/flags_raised", 0x1fbf},
 };
 
 static void test_control(void **state)
@@ -374,7 +373,8 @@ static void deep_sample(struct deep *self)
 
 static size_t stack_used(struct deep *self, size_t size)
 {
-    unsigned char *stack = (unsigned char *)mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    unsigned char *stack =
+        (unsigned char *)mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     pthread_attr_t attributes;
     pthread_t thread;
     size_t untouched = 0;

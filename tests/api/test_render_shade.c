@@ -58,7 +58,8 @@ static void weights(uint32_t x, uint32_t y, double out[3])
     int k;
     for (k = 0; k < 3; ++k) {
         const float *a = k_vertices[(k + 1) % 3], *b = k_vertices[(k + 2) % 3];
-        e[k] = ((double)b[0] - (double)a[0]) * (py - (double)a[1]) - ((double)b[1] - (double)a[1]) * (px - (double)a[0]);
+        e[k] =
+            ((double)b[0] - (double)a[0]) * (py - (double)a[1]) - ((double)b[1] - (double)a[1]) * (px - (double)a[0]);
         sum += e[k];
     }
     for (k = 0; k < 3; ++k) out[k] = e[k] / sum;
@@ -104,14 +105,16 @@ struct shade_case {
     float exponent;
     int ambient_lights;
 };
-#define CASES_OF(name, frequency)                                                \
-    {name "/lambert", SHD_MODEL_LAMBERT, frequency, 0, 1, 1},                    \
-    {name "/lambert_no_ambient", SHD_MODEL_LAMBERT, frequency, 0, 1, 0},         \
-    {name "/blinn_phong", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 1},            \
-    {name "/blinn_phong_sharp", SHD_MODEL_BLINN_PHONG, frequency, 0, 200, 1},    \
-    {name "/blinn_phong_exponent_0", SHD_MODEL_BLINN_PHONG, frequency, 0, 0, 1}, \
-    {name "/two_ambient_lights", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 2},     \
-    {name "/ungated", SHD_MODEL_BLINN_PHONG, frequency, SHD_SPECULAR_UNGATED, 8, 1}
+#define CASES_OF(name, frequency)                                                     \
+    {name "/lambert", SHD_MODEL_LAMBERT, frequency, 0, 1, 1},                         \
+        {name "/lambert_no_ambient", SHD_MODEL_LAMBERT, frequency, 0, 1, 0},          \
+        {name "/blinn_phong", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 1},             \
+        {name "/blinn_phong_sharp", SHD_MODEL_BLINN_PHONG, frequency, 0, 200, 1},     \
+        {name "/blinn_phong_exponent_0", SHD_MODEL_BLINN_PHONG, frequency, 0, 0, 1},  \
+        {name "/two_ambient_lights", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 2},      \
+    {                                                                                 \
+        name "/ungated", SHD_MODEL_BLINN_PHONG, frequency, SHD_SPECULAR_UNGATED, 8, 1 \
+    }
 static const struct shade_case k_shades[] = {CASES_OF("phong", SHD_FREQUENCY_PHONG),
                                              CASES_OF("gouraud", SHD_FREQUENCY_GOURAUD),
                                              CASES_OF("flat", SHD_FREQUENCY_FLAT)};
@@ -284,8 +287,8 @@ static void test_program_columns(void **state)
             shd_assert_close("r", at, (double)f.plane[SHD_PLANE_R][at], x + 0.5, 0, 0);
             shd_assert_close("g", at, (double)f.plane[SHD_PLANE_G][at], y + 0.5, 0, 0);
             shd_assert_close("b", at, (double)f.plane[SHD_PLANE_B][at], 0.25 + 0.5 * u, 1e-6, 0);
-            shd_assert_close("b = depth", at, (double)f.plane[SHD_PLANE_B][at],
-                             (double)f.plane[SHD_PLANE_DEPTH][at], 0, 0);
+            shd_assert_close("b = depth", at, (double)f.plane[SHD_PLANE_B][at], (double)f.plane[SHD_PLANE_DEPTH][at], 0,
+                             0);
             shd_assert_close("a", at, (double)f.plane[SHD_PLANE_A][at], 0.5, 0, 0);
         }
     }

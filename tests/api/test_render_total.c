@@ -125,11 +125,26 @@ struct triangle_case {
     float p[9];
     shd_render_stats want; /* triangles, nonfinite, outside, culled, empty, rasterised; fragments 0 = not checked */
 };
-#define DROPPED_NONFINITE {1, 1, 0, 0, 0, 0, 0, 0, 0}
-#define DROPPED_OUTSIDE {1, 0, 1, 0, 0, 0, 0, 0, 0}
-#define DROPPED_CULLED {1, 0, 0, 1, 0, 0, 0, 0, 0}
-#define DROPPED_EMPTY {1, 0, 0, 0, 1, 0, 0, 0, 0}
-#define DRAWN {1, 0, 0, 0, 0, 1, 0, 0, 0}
+#define DROPPED_NONFINITE         \
+    {                             \
+        1, 1, 0, 0, 0, 0, 0, 0, 0 \
+    }
+#define DROPPED_OUTSIDE           \
+    {                             \
+        1, 0, 1, 0, 0, 0, 0, 0, 0 \
+    }
+#define DROPPED_CULLED            \
+    {                             \
+        1, 0, 0, 1, 0, 0, 0, 0, 0 \
+    }
+#define DROPPED_EMPTY             \
+    {                             \
+        1, 0, 0, 0, 1, 0, 0, 0, 0 \
+    }
+#define DRAWN                     \
+    {                             \
+        1, 0, 0, 0, 0, 1, 0, 0, 0 \
+    }
 static const struct triangle_case k_triangles[] = {
     {"nan/x0", {NAN, 0, 0.5f, 1, 0, 0.5f, 0, 1, 0.5f}, DROPPED_NONFINITE},
     {"nan/z2", {0, 0, 0.5f, 1, 0, 0.5f, 0, 1, NAN}, DROPPED_NONFINITE},
@@ -248,7 +263,9 @@ static void test_matrix(void **state)
         float *m;
         open_frame(&f, k_p, 3, 64, 64);
         f.draw.frequency = k_frequencies[i];
-        m = c->which == 0 ? f.draw.object_to_world : c->which == 1 ? f.desc.view.world_to_view : f.desc.view.view_to_clip;
+        m = c->which == 0   ? f.draw.object_to_world
+            : c->which == 1 ? f.desc.view.world_to_view
+                            : f.desc.view.view_to_clip;
         memcpy(m, c->m, sizeof c->m);
         shd_assert_ok(shd_render(f.context, &f.desc));
         expect_sane(c->name, &f);
@@ -264,7 +281,7 @@ static void test_matrix(void **state)
 static void test_lights_in_odd_places(void **state)
 {
     static const float k_p[9] = {-1, -1, 0.5f, 3, -1, 0.5f, -1, 3, 0.5f};
-    static const float k_places[][3] = {{0, 0, 0.5f},  {-1, -1, 0.5f}, {0, 0, 1e-30f + 0.5f},
+    static const float k_places[][3] = {{0, 0, 0.5f},  {-1, -1, 0.5f},  {0, 0, 1e-30f + 0.5f},
                                         {1e38f, 0, 0}, {BIG, BIG, BIG}, {1e-38f, 0, 0}};
     size_t i, k;
     (void)state;
@@ -330,8 +347,8 @@ static void test_empty_mesh(void **state)
 
 int main(void)
 {
-    static struct CMUnitTest tests[sizeof k_triangles / sizeof k_triangles[0] + sizeof k_matrices / sizeof k_matrices[0] +
-                                   sizeof k_sizes / sizeof k_sizes[0] + 3];
+    static struct CMUnitTest tests[sizeof k_triangles / sizeof k_triangles[0] +
+                                   sizeof k_matrices / sizeof k_matrices[0] + sizeof k_sizes / sizeof k_sizes[0] + 3];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_triangles / sizeof k_triangles[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_triangles[i].name, test_triangle, NULL, NULL, (void *)&k_triangles[i]};

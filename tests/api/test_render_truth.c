@@ -6,8 +6,11 @@ struct cover_case {
     const char *name;
     uint32_t width, height;
 };
-static const struct cover_case k_covers[] = {{"cover/1x1", 1, 1},     {"cover/7x5", 7, 5},       {"cover/64x64", 64, 64},
-                                             {"cover/65x63", 65, 63}, {"cover/203x151", 203, 151}};
+static const struct cover_case k_covers[] = {{"cover/1x1", 1, 1},
+                                             {"cover/7x5", 7, 5},
+                                             {"cover/64x64", 64, 64},
+                                             {"cover/65x63", 65, 63},
+                                             {"cover/203x151", 203, 151}};
 
 /* Two triangles over the whole frame: each pixel belongs to one of them. */
 static void test_cover(void **state)
@@ -94,8 +97,8 @@ struct order_case {
     int expected; /* 0 red, 1 green, 2 neither */
 };
 static const struct order_case k_orders[] = {
-    {"order/nearer_second", 0.5f, 0.25f, 1.0f, 1}, {"order/farther_second", 0.25f, 0.5f, 1.0f, 0},
-    {"order/tie_keeps_first", 0.5f, 0.5f, 1.0f, 0}, {"order/clear_depth_between", 0.5f, 0.25f, 0.4f, 1},
+    {"order/nearer_second", 0.5f, 0.25f, 1.0f, 1},        {"order/farther_second", 0.25f, 0.5f, 1.0f, 0},
+    {"order/tie_keeps_first", 0.5f, 0.5f, 1.0f, 0},       {"order/clear_depth_between", 0.5f, 0.25f, 0.4f, 1},
     {"order/clear_depth_nearest", 0.5f, 0.25f, 0.25f, 2}, {"order/at_far_plane", 1.0f, 1.0f, 1.0f, 2},
     {"order/at_near_plane", 0.5f, 0.0f, 1.0f, 1},
 };
@@ -103,8 +106,9 @@ static void test_order(void **state)
 {
     const struct order_case *c = (const struct order_case *)*state;
     const shd_material_desc red = shd_frame_plain(1, 0, 0), green = shd_frame_plain(0, 1, 0);
-    const double want_depth = c->expected == 0 ? (double)c->first : c->expected == 1 ? (double)c->second
-                                                                                     : (double)c->clear_depth;
+    const double want_depth = c->expected == 0   ? (double)c->first
+                              : c->expected == 1 ? (double)c->second
+                                                 : (double)c->clear_depth;
     float quad[48];
     size_t i;
     shd_frame f;
@@ -168,9 +172,9 @@ struct cull_case {
     int clockwise, mirrored, drawn;
 };
 static const struct cull_case k_culls[] = {
-    {"cull/none_front", SHD_CULL_NONE, 0, 0, 1},   {"cull/none_back", SHD_CULL_NONE, 1, 0, 1},
-    {"cull/back_front", SHD_CULL_BACK, 0, 0, 1},   {"cull/back_back", SHD_CULL_BACK, 1, 0, 0},
-    {"cull/front_front", SHD_CULL_FRONT, 0, 0, 0}, {"cull/front_back", SHD_CULL_FRONT, 1, 0, 1},
+    {"cull/none_front", SHD_CULL_NONE, 0, 0, 1},          {"cull/none_back", SHD_CULL_NONE, 1, 0, 1},
+    {"cull/back_front", SHD_CULL_BACK, 0, 0, 1},          {"cull/back_back", SHD_CULL_BACK, 1, 0, 0},
+    {"cull/front_front", SHD_CULL_FRONT, 0, 0, 0},        {"cull/front_back", SHD_CULL_FRONT, 1, 0, 1},
     {"cull/back_front_mirrored", SHD_CULL_BACK, 0, 1, 0}, {"cull/back_back_mirrored", SHD_CULL_BACK, 1, 1, 1},
 };
 static void test_cull(void **state)

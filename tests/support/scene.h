@@ -28,8 +28,8 @@ enum {
     SHD_SCENE_MATERIALS = 8,
     SHD_SCENE_LIGHTS = 4,
     SHD_SCENE_DRAWS = 10,
-    SHD_SCENE_STEPS = SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS +
-                      SHD_SCENE_LIGHTS + 1
+    SHD_SCENE_STEPS =
+        SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS + SHD_SCENE_LIGHTS + 1
 };
 
 /** Objects of a scene and the frame made of them. Zero is an empty one. */
@@ -64,8 +64,8 @@ static inline void *shd_scene_memory(size_t size)
 
 static inline shd_result shd_scene_texture(shd_scene *s, size_t which)
 {
-    static const shd_format k_format[SHD_SCENE_TEXTURES] = {SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA8,
-                                                            SHD_FORMAT_RGBA32F, SHD_FORMAT_R8};
+    static const shd_format k_format[SHD_SCENE_TEXTURES] = {SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F,
+                                                            SHD_FORMAT_R8};
     static const uint32_t k_width[SHD_SCENE_TEXTURES] = {61, 16, 7, 8}, k_height[SHD_SCENE_TEXTURES] = {37, 16, 5, 8};
     const size_t pixel = shd_format_size(k_format[which]);
     const size_t pixels = (size_t)k_width[which] * k_height[which];
@@ -207,10 +207,10 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     g.vertices = (float *)shd_scene_memory(4096 * 5 * sizeof(float));
     g.indices = (uint32_t *)shd_scene_memory(16384 * sizeof(uint32_t));
     switch (which) {
-    case 0: shd_scene_plane(&g); break;
-    case 1: shd_scene_sphere(&g, small ? 2 : 8); break;
-    case 2: shd_scene_hills(&g, small ? 3 : 28); break;
-    default: shd_scene_broken(&g, small ? 9 : 60); break;
+        case 0: shd_scene_plane(&g); break;
+        case 1: shd_scene_sphere(&g, small ? 2 : 8); break;
+        case 2: shd_scene_hills(&g, small ? 3 : 28); break;
+        default: shd_scene_broken(&g, small ? 9 : 60); break;
     }
     desc.vertex_count = g.vertex_count;
     for (c = 0; c < 5; ++c) {
