@@ -36,7 +36,8 @@ typedef struct shd_allocator {
 typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
 
 /**
- * Host job system. Zero = the built-in executor (oneTBB if built in, else the calling thread).
+ * Host job system. Zero = the built-in executor: oneTBB if built in, else the calling thread; the latter too where no
+ * thread may be started, and for a context that a forked child inherits.
  */
 typedef struct shd_executor {
     /**
