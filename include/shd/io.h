@@ -32,8 +32,8 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_TIFF = 1 << 3,
     SHD_FILE_FORMAT_HDR = 1 << 4, /**< Radiance RGBE */
     SHD_FILE_FORMAT_TGA = 1 << 5, /**< has no signature: recognised by a plausible header, after all others */
-    SHD_FILE_FORMAT_BMP = 1 << 6,
-    SHD_FILE_FORMAT_DDS = 1 << 7,
+    SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
+    SHD_FILE_FORMAT_DDS = 1 << 7, /**< BC1 to BC7 and plain pixels; no cube maps or volumes */
     SHD_FILE_FORMAT_WEBP = 1 << 8,
     SHD_FILE_FORMAT_PNM = 1 << 9, /**< PBM, PGM, PPM and PFM */
     SHD_FILE_FORMAT_PSD = 1 << 10,

@@ -18,6 +18,7 @@
 /// | sniff.h          | format and declared size from the first bytes                        |
 /// | exr_header.h     | what an OpenEXR header declares                                      |
 /// | dds_header.h     | the same of a DDS header                                            |
+/// | bmp_header.h     | the same of a BMP header, and its palette                           |
 /// | scrub.h          | removes metadata that decoders would parse                           |
 /// | channels.h       | which channels of a file are r, g, b, a, and their expansion to RGBA |
 /// | transfer.h       | colour-space names, transfer curves, half floats                     |

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/sniff.h"
 
+#include "io/bmp_header.h"
 #include "io/byte_reader.h"
 #include "io/dds_header.h"
 #include "io/exr_header.h"
@@ -166,6 +167,7 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
     check_bytes(limits, extent.width, extent.height, 4, size);
   }
   if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
+  if (format == SHD_FILE_FORMAT_BMP) check_bmp_header(bytes, size);
 }
 
 bool jpeg_is_complete(const unsigned char* bytes, size_t size) {
