@@ -83,11 +83,11 @@ typedef enum shd_simd {
 
 /** Options of a context; zero is a good default for each. */
 typedef struct shd_context_desc {
-    uint32_t struct_size;   /**< set by shd_context_desc_default() */
-    uint32_t worker_count;  /**< built-in executor: threads, 0..1024, at most one per core; 0 = one per
+    uint32_t struct_size;    /**< set by shd_context_desc_default() */
+    uint32_t worker_count;   /**< built-in executor: threads, 0..1024, at most one per core; 0 = one per
                                  core, 1 = calling thread */
-    shd_simd simd;          /**< default SHD_SIMD_BEST; one that cannot run here is SHD_ERROR_UNSUPPORTED */
-    uint32_t reserved;      /**< 0 */
+    shd_simd simd;           /**< default SHD_SIMD_BEST; one that cannot run here is SHD_ERROR_UNSUPPORTED */
+    uint32_t reserved;       /**< 0 */
     shd_allocator allocator; /**< default malloc/free */
     shd_executor executor;   /**< default built-in */
     shd_log log;             /**< default none */
