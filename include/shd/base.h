@@ -18,11 +18,16 @@
 #ifdef __cplusplus
 #define SHD_BEGIN_DECLS extern "C" {
 #define SHD_END_DECLS }
-#define SHD_ZERO_INIT {}
+#define SHD_ZERO_INIT \
+    {                 \
+    }
 #else
 #define SHD_BEGIN_DECLS
 #define SHD_END_DECLS
-#define SHD_ZERO_INIT {0}
+#define SHD_ZERO_INIT \
+    {                 \
+        0             \
+    }
 #endif
 
 /* Define SHD_STATIC when linking the static libraries on Windows. */

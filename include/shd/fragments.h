@@ -19,19 +19,19 @@ SHD_BEGIN_DECLS
  * the latter two x, y, depth and the derivatives are 0.
  */
 typedef struct shd_fragments {
-    uint32_t struct_size;     /**< of the library's struct */
-    uint32_t draw;            /**< index into shd_render_desc.draws; the same for every row */
-    size_t count;             /**< rows */
-    const float *x;           /**< raster position of the pixel centre, pixels from the left edge */
-    const float *y;           /**< raster position, pixels from the top edge */
-    const float *depth;       /**< depth-buffer value, 0 near .. 1 far */
+    uint32_t struct_size;      /**< of the library's struct */
+    uint32_t draw;             /**< index into shd_render_desc.draws; the same for every row */
+    size_t count;              /**< rows */
+    const float *x;            /**< raster position of the pixel centre, pixels from the left edge */
+    const float *y;            /**< raster position, pixels from the top edge */
+    const float *depth;        /**< depth-buffer value, 0 near .. 1 far */
     const float *px, *py, *pz; /**< position, world space */
     const float *nx, *ny, *nz; /**< shading normal, world space, unit */
     const float *ox, *oy, *oz; /**< wo: towards the eye, world space, unit (0 at the eye itself) */
-    const float *u, *v;       /**< texture coordinates, perspective-correct */
-    const float *dudx, *dvdx; /**< analytic derivatives along one pixel to the right */
-    const float *dudy, *dvdy; /**< analytic derivatives along one pixel down */
-    const uint32_t *triangle; /**< index of the triangle in its mesh */
+    const float *u, *v;        /**< texture coordinates, perspective-correct */
+    const float *dudx, *dvdx;  /**< analytic derivatives along one pixel to the right */
+    const float *dudy, *dvdy;  /**< analytic derivatives along one pixel down */
+    const uint32_t *triangle;  /**< index of the triangle in its mesh */
 } shd_fragments;
 
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */

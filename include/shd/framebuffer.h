@@ -120,8 +120,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_plane(const shd_framebuffe
                                                             shd_f32_out out);
 
 /** Copy SHD_PLANE_TRIANGLE into a column of width * height elements, row by row from the top. @since 0.1 */
-SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_triangles(const shd_framebuffer *framebuffer,
-                                                                shd_u32_out out);
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_triangles(const shd_framebuffer *framebuffer, shd_u32_out out);
 
 /**
  * Copy colour as interleaved RGBA, linear: no transfer curve is applied, except the sRGB curve of
@@ -129,8 +128,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_triangles(const shd_frameb
  * @param out  RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer,
-                                                            const shd_image *out);
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer, const shd_image *out);
 
 SHD_END_DECLS
 

@@ -51,17 +51,17 @@ typedef struct shd_material_program {
 
 /** Model and coefficients, scene-linear RGB. */
 typedef struct shd_material_desc {
-    uint32_t struct_size;             /**< set by shd_material_desc_default() */
-    shd_model model;                  /**< default SHD_MODEL_LAMBERT */
-    uint32_t flags;                   /**< shd_material_flag bits */
-    float ambient[3];                 /**< k_a, 0..1e6; default 0.05 */
-    float diffuse[3];                 /**< k_d, 0..1e6; default 0.8 */
-    float specular[3];                /**< k_s, 0..1e6; default 0.5 */
-    float exponent;                   /**< p, 0..1e6; default 64 */
-    uint32_t reserved;                /**< 0 */
-    shd_texture *diffuse_texture;     /**< multiplies k_d; NULL = none; retained */
-    shd_sampler *diffuse_sampler;     /**< NULL = default sampler; retained */
-    shd_material_program program;     /**< for SHD_MODEL_PROGRAM */
+    uint32_t struct_size;         /**< set by shd_material_desc_default() */
+    shd_model model;              /**< default SHD_MODEL_LAMBERT */
+    uint32_t flags;               /**< shd_material_flag bits */
+    float ambient[3];             /**< k_a, 0..1e6; default 0.05 */
+    float diffuse[3];             /**< k_d, 0..1e6; default 0.8 */
+    float specular[3];            /**< k_s, 0..1e6; default 0.5 */
+    float exponent;               /**< p, 0..1e6; default 64 */
+    uint32_t reserved;            /**< 0 */
+    shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
+    shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
+    shd_material_program program; /**< for SHD_MODEL_PROGRAM */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 

@@ -66,8 +66,7 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * @param out_mesh  owned; NULL on failure
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_mesh_create(shd_context *context, const shd_mesh_desc *desc,
-                                                 shd_mesh **out_mesh);
+SHD_NODISCARD SHD_API shd_result shd_mesh_create(shd_context *context, const shd_mesh_desc *desc, shd_mesh **out_mesh);
 
 /** Add a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_mesh_retain(shd_mesh *mesh);

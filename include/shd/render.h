@@ -61,14 +61,14 @@ static inline shd_draw shd_draw_default(void)
 
 /** What happened to the triangles of a frame: they add up to `triangles`. */
 typedef struct shd_render_stats {
-    uint64_t triangles;  /**< in all draws */
-    uint64_t nonfinite;  /**< dropped: a vertex is NaN or infinite after transformation */
-    uint64_t outside;    /**< dropped: outside the view volume */
-    uint64_t culled;     /**< dropped: facing the wrong way, or without area on the pixel grid */
-    uint64_t empty;      /**< dropped: between pixel centres */
-    uint64_t rasterised; /**< drawn, hidden or not */
-    uint64_t clipped;    /**< of those outside, culled, empty and rasterised: cut by a clip plane */
-    uint64_t fragments;  /**< shaded; each pixel at most once */
+    uint64_t triangles;           /**< in all draws */
+    uint64_t nonfinite;           /**< dropped: a vertex is NaN or infinite after transformation */
+    uint64_t outside;             /**< dropped: outside the view volume */
+    uint64_t culled;              /**< dropped: facing the wrong way, or without area on the pixel grid */
+    uint64_t empty;               /**< dropped: between pixel centres */
+    uint64_t rasterised;          /**< drawn, hidden or not */
+    uint64_t clipped;             /**< of those outside, culled, empty and rasterised: cut by a clip plane */
+    uint64_t fragments;           /**< shaded; each pixel at most once */
     uint64_t nonfinite_fragments; /**< of those: r, g, b or a was NaN or infinite (kept as written) */
 } shd_render_stats;
 

@@ -285,6 +285,8 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
   if (!mixed) spec.channelformats.clear();
   spec.alpha_channel = job.alpha;
   if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
+  // OpenImageIO would write the time of day: the same pixels make the same file.
+  if (std::strcmp(job.writer, "openexr") == 0) spec.attribute("DateTime", "1970:01:01 00:00:00");
   // Tagged sRGB, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone: unreadable.
   const bool tagged = job.color_space[0] != 0 && std::strcmp(job.writer, "tiff") != 0;
   if (tagged) spec.attribute("oiio:ColorSpace", job.color_space);

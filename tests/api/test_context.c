@@ -177,8 +177,7 @@ static void test_names(void **state)
 {
     int i;
     (void)state;
-    assert_int_equal(shd_version(),
-                     SHD_VERSION_MAJOR << 16 | SHD_VERSION_MINOR << 8 | SHD_VERSION_PATCH);
+    assert_int_equal(shd_version(), SHD_VERSION_MAJOR << 16 | SHD_VERSION_MINOR << 8 | SHD_VERSION_PATCH);
     assert_string_equal(shd_result_name(SHD_OK), "SHD_OK");
     assert_string_equal(shd_result_name(SHD_ERROR_OUT_OF_MEMORY), "SHD_ERROR_OUT_OF_MEMORY");
     for (i = 0; i <= SHD_ERROR_INTERNAL; ++i) {

@@ -126,13 +126,21 @@ struct argument_case {
     const char *message;
 };
 
-static void edit_nothing(shd_lookups *l, shd_texels *t) { (void)l; (void)t; }
+static void edit_nothing(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    (void)t;
+}
 static void edit_count_zero(shd_lookups *l, shd_texels *t)
 {
     *l = shd_lookups_default();
     memset(t->channel, 0, sizeof t->channel);
 }
-static void edit_count_one(shd_lookups *l, shd_texels *t) { (void)t; l->count = 1; }
+static void edit_count_one(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->count = 1;
+}
 static void edit_one_channel(shd_lookups *l, shd_texels *t)
 {
     (void)l;
@@ -143,19 +151,51 @@ static void edit_no_derivatives(shd_lookups *l, shd_texels *t)
     (void)t;
     l->dudx.data = l->dvdx.data = l->dudy.data = l->dvdy.data = NULL;
 }
-static void edit_sized_texels(shd_lookups *l, shd_texels *t) { (void)l; t->struct_size = (uint32_t)sizeof *t; }
-static void edit_lookups_size(shd_lookups *l, shd_texels *t) { (void)t; l->struct_size = 0; }
-static void edit_lookups_reserved(shd_lookups *l, shd_texels *t) { (void)t; l->reserved = 1; }
-static void edit_texels_size(shd_lookups *l, shd_texels *t) { (void)l; t->struct_size = 12; }
-static void edit_texels_reserved(shd_lookups *l, shd_texels *t) { (void)l; t->reserved = 2; }
-static void edit_no_u(shd_lookups *l, shd_texels *t) { (void)t; l->u.data = NULL; }
-static void edit_no_v(shd_lookups *l, shd_texels *t) { (void)t; l->v.data = NULL; }
+static void edit_sized_texels(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->struct_size = (uint32_t)sizeof *t;
+}
+static void edit_lookups_size(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->struct_size = 0;
+}
+static void edit_lookups_reserved(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->reserved = 1;
+}
+static void edit_texels_size(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->struct_size = 12;
+}
+static void edit_texels_reserved(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->reserved = 2;
+}
+static void edit_no_u(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->u.data = NULL;
+}
+static void edit_no_v(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->v.data = NULL;
+}
 static void edit_no_channels(shd_lookups *l, shd_texels *t)
 {
     (void)l;
     memset(t->channel, 0, sizeof t->channel);
 }
-static void edit_u_stride_odd(shd_lookups *l, shd_texels *t) { (void)t; l->u.stride = 6; }
+static void edit_u_stride_odd(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->u.stride = 6;
+}
 static void edit_lod_misaligned(shd_lookups *l, shd_texels *t)
 {
     (void)t;
@@ -166,18 +206,46 @@ static void edit_channel_misaligned(shd_lookups *l, shd_texels *t)
     (void)l;
     t->channel[2].data = (float *)(void *)((char *)g_out[2] + 1);
 }
-static void edit_count_overflow(shd_lookups *l, shd_texels *t) { (void)t; l->count = SIZE_MAX; }
-static void edit_stride_overflow(shd_lookups *l, shd_texels *t) { (void)t; l->dvdy.stride = SIZE_MAX - 3; }
+static void edit_count_overflow(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->count = SIZE_MAX;
+}
+static void edit_stride_overflow(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->dvdy.stride = SIZE_MAX - 3;
+}
 static void edit_out_stride_overflow(shd_lookups *l, shd_texels *t)
 {
     (void)l;
     t->channel[1].stride = ((size_t)-1) / 64 * 4;
 }
-static void edit_out_is_u(shd_lookups *l, shd_texels *t) { (void)l; t->channel[0].data = g_in[0]; }
-static void edit_out_touches_v(shd_lookups *l, shd_texels *t) { (void)l; t->channel[3].data = g_in[1] + 99; }
-static void edit_out_before_v(shd_lookups *l, shd_texels *t) { (void)l; t->channel[3].data = g_in[1] + 100; }
-static void edit_same_channels(shd_lookups *l, shd_texels *t) { (void)l; t->channel[2].data = g_out[1]; }
-static void edit_shifted_channels(shd_lookups *l, shd_texels *t) { (void)l; t->channel[2].data = g_out[1] + 5; }
+static void edit_out_is_u(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->channel[0].data = g_in[0];
+}
+static void edit_out_touches_v(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->channel[3].data = g_in[1] + 99;
+}
+static void edit_out_before_v(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->channel[3].data = g_in[1] + 100;
+}
+static void edit_same_channels(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->channel[2].data = g_out[1];
+}
+static void edit_shifted_channels(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->channel[2].data = g_out[1] + 5;
+}
 static void edit_interleaved(shd_lookups *l, shd_texels *t)
 {
     size_t c;
@@ -266,8 +334,7 @@ static void test_null_arguments(void **state)
                       "lookups: NULL");
     shd_assert_result("texels", shd_texture_sample(g_texture, g_sampler, &lookups, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "texels: NULL");
-    shd_assert_result("types",
-                      shd_texture_sample((const shd_texture *)g_sampler, g_sampler, &lookups, &texels),
+    shd_assert_result("types", shd_texture_sample((const shd_texture *)g_sampler, g_sampler, &lookups, &texels),
                       SHD_ERROR_INVALID_ARGUMENT, "texture: not a live handle of its type");
 }
 

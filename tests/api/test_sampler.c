@@ -122,7 +122,8 @@ static void test_newer_desc(void **state)
     shd_assert_ok(shd_sampler_create(context, &newer.desc, &sampler));
     shd_sampler_release(sampler);
     newer.later = 1;
-    shd_assert_result("tail", shd_sampler_create(context, &newer.desc, &sampler), SHD_ERROR_UNSUPPORTED, "sampler: byte");
+    shd_assert_result("tail", shd_sampler_create(context, &newer.desc, &sampler), SHD_ERROR_UNSUPPORTED,
+                      "sampler: byte");
     assert_null(sampler);
     shd_context_release(context);
 }

@@ -83,13 +83,15 @@ static const struct create_case k_create[] = {
      "texture.width * texture.height: 268500992 is not in 1..268435456"},
     {"create/32_bit_overflow", edit_overflow, SHD_ERROR_INVALID_ARGUMENT, "texture.width * texture.height: 4294967296"},
     {"create/null_texels", edit_texels_null, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: NULL"},
-    {"create/misaligned_floats", edit_texels_misaligned, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to 4"},
+    {"create/misaligned_floats", edit_texels_misaligned, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.texels: not aligned to 4"},
     {"create/misaligned_halves", edit_half_misaligned, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to 2"},
     {"create/stride_below_row", edit_stride_small, SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: 15 is below 16"},
     {"create/stride_odd_for_halves", edit_stride_odd, SHD_ERROR_INVALID_ARGUMENT,
      "texture.row_stride: 33 is not a multiple of 2"},
     {"create/stride_overflow", edit_stride_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
-    {"create/stride_times_rows_overflow", edit_stride_half_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
+    {"create/stride_times_rows_overflow", edit_stride_half_huge, SHD_ERROR_INVALID_ARGUMENT,
+     "exceeds the address space"},
     {"create/unknown_tables", edit_tables_unknown, SHD_ERROR_UNSUPPORTED, "texture.tables: bits 0x6"},
     {"create/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "texture.reserved: 3"},
 };
@@ -134,7 +136,8 @@ static void test_null_arguments(void **state)
     shd_assert_result("out", shd_texture_create(context, &desc, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
     shd_assert_result("desc", shd_texture_create(context, NULL, &texture), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     assert_null(texture);
-    shd_assert_result("context", shd_texture_create(NULL, &desc, &texture), SHD_ERROR_INVALID_ARGUMENT, "context: NULL");
+    shd_assert_result("context", shd_texture_create(NULL, &desc, &texture), SHD_ERROR_INVALID_ARGUMENT,
+                      "context: NULL");
     memset(&info, 0xab, sizeof info);
     shd_assert_result("info", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     assert_int_equal(info.width, 0);

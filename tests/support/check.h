@@ -22,28 +22,31 @@ extern "C" {
 #include <shd/result.h>
 
 /** |got - want| <= abs_tol + rel_tol * |want|. NaN matches only NaN; infinities only themselves. */
-static inline int shd_is_close(double got, double want, double abs_tol, double rel_tol) {
-  if (isnan(want)) return isnan(got);
-  if (isinf(want)) return got == want;
-  return fabs(got - want) <= abs_tol + rel_tol * fabs(want); /* false for NaN got */
+static inline int shd_is_close(double got, double want, double abs_tol, double rel_tol)
+{
+    if (isnan(want)) return isnan(got);
+    if (isinf(want)) return got == want;
+    return fabs(got - want) <= abs_tol + rel_tol * fabs(want); /* false for NaN got */
 }
 
 /** Fails with both numbers, `what` and the index unless got is close to want. */
-static inline void shd_assert_close(const char* what, size_t index, double got, double want, double abs_tol,
-                                    double rel_tol) {
-  if (!shd_is_close(got, want, abs_tol, rel_tol)) {
-    fail_msg("%s[%zu]: got %.9g, want %.9g (abs %g, rel %g)", what, index, got, want, abs_tol, rel_tol);
-  }
+static inline void shd_assert_close(const char *what, size_t index, double got, double want, double abs_tol,
+                                    double rel_tol)
+{
+    if (!shd_is_close(got, want, abs_tol, rel_tol)) {
+        fail_msg("%s[%zu]: got %.9g, want %.9g (abs %g, rel %g)", what, index, got, want, abs_tol, rel_tol);
+    }
 }
 
 /** Fails unless result is `want`; for failures the error text must contain `message`. */
-static inline void shd_assert_result(const char* what, shd_result result, shd_result want, const char* message) {
-  if (result != want) {
-    fail_msg("%s: got %s (%s), want %s", what, shd_result_name(result), shd_last_error(), shd_result_name(want));
-  }
-  if (want != SHD_OK && message && !strstr(shd_last_error(), message)) {
-    fail_msg("%s: text \"%s\" lacks \"%s\"", what, shd_last_error(), message);
-  }
+static inline void shd_assert_result(const char *what, shd_result result, shd_result want, const char *message)
+{
+    if (result != want) {
+        fail_msg("%s: got %s (%s), want %s", what, shd_result_name(result), shd_last_error(), shd_result_name(want));
+    }
+    if (want != SHD_OK && message && !strstr(shd_last_error(), message)) {
+        fail_msg("%s: text \"%s\" lacks \"%s\"", what, shd_last_error(), message);
+    }
 }
 
 /** Fails unless the call succeeds. */
@@ -51,11 +54,12 @@ static inline void shd_assert_result(const char* what, shd_result result, shd_re
 
 /** FNV-1a hash of bytes (Fowler, Noll, Vo), for comparing whole outputs; start with SHD_HASH_START. */
 #define SHD_HASH_START 0xcbf29ce484222325ull
-static inline uint64_t shd_hash(uint64_t hash, const void* data, size_t size) {
-  const unsigned char* bytes = (const unsigned char*)data;
-  size_t i;
-  for (i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
-  return hash;
+static inline uint64_t shd_hash(uint64_t hash, const void *data, size_t size)
+{
+    const unsigned char *bytes = (const unsigned char *)data;
+    size_t i;
+    for (i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3ull;
+    return hash;
 }
 
 #endif /* SHD_TESTS_SUPPORT_CHECK_H */

@@ -8,27 +8,28 @@
 
 #include "core/simd_target.h"
 
-namespace shd::tests {
+namespace shd::tests
+{
 
 /// Highway's bits of the SIMD targets that are compiled in and run here, asked for once: asking runs CPUID, which is
 /// slow in a virtual machine.
-inline const std::vector<int64_t>& target_bits() {
-  static const std::vector<int64_t> bits = hwy::SupportedAndGeneratedTargets();
-  return bits;
+inline const std::vector<int64_t> &target_bits()
+{
+    static const std::vector<int64_t> bits = hwy::SupportedAndGeneratedTargets();
+    return bits;
 }
 
-inline core::SimdTarget best_target() {
-  return core::simd_target_from_bit(target_bits().front());
-}
+inline core::SimdTarget best_target() { return core::simd_target_from_bit(target_bits().front()); }
 
 /// Calls body(target, first) for every such target; `first` is true once.
 template <class Body>
-void for_each_target(Body body) {
-  bool first = true;
-  for (int64_t bit : target_bits()) {
-    body(core::simd_target_from_bit(bit), first);
-    first = false;
-  }
+void for_each_target(Body body)
+{
+    bool first = true;
+    for (int64_t bit : target_bits()) {
+        body(core::simd_target_from_bit(bit), first);
+        first = false;
+    }
 }
 
 }  // namespace shd::tests
