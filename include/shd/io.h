@@ -9,6 +9,7 @@
  * OpenImageIO and the codecs under it can still crash on a hostile file: SHD_LOAD_ISOLATE decodes in a child
  * process and turns a crash into SHD_ERROR_CORRUPT. libpng writes a line to stderr about compressed data that is
  * damaged although its checksums are right, or damaged at all with SHD_LOAD_PARTIAL; an isolated load is silent.
+ * Damaged compressed data inside an intact TIFF can decode to leftover heap memory of the decoder: isolate these.
  * OpenEXR keeps decoding threads after its first file: after a fork the child must not load or save .exr itself.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.

@@ -208,6 +208,7 @@ void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
   for (int y = 0; y < spec.height; y += step) {
     d.deadline.check();
     const int y_end = std::min(spec.height, y + step);
+    std::memset(band.data(), 0, band.size());  // a decoder may succeed without writing all of it
     if (!read_rows(d, y, y_end, band.data())) {
       if (!(d.options.flags & SHD_LOAD_PARTIAL)) fail_decode(d, "damaged");
       salvage_rows(d, band.data(), y, y_end, out);
