@@ -31,6 +31,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_RENDER = 10,     /**< shd_render_desc */
     SHD_DESC_IMAGE = 11,      /**< shd_image */
     SHD_DESC_CAMERA = 12,     /**< shd_camera */
+    SHD_DESC_COLOR = 13,      /**< shd_color_desc, of shd/color.h */
+    SHD_DESC_LOAD = 14,       /**< shd_load_desc, of shd/io.h */
+    SHD_DESC_SAVE = 15,       /**< shd_save_desc, of shd/io.h */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

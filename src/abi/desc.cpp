@@ -3,7 +3,9 @@
 
 #include <cstdio>
 
+#include <shd/color.h>
 #include <shd/desc.h>
+#include <shd/io.h>
 #include <shd/shd.h>
 
 #include "image/format.h"
@@ -169,6 +171,9 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_RENDER: return write_defaults(shd_render_desc_default(), ptr, size);
     case SHD_DESC_IMAGE: return write_defaults(shd_image_default(), ptr, size);
     case SHD_DESC_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
+    case SHD_DESC_COLOR: return write_defaults(shd_color_desc_default(), ptr, size);
+    case SHD_DESC_LOAD: return write_defaults(shd_load_desc_default(), ptr, size);
+    case SHD_DESC_SAVE: return write_defaults(shd_save_desc_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* shd_desc_init writes what the inline defaults return, into structs of any later size, and refuses the rest. */
+#include "support/check.h"
+
+#include <shd/color.h>
+#include <shd/io.h>
+#include <shd/shd.h>
+
+enum { LARGEST = 1024 };
+
+struct kind_case {
+    const char *name;
+    shd_desc_kind kind;
+    size_t size;
+    void (*defaults)(void *out);
+};
+
+#define DEFAULTS(type, noun)                 \
+    static void defaults_##noun(void *p)     \
+    {                                        \
+        const type value = noun##_default(); \
+        memcpy(p, &value, sizeof value);     \
+    }
+DEFAULTS(shd_context_desc, shd_context_desc)
+DEFAULTS(shd_texture_desc, shd_texture_desc)
+DEFAULTS(shd_sampler_desc, shd_sampler_desc)
+DEFAULTS(shd_lookups, shd_lookups)
+DEFAULTS(shd_mesh_desc, shd_mesh_desc)
+DEFAULTS(shd_material_desc, shd_material_desc)
+DEFAULTS(shd_light_desc, shd_light_desc)
+DEFAULTS(shd_framebuffer_desc, shd_framebuffer_desc)
+DEFAULTS(shd_draw, shd_draw)
+DEFAULTS(shd_render_desc, shd_render_desc)
+DEFAULTS(shd_image, shd_image)
+DEFAULTS(shd_camera, shd_camera)
+DEFAULTS(shd_color_desc, shd_color_desc)
+DEFAULTS(shd_load_desc, shd_load_desc)
+DEFAULTS(shd_save_desc, shd_save_desc)
+
+static const struct kind_case k_kinds[] = {
+    {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
+    {"texture", SHD_DESC_TEXTURE, sizeof(shd_texture_desc), defaults_shd_texture_desc},
+    {"sampler", SHD_DESC_SAMPLER, sizeof(shd_sampler_desc), defaults_shd_sampler_desc},
+    {"lookups", SHD_DESC_LOOKUPS, sizeof(shd_lookups), defaults_shd_lookups},
+    {"mesh", SHD_DESC_MESH, sizeof(shd_mesh_desc), defaults_shd_mesh_desc},
+    {"material", SHD_DESC_MATERIAL, sizeof(shd_material_desc), defaults_shd_material_desc},
+    {"light", SHD_DESC_LIGHT, sizeof(shd_light_desc), defaults_shd_light_desc},
+    {"framebuffer", SHD_DESC_FRAMEBUFFER, sizeof(shd_framebuffer_desc), defaults_shd_framebuffer_desc},
+    {"draw", SHD_DESC_DRAW, sizeof(shd_draw), defaults_shd_draw},
+    {"render", SHD_DESC_RENDER, sizeof(shd_render_desc), defaults_shd_render_desc},
+    {"image", SHD_DESC_IMAGE, sizeof(shd_image), defaults_shd_image},
+    {"camera", SHD_DESC_CAMERA, sizeof(shd_camera), defaults_shd_camera},
+    {"color", SHD_DESC_COLOR, sizeof(shd_color_desc), defaults_shd_color_desc},
+    {"load", SHD_DESC_LOAD, sizeof(shd_load_desc), defaults_shd_load_desc},
+    {"save", SHD_DESC_SAVE, sizeof(shd_save_desc), defaults_shd_save_desc},
+};
+
+static void test_kind(void **state)
+{
+    const struct kind_case *c = (const struct kind_case *)*state;
+    union {
+        unsigned char bytes[LARGEST];
+        double aligned;
+    } got, want, untouched;
+    uint32_t size;
+    assert_true(c->size + 24 <= LARGEST);
+
+    memset(got.bytes, 0xa5, LARGEST);
+    memset(want.bytes, 0xa5, LARGEST);
+    memset(untouched.bytes, 0xa5, LARGEST);
+    c->defaults(want.bytes);
+    shd_assert_ok(shd_desc_init(c->kind, got.bytes, c->size));
+    assert_memory_equal(got.bytes, want.bytes, LARGEST);
+
+    /* A later header's struct: the known part, then zero. */
+    size = (uint32_t)(c->size + 16);
+    memset(want.bytes + c->size, 0, 16);
+    memcpy(want.bytes, &size, sizeof size);
+    shd_assert_ok(shd_desc_init(c->kind, got.bytes, size));
+    assert_memory_equal(got.bytes, want.bytes, LARGEST);
+
+    memset(got.bytes, 0xa5, LARGEST);
+    shd_assert_result("small", shd_desc_init(c->kind, got.bytes, c->size - 1), SHD_ERROR_INVALID_ARGUMENT,
+                      "desc_init.size");
+    shd_assert_result("huge", shd_desc_init(c->kind, got.bytes, 65537), SHD_ERROR_INVALID_ARGUMENT,
+                      "desc_init.size: 65537 is above 65536");
+    shd_assert_result("null", shd_desc_init(c->kind, NULL, c->size), SHD_ERROR_INVALID_ARGUMENT, "desc_init.ptr: NULL");
+    assert_memory_equal(got.bytes, untouched.bytes, LARGEST);
+}
+
+static void test_unknown_kinds(void **state)
+{
+    const int32_t kinds[] = {0, 16, 1000, 0x7fffffff, -1};
+    unsigned char bytes[LARGEST];
+    size_t i;
+    (void)state;
+    for (i = 0; i < sizeof kinds / sizeof kinds[0]; ++i) {
+        shd_desc_kind kind;
+        memcpy(&kind, &kinds[i], sizeof kind);
+        shd_assert_result("unknown", shd_desc_init(kind, bytes, sizeof bytes), SHD_ERROR_INVALID_ARGUMENT,
+                          "is not a desc");
+    }
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[32];
+    size_t n = 0, i;
+    for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"unknown_kinds", test_unknown_kinds, NULL, NULL, NULL};
+    return _cmocka_run_group_tests("api.desc", tests, n, NULL, NULL);
+}
