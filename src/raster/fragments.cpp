@@ -17,16 +17,18 @@ void visit_columns(Fragments& f, Visit visit) {
   }
 }
 
-/// Calls visit(slot, begin, end) for every run of pixels that show the same triangle.
-template <class Visit>
-void for_runs(const Tile& tile, Visit visit) {
+/// Cuts the covered pixels of a tile into runs; returns how many.
+size_t find_runs(const Tile& tile, PixelRun* runs) {
+  size_t count = 0;
   for (size_t begin = 0; begin < kTilePixels;) {
     const uint32_t slot = tile.slot[begin];
     size_t end = begin + 1;
     while (end < kTilePixels && tile.slot[end] == slot) ++end;
-    if (slot != kNoSlot) visit(slot, begin, end);
+    runs[count] = {slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end)};
+    count += slot != kNoSlot;
     begin = end;
   }
+  return count;
 }
 
 }  // namespace
@@ -47,8 +49,8 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
 void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
-  for_runs(tile,
-           [&](uint32_t slot, size_t begin, size_t end) { out->start[slot] += static_cast<uint32_t>(end - begin); });
+  const size_t runs = find_runs(tile, out->run);
+  for (size_t i = 0; i < runs; ++i) out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {
     const uint32_t count = out->start[slot];
@@ -57,11 +59,12 @@ void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
   }
   out->count = total;
   // Each cell runs to the start of the next slot while pixels are placed, and is set back afterwards.
-  for_runs(tile, [&](uint32_t slot, size_t begin, size_t end) {
-    uint32_t* pixel = out->pixel + out->start[slot];
-    out->start[slot] += static_cast<uint32_t>(end - begin);
-    for (size_t i = begin; i < end; ++i) *pixel++ = static_cast<uint32_t>(i);
-  });
+  for (size_t i = 0; i < runs; ++i) {
+    const PixelRun& run = out->run[i];
+    uint32_t* pixel = out->pixel + out->start[run.slot];
+    out->start[run.slot] += uint32_t{run.end} - run.begin;
+    for (uint32_t p = run.begin; p < run.end; ++p) *pixel++ = p;
+  }
   for (size_t slot = slot_count; slot > 0; --slot) out->start[slot] = out->start[slot - 1];
   out->start[0] = 0;
 }

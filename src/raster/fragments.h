@@ -35,8 +35,15 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
+/// Neighbouring pixels of a tile, in row-major order, that show the same triangle.
+struct PixelRun {
+  uint32_t slot;
+  uint16_t begin, end;
+};
+
 /// Pixels of a tile in the order of their triangles.
 struct TileOrder {
+  PixelRun run[kTilePixels];     // scratch
   size_t count;                  // covered pixels
   core::Buffer<uint32_t> start;  // [slots + 1] first position of each slot
   uint32_t pixel[kTilePixels];   // row-major position in the tile, sorted by slot, then by position
