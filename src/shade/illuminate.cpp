@@ -37,6 +37,8 @@ HWY_INLINE void IlluminateRows(const material::Material& material, const LightTa
       const light::Light& light = lights.lights[k];
       const auto incident = light::HWY_NAMESPACE::IncidentAt(d, light, p);
       const V n_dot_l = Dot(n, incident.l);
+      // Behind every row of the vector: all terms are +0, and adding them changes no bit.
+      if ((gated || !kSpecular) && hn::AllFalse(d, hn::Gt(n_dot_l, zero))) continue;
       const V cosine = material::HWY_NAMESPACE::Lambert(d, n_dot_l);
       Accumulate(d, light.intensity, hn::Mul(incident.falloff, cosine), diffuse);
       if (kSpecular) {
