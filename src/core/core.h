@@ -10,10 +10,11 @@
 /// | file          | what                                                             |
 /// |---------------|------------------------------------------------------------------|
 /// | status.h      | results, the per-thread error text, Failure (a result as exception) |
-/// | allocator.h   | the host's allocator; Block, Array and Buffer, which own memory    |
+/// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory  |
 /// | fp_env.h      | IEEE default floating-point control for a scope                    |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it                |
 /// | context.h     | Context: allocator, executor, log, target, handle slabs            |
 /// | executor.h    | parallel_for over a Context                                        |
 /// | object.h      | handles: slabs, reference counts, type and life tags               |
+/// | extension_error.h | refusals inside libshd_color and libshd_io, which stand outside libshd |
 #pragma once

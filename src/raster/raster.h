@@ -13,6 +13,7 @@
 /// |---------------|-------------------------------------------------------------------------|
 /// | tile.h        | the tile: depth and the nearest triangle of each pixel                  |
 /// | bin.h         | which triangles touch which tile                                        |
+/// | edge.h        | edge functions and the depth plane of one triangle                      |
 /// | coverage.h    | kernel: edge functions, depth test                                      |
 /// | fragments.h   | the Fragments table, and the sort of a tile's pixels into it            |
 /// | interpolate.h | kernel: perspective-correct attributes with derivatives                 |
