@@ -7,7 +7,7 @@
 /// | file     | what                                                       |
 /// |----------|------------------------------------------------------------|
 /// | column.h | reading and writing the caller's strided columns           |
-/// | matrix.h | 3-vectors and 4x4 matrices, scalar, for setup code         |
+/// | vec3.h   | 3-vectors, scalar, for setup code                           |
 /// | trig.h   | angles and tangents in double, the same bits everywhere    |
 /// | camera.h | look-at and perspective matrices, the same bits everywhere |
 #pragma once

@@ -7,7 +7,7 @@
 #include "core/status.h"
 #include "data/column.h"
 #include "data/data.h"
-#include "data/matrix.h"
+#include "data/vec3.h"
 #include "geometry/normals.h"
 
 namespace shd::geometry {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "light/light.h"
 
-#include "data/matrix.h"
+#include "data/vec3.h"
 
 namespace shd::light {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "data/matrix.h"
+#include "data/vec3.h"
 
 namespace shd::shade {
 namespace {

@@ -10,5 +10,5 @@
 /// | file           | what                                        | error                            |
 /// |----------------|---------------------------------------------|----------------------------------|
 /// | math-inl.h     | Log2, Exp2, Pow                             | stated at each, tested           |
-/// | vec3-inl.h     | three-component columns: dot, cross, unit   | the operations' own rounding     |
+/// | vec3-inl.h     | three-component columns: sum, dot, unit     | the operations' own rounding     |
 #pragma once

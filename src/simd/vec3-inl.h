@@ -26,24 +26,8 @@ HWY_INLINE V Dot(const Vec3V<V>& a, const Vec3V<V>& b) {
 }
 
 template <class V>
-HWY_INLINE Vec3V<V> Subtract(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-template <class V>
 HWY_INLINE Vec3V<V> Sum(const Vec3V<V>& a, const Vec3V<V>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-
-template <class V>
-HWY_INLINE Vec3V<V> Scale(V s, const Vec3V<V>& a) {
-  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
-}
-
-template <class V>
-HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
 /// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. For lengths in about 1e-18..1e18.
