@@ -15,30 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Bilinear on the levels floor(lambda) and the next, blended by the fraction (Williams, "Pyramidal Parametrics",
-/// 1983). The short cuts for lanes that share a level or blend nothing give the bits of the general path.
-template <class F, bool kBorder>
-struct Trilinear {
+/// Writes the clamped level of detail of each lookup to the first column.
+struct LevelOfDetail {
   const Texture& texture;
   const Sampler& sampler;
   LodRange range;
   bool lod_given;
 
   template <class D>
-  HWY_INLINE hn::Vec<D> lambda_of(D d, const Points<D>& p) const {
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
     const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
-    return ClampLod(d, lambda, sampler.lod_bias, range);
+    hn::StoreU(ClampLod(d, lambda, sampler.lod_bias, range), d, out.channel[0] + i);
   }
+};
+
+/// Bilinear on the levels floor(lod) and the next, blended by the fraction (Williams, "Pyramidal Parametrics", 1983).
+/// The short cuts for lanes that share a level or blend nothing give the bits of the general path.
+template <class F, bool kBorder>
+struct Trilinear {
+  const Texture& texture;
+  const Sampler& sampler;
 
   template <class D>
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     const hn::RebindToSigned<D> di;
     const auto u = ReduceCoordinate(d, sampler.wrap_u, p.u);
     const auto v = ReduceCoordinate(d, sampler.wrap_v, p.v);
-    const auto lambda = lambda_of(d, p);
-    const auto floor = hn::Floor(lambda);
-    const auto fraction = hn::Sub(lambda, floor);
+    const auto floor = hn::Floor(p.lod);
+    const auto fraction = hn::Sub(p.lod, floor);
     const float first = hn::GetLane(floor);
     const bool same = hn::AllTrue(d, hn::Eq(floor, hn::Set(d, first)));
     const auto level = hn::ConvertTo(di, floor);
@@ -71,11 +76,40 @@ struct Trilinear {
   }
 };
 
+/// The lookups of a batch whose levels of detail are found before any of them is filtered: the two chains of dependent
+/// operations then overlap with those of other lookups.
+constexpr size_t kBlock = 256;
+
+const float* Skip(const float* column, size_t rows) {
+  return column ? column + rows : nullptr;
+}
+
 template <class F>
 size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler))
-    return ForEachVector(Trilinear<F, true>{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in, out);
-  return ForEachVector(Trilinear<F, false>{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in, out);
+  const LevelOfDetail level_of_detail = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
+  alignas(64) float lod[kBlock];
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < in.count; first += kBlock) {
+    const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
+    const Lookups given = {count,
+                           in.u + first,
+                           in.v + first,
+                           Skip(in.dudx, first),
+                           Skip(in.dvdx, first),
+                           Skip(in.dudy, first),
+                           Skip(in.dvdy, first),
+                           Skip(in.lod, first)};
+    nonfinite += ForEachVector(level_of_detail, given, {{lod, nullptr, nullptr, nullptr}});
+    const Lookups block = {count, given.u, given.v, nullptr, nullptr, nullptr, nullptr, lod};
+    Texels to;
+    for (size_t c = 0; c < 4; ++c) to.channel[c] = out.channel[c] ? out.channel[c] + first : nullptr;
+    if (has_border(sampler)) {
+      ForEachVector(Trilinear<F, true>{texture, sampler}, block, to);
+    } else {
+      ForEachVector(Trilinear<F, false>{texture, sampler}, block, to);
+    }
+  }
+  return nonfinite;
 }
 
 size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
