@@ -68,7 +68,8 @@ struct R8 {
   }
 };
 
-struct Rgba8 {
+/// Four 8-bit codes in a word.
+struct Word {
   static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = false;
   static constexpr bool kWords = true;
@@ -79,6 +80,9 @@ struct Rgba8 {
   static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
     return GatherWords(d, texels, index);
   }
+};
+
+struct Rgba8 : Word {
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
     const hn::RebindToSigned<D> di;
@@ -91,17 +95,7 @@ struct Rgba8 {
 };
 
 /// r, g and b go through the table of correctly rounded linear values; alpha is a code.
-struct Srgb8 {
-  static constexpr size_t kChannels = 4;
-  static constexpr bool kFloat = false;
-  static constexpr bool kWords = true;
-  template <class D>
-  using Texel = Ints<D>;
-
-  template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
-    return GatherWords(d, texels, index);
-  }
+struct Srgb8 : Word {
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
     const hn::RebindToSigned<D> di;

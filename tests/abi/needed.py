@@ -43,13 +43,13 @@ def check_constructors(library, entries):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("check", choices=["libraries", "constructors"])
-    parser.add_argument("library")
+    parser.add_argument("path", metavar="library")
     parser.add_argument("--allow", nargs="*", default=[])
     parser.add_argument("--entries", type=int, default=1)
     arguments = parser.parse_args()
     if arguments.check == "libraries":
-        return int(check_libraries(arguments.library, arguments.allow))
-    return int(check_constructors(arguments.library, arguments.entries))
+        return int(check_libraries(arguments.path, arguments.allow))
+    return int(check_constructors(arguments.path, arguments.entries))
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", type=pathlib.Path, required=True)
     parser.add_argument("--headers", type=pathlib.Path, nargs="+", required=True)
-    parser.add_argument("--library")
+    parser.add_argument("--library", dest="path")
     parser.add_argument("--nm", default="nm")
     parser.add_argument("--update", action="store_true")
     arguments = parser.parse_args()
@@ -58,11 +58,11 @@ def main():
         print(f"{arguments.list.name}: not sorted, or a name twice")
     failed |= report("declared but not listed", in_headers - listed)
     failed |= report("listed but not declared", listed - in_headers)
-    if arguments.library:
-        found = exported(arguments.nm, arguments.library)
+    if arguments.path:
+        found = exported(arguments.nm, arguments.path)
         failed |= report("listed but not exported", listed - found)
         failed |= report("exported but not listed", found - listed)
-        print(f"{pathlib.Path(arguments.library).name}: {len(found)} symbols exported, {len(listed)} listed")
+        print(f"{pathlib.Path(arguments.path).name}: {len(found)} symbols exported, {len(listed)} listed")
     return 1 if failed else 0
 
 

@@ -2,31 +2,9 @@
 /* Every allocation of a whole scene fails in turn, alone and with all that follow; then executors that fail, lie or
    call back. After each fault the next render has the reference hash, and nothing is left. */
 #define _POSIX_C_SOURCE 200809L
-#include "support/fault_allocator.h"
+#include "support/locked_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"
-
-/* The counting allocator behind a lock, for any number of threads. */
-struct locked_memory {
-    shd_fault_allocator memory;
-    pthread_mutex_t mutex;
-};
-static void *locked_allocate(void *user_data, size_t size, size_t alignment)
-{
-    struct locked_memory *self = (struct locked_memory *)user_data;
-    void *memory;
-    pthread_mutex_lock(&self->mutex);
-    memory = shd_fault_allocate(&self->memory, size, alignment);
-    pthread_mutex_unlock(&self->mutex);
-    return memory;
-}
-static void locked_free(void *user_data, void *memory, size_t size, size_t alignment)
-{
-    struct locked_memory *self = (struct locked_memory *)user_data;
-    pthread_mutex_lock(&self->mutex);
-    shd_fault_free(&self->memory, memory, size, alignment);
-    pthread_mutex_unlock(&self->mutex);
-}
 
 /* Four workers in turn on the calling thread: the same allocations in the same order each time. */
 static shd_result turns_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)

@@ -2,6 +2,7 @@
 /* Loading: options, paths, budgets, formats, colour spaces, OpenEXR windows, isolation. */
 #define _GNU_SOURCE
 #include "support/io_corpus.h"
+#include "support/rows.h"
 
 #include <fcntl.h>
 
@@ -559,22 +560,6 @@ static void test_exr(void **state)
     }
     shd_bitmap_release(bitmap);
 }
-
-static struct CMUnitTest g_tests[160];
-static size_t g_count;
-
-static void add(const char *name, CMUnitTestFunction body, const void *state)
-{
-    g_tests[g_count++] = (struct CMUnitTest){name, body, NULL, NULL, (void *)state};
-}
-
-#define ADD_ROWS(rows, body)                                                         \
-    do {                                                                             \
-        size_t row_;                                                                 \
-        for (row_ = 0; row_ < sizeof rows / sizeof rows[0]; ++row_) {                \
-            add(*(const char *const *)(const void *)&rows[row_], body, &rows[row_]); \
-        }                                                                            \
-    } while (0)
 
 int main(void)
 {

@@ -2,6 +2,7 @@
 /* Saving: round trips of images and framebuffers, and everything that can go wrong on the way to the disk. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
+#include "support/rows.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -443,22 +444,6 @@ static void test_texture(void **state)
         }
     }
 }
-
-static struct CMUnitTest g_tests[100];
-static size_t g_count;
-
-static void add(const char *name, CMUnitTestFunction body, const void *state)
-{
-    g_tests[g_count++] = (struct CMUnitTest){name, body, NULL, NULL, (void *)state};
-}
-
-#define ADD_ROWS(rows, body)                                                         \
-    do {                                                                             \
-        size_t row_;                                                                 \
-        for (row_ = 0; row_ < sizeof rows / sizeof rows[0]; ++row_) {                \
-            add(*(const char *const *)(const void *)&rows[row_], body, &rows[row_]); \
-        }                                                                            \
-    } while (0)
 
 int main(void)
 {

@@ -2,7 +2,7 @@
 /* Many threads on one context: sampling, rendering, creating, releasing. The same bits as one thread, nothing left,
    and nothing for a thread sanitizer to say. oneTBB is not instrumented, so under one only the host's executor runs. */
 #define _POSIX_C_SOURCE 200809L
-#include "support/fault_allocator.h"
+#include "support/locked_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"
 
@@ -18,28 +18,6 @@
 #endif
 
 enum { k_threads = 8, k_rounds = HAS_TSAN ? 6 : 25, k_lookups = 3001 };
-
-/* The counting allocator behind a lock. */
-struct locked_memory {
-    shd_fault_allocator memory;
-    pthread_mutex_t mutex;
-};
-static void *locked_allocate(void *user_data, size_t size, size_t alignment)
-{
-    struct locked_memory *self = (struct locked_memory *)user_data;
-    void *memory;
-    pthread_mutex_lock(&self->mutex);
-    memory = shd_fault_allocate(&self->memory, size, alignment);
-    pthread_mutex_unlock(&self->mutex);
-    return memory;
-}
-static void locked_free(void *user_data, void *memory, size_t size, size_t alignment)
-{
-    struct locked_memory *self = (struct locked_memory *)user_data;
-    pthread_mutex_lock(&self->mutex);
-    shd_fault_free(&self->memory, memory, size, alignment);
-    pthread_mutex_unlock(&self->mutex);
-}
 
 /* What the threads of a test share. */
 struct stage {
