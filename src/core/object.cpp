@@ -9,7 +9,7 @@ namespace shd::core {
 
 Object* ObjectPool::take(const Allocator& allocator) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // A full slab's worth of dead handles waits before the first is used again.
+  // Unused handles go first; then dead ones, the one that died first before the others; then a new slab.
   if (fresh_ == kSlabSize && !oldest_) {
     Slab* slab = new (allocator.allocate(sizeof(Slab))) Slab();
     slab->next = slabs_;
