@@ -7,7 +7,8 @@
  *
  * Lifetime:      reference counted; create returns an owned reference. Every object made from a context
  *                retains it, so the order of releases does not matter. A handle whose last reference is
- *                gone is refused with SHD_ERROR_INVALID_ARGUMENT for as long as its context lives.
+ *                gone is refused with SHD_ERROR_INVALID_ARGUMENT while its context lives, until its place
+ *                is given to a new handle: places never used go first, then the one free for longest.
  * Thread safety: retain/release and every function taking `const shd_context *` may run on any thread.
  */
 #ifndef SHD_CONTEXT_H

@@ -11,8 +11,9 @@
  * @page ownership Ownership
  * *Copied*: shd keeps its own copy. *Borrowed for the call* / *until release*: the caller keeps it alive that
  * long. *Retained*: shd adds a reference. *Owned*: the caller must release it. Releasing NULL does nothing.
- * A handle that is NULL, released, of another type or damaged is refused with SHD_ERROR_INVALID_ARGUMENT as
- * long as its context lives; a context whose last reference is gone must not be used.
+ * A handle that is NULL or of another type is refused with SHD_ERROR_INVALID_ARGUMENT, and so is a released one
+ * while its context lives, until its place is given to a new handle. A context whose last reference is gone must
+ * not be used, nor a pointer that never was a handle.
  *
  * @page errors Errors
  * Every call that can fail returns shd_result; shd_last_error() has the text, per thread. A failed call
