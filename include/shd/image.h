@@ -12,15 +12,34 @@
 
 SHD_BEGIN_DECLS
 
-/** How one pixel or texel is stored. Unsigned integer channels mean value / maximum, in [0, 1]. */
+/**
+ * How one pixel or texel is stored. Unsigned integer channels mean value / maximum, in [0, 1]; F channels are
+ * IEEE 754 binary16 or binary32. Everything is linear, but for the _SRGB formats: r, g and b are encoded
+ * (IEC 61966-2-1), a never is. Textures take every format; framebuffers, colour transforms and files say
+ * which ones they take.
+ */
 typedef enum shd_format {
     SHD_FORMAT_NONE = 0,
-    SHD_FORMAT_R8 = 1,         /**< 8-bit unorm, one channel, linear */
-    SHD_FORMAT_RGBA8 = 2,      /**< 8-bit unorm, linear */
-    SHD_FORMAT_RGBA8_SRGB = 3, /**< 8-bit; r, g, b sRGB-encoded (IEC 61966-2-1), a linear */
-    SHD_FORMAT_RGBA16F = 4,    /**< IEEE 754 binary16, linear */
-    SHD_FORMAT_RGBA32F = 5,    /**< IEEE 754 binary32, linear */
-    SHD_FORMAT_RGBA16 = 6,     /**< 16-bit unorm; images only, not textures */
+    SHD_FORMAT_R8 = 1,
+    SHD_FORMAT_RGBA8 = 2,
+    SHD_FORMAT_RGBA8_SRGB = 3,
+    SHD_FORMAT_RGBA16F = 4,
+    SHD_FORMAT_RGBA32F = 5,
+    SHD_FORMAT_RGBA16 = 6,
+    SHD_FORMAT_RG8 = 7,
+    SHD_FORMAT_RGB8 = 8,
+    SHD_FORMAT_R8_SRGB = 9,
+    SHD_FORMAT_RG8_SRGB = 10,
+    SHD_FORMAT_RGB8_SRGB = 11,
+    SHD_FORMAT_R16 = 12,
+    SHD_FORMAT_RG16 = 13,
+    SHD_FORMAT_RGB16 = 14,
+    SHD_FORMAT_R16F = 15,
+    SHD_FORMAT_RG16F = 16,
+    SHD_FORMAT_RGB16F = 17,
+    SHD_FORMAT_R32F = 18,
+    SHD_FORMAT_RG32F = 19,
+    SHD_FORMAT_RGB32F = 20,
     SHD_FORMAT_MAX_ENUM = 0x7fffffff
 } shd_format;
 

@@ -35,7 +35,9 @@ typedef struct shd_lookups {
     shd_f32_in dvdx;      /**< dv/dx; absent = 0 */
     shd_f32_in dudy;      /**< du/dy; absent = 0 */
     shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
-    shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives when present */
+    shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
+    shd_u32_in layer;     /**< image of the array; absent = 0, beyond the last = the last */
+    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = drawn from the bits of u and v */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
 
@@ -54,7 +56,7 @@ typedef struct shd_texels {
      */
     uint32_t struct_size;
     uint32_t reserved;      /**< 0 */
-    shd_f32_out channel[4]; /**< r, g, b, a; unwanted ones NULL. Missing in the format: g = b = 0, a = 1 */
+    shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; unwanted ones NULL */
     size_t nonfinite_count; /**< written: lookups whose coordinates or derivatives (or lod) were not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_texels;

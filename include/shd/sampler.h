@@ -10,41 +10,100 @@
 #define SHD_SAMPLER_H
 
 #include <shd/context.h>
+#include <shd/wrap.h>
 
 SHD_BEGIN_DECLS
 
 /** A filter with its settings; belongs to no texture. */
 typedef struct shd_sampler shd_sampler;
 
-/** Reconstruction and minification filter. */
+/**
+ * Reconstruction and minification filter. A texture without the table that a filter reads is looked up on what it
+ * has: without a mipmap there is level 0 alone; ripmap and summed-area lookups on a texture without that table are
+ * an error.
+ */
 typedef enum shd_filter {
     /** Bilinear on the two nearest mip levels, blended by the fraction of the level of detail (Williams 1983). */
     SHD_FILTER_TRILINEAR = 0,
     SHD_FILTER_NEAREST = 1,  /**< the texel of level 0 that contains (u, v) */
     SHD_FILTER_BILINEAR = 2, /**< the four texels of level 0 around (u, v) */
+    /** The 4 x 4 texels of level 0 around (u, v), weighted by the cubic `cubic` (Mitchell and Netravali 1988). */
+    SHD_FILTER_BICUBIC = 3,
+    SHD_FILTER_NEAREST_MIP = 4,  /**< the texel of the nearest mip level that contains (u, v) */
+    SHD_FILTER_BILINEAR_MIP = 5, /**< bilinear on the nearest mip level */
+    /** Bilinear on the four nearest ripmap levels, which halve each axis on its own. Needs SHD_TABLE_RIPMAP. */
+    SHD_FILTER_RIPMAP = 6,
+    /** Average over the footprint's box, from sums over rectangles (Crow 1984). Needs SHD_TABLE_SUMMED_AREA. */
+    SHD_FILTER_SUMMED_AREA = 7,
+    /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
+    SHD_FILTER_ANISOTROPIC = 8,
+    /** Elliptical weighted average: the footprint's ellipse under a Gaussian (Greene and Heckbert 1986). */
+    SHD_FILTER_EWA = 9,
+    /** One texel, picked at random so that its expectation is the filter `expectation`. */
+    SHD_FILTER_STOCHASTIC = 10,
+    /** The bilinear reconstruction integrated over the footprint's parallelogram to `tolerance`; slow. */
+    SHD_FILTER_EXACT = 11,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
-/** What lies outside [0, 1), for texel index i of n (Vulkan specification, "Wrapping Operation"). */
-typedef enum shd_wrap {
-    SHD_WRAP_REPEAT = 0, /**< i mod n */
-    SHD_WRAP_CLAMP = 1,  /**< clamp(i, 0, n - 1) */
-    SHD_WRAP_MIRROR = 2, /**< repeat with every second copy flipped */
-    SHD_WRAP_BORDER = 3, /**< the border colour outside 0..n - 1 */
-    SHD_WRAP_MAX_ENUM = 0x7fffffff
-} shd_wrap;
+/** What a filter does where the footprint is no longer than a texel: level of detail 0 or below. */
+typedef enum shd_magnification {
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< as the filter goes: bilinear for those that use mip levels */
+    SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
+    SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
+    SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
+    SHD_MAGNIFICATION_MAX_ENUM = 0x7fffffff
+} shd_magnification;
+
+/** Cubic kernels by their (B, C) of Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988). */
+typedef enum shd_cubic {
+    SHD_CUBIC_CATMULL_ROM = 0, /**< (0, 1/2): interpolates, overshoots */
+    SHD_CUBIC_B_SPLINE = 1,    /**< (1, 0): smooths, never overshoots */
+    SHD_CUBIC_MITCHELL = 2,    /**< (1/3, 1/3): in between */
+    SHD_CUBIC_MAX_ENUM = 0x7fffffff
+} shd_cubic;
+
+/** Weights of the probes of SHD_FILTER_ANISOTROPIC along the longer axis. */
+typedef enum shd_probe_weights {
+    SHD_PROBE_WEIGHTS_EQUAL = 0,    /**< a box */
+    SHD_PROBE_WEIGHTS_GAUSSIAN = 1, /**< exp(-2 x^2), x = -1..1 from end to end of the probes */
+    SHD_PROBE_WEIGHTS_MAX_ENUM = 0x7fffffff
+} shd_probe_weights;
+
+/** What SHD_FILTER_SUMMED_AREA averages. */
+typedef enum shd_box {
+    SHD_BOX_BOUNDING = 0, /**< the bounding rectangle of the footprint's parallelogram */
+    SHD_BOX_ORIENTED = 1, /**< the bounding rectangles of equal parts of it along its longer side, at most
+                               max_anisotropy of them */
+    SHD_BOX_MAX_ENUM = 0x7fffffff
+} shd_box;
 
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
-    uint32_t struct_size; /**< set by shd_sampler_desc_default() */
-    shd_filter filter;    /**< default SHD_FILTER_TRILINEAR */
-    shd_wrap wrap_u;      /**< default SHD_WRAP_REPEAT */
-    shd_wrap wrap_v;      /**< default SHD_WRAP_REPEAT */
-    float border[4];      /**< r, g, b, a, linear; finite; default 0. One-channel formats read r */
-    float lod_bias;       /**< added to the level of detail, -15..15; default 0 */
-    float lod_min;        /**< lowest level of detail, 0..32; default 0; wins over lod_max */
-    float lod_max;        /**< highest level of detail, 0..32; default 32 */
-    uint32_t reserved;    /**< 0 */
+    uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
+    shd_filter filter;               /**< default SHD_FILTER_TRILINEAR */
+    shd_magnification magnification; /**< default SHD_MAGNIFICATION_DEFAULT */
+    shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
+    shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
+    float border[4];                 /**< r, g, b, a of the texels outside, linear; finite; default 0 */
+    float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */
+    float lod_min;                   /**< lowest level of detail, 0..32; default 0; wins over lod_max */
+    float lod_max;                   /**< highest level of detail, 0..32; default 32 */
+    float width_x;                   /**< factor on the derivatives in x, 0..64; default 1 */
+    float width_y;                   /**< factor on the derivatives in y, 0..64; default 1 */
+    float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
+    float blur_v;                    /**< blur in v, likewise */
+    float max_anisotropy;            /**< longest footprint in units of its shorter axis, 1..64; default 16 */
+    shd_probe_weights probe_weights; /**< of SHD_FILTER_ANISOTROPIC; default SHD_PROBE_WEIGHTS_EQUAL */
+    shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
+    shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
+    /**
+     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
+     * default SHD_FILTER_TRILINEAR.
+     */
+    shd_filter expectation;
+    uint32_t seed;   /**< of SHD_FILTER_STOCHASTIC; default 0 */
+    float tolerance; /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 
@@ -54,6 +113,9 @@ static inline shd_sampler_desc shd_sampler_desc_default(void)
     shd_sampler_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
     desc.lod_max = 32.0f;
+    desc.width_x = desc.width_y = 1.0f;
+    desc.max_anisotropy = 16.0f;
+    desc.tolerance = 0.015625f;
     return desc;
 }
 

@@ -53,5 +53,6 @@
 #include <shd/sampler.h>
 #include <shd/texture.h>
 #include <shd/view.h>
+#include <shd/wrap.h>
 
 #endif /* SHD_SHD_H */

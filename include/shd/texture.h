@@ -15,26 +15,46 @@
 
 SHD_BEGIN_DECLS
 
-/** A two-dimensional texture with its prefiltered tables. */
+/** A two-dimensional texture, or an array of them, with its prefiltered tables. */
 typedef struct shd_texture shd_texture;
 
 /** Prefiltered tables a texture can carry; combine with |. */
 typedef enum shd_table {
     SHD_TABLE_NONE = 0,   /**< the base level alone */
     SHD_TABLE_MIPMAP = 1, /**< levels max(1, floor(size / 2^l)) down to 1 x 1 (Williams 1983); memory 4/3 */
+    SHD_TABLE_RIPMAP = 2, /**< levels for every pair of powers of two, one per axis; memory up to 4 */
+    /**
+     * Sums over all rectangles at the origin (Crow 1984). Bytes per texel and channel: 4 for 8-bit formats of at
+     * most 2^24 texels a layer, else 8 (exact integers for 8 and 16 bits, doubles for the others).
+     */
+    SHD_TABLE_SUMMED_AREA = 4,
     SHD_TABLE_MAX_ENUM = 0x7fffffff
 } shd_table;
 
+/** Where an output channel comes from. */
+typedef enum shd_channel {
+    SHD_CHANNEL_DEFAULT = 0, /**< the channel of its own place; `fill` where the format lacks it */
+    SHD_CHANNEL_R = 1,
+    SHD_CHANNEL_G = 2,
+    SHD_CHANNEL_B = 3,
+    SHD_CHANNEL_A = 4,
+    SHD_CHANNEL_FILL = 5, /**< the constant `fill` of its place */
+    SHD_CHANNEL_MAX_ENUM = 0x7fffffff
+} shd_channel;
+
 /** What a texture is made from. */
 typedef struct shd_texture_desc {
-    uint32_t struct_size; /**< set by shd_texture_desc_default() */
-    shd_format format;    /**< R8, RGBA8, RGBA8_SRGB, RGBA16F or RGBA32F; no default */
-    uint32_t width;       /**< texels, 1..65536; width * height at most 2^28 */
-    uint32_t height;      /**< texels, 1..65536 */
-    const void *texels;   /**< [height][width], row 0 on top; aligned to a channel; copied */
-    size_t row_stride;    /**< bytes between rows, at least width * texel size; 0 = packed */
-    uint32_t tables;      /**< shd_table bits; default none */
-    uint32_t reserved;    /**< 0 */
+    uint32_t struct_size;   /**< set by shd_texture_desc_default() */
+    shd_format format;      /**< any; no default. Three channels are stored as four */
+    uint32_t width;         /**< texels, 1..65536; width * height * layers at most 2^28 */
+    uint32_t height;        /**< texels, 1..65536 */
+    const void *texels;     /**< [layers][height][width], row 0 on top; aligned to a channel; copied */
+    size_t row_stride;      /**< bytes between rows, at least width * texel size; 0 = packed */
+    size_t layer_stride;    /**< bytes between layers, at least height * row stride; 0 = packed */
+    uint32_t layers;        /**< images of the array, 1..2048; default 1 */
+    uint32_t tables;        /**< shd_table bits; default none */
+    shd_channel swizzle[4]; /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT. A missing channel reads `fill` */
+    float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 
@@ -43,6 +63,8 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 {
     shd_texture_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
+    desc.layers = 1;
+    desc.fill[3] = 1.0f;
     return desc;
 }
 
@@ -65,10 +87,12 @@ SHD_API void shd_texture_release(shd_texture *texture);
 
 /** What a texture turned out to be. */
 typedef struct shd_texture_info {
-    shd_format format;    /**< of every level */
+    shd_format format;    /**< of every level; RGBA for a format of three channels */
     uint32_t width;       /**< texels of level 0 */
     uint32_t height;      /**< texels of level 0 */
+    uint32_t layers;      /**< images of the array */
     uint32_t level_count; /**< 1, or floor(log2(max(width, height))) + 1 with SHD_TABLE_MIPMAP */
+    uint32_t tables;      /**< shd_table bits */
     size_t byte_size;     /**< of all tables */
 } shd_texture_info;
 
@@ -80,12 +104,13 @@ typedef struct shd_texture_info {
 SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 
 /**
- * Copy one level out as stored (sRGB stays encoded).
+ * Copy one mip level out as stored (sRGB stays encoded).
+ * @param layer  0..layers - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
- * @param out    image of that size and of the texture's format
+ * @param out    image of that size and of the format that shd_texture_get_info tells
  * @since 0.1
  */
-SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *texture, uint32_t level,
+SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level,
                                                         const shd_image *out);
 
 SHD_END_DECLS

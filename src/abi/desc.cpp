@@ -110,7 +110,7 @@ shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
     return field;
   };
   const uint32_t format = enum_bits(out->format);
-  if (format < SHD_FORMAT_R8 || format > SHD_FORMAT_RGBA16) {
+  if (format < SHD_FORMAT_R8 || format > SHD_FORMAT_RGB32F) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %u is not a format", name, format);
   }
   const size_t pixel = image::format_info(out->format).pixel_size;

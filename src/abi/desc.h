@@ -52,10 +52,8 @@ shd_result check_finite(const char* field, const float* values, size_t count);
 shd_result check_values(const char* field, const float* values, size_t count, double low, double high);
 /// Alignment, stride and the size of the whole column; data null is fine.
 shd_result check_column(const char* field, const void* data, size_t stride, size_t count);
-inline shd_result check_column(const char* field, const shd_f32_in& column, size_t count) {
-  return check_column(field, column.data, column.stride, count);
-}
-inline shd_result check_column(const char* field, const shd_f32_out& column, size_t count) {
+template <class Column>
+shd_result check_column(const char* field, const Column& column, size_t count) {
   return check_column(field, column.data, column.stride, count);
 }
 /// A caller's image; `out` gets the row stride filled in. Accepts any known format.

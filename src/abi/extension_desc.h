@@ -39,7 +39,12 @@ void read_desc(const char* name, const Desc* in, Desc* out) {
   std::memcpy(out, in, sizeof(Desc));
 }
 
-/// Bytes of one channel of a format that shd_format_size knows.
+/// Whether a format is one of those that images outside textures have: R8 and the ones of four channels.
+inline bool is_image_format(shd_format format) {
+  return format >= SHD_FORMAT_R8 && format <= SHD_FORMAT_RGBA16;
+}
+
+/// Bytes of one channel of such a format.
 inline size_t channel_size(shd_format format) {
   switch (format) {
     case SHD_FORMAT_RGBA32F: return 4;
@@ -49,14 +54,16 @@ inline size_t channel_size(shd_format format) {
   }
 }
 
-/// A caller's image of any known format; the result has its row stride filled in. Throws Failure.
+/// A caller's image of such a format; the result has its row stride filled in. Throws Failure.
 inline shd_image read_image(const char* name, const shd_image* in) {
   constexpr shd_result kInvalid = SHD_ERROR_INVALID_ARGUMENT;
   if (!in) refuse(kInvalid, "%s: NULL", name);
   shd_image image = shd_image_default();
   read_desc(name, in, &image);
+  if (!is_image_format(image.format)) {
+    refuse(kInvalid, "%s.format: %d is not a format of images", name, static_cast<int>(image.format));
+  }
   const size_t pixel = shd_format_size(image.format);
-  if (pixel == 0) refuse(kInvalid, "%s.format: %d is not a format", name, static_cast<int>(image.format));
   constexpr uint32_t kMaximum = 65536;
   if (image.width < 1 || image.width > kMaximum) {
     refuse(kInvalid, "%s.width: %u is not in 1..%u", name, image.width, kMaximum);

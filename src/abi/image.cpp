@@ -5,6 +5,6 @@
 #include "image/format.h"
 
 extern "C" size_t shd_format_size(shd_format format) {
-  if (shd::abi::enum_bits(format) > SHD_FORMAT_RGBA16) return 0;
+  if (shd::abi::enum_bits(format) > SHD_FORMAT_RGB32F) return 0;
   return shd::image::format_info(format).pixel_size;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shd/sampler.h>
 
-#include <cstring>
-
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -13,15 +11,47 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-shd_result check_sampler_desc(const shd_sampler_desc& desc) {
-  SHD_TRY(check_enum("sampler.filter", desc.filter, SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR));
-  SHD_TRY(check_enum("sampler.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
-  SHD_TRY(check_enum("sampler.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_BORDER));
-  SHD_TRY(check_finite("sampler.border", desc.border, 4));
+/// What SHD_FILTER_STOCHASTIC may expect.
+shd_result check_expectation(shd_filter filter) {
+  switch (enum_bits(filter)) {
+    case SHD_FILTER_TRILINEAR:
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_BICUBIC:
+    case SHD_FILTER_ANISOTROPIC:
+    case SHD_FILTER_EWA: return SHD_OK;
+    default:
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.expectation: %u is not a filter that can be drawn from",
+                        enum_bits(filter));
+  }
+}
+
+shd_result check_footprint(const shd_sampler_desc& desc) {
   SHD_TRY(check_range("sampler.lod_bias", static_cast<double>(desc.lod_bias), -15, 15));
   SHD_TRY(check_range("sampler.lod_min", static_cast<double>(desc.lod_min), 0, 32));
   SHD_TRY(check_range("sampler.lod_max", static_cast<double>(desc.lod_max), 0, 32));
-  return check_zero("sampler.reserved", desc.reserved);
+  SHD_TRY(check_range("sampler.width_x", static_cast<double>(desc.width_x), 0, 64));
+  SHD_TRY(check_range("sampler.width_y", static_cast<double>(desc.width_y), 0, 64));
+  SHD_TRY(check_range("sampler.blur_u", static_cast<double>(desc.blur_u), 0, 1));
+  SHD_TRY(check_range("sampler.blur_v", static_cast<double>(desc.blur_v), 0, 1));
+  SHD_TRY(check_range("sampler.max_anisotropy", static_cast<double>(desc.max_anisotropy), 1, 64));
+  return check_range("sampler.tolerance", static_cast<double>(desc.tolerance), 0x1p-12, 1);
+}
+
+shd_result check_sampler_desc(const shd_sampler_desc& desc) {
+  SHD_TRY(check_enum("sampler.filter", desc.filter, SHD_FILTER_TRILINEAR, SHD_FILTER_EXACT));
+  if (!texture::has_kernel(desc)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %u is not built yet", enum_bits(desc.filter));
+  }
+  SHD_TRY(
+      check_enum("sampler.magnification", desc.magnification, SHD_MAGNIFICATION_DEFAULT, SHD_MAGNIFICATION_BICUBIC));
+  SHD_TRY(check_enum("sampler.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
+  SHD_TRY(check_enum("sampler.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
+  SHD_TRY(check_finite("sampler.border", desc.border, 4));
+  SHD_TRY(check_footprint(desc));
+  SHD_TRY(check_enum("sampler.probe_weights", desc.probe_weights, SHD_PROBE_WEIGHTS_EQUAL, SHD_PROBE_WEIGHTS_GAUSSIAN));
+  SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
+  SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
+  return check_expectation(desc.expectation);
 }
 
 }  // namespace
@@ -39,13 +69,7 @@ shd_result shd_sampler_create(shd_context* context, const shd_sampler_desc* desc
 
     core::Context& owner = context_of(context);
     auto* body = core::create<texture::Sampler>(owner.allocator);
-    body->filter = read.filter;
-    body->wrap_u = read.wrap_u;
-    body->wrap_v = read.wrap_v;
-    std::memcpy(body->border, read.border, sizeof body->border);
-    body->lod_bias = read.lod_bias;
-    body->lod_min = read.lod_min;
-    body->lod_max = read.lod_max < read.lod_min ? read.lod_min : read.lod_max;
+    *body = texture::make_sampler(read);
     make_handle(owner, core::ObjectType::kSampler, body, out_sampler);
     return SHD_OK;
   });

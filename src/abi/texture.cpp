@@ -18,6 +18,24 @@ using namespace shd::abi;
 /// Texel indices of all levels, times four channels, stay within 32-bit gathers.
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 
+/// `layer_size` is the size of one layer in bytes, with its row stride.
+shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& format, size_t layer_size) {
+  const size_t stride = desc.layer_stride ? desc.layer_stride : layer_size;
+  if (stride < layer_size) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu is below %zu", stride, layer_size);
+  }
+  if (stride % format.channel_size != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu is not a multiple of %zu", stride,
+                      format.channel_size);
+  }
+  size_t bytes;
+  if (__builtin_mul_overflow(stride, size_t{desc.layers}, &bytes) || bytes > PTRDIFF_MAX) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu times %u layers exceeds the address space",
+                      stride, desc.layers);
+  }
+  return SHD_OK;
+}
+
 shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& format) {
   SHD_TRY(check_not_null("texture.texels", desc.texels));
   const size_t row = desc.width * format.pixel_size;
@@ -34,6 +52,7 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.row_stride: %zu times %u rows exceeds the address space",
                       stride, desc.height);
   }
+  SHD_TRY(check_layers(desc, format, bytes));
   if (reinterpret_cast<uintptr_t>(desc.texels) % format.channel_size != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.texels: not aligned to %zu bytes", format.channel_size);
   }
@@ -42,17 +61,20 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
-  if (bits > SHD_FORMAT_RGBA16 || !image::format_info(desc.format).textures) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %d is not a format of textures",
-                      static_cast<int>(bits));
+  if (bits < SHD_FORMAT_R8 || bits > SHD_FORMAT_RGB32F) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
   }
-  const image::FormatInfo format = image::format_info(desc.format);
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
   SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
-  SHD_TRY(check_count("texture.width * texture.height", uint64_t{desc.width} * desc.height, 1, kMaxTexels));
-  SHD_TRY(check_rows(desc, format));
+  SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
+  SHD_TRY(check_count("texture.width * texture.height * texture.layers",
+                      uint64_t{desc.width} * desc.height * desc.layers, 1, kMaxTexels));
+  SHD_TRY(check_rows(desc, image::format_info(desc.format)));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP));
-  return check_zero("texture.reserved", desc.reserved);
+  for (const shd_channel channel : desc.swizzle) {
+    SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));
+  }
+  return check_finite("texture.fill", desc.fill, 4);
 }
 
 }  // namespace
@@ -95,15 +117,22 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     *out_info = shd_texture_info{};
     const texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
-    *out_info = {body->format, body->width, body->height, body->level_count, texture::byte_size(*body)};
+    *out_info = {body->format,
+                 body->width,
+                 body->height,
+                 body->layers,
+                 body->level_count,
+                 body->tables,
+                 texture::byte_size(*body)};
     return SHD_OK;
   });
 }
 
-shd_result shd_texture_read_level(const shd_texture* texture, uint32_t level, const shd_image* out) {
+shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, uint32_t level, const shd_image* out) {
   return guard([&]() -> shd_result {
     const texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    SHD_TRY(check_count("layer", layer, 0, body->layers - 1));
     SHD_TRY(check_count("level", level, 0, body->level_count - 1));
     shd_image image;
     SHD_TRY(read_image("out", out, &image));
@@ -114,10 +143,10 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t level, co
     const uint32_t width = texture::level_size(body->width, level), height = texture::level_size(body->height, level);
     SHD_TRY(check_count("out.width", image.width, width, width));
     SHD_TRY(check_count("out.height", image.height, height, height));
-    const size_t pixel_size = image::format_info(body->format).pixel_size;
+    const size_t pixel_size = texture::texel_size(*body);
     auto* pixels = static_cast<uint8_t*>(image.pixels);
     for (uint32_t y = 0; y < height; ++y) {
-      std::memcpy(pixels + y * image.row_stride, texture::row_of(*body, pixel_size, level, y), width * pixel_size);
+      std::memcpy(pixels + y * image.row_stride, texture::row_of(*body, layer, level, y), width * pixel_size);
     }
     return SHD_OK;
   });

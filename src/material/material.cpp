@@ -2,23 +2,6 @@
 #include "material/material.h"
 
 namespace shd::material {
-namespace {
-
-texture::Sampler default_sampler() {
-  const shd_sampler_desc desc = shd_sampler_desc_default();
-  texture::Sampler sampler = {};
-  sampler.filter = desc.filter;
-  sampler.wrap_u = desc.wrap_u;
-  sampler.wrap_v = desc.wrap_v;
-  for (int c = 0; c < 4; ++c) sampler.border[c] = desc.border[c];
-  sampler.lod_bias = desc.lod_bias;
-  sampler.lod_min = desc.lod_min;
-  sampler.lod_max = desc.lod_max;
-  return sampler;
-}
-
-}  // namespace
-
 Material::~Material() {
   core::release(texture_object, static_cast<uint32_t>(core::ObjectType::kTexture));
   core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));
@@ -35,7 +18,7 @@ void build(const shd_material_desc& desc, const texture::Texture* diffuse_textur
   }
   out->exponent = desc.exponent;
   out->program = desc.program;
-  out->default_sampler = default_sampler();
+  out->default_sampler = texture::make_sampler(shd_sampler_desc_default());
   out->diffuse_texture = diffuse_texture;
   out->diffuse_sampler = diffuse_sampler ? diffuse_sampler : &out->default_sampler;
 }

@@ -29,6 +29,7 @@ struct Points {
   hn::Vec<D> u, v;
   Derivatives<D> derivatives;  // of what is absent: 0
   hn::Vec<D> lod;              // not NaN
+  Ints<D> first_texel;         // of the lane's layer
   size_t nonfinite;            // lanes where something was not finite
 };
 
@@ -46,9 +47,20 @@ HWY_INLINE V ZeroIfNaN(V value) {
   return hn::IfThenElseZero(hn::Eq(value, value), value);
 }
 
+/// First texel of each lane's layer; the last layer for those beyond.
 template <class D>
-SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, size_t i) {
+  const hn::RebindToSigned<D> di;
+  const hn::RebindToUnsigned<D> du;
+  if (!in.layer || texture.layers == 1) return hn::Zero(di);
+  const auto layer = hn::Min(hn::LoadU(du, in.layer + i), hn::Set(du, texture.layers - 1));
+  return hn::Mul(hn::BitCast(di, layer), hn::Set(di, static_cast<int32_t>(texture.layer_texels)));
+}
+
+template <class D>
+SHD_KERNEL_PART Points<D> LoadPoints(D d, const Texture& texture, const Lookups& in, size_t i) {
   Points<D> p;
+  p.first_texel = LoadFirstTexel(d, texture, in, i);
   p.u = hn::LoadU(d, in.u + i);
   p.v = hn::LoadU(d, in.v + i);
   p.lod = LoadOrZero(d, in.lod, i);
@@ -79,7 +91,8 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
 
 /// The last `count` < Lanes lookups of a batch in columns of whole vectors, padded with zeros.
 struct Tail {
-  alignas(64) float in_columns[7][kMaxLanes];
+  alignas(64) float in_columns[kFloatColumns][kMaxLanes];
+  alignas(64) uint32_t in_integers[kIntegerColumns][kMaxLanes];
   alignas(64) float out_columns[4][kMaxLanes];
   Lookups in;
   Texels out;
@@ -87,13 +100,21 @@ struct Tail {
   void copy_in(const Lookups& from, const Texels& to, size_t first) {
     const size_t count = from.count - first;
     std::memset(in_columns, 0, sizeof in_columns);
-    const float* columns[7] = {from.u, from.v, from.dudx, from.dvdx, from.dudy, from.dvdy, from.lod};
-    for (size_t c = 0; c < 7; ++c) {
+    std::memset(in_integers, 0, sizeof in_integers);
+    const float* columns[] = {from.u, from.v, from.dudx, from.dvdx, from.dudy, from.dvdy, from.lod};
+    for (size_t c = 0; c < kFloatColumns; ++c) {
       if (!columns[c]) continue;
       std::memcpy(in_columns[c], columns[c] + first, count * sizeof(float));
       columns[c] = in_columns[c];
     }
-    in = {count, columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6]};
+    const uint32_t* integers[] = {from.layer, from.random};
+    for (size_t c = 0; c < kIntegerColumns; ++c) {
+      if (!integers[c]) continue;
+      std::memcpy(in_integers[c], integers[c] + first, count * sizeof(uint32_t));
+      integers[c] = in_integers[c];
+    }
+    in = {count,      columns[0], columns[1], columns[2],  columns[3],
+          columns[4], columns[5], columns[6], integers[0], integers[1]};
     for (size_t c = 0; c < 4; ++c) out.channel[c] = to.channel[c] ? out_columns[c] : nullptr;
   }
   void copy_out(const Texels& to, size_t first) const {
@@ -106,7 +127,7 @@ struct Tail {
 /// filter(d, points, out, i) writes one vector of results to element i of the columns. Returns the number of
 /// lookups that were not finite.
 template <class Filter>
-HWY_NOINLINE size_t ForEachVector(const Filter& filter, const Lookups& in, const Texels& out) {
+HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, const Lookups& in, const Texels& out) {
   const BatchTag d;
   const size_t lanes = hn::Lanes(d);
   const size_t whole = in.count - in.count % lanes;
@@ -126,7 +147,7 @@ HWY_NOINLINE size_t ForEachVector(const Filter& filter, const Lookups& in, const
       tail.copy_out(out, whole);
       return nonfinite;
     }
-    const Points<BatchTag> points = LoadPoints(d, *from, i);
+    const Points<BatchTag> points = LoadPoints(d, texture, *from, i);
     nonfinite += points.nonfinite;
     filter(d, points, *to, i);
   }

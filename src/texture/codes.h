@@ -19,13 +19,14 @@
 
 namespace shd::texture {
 
-/// Nearest of the 256 codes of a value in 0..255, ties to even.
-inline uint8_t round_to_code(double value) {
+/// Nearest code of a value in the range of codes, ties to even.
+template <class T>
+T round_to_code(double value) {
   constexpr double kMagic = 6755399441055744.0;  // 1.5 * 2^52: the sum has no fraction bits left
   const double shifted = value + kMagic;
   uint64_t bits;
   std::memcpy(&bits, &shifted, sizeof bits);
-  return static_cast<uint8_t>(bits);
+  return static_cast<T>(bits);
 }
 
 /// float whose last bit is set when the conversion is inexact, so that rounding it again rounds only once.
@@ -46,31 +47,21 @@ inline double canonical(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
-struct CodeR8 {
-  static constexpr size_t kChannels = 1, kSize = 1;
-  static void load(const uint8_t* texel, double* value) { value[0] = texel[0]; }
-  static void add(const uint8_t* texel, size_t count, double* sum) {
-    uint64_t total = 0;
-    for (size_t i = 0; i < count; ++i) total += texel[i];
-    sum[0] += static_cast<double>(total);
-  }
-  static void store(const double* average, uint8_t* texel) { texel[0] = round_to_code(average[0]); }
-};
-
-struct CodeRgba8 {
-  static constexpr size_t kChannels = 4, kSize = 4;
+template <size_t kCount>
+struct CodeUnorm8 {
+  static constexpr size_t kChannels = kCount, kSize = kCount;
   static void load(const uint8_t* texel, double* value) {
-    for (size_t c = 0; c < 4; ++c) value[c] = texel[c];
+    for (size_t c = 0; c < kChannels; ++c) value[c] = texel[c];
   }
   static void add(const uint8_t* texel, size_t count, double* sum) {
-    uint32_t total[4] = {};  // at most 2^16 texels of 255
+    uint32_t total[kChannels] = {};  // at most 2^16 texels of 255
     for (size_t i = 0; i < count; ++i) {
-      for (size_t c = 0; c < 4; ++c) total[c] += texel[4 * i + c];
+      for (size_t c = 0; c < kChannels; ++c) total[c] += texel[kChannels * i + c];
     }
-    for (size_t c = 0; c < 4; ++c) sum[c] += total[c];
+    for (size_t c = 0; c < kChannels; ++c) sum[c] += total[c];
   }
   static void store(const double* average, uint8_t* texel) {
-    for (size_t c = 0; c < 4; ++c) texel[c] = round_to_code(average[c]);
+    for (size_t c = 0; c < kChannels; ++c) texel[c] = round_to_code<uint8_t>(average[c]);
   }
 };
 
@@ -84,45 +75,67 @@ void add_each(const uint8_t* texel, size_t count, double* sum) {
   }
 }
 
+/// Channel 3 is alpha: a linear code.
+template <size_t kCount>
 struct CodeSrgb8 {
-  static constexpr size_t kChannels = 4, kSize = 4;
+  static constexpr size_t kChannels = kCount, kSize = kCount;
   static void load(const uint8_t* texel, double* value) {
-    for (size_t c = 0; c < 3; ++c) value[c] = static_cast<double>(image::kSrgb8ToLinear[texel[c]]);
-    value[3] = texel[3];
+    for (size_t c = 0; c < kChannels; ++c) {
+      value[c] = c == 3 ? texel[c] : static_cast<double>(image::kSrgb8ToLinear[texel[c]]);
+    }
   }
   static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeSrgb8>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
-    for (size_t c = 0; c < 3; ++c) texel[c] = image::linear_to_srgb8(static_cast<float>(average[c]));
-    texel[3] = round_to_code(average[3]);
+    for (size_t c = 0; c < kChannels; ++c) {
+      texel[c] = c == 3 ? round_to_code<uint8_t>(average[c]) : image::linear_to_srgb8(static_cast<float>(average[c]));
+    }
   }
 };
 
-struct CodeRgba16f {
-  static constexpr size_t kChannels = 4, kSize = 8;
+template <size_t kCount>
+struct CodeUnorm16 {
+  static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
   static void load(const uint8_t* texel, double* value) {
-    uint16_t halves[4];
-    std::memcpy(halves, texel, sizeof halves);
-    for (size_t c = 0; c < 4; ++c) value[c] = static_cast<double>(image::half_to_float(halves[c]));
+    uint16_t codes[kChannels];
+    std::memcpy(codes, texel, sizeof codes);
+    for (size_t c = 0; c < kChannels; ++c) value[c] = codes[c];
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeRgba16f>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeUnorm16>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
-    uint16_t halves[4];
-    for (size_t c = 0; c < 4; ++c) halves[c] = image::float_to_half(round_to_odd(canonical(average[c])));
+    uint16_t codes[kChannels];
+    for (size_t c = 0; c < kChannels; ++c) codes[c] = round_to_code<uint16_t>(average[c]);
+    std::memcpy(texel, codes, sizeof codes);
+  }
+};
+
+template <size_t kCount>
+struct CodeFloat16 {
+  static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
+  static void load(const uint8_t* texel, double* value) {
+    uint16_t halves[kChannels];
+    std::memcpy(halves, texel, sizeof halves);
+    for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<double>(image::half_to_float(halves[c]));
+  }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeFloat16>(texel, count, sum); }
+  static void store(const double* average, uint8_t* texel) {
+    uint16_t halves[kChannels];
+    for (size_t c = 0; c < kChannels; ++c) halves[c] = image::float_to_half(round_to_odd(canonical(average[c])));
     std::memcpy(texel, halves, sizeof halves);
   }
 };
 
-struct CodeRgba32f {
-  static constexpr size_t kChannels = 4, kSize = 16;
+template <size_t kCount>
+struct CodeFloat32 {
+  static constexpr size_t kChannels = kCount, kSize = 4 * kCount;
   static void load(const uint8_t* texel, double* value) {
-    float floats[4];
+    float floats[kChannels];
     std::memcpy(floats, texel, sizeof floats);
-    for (size_t c = 0; c < 4; ++c) value[c] = static_cast<double>(floats[c]);
+    for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<double>(floats[c]);
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeRgba32f>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeFloat32>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
-    float floats[4];
-    for (size_t c = 0; c < 4; ++c) floats[c] = static_cast<float>(canonical(average[c]));
+    float floats[kChannels];
+    for (size_t c = 0; c < kChannels; ++c) floats[c] = static_cast<float>(canonical(average[c]));
     std::memcpy(texel, floats, sizeof floats);
   }
 };

@@ -26,13 +26,13 @@ struct Level {
 };
 
 template <class D>
-SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, uint32_t level) {
+SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_texel, uint32_t level) {
   const hn::RebindToSigned<D> di;
   const auto width = static_cast<int32_t>(level_size(texture.width, level));
   const auto height = static_cast<int32_t>(level_size(texture.height, level));
   return {{hn::Set(d, static_cast<float>(width)), hn::Set(di, width)},
           {hn::Set(d, static_cast<float>(height)), hn::Set(di, height)},
-          hn::Set(di, static_cast<int32_t>(texture.offset[level]))};
+          hn::Add(first_texel, hn::Set(di, static_cast<int32_t>(texture.offset[level])))};
 }
 
 /// max(1, floor(base * scale)), scale a power of two: exact, as sizes are below 2^24.
@@ -44,11 +44,11 @@ HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
 }
 
 template <class D>
-SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> level) {
+SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first_texel, Ints<D> level) {
   const hn::RebindToSigned<D> di;
   const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(di, 127), level)));
   return {ScaledSize(d, texture.width, scale), ScaledSize(d, texture.height, scale),
-          hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level)};
+          hn::Add(first_texel, hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level))};
 }
 
 /// Index of the first texel of row y from the first of the texture: all the addressing there is, as levels are
@@ -78,38 +78,70 @@ HWY_INLINE V Mix(D d, V a, V b, V s) {
   return hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a, mixed);
 }
 
-/// How values of format F are read and blended. With a border, values leave the lerp domain of the format before
-/// they meet the border colour, which may be any finite float.
+/// How values of format F are read, blended and stored. With a border, values leave the lerp domain of the format
+/// before they meet the border colour, which may be any finite float. Every filter is a tree of blends, so that equal
+/// texels give exactly their value. Kernels name the kind of every blend, for specialisations that follow the tree:
+/// by a weight that does not depend on the point, or by the fraction along u or v with its rate.
 template <class F, bool kBorder>
 struct Blend {
+  template <class D>
+  using Value = hn::Vec<D>;
+
   template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in,
-                                   const Sampler& sampler) {
+  static HWY_INLINE Value<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in,
+                                 const Sampler& sampler) {
     const hn::Vec<D> value = F::template decode<C>(d, texel);
     if constexpr (!kBorder) return value;
     return hn::IfThenElse(in, F::template finish<C>(d, value), hn::Set(d, sampler.border[C]));
   }
 
-  template <class D, class V>
-  static HWY_INLINE V blend(D d, V a, V b, V s) {
+  /// a + s (b - a), s in [0, 1].
+  template <class D>
+  static HWY_INLINE Value<D> blend(D d, Value<D> a, Value<D> b, hn::Vec<D> s) {
     if constexpr (kBorder || F::kFloat) return Mix(d, a, b, s);
     return Lerp(d, a, b, s);
+  }
+  /// The same with ds/du = rate.
+  template <class D>
+  static HWY_INLINE Value<D> blend_u(D d, Value<D> a, Value<D> b, hn::Vec<D> s, hn::Vec<D>) {
+    return blend(d, a, b, s);
+  }
+  /// The same with ds/dv = rate.
+  template <class D>
+  static HWY_INLINE Value<D> blend_v(D d, Value<D> a, Value<D> b, hn::Vec<D> s, hn::Vec<D>) {
+    return blend(d, a, b, s);
   }
 
   /// The result; one NaN for all, whatever the target makes of several.
   template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
+  static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {
     if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
     if constexpr (kBorder) return value;
     return F::template finish<C>(d, value);
   }
+
+  /// Finishes and writes to element i.
+  template <size_t C, class D>
+  static HWY_INLINE void store(D d, Value<D> value, const Texels& out, size_t i) {
+    hn::StoreU(finish<C>(d, value), d, out.channel[C] + i);
+  }
 };
+
+/// value.of<C>() of every wanted channel C, to element i of its column.
+template <class F, bool kBorder, class D, class ValueOf>
+HWY_INLINE void StoreChannels(D d, const ValueOf& value, const Texels& out, size_t i) {
+  using B = Blend<F, kBorder>;
+  if (out.channel[0]) B::template store<0>(d, value.template of<0>(), out, i);
+  if (out.channel[1]) B::template store<1>(d, value.template of<1>(), out, i);
+  if (out.channel[2]) B::template store<2>(d, value.template of<2>(), out, i);
+  if (out.channel[3]) B::template store<3>(d, value.template of<3>(), out, i);
+}
 
 /// The four texels around a point of a level.
 template <class F, class D>
 struct Quad {
   using Texel = typename F::template Texel<D>;
-  hn::Vec<D> s, t;
+  hn::Vec<D> s, t, rate_s, rate_t;
   Texel t00, t10, t01, t11;  // column, row
   MaskOf<D> in00, in10, in01, in11;
 };
@@ -119,56 +151,55 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
                                      hn::Vec<D> u, hn::Vec<D> v) {
   const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
   const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
-  const uint8_t* texels = texture.texels.data();
   const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
   Quad<F, D> quad;
   quad.s = x.s;
   quad.t = y.s;
+  quad.rate_s = x.rate;
+  quad.rate_t = y.rate;
   quad.in00 = hn::And(x.in0, y.in0);
   quad.in10 = hn::And(x.in1, y.in0);
   quad.in01 = hn::And(x.in0, y.in1);
   quad.in11 = hn::And(x.in1, y.in1);
   if constexpr (F::kWords && kGathersNeighbours) {
     const hn::RebindToSigned<D> di;
-    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(x.i1, hn::Add(x.i0, hn::Set(di, 1)))))) {
-      GatherNeighbours(d, texels, top, bottom, x.i0, &quad.t00, &quad.t10, &quad.t01, &quad.t11);
+    if (HWY_LIKELY(texture.channels == 4 && hn::AllTrue(di, hn::Eq(x.i1, hn::Add(x.i0, hn::Set(di, 1)))))) {
+      GatherNeighbours(d, texture.texels.data(), top, bottom, x.i0, &quad.t00, &quad.t10, &quad.t01, &quad.t11);
       return quad;
     }
   }
-  quad.t00 = F::fetch(d, texels, hn::Add(top, x.i0));
-  quad.t10 = F::fetch(d, texels, hn::Add(top, x.i1));
-  quad.t01 = F::fetch(d, texels, hn::Add(bottom, x.i0));
-  quad.t11 = F::fetch(d, texels, hn::Add(bottom, x.i1));
+  quad.t00 = F::fetch(d, texture, hn::Add(top, x.i0));
+  quad.t10 = F::fetch(d, texture, hn::Add(top, x.i1));
+  quad.t01 = F::fetch(d, texture, hn::Add(bottom, x.i0));
+  quad.t11 = F::fetch(d, texture, hn::Add(bottom, x.i1));
   return quad;
 }
 
 /// Bilinear value of channel C, in the lerp domain.
 template <class F, bool kBorder, size_t C, class D>
-SHD_KERNEL_PART hn::Vec<D> BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
+SHD_KERNEL_PART auto BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
   using B = Blend<F, kBorder>;
-  const auto top = B::blend(d, B::template tap<C>(d, quad.t00, quad.in00, sampler),
-                            B::template tap<C>(d, quad.t10, quad.in10, sampler), quad.s);
-  const auto bottom = B::blend(d, B::template tap<C>(d, quad.t01, quad.in01, sampler),
-                               B::template tap<C>(d, quad.t11, quad.in11, sampler), quad.s);
-  return B::blend(d, top, bottom, quad.t);
-}
-
-template <class F, bool kBorder, size_t C, class D>
-HWY_INLINE void StoreQuadChannel(D d, const Quad<F, D>& quad, const Sampler& sampler, const Texels& out, size_t i) {
-  if (!out.channel[C]) return;
-  const auto value = BlendQuad<F, kBorder, C>(d, quad, sampler);
-  hn::StoreU(Blend<F, kBorder>::template finish<C>(d, value), d, out.channel[C] + i);
+  const auto top = B::blend_u(d, B::template tap<C>(d, quad.t00, quad.in00, sampler),
+                              B::template tap<C>(d, quad.t10, quad.in10, sampler), quad.s, quad.rate_s);
+  const auto bottom = B::blend_u(d, B::template tap<C>(d, quad.t01, quad.in01, sampler),
+                                 B::template tap<C>(d, quad.t11, quad.in11, sampler), quad.s, quad.rate_s);
+  return B::blend_v(d, top, bottom, quad.t, quad.rate_t);
 }
 
 /// Bilinear values of the wanted channels, to element i of their columns.
 template <class F, bool kBorder, class D>
-HWY_INLINE void StoreQuad(D d, const Quad<F, D>& quad, const Sampler& sampler, const Texels& out, size_t i) {
-  StoreQuadChannel<F, kBorder, 0>(d, quad, sampler, out, i);
-  if constexpr (F::kChannels == 4) {
-    StoreQuadChannel<F, kBorder, 1>(d, quad, sampler, out, i);
-    StoreQuadChannel<F, kBorder, 2>(d, quad, sampler, out, i);
-    StoreQuadChannel<F, kBorder, 3>(d, quad, sampler, out, i);
+struct QuadValue {
+  const Quad<F, D>& quad;
+  const Sampler& sampler;
+
+  template <size_t C>
+  HWY_INLINE auto of() const {
+    return BlendQuad<F, kBorder, C>(D(), quad, sampler);
   }
+};
+template <class F, bool kBorder, class D>
+HWY_INLINE void StoreQuad(D d, const Quad<F, D>& quad, const Sampler& sampler, const Texels& out, size_t i) {
+  StoreChannels<F, kBorder>(d, QuadValue<F, kBorder, D>{quad, sampler}, out, i);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -2,11 +2,13 @@
 // What the kernels know of each texture format: how to fetch a texel and how to unpack one channel of it.
 //
 //   Texel<D>     raw bits of one texel per lane
-//   fetch        texels at indices (gathers of whole, aligned words)
-//   decode<C>    channel C as a float in the format's lerp domain: unorm channels stay in 0..255
+//   fetch        texels at indices; what lies behind the channels that the texture has is not defined
+//   decode<C>    channel C as a float in the format's lerp domain: unorm channels stay codes
 //   finish<C>    from the lerp domain to the result
-//   kWords       a texel is one 32-bit word
+//   kWords       a texel of four channels is one 32-bit word
 //   kFloat       texels may be infinite, NaN or so far apart that their difference overflows
+//
+// The number of channels is the same for a whole batch: fetch branches on it.
 
 #if defined(SHD_TEXTURE_FORMAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FORMAT_INL_H_
@@ -19,6 +21,7 @@
 
 #include "image/srgb.h"
 #include "texture/gather-inl.h"
+#include "texture/texture.h"
 #include "texture/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,49 +43,25 @@ HWY_INLINE VI Byte(DI di, VI words) {
   return C == 3 ? shifted : hn::And(shifted, hn::Set(di, 255));
 }
 
-struct R8 {
-  static constexpr size_t kChannels = 1;
-  static constexpr bool kFloat = false;
-  static constexpr bool kWords = false;
-  template <class D>
-  using Texel = hn::Vec<D>;
-
-  template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
-    const hn::RebindToSigned<D> di;
-    const auto word = GatherWords(d, texels, hn::ShiftRight<2>(index));
-    // Two selects by the lower bits of the index: cheaper than a shift per lane where that is emulated.
-    const auto odd = hn::Ne(hn::And(index, hn::Set(di, 1)), hn::Zero(di));
-    const auto high = hn::Ne(hn::And(index, hn::Set(di, 2)), hn::Zero(di));
-    const auto pair = hn::IfThenElse(high, hn::ShiftRight<16>(word), word);
-    const auto byte = hn::IfThenElse(odd, hn::ShiftRight<8>(pair), pair);
-    return hn::ConvertTo(d, hn::And(byte, hn::Set(di, 255)));
-  }
-  template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> decode(D, Texel<D> texel) {
-    return texel;
-  }
-  template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
-    return CodeToUnit(d, value);
-  }
-};
-
 /// Four 8-bit codes in a word.
 struct Word {
-  static constexpr size_t kChannels = 4;
   static constexpr bool kFloat = false;
   static constexpr bool kWords = true;
   template <class D>
   using Texel = Ints<D>;
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
-    return GatherWords(d, texels, index);
+  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
+    const uint8_t* texels = texture.texels.data();
+    switch (texture.channels) {
+      case 1: return GatherBytes(d, texels, index);
+      case 2: return GatherBytes(d, texels, hn::ShiftLeft<1>(index));
+      default: return GatherWords(d, texels, index);
+    }
   }
 };
 
-struct Rgba8 : Word {
+struct Unorm8 : Word {
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
     const hn::RebindToSigned<D> di;
@@ -110,6 +89,51 @@ struct Srgb8 : Word {
   }
 };
 
+/// Four 16-bit channels in two words.
+struct Words2 {
+  static constexpr bool kWords = false;
+  template <class D>
+  struct Texel {
+    Ints<D> rg, ba;
+  };
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
+    const uint8_t* texels = texture.texels.data();
+    if (texture.channels == 1) {
+      const auto word = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
+      return {word, word};
+    }
+    if (texture.channels == 2) {
+      const auto word = GatherWords(d, texels, index);
+      return {word, word};
+    }
+    const auto first = hn::Add(index, index);
+    return {GatherWords(d, texels, first), GatherWords(d, texels + 4, first)};
+  }
+
+  /// Channel C in the lower half of every lane; the upper half is not defined where C is 0 or 2.
+  template <size_t C, class D>
+  static HWY_INLINE Ints<D> half(const Texel<D>& texel) {
+    const auto pair = C < 2 ? texel.rg : texel.ba;
+    return C % 2 ? hn::ShiftRight<16>(pair) : pair;
+  }
+};
+
+struct Unorm16 : Words2 {
+  static constexpr bool kFloat = false;
+
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
+    const hn::RebindToSigned<D> di;
+    return hn::ConvertTo(d, hn::And(half<C, D>(texel), hn::Set(di, 0xffff)));
+  }
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
+    return hn::Div(value, hn::Set(d, 65535.0f));
+  }
+};
+
 /// binary32 of the binary16 in the lower half of every lane, exact.
 template <class D, class VI>
 HWY_INLINE hn::Vec<D> HalfToFloat(D d, VI half) {
@@ -125,24 +149,12 @@ HWY_INLINE hn::Vec<D> HalfToFloat(D d, VI half) {
   return hn::BitCast(d, hn::Or(bits, sign));
 }
 
-struct Rgba16f {
-  static constexpr size_t kChannels = 4;
+struct Float16 : Words2 {
   static constexpr bool kFloat = true;
-  static constexpr bool kWords = false;
-  template <class D>
-  struct Texel {
-    Ints<D> rg, ba;
-  };
 
-  template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const uint8_t* texels, Ints<D> index) {
-    const auto first = hn::Add(index, index);
-    return {GatherWords(d, texels, first), GatherWords(d, texels + 4, first)};
-  }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
-    const auto pair = C < 2 ? texel.rg : texel.ba;
-    return HalfToFloat(d, C % 2 ? hn::ShiftRight<16>(pair) : pair);
+    return HalfToFloat(d, half<C, D>(texel));
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D, hn::Vec<D> value) {
@@ -151,8 +163,7 @@ struct Rgba16f {
 };
 
 /// Channels are gathered when they are wanted.
-struct Rgba32f {
-  static constexpr size_t kChannels = 4;
+struct Float32 {
   static constexpr bool kFloat = true;
   static constexpr bool kWords = false;
   template <class D>
@@ -162,8 +173,13 @@ struct Rgba32f {
   };
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D, const uint8_t* texels, Ints<D> index) {
-    return {reinterpret_cast<const float*>(texels), hn::ShiftLeft<2>(index)};
+  static HWY_INLINE Texel<D> fetch(D, const Texture& texture, Ints<D> index) {
+    const auto* first = reinterpret_cast<const float*>(texture.texels.data());
+    switch (texture.channels) {
+      case 1: return {first, index};
+      case 2: return {first, hn::ShiftLeft<1>(index)};
+      default: return {first, hn::ShiftLeft<2>(index)};
+    }
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
@@ -174,6 +190,18 @@ struct Rgba32f {
     return value;
   }
 };
+
+/// body.run<F>() for the format class F of a texture.
+template <class Body>
+HWY_INLINE size_t ForFormat(const Texture& texture, const Body& body) {
+  switch (texture.component) {
+    case image::Component::kUnorm8: return body.template run<Unorm8>();
+    case image::Component::kSrgb8: return body.template run<Srgb8>();
+    case image::Component::kUnorm16: return body.template run<Unorm16>();
+    case image::Component::kFloat16: return body.template run<Float16>();
+    default: return body.template run<Float32>();
+  }
+}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -29,6 +29,14 @@ HWY_INLINE Ints<D> GatherWords(D d, const uint8_t* texels, Ints<D> index) {
   return hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texels), index);
 }
 
+/// Words at byte offsets of any alignment; up to 3 bytes behind the texel are read.
+template <class D>
+HWY_INLINE Ints<D> GatherBytes(D d, const uint8_t* texels, Ints<D> offset) {
+  const hn::RebindToSigned<D> di;
+  (void)d;
+  return hn::GatherOffset(di, reinterpret_cast<const int32_t*>(texels), offset);
+}
+
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 constexpr bool kGathersNeighbours = true;
 

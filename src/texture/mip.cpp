@@ -65,6 +65,7 @@ struct Round {
   const double* source;  // unrounded level `from`, null for the base
   double* last;          // unrounded level from + steps, or null
   uint32_t from, steps;
+  uint32_t layer;
 
   void run(const core::Context& context) const {
     const uint32_t rows = level_size(texture.height, from + steps);
@@ -101,15 +102,15 @@ struct Round {
         const size_t pitch = size_t{level_size(texture.width, from)} * Code::kChannels;
         halve_rows<Code::kChannels>(source + top * pitch + x * Code::kChannels, down * pitch, width, to);
       } else {
-        halve_texels<Code>(row_of(texture, Code::kSize, 0, top) + x * Code::kSize,
-                           row_of(texture, Code::kSize, 0, top + down) + x * Code::kSize, width, to);
+        halve_texels<Code>(row_of(texture, layer, 0, top) + x * Code::kSize,
+                           row_of(texture, layer, 0, top + down) + x * Code::kSize, width, to);
       }
     }
   }
 
   void store(uint32_t level, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const double* average) const {
     for (uint32_t j = 0; j < height; ++j) {
-      uint8_t* texel = row_of(texture, Code::kSize, level, y + j) + x * Code::kSize;
+      uint8_t* texel = row_of(texture, layer, level, y + j) + x * Code::kSize;
       for (uint32_t i = 0; i < width; ++i, texel += Code::kSize, average += Code::kChannels) {
         Code::store(average, texel);
       }
@@ -152,18 +153,18 @@ void add_row(const uint8_t* row, const Span& span, double weight, double* sum) {
 
 /// One level from the base.
 template <class Code>
-void sum_level(const core::Context& context, Texture& texture, uint32_t level) {
+void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level) {
   const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
   const double area = static_cast<double>(texture.width) * texture.height;
   core::parallel_for(context, height, [&](uint32_t y, uint32_t) {
     const Span down(y, texture.height, height);
-    uint8_t* texel = row_of(texture, Code::kSize, level, y);
+    uint8_t* texel = row_of(texture, layer, level, y);
     for (uint32_t x = 0; x < width; ++x, texel += Code::kSize) {
       const Span across(x, texture.width, width);
       double sum[Code::kChannels] = {};
       for (uint32_t row = down.first; row <= down.last; ++row) {
         const double weight = row == down.first ? down.head : row == down.last ? down.tail : down.full;
-        add_row<Code>(row_of(texture, Code::kSize, 0, row), across, weight, sum);
+        add_row<Code>(row_of(texture, layer, 0, row), across, weight, sum);
       }
       for (size_t c = 0; c < Code::kChannels; ++c) sum[c] /= area;
       Code::store(sum, texel);
@@ -183,7 +184,7 @@ uint32_t even_steps(const Texture& texture) {
 }
 
 template <class Code>
-void build_levels(const core::Context& context, Texture& texture) {
+void build_layer(const core::Context& context, Texture& texture, uint32_t layer) {
   const uint32_t even = even_steps(texture);
   Plane source;
   for (uint32_t from = 0; from < even;) {
@@ -193,22 +194,36 @@ void build_levels(const core::Context& context, Texture& texture) {
       const size_t texels = size_t{level_size(texture.width, from + steps)} * level_size(texture.height, from + steps);
       last = Plane(context.allocator, core::checked_mul(texels, Code::kChannels));
     }
-    Round<Code>{texture, source.data(), last.data(), from, steps}.run(context);
+    Round<Code>{texture, source.data(), last.data(), from, steps, layer}.run(context);
     source = static_cast<Plane&&>(last);
     from += steps;
   }
-  for (uint32_t level = even + 1; level < texture.level_count; ++level) sum_level<Code>(context, texture, level);
+  for (uint32_t level = even + 1; level < texture.level_count; ++level) sum_level<Code>(context, texture, layer, level);
+}
+
+template <class Code>
+void build_layers(const core::Context& context, Texture& texture) {
+  for (uint32_t layer = 0; layer < texture.layers; ++layer) build_layer<Code>(context, texture, layer);
+}
+
+template <template <size_t> class Code>
+void build_channels(const core::Context& context, Texture& texture) {
+  switch (texture.channels) {
+    case 1: return build_layers<Code<1>>(context, texture);
+    case 2: return build_layers<Code<2>>(context, texture);
+    default: return build_layers<Code<4>>(context, texture);
+  }
 }
 
 }  // namespace
 
 void build_mip_levels(const core::Context& context, Texture* texture) {
-  switch (texture->format) {
-    case SHD_FORMAT_R8: return build_levels<CodeR8>(context, *texture);
-    case SHD_FORMAT_RGBA8: return build_levels<CodeRgba8>(context, *texture);
-    case SHD_FORMAT_RGBA8_SRGB: return build_levels<CodeSrgb8>(context, *texture);
-    case SHD_FORMAT_RGBA16F: return build_levels<CodeRgba16f>(context, *texture);
-    default: return build_levels<CodeRgba32f>(context, *texture);
+  switch (texture->component) {
+    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture);
+    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture);
+    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture);
+    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture);
+    default: return build_channels<CodeFloat32>(context, *texture);
   }
 }
 

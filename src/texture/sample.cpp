@@ -1,32 +1,77 @@
 // SPDX-License-Identifier: MIT
 #include "texture/sample.h"
 
-#include "image/format.h"
+#include <cstring>
 
 namespace shd::texture {
 namespace {
 
 void fill(float* column, size_t count, float value) {
-  if (!column) return;
   for (size_t i = 0; i < count; ++i) column[i] = value;
+}
+
+size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out) {
+  switch (sampler.filter) {
+    case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, out);
+    default: return sample_trilinear(texture, sampler, simd, lookups, out);
+  }
 }
 
 }  // namespace
 
+bool has_kernel(const shd_sampler_desc& desc) {
+  switch (desc.filter) {
+    case SHD_FILTER_NEAREST:
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_TRILINEAR: return desc.magnification == SHD_MAGNIFICATION_DEFAULT;
+    default: return false;
+  }
+}
+
+Sampler make_sampler(const shd_sampler_desc& desc) {
+  Sampler sampler = {};
+  sampler.filter = desc.filter;
+  sampler.magnification = desc.magnification;
+  sampler.wrap_u = desc.wrap_u;
+  sampler.wrap_v = desc.wrap_v;
+  std::memcpy(sampler.border, desc.border, sizeof sampler.border);
+  sampler.lod_bias = desc.lod_bias;
+  sampler.lod_min = desc.lod_min;
+  sampler.lod_max = desc.lod_max < desc.lod_min ? desc.lod_min : desc.lod_max;
+  sampler.width_x = desc.width_x;
+  sampler.width_y = desc.width_y;
+  sampler.blur_u = desc.blur_u;
+  sampler.blur_v = desc.blur_v;
+  sampler.max_anisotropy = desc.max_anisotropy;
+  sampler.probe_weights = desc.probe_weights;
+  sampler.cubic = desc.cubic;
+  sampler.box = desc.box;
+  sampler.expectation = desc.expectation;
+  sampler.seed = desc.seed;
+  sampler.tolerance = desc.tolerance;
+  return sampler;
+}
+
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out) {
-  Texels stored = out;
-  if (image::format_info(texture.format).channels == 1) {
-    fill(out.channel[1], lookups.count, 0.0f);
-    fill(out.channel[2], lookups.count, 0.0f);
-    fill(out.channel[3], lookups.count, 1.0f);
-    stored.channel[1] = stored.channel[2] = stored.channel[3] = nullptr;
+  Texels stored = {};
+  for (size_t c = 0; c < 4; ++c) {
+    const uint32_t source = texture.channel_source[c];
+    if (source != kFill && !stored.channel[source]) stored.channel[source] = out.channel[c];
   }
-  switch (sampler.filter) {
-    case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, stored);
-    case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, stored);
-    default: return sample_trilinear(texture, sampler, simd, lookups, stored);
+  const size_t nonfinite = sample_stored(texture, sampler, simd, lookups, stored);
+  for (size_t c = 0; c < 4; ++c) {
+    if (!out.channel[c]) continue;
+    const uint32_t source = texture.channel_source[c];
+    if (source == kFill) {
+      fill(out.channel[c], lookups.count, texture.fill[c]);
+    } else if (stored.channel[source] != out.channel[c]) {
+      std::memcpy(out.channel[c], stored.channel[source], lookups.count * sizeof(float));
+    }
   }
+  return nonfinite;
 }
 
 }  // namespace shd::texture

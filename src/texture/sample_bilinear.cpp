@@ -24,25 +24,31 @@ struct Bilinear {
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     const auto u = ReduceCoordinate(d, sampler.wrap_u, p.u);
     const auto v = ReduceCoordinate(d, sampler.wrap_v, p.v);
-    const Quad<F, D> quad = FetchQuad<F>(d, texture, sampler, SameLevel(d, texture, 0), u, v);
+    const Quad<F, D> quad = FetchQuad<F>(d, texture, sampler, SameLevel(d, texture, p.first_texel, 0), u, v);
     StoreQuad<F, kBorder>(d, quad, sampler, out, i);
   }
 };
 
 template <class F>
 size_t BilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler)) return ForEachVector(Bilinear<F, true>{texture, sampler}, in, out);
-  return ForEachVector(Bilinear<F, false>{texture, sampler}, in, out);
+  if (has_border(sampler)) return ForEachVector(texture, Bilinear<F, true>{texture, sampler}, in, out);
+  return ForEachVector(texture, Bilinear<F, false>{texture, sampler}, in, out);
 }
 
-size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  switch (texture.format) {
-    case SHD_FORMAT_R8: return BilinearOfFormat<R8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA8: return BilinearOfFormat<Rgba8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA8_SRGB: return BilinearOfFormat<Srgb8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA16F: return BilinearOfFormat<Rgba16f>(texture, sampler, in, out);
-    default: return BilinearOfFormat<Rgba32f>(texture, sampler, in, out);
+struct BilinearOfTexture {
+  const Texture& texture;
+  const Sampler& sampler;
+  const Lookups& in;
+  const Texels& out;
+
+  template <class F>
+  size_t run() const {
+    return BilinearOfFormat<F>(texture, sampler, in, out);
   }
+};
+
+size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return ForFormat(texture, BilinearOfTexture{texture, sampler, in, out});
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -47,40 +47,42 @@ struct Trilinear {
     const float first = hn::GetLane(floor);
     const bool same = hn::AllTrue(d, hn::Eq(floor, hn::Set(d, first)));
     const auto level = hn::ConvertTo(di, floor);
-    const Quad<F, D> high = FetchQuad<F>(
-        d, texture, sampler,
-        same ? SameLevel(d, texture, static_cast<uint32_t>(first)) : LevelPerLane(d, texture, level), u, v);
+    const Quad<F, D> high = FetchQuad<F>(d, texture, sampler,
+                                         same ? SameLevel(d, texture, p.first_texel, static_cast<uint32_t>(first))
+                                              : LevelPerLane(d, texture, p.first_texel, level),
+                                         u, v);
     if (hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)))) return StoreQuad<F, kBorder>(d, high, sampler, out, i);
 
     const auto last = static_cast<int32_t>(texture.level_count - 1);
     const auto next = hn::Min(hn::Add(level, hn::Set(di, 1)), hn::Set(di, last));
-    const Quad<F, D> low = FetchQuad<F>(
-        d, texture, sampler,
-        same ? SameLevel(d, texture, static_cast<uint32_t>(hn::GetLane(next))) : LevelPerLane(d, texture, next), u, v);
-    store<0>(d, high, low, fraction, out, i);
-    if constexpr (F::kChannels == 4) {
-      store<1>(d, high, low, fraction, out, i);
-      store<2>(d, high, low, fraction, out, i);
-      store<3>(d, high, low, fraction, out, i);
-    }
+    const Quad<F, D> low =
+        FetchQuad<F>(d, texture, sampler,
+                     same ? SameLevel(d, texture, p.first_texel, static_cast<uint32_t>(hn::GetLane(next)))
+                          : LevelPerLane(d, texture, p.first_texel, next),
+                     u, v);
+    StoreChannels<F, kBorder>(d, Pair<D>{high, low, fraction, sampler}, out, i);
   }
 
-  template <size_t C, class D>
-  HWY_INLINE void store(D d, const Quad<F, D>& high, const Quad<F, D>& low, hn::Vec<D> fraction, const Texels& out,
-                        size_t i) const {
-    using B = Blend<F, kBorder>;
-    if (!out.channel[C]) return;
-    const auto value =
-        B::blend(d, BlendQuad<F, kBorder, C>(d, high, sampler), BlendQuad<F, kBorder, C>(d, low, sampler), fraction);
-    hn::StoreU(B::template finish<C>(d, value), d, out.channel[C] + i);
-  }
+  template <class D>
+  struct Pair {
+    const Quad<F, D>&high, &low;
+    hn::Vec<D> fraction;
+    const Sampler& sampler;
+
+    template <size_t C>
+    HWY_INLINE auto of() const {
+      return Blend<F, kBorder>::blend(D(), BlendQuad<F, kBorder, C>(D(), high, sampler),
+                                      BlendQuad<F, kBorder, C>(D(), low, sampler), fraction);
+    }
+  };
 };
 
 /// The lookups of a batch whose levels of detail are found before any of them is filtered: the two chains of dependent
 /// operations then overlap with those of other lookups.
 constexpr size_t kBlock = 256;
 
-const float* Skip(const float* column, size_t rows) {
+template <class T>
+const T* Skip(const T* column, size_t rows) {
   return column ? column + rows : nullptr;
 }
 
@@ -98,28 +100,36 @@ size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const L
                            Skip(in.dvdx, first),
                            Skip(in.dudy, first),
                            Skip(in.dvdy, first),
-                           Skip(in.lod, first)};
-    nonfinite += ForEachVector(level_of_detail, given, {{lod, nullptr, nullptr, nullptr}});
-    const Lookups block = {count, given.u, given.v, nullptr, nullptr, nullptr, nullptr, lod};
+                           Skip(in.lod, first),
+                           Skip(in.layer, first),
+                           Skip(in.random, first)};
+    nonfinite += ForEachVector(texture, level_of_detail, given, {{lod, nullptr, nullptr, nullptr}});
+    const Lookups block = {count, given.u, given.v, nullptr, nullptr, nullptr, nullptr, lod, given.layer, nullptr};
     Texels to;
     for (size_t c = 0; c < 4; ++c) to.channel[c] = out.channel[c] ? out.channel[c] + first : nullptr;
     if (has_border(sampler)) {
-      ForEachVector(Trilinear<F, true>{texture, sampler}, block, to);
+      ForEachVector(texture, Trilinear<F, true>{texture, sampler}, block, to);
     } else {
-      ForEachVector(Trilinear<F, false>{texture, sampler}, block, to);
+      ForEachVector(texture, Trilinear<F, false>{texture, sampler}, block, to);
     }
   }
   return nonfinite;
 }
 
-size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  switch (texture.format) {
-    case SHD_FORMAT_R8: return TrilinearOfFormat<R8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA8: return TrilinearOfFormat<Rgba8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA8_SRGB: return TrilinearOfFormat<Srgb8>(texture, sampler, in, out);
-    case SHD_FORMAT_RGBA16F: return TrilinearOfFormat<Rgba16f>(texture, sampler, in, out);
-    default: return TrilinearOfFormat<Rgba32f>(texture, sampler, in, out);
+struct TrilinearOfTexture {
+  const Texture& texture;
+  const Sampler& sampler;
+  const Lookups& in;
+  const Texels& out;
+
+  template <class F>
+  size_t run() const {
+    return TrilinearOfFormat<F>(texture, sampler, in, out);
   }
+};
+
+size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return ForFormat(texture, TrilinearOfTexture{texture, sampler, in, out});
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

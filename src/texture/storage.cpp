@@ -11,29 +11,74 @@ namespace {
 
 constexpr uint32_t kRowsPerTask = 64;
 
-/// Sets width, height and the offset of every level; returns the number of texels.
-size_t lay_out(uint32_t width, uint32_t height, uint32_t level_count, Texture* texture) {
-  texture->width = width;
-  texture->height = height;
-  texture->level_count = level_count;
+/// The format that texels of a format are stored in: three channels become four.
+shd_format stored_format(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_RGB8: return SHD_FORMAT_RGBA8;
+    case SHD_FORMAT_RGB8_SRGB: return SHD_FORMAT_RGBA8_SRGB;
+    case SHD_FORMAT_RGB16: return SHD_FORMAT_RGBA16;
+    case SHD_FORMAT_RGB16F: return SHD_FORMAT_RGBA16F;
+    case SHD_FORMAT_RGB32F: return SHD_FORMAT_RGBA32F;
+    default: return format;
+  }
+}
+
+void set_format(const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo given = image::format_info(desc.format);
+  texture->format = stored_format(desc.format);
+  texture->component = given.component;
+  texture->channels = static_cast<uint32_t>(image::format_info(texture->format).channels);
+  for (uint32_t c = 0; c < 4; ++c) {
+    uint32_t source = c;
+    if (desc.swizzle[c] != SHD_CHANNEL_DEFAULT) source = static_cast<uint32_t>(desc.swizzle[c]) - SHD_CHANNEL_R;
+    texture->channel_source[c] = source < given.channels ? source : kFill;
+    texture->fill[c] = desc.fill[c];
+  }
+}
+
+/// Sets the sizes and the offset of every level; returns the number of texels of all layers.
+size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
+  texture->width = desc.width;
+  texture->height = desc.height;
+  texture->layers = desc.layers;
+  texture->tables = desc.tables;
+  texture->level_count = desc.tables & SHD_TABLE_MIPMAP ? full_level_count(desc.width, desc.height) : 1;
   size_t texels = 0;
   for (uint32_t level = 0; level < kMaxLevels; ++level) {
     texture->offset[level] = static_cast<uint32_t>(texels);
-    if (level < level_count) texels += size_t{level_size(width, level)} * level_size(height, level);
+    if (level < texture->level_count) texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level);
   }
-  return texels;
+  texture->layer_texels = static_cast<uint32_t>(texels);
+  return texels * desc.layers;
 }
 
-void copy_base(const core::Context& context, const shd_texture_desc& desc, size_t pixel_size, Texture* texture) {
-  const size_t row_size = desc.width * pixel_size;
+/// One row of three channels into one of four, the fourth 0.
+void expand_row(const uint8_t* from, size_t channel_size, uint32_t width, uint8_t* to) {
+  for (uint32_t x = 0; x < width; ++x, from += 3 * channel_size, to += 4 * channel_size) {
+    std::memcpy(to, from, 3 * channel_size);
+    std::memset(to + 3 * channel_size, 0, channel_size);
+  }
+}
+
+void copy_base(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo given = image::format_info(desc.format);
+  const size_t row_size = desc.width * given.pixel_size;
   const size_t stride = desc.row_stride ? desc.row_stride : row_size;
+  const size_t layer_stride = desc.layer_stride ? desc.layer_stride : desc.height * stride;
   const auto* source = static_cast<const uint8_t*>(desc.texels);
-  const uint32_t tasks = (desc.height + kRowsPerTask - 1) / kRowsPerTask;
-  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
-    const uint32_t first = task * kRowsPerTask;
+  const uint32_t tasks_per_layer = (desc.height + kRowsPerTask - 1) / kRowsPerTask;
+  core::parallel_for(context, tasks_per_layer * desc.layers, [&](uint32_t task, uint32_t) {
+    const uint32_t layer = task / tasks_per_layer;
+    const uint32_t first = task % tasks_per_layer * kRowsPerTask;
     const uint32_t end = first + kRowsPerTask < desc.height ? first + kRowsPerTask : desc.height;
     for (uint32_t y = first; y < end; ++y) {
-      std::memcpy(row_of(*texture, pixel_size, 0, y), source + y * stride, row_size);
+      const uint8_t* from = source + layer * layer_stride + y * stride;
+      uint8_t* to = row_of(*texture, layer, 0, y);
+      if (given.channels == 3) {
+        expand_row(from, given.channel_size, desc.width, to);
+      } else {
+        std::memcpy(to, from, row_size);
+      }
     }
   });
 }
@@ -47,17 +92,13 @@ uint32_t full_level_count(uint32_t width, uint32_t height) {
 }
 
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
-  const size_t pixel_size = image::format_info(desc.format).pixel_size;
-  const bool mipmap = (desc.tables & SHD_TABLE_MIPMAP) != 0;
   Texture texture;
-  texture.format = desc.format;
-  const size_t texels =
-      lay_out(desc.width, desc.height, mipmap ? full_level_count(desc.width, desc.height) : 1, &texture);
-  const size_t size = core::checked_mul(texels, pixel_size);
+  set_format(desc, &texture);
+  const size_t size = core::checked_mul(lay_out(desc, &texture), texel_size(texture));
   texture.texels = core::Array<uint8_t>(context.allocator, size + kPadding);
   std::memset(texture.texels.data() + size, 0, kPadding);
-  copy_base(context, desc, pixel_size, &texture);
-  if (mipmap) build_mip_levels(context, &texture);
+  copy_base(context, desc, &texture);
+  if (desc.tables & SHD_TABLE_MIPMAP) build_mip_levels(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }
 

@@ -20,7 +20,12 @@ inline uint32_t level_size(uint32_t base, uint32_t level) {
 /// floor(log2(max(width, height))) + 1.
 uint32_t full_level_count(uint32_t width, uint32_t height);
 
-/// Bytes of all levels.
+/// Bytes of one stored texel.
+inline size_t texel_size(const Texture& texture) {
+  return image::format_info(texture.format).pixel_size;
+}
+
+/// Bytes of all tables.
 inline size_t byte_size(const Texture& texture) {
   return texture.texels.size() - kPadding;
 }
@@ -30,16 +35,17 @@ inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
 
-/// First byte of row y of a level; rows are packed.
-inline uint8_t* row_of(Texture& texture, size_t pixel_size, uint32_t level, uint32_t y) {
-  const size_t first = texture.offset[level] + size_t{y} * level_size(texture.width, level);
-  return texture.texels.data() + first * pixel_size;
+/// First byte of row y of a level of a layer; rows are packed.
+inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
+  const size_t first =
+      size_t{layer} * texture.layer_texels + texture.offset[level] + size_t{y} * level_size(texture.width, level);
+  return texture.texels.data() + first * texel_size(texture);
 }
-inline const uint8_t* row_of(const Texture& texture, size_t pixel_size, uint32_t level, uint32_t y) {
-  return row_of(const_cast<Texture&>(texture), pixel_size, level, y);
+inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
+  return row_of(const_cast<Texture&>(texture), layer, level, y);
 }
 
-/// Fills levels 1.. of a texture whose level 0 is there (mip.cpp).
+/// Fills levels 1.. of every layer of a texture whose levels 0 are there (mip.cpp).
 /// Every texel is the average of the base level over its area, in linear light, rounded once to what the format
 /// stores: unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
 void build_mip_levels(const core::Context& context, Texture* texture);

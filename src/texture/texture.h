@@ -29,32 +29,60 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <shd/lookup.h>
 #include <shd/sampler.h>
 #include <shd/texture.h>
 
 #include "core/allocator.h"
 #include "core/context.h"
+#include "image/format.h"
 
 namespace shd::texture {
 
 constexpr uint32_t kMaxLevels = 17;  // 65536 = 2^16 and the base
 
-/// Texels of every level in one block.
+constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
+
+/// Texels of every level of every layer in one block.
 struct Texture {
-  shd_format format;
+  shd_format format;            // as stored: of one, two or four channels
+  image::Component component;   // of that format
+  uint32_t channels;            // of that format
+  uint32_t channel_source[4];   // stored channel of an output, or kFill
+  float fill[4];                // by output
+  uint32_t tables;              // shd_table bits
   uint32_t width, height;       // of level 0
+  uint32_t layers;              // 1..2048
+  uint32_t layer_texels;        // of all levels of one layer
   uint32_t level_count;         // 1..kMaxLevels
   uint32_t offset[kMaxLevels];  // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
-  core::Array<uint8_t> texels;  // rows packed, levels one after the other, padded at the end for whole gathers
+  core::Array<uint8_t> texels;  // rows packed, levels and then layers in order, padded at the end for whole gathers
 };
 
-/// A checked sampler desc in the form that kernels want.
+/// A checked sampler desc; lod_min <= lod_max.
 struct Sampler {
   shd_filter filter;
+  shd_magnification magnification;
   shd_wrap wrap_u, wrap_v;
   float border[4];
-  float lod_bias, lod_min, lod_max;  // lod_min <= lod_max
+  float lod_bias, lod_min, lod_max;
+  float width_x, width_y, blur_u, blur_v;
+  float max_anisotropy;
+  shd_probe_weights probe_weights;
+  shd_cubic cubic;
+  shd_box box;
+  shd_filter expectation;
+  uint32_t seed;
+  float tolerance;
 };
+
+/// Whether this build filters so.
+bool has_kernel(const shd_sampler_desc& desc);
+
+/// Of a checked desc.
+Sampler make_sampler(const shd_sampler_desc& desc);
+
+constexpr size_t kFloatColumns = 7, kIntegerColumns = 2;
 
 /// Packed columns of `count` elements; absent optional ones are null.
 struct Lookups {
@@ -62,6 +90,8 @@ struct Lookups {
   const float *u, *v;
   const float *dudx, *dvdx, *dudy, *dvdy;  // null = 0
   const float* lod;                        // replaces the derivatives
+  const uint32_t* layer;                   // null = 0
+  const uint32_t* random;                  // null = drawn from the bits of u and v
 };
 
 /// Packed columns of `count` elements; unwanted ones are null. Nothing is written past `count`.
@@ -73,8 +103,8 @@ struct Texels {
 /// Throws std::bad_alloc; then nothing was kept.
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
-/// Filters on the calling thread; any count. Returns how many lookups had a coordinate or derivative that is
-/// not finite.
+/// Filters on the calling thread; any count. The texture has the tables that the filter needs. Returns how many
+/// lookups had a coordinate or derivative that is not finite.
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out);
 

@@ -11,7 +11,7 @@
 
 #include <hwy/highway.h>
 
-#include <shd/sampler.h>
+#include <shd/wrap.h>
 
 #include "texture/kernel_part.h"
 
@@ -47,6 +47,7 @@ struct AxisSize {
 template <class D>
 struct LinearTaps {
   hn::Vec<D> s;
+  hn::Vec<D> rate;     // ds/du: the size, or 0 where the coordinate is clamped
   Ints<D> i0, i1;      // in 0..size - 1
   MaskOf<D> in0, in1;  // false = border colour; set for SHD_WRAP_BORDER only
 };
@@ -56,6 +57,12 @@ template <class DI, class VI>
 HWY_INLINE VI Fold(DI di, VI i, VI size) {
   const VI last = hn::Sub(hn::Add(size, size), hn::Set(di, 1));
   return hn::Max(hn::Zero(di), hn::Min(i, hn::Sub(last, i)));
+}
+
+/// Index mirrored at 0, then clamped to 0..n - 1.
+template <class DI, class VI>
+HWY_INLINE VI FoldOnce(DI di, VI i, VI size) {
+  return hn::Min(hn::Xor(i, hn::BroadcastSignBit(i)), hn::Sub(size, hn::Set(di, 1)));
 }
 
 /// Index clamped to 0..size - 1, and whether it was there before.
@@ -77,6 +84,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
   const V below_one = hn::Set(d, 0x1.fffffep-1f);
   LinearTaps<D> taps;
   taps.in0 = taps.in1 = hn::Eq(half, half);
+  taps.rate = size.real;
   V x = hn::Mul(reduced, size.real);
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
@@ -107,9 +115,20 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       taps.i1 = ClampBorder(d, hn::Add(i, one), size.whole, &taps.in1);
       return taps;
     }
+    case SHD_WRAP_MIRROR_ONCE: {
+      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Neg(size.real)), size.real);
+      const V floor = hn::Floor(x);
+      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      const auto i = hn::ConvertTo(di, floor);  // -size..size
+      taps.i0 = FoldOnce(di, i, size.whole);
+      taps.i1 = FoldOnce(di, hn::Add(i, one), size.whole);
+      return taps;
+    }
     default: {
       // Outside, both taps would be the same edge texel: the edge with weight 1 is that.
-      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Zero(d)), hn::Sub(size.real, hn::Set(d, 1.0f)));
+      const V free = hn::Sub(x, half), last = hn::Sub(size.real, hn::Set(d, 1.0f));
+      x = hn::Min(hn::Max(free, hn::Zero(d)), last);
+      taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = hn::Sub(x, floor);
       taps.i0 = hn::ConvertTo(di, floor);
@@ -133,6 +152,10 @@ SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, cons
     case SHD_WRAP_BORDER: {
       const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Set(d, -1.0f)), size.real);
       return ClampBorder(d, hn::ConvertTo(di, clamped), size.whole, in);
+    }
+    case SHD_WRAP_MIRROR_ONCE: {
+      const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Neg(size.real)), last);
+      return FoldOnce(di, hn::ConvertTo(di, clamped), size.whole);
     }
     default: return hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(d)), last));
   }

@@ -28,7 +28,7 @@ static shd_result texture_level(struct fixture *f, void *handle)
     image.width = 61;
     image.height = 37;
     image.pixels = f->column;
-    return shd_texture_read_level((const shd_texture *)handle, 0, &image);
+    return shd_texture_read_level((const shd_texture *)handle, 0, 0, &image);
 }
 static shd_result sample(struct fixture *f, void *texture, void *sampler)
 {

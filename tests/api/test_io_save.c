@@ -429,7 +429,7 @@ static void test_texture(void **state)
     out.width = WIDTH;
     out.height = HEIGHT;
     out.pixels = level;
-    shd_assert_ok(shd_texture_read_level(texture, 0, &out));
+    shd_assert_ok(shd_texture_read_level(texture, 0, 0, &out));
     shd_texture_release(texture);
     out.row_stride = WIDTH * shd_format_size(out.format);
     for (i = 0; i < PIXELS; ++i) {

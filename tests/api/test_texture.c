@@ -142,10 +142,10 @@ static void test_null_arguments(void **state)
     shd_assert_result("info", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     assert_int_equal(info.width, 0);
     assert_int_equal(info.byte_size, 0);
-    shd_assert_result("read", shd_texture_read_level(NULL, 0, &image), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
+    shd_assert_result("read", shd_texture_read_level(NULL, 0, 0, &image), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     shd_assert_ok(shd_texture_create(context, &desc, &texture));
     shd_assert_result("info", shd_texture_get_info(texture, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_info: NULL");
-    shd_assert_result("read", shd_texture_read_level(texture, 0, NULL), SHD_ERROR_INVALID_ARGUMENT, "out: NULL");
+    shd_assert_result("read", shd_texture_read_level(texture, 0, 0, NULL), SHD_ERROR_INVALID_ARGUMENT, "out: NULL");
     shd_texture_release(texture);
     shd_texture_retain(NULL);
     shd_texture_release(NULL);
@@ -215,29 +215,29 @@ static void test_read_level(void **state)
     image.pixels = pixels;
     image.row_stride = 16;
     memset(pixels, 0xee, sizeof pixels);
-    shd_assert_ok(shd_texture_read_level(texture, 0, &image));
+    shd_assert_ok(shd_texture_read_level(texture, 0, 0, &image));
     assert_memory_equal(pixels[0], base, 4);
     assert_memory_equal(pixels[1], base + 4, 4);
     assert_int_equal(pixels[0][4], 0xee);
     assert_int_equal(pixels[2][0], 0xee);
 
-    shd_assert_result("size", shd_texture_read_level(texture, 1, &image), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("size", shd_texture_read_level(texture, 0, 1, &image), SHD_ERROR_INVALID_ARGUMENT,
                       "out.width: 4 is not in 2..2");
     image.width = 2;
-    shd_assert_result("height", shd_texture_read_level(texture, 1, &image), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("height", shd_texture_read_level(texture, 0, 1, &image), SHD_ERROR_INVALID_ARGUMENT,
                       "out.height: 2 is not in 1..1");
     image.height = 1;
-    shd_assert_ok(shd_texture_read_level(texture, 1, &image));
+    shd_assert_ok(shd_texture_read_level(texture, 0, 1, &image));
     assert_int_equal(pixels[0][0], 35);
     assert_int_equal(pixels[0][1], 55);
     image.width = 1;
-    shd_assert_ok(shd_texture_read_level(texture, 2, &image));
+    shd_assert_ok(shd_texture_read_level(texture, 0, 2, &image));
     assert_int_equal(pixels[0][0], 45);
 
-    shd_assert_result("level", shd_texture_read_level(texture, 3, &image), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("level", shd_texture_read_level(texture, 0, 3, &image), SHD_ERROR_INVALID_ARGUMENT,
                       "level: 3 is not in 0..2");
     image.format = SHD_FORMAT_RGBA8;
-    shd_assert_result("format", shd_texture_read_level(texture, 2, &image), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("format", shd_texture_read_level(texture, 0, 2, &image), SHD_ERROR_INVALID_ARGUMENT,
                       "out.format: 2 is not the texture's 1");
     shd_texture_release(texture);
     shd_context_release(context);

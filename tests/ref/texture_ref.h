@@ -32,15 +32,47 @@ inline double half_value(uint16_t half) {
   return sign * (exponent == 0 ? ldexp(mantissa, -24) : ldexp(1024 + mantissa, exponent - 25));
 }
 
+/// Channels of a stored format, and bytes of one of them.
+struct Layout {
+  int channels, size;
+  enum { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32 } component;
+};
+inline Layout layout(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_R8: return {1, 1, Layout::kUnorm8};
+    case SHD_FORMAT_RG8: return {2, 1, Layout::kUnorm8};
+    case SHD_FORMAT_RGBA8: return {4, 1, Layout::kUnorm8};
+    case SHD_FORMAT_R8_SRGB: return {1, 1, Layout::kSrgb8};
+    case SHD_FORMAT_RG8_SRGB: return {2, 1, Layout::kSrgb8};
+    case SHD_FORMAT_RGBA8_SRGB: return {4, 1, Layout::kSrgb8};
+    case SHD_FORMAT_R16: return {1, 2, Layout::kUnorm16};
+    case SHD_FORMAT_RG16: return {2, 2, Layout::kUnorm16};
+    case SHD_FORMAT_RGBA16: return {4, 2, Layout::kUnorm16};
+    case SHD_FORMAT_R16F: return {1, 2, Layout::kFloat16};
+    case SHD_FORMAT_RG16F: return {2, 2, Layout::kFloat16};
+    case SHD_FORMAT_RGBA16F: return {4, 2, Layout::kFloat16};
+    case SHD_FORMAT_R32F: return {1, 4, Layout::kFloat32};
+    case SHD_FORMAT_RG32F: return {2, 4, Layout::kFloat32};
+    default: return {4, 4, Layout::kFloat32};
+  }
+}
+
+/// What a channel that the format lacks reads, by default.
+inline double missing(int c) {
+  return c == 3 ? 1 : 0;
+}
+
 /// Linear value of channel c of the texel at `texel`.
 inline double decode(shd_format format, const uint8_t* texel, int c) {
+  const Layout l = layout(format);
+  if (c >= l.channels) return missing(c);
   float value;
-  uint16_t half;
-  switch (format) {
-    case SHD_FORMAT_R8: return c == 0 ? texel[0] / 255.0 : c == 3 ? 1 : 0;
-    case SHD_FORMAT_RGBA8: return texel[c] / 255.0;
-    case SHD_FORMAT_RGBA8_SRGB: return c == 3 ? texel[c] / 255.0 : srgb_to_linear(texel[c] / 255.0);
-    case SHD_FORMAT_RGBA16F: memcpy(&half, texel + 2 * c, 2); return half_value(half);
+  uint16_t code;
+  switch (l.component) {
+    case Layout::kUnorm8: return texel[c] / 255.0;
+    case Layout::kSrgb8: return c == 3 ? texel[c] / 255.0 : srgb_to_linear(texel[c] / 255.0);
+    case Layout::kUnorm16: memcpy(&code, texel + 2 * c, 2); return code / 65535.0;
+    case Layout::kFloat16: memcpy(&code, texel + 2 * c, 2); return half_value(code);
     default: memcpy(&value, texel + 4 * c, 4); return static_cast<double>(value);
   }
 }
@@ -56,12 +88,13 @@ inline int64_t wrap_index(shd_wrap wrap, int64_t i, int64_t n) {
     case SHD_WRAP_REPEAT: return modulo(i, n);
     case SHD_WRAP_MIRROR: return n - 1 - mirror(modulo(i, 2 * n) - n);
     case SHD_WRAP_CLAMP: return i < 0 ? 0 : i >= n ? n - 1 : i;
+    case SHD_WRAP_MIRROR_ONCE: return mirror(i) >= n ? n - 1 : mirror(i);
     default: return i < 0 || i >= n ? -1 : i;
   }
 }
 
 /// A coordinate with the same texels as u, small enough for exact doubles: 2 is a period of repeat and mirror, and
-/// beyond [-2, 3] clamp and border do not change.
+/// beyond [-2, 3] the others do not change.
 inline double reduce(shd_wrap wrap, double u) {
   if (!isfinite(u)) return 0;
   if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return fmod(u, 2);
@@ -78,7 +111,7 @@ struct Image {
 inline double texel(const Image& image, int level, int64_t i, int64_t j, int c) {
   const Level& l = image.levels[level];
   const int64_t x = wrap_index(image.sampler->wrap_u, i, l.width), y = wrap_index(image.sampler->wrap_v, j, l.height);
-  if (image.format == SHD_FORMAT_R8 && c > 0) return c == 3 ? 1 : 0;
+  if (c >= layout(image.format).channels) return missing(c);
   if (x < 0 || y < 0) return static_cast<double>(image.sampler->border[c]);
   const auto size = static_cast<int64_t>(shd_format_size(image.format));
   return decode(image.format, l.texels + (y * l.width + x) * size, c);

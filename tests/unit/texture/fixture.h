@@ -19,13 +19,17 @@
 
 namespace fixture {
 
+using shd::image::Component;
 using shd::texture::Lookups;
+using shd::texture::make_sampler;
 using shd::texture::Sampler;
 using shd::texture::Texels;
 using shd::texture::Texture;
 
-constexpr shd_format kFormats[] = {SHD_FORMAT_R8, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F,
-                                   SHD_FORMAT_RGBA32F};
+/// Every component type, and every number of channels.
+constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGBA8,  SHD_FORMAT_RGBA8_SRGB,
+                                   SHD_FORMAT_R16,     SHD_FORMAT_RG16,     SHD_FORMAT_RGBA16, SHD_FORMAT_R16F,
+                                   SHD_FORMAT_RGBA16F, SHD_FORMAT_RG32F,    SHD_FORMAT_RGBA32F};
 constexpr size_t kMaxPoints = 512;
 constexpr uint32_t kCanary = 0x7fc0beefu;
 
@@ -44,20 +48,25 @@ inline shd::core::Context* context() {
 
 /// Largest magnitude of the random texels of a format.
 inline double magnitude(shd_format format) {
-  return format == SHD_FORMAT_RGBA16F || format == SHD_FORMAT_RGBA32F ? 8 : 1;
+  const auto component = shd::image::format_info(format).component;
+  return component == shd::image::Component::kFloat16 || component == shd::image::Component::kFloat32 ? 8 : 1;
 }
 
 /// Random texels; floats in [-8, 8).
 inline void random_texels(shd_format format, size_t count, uint32_t seed, uint8_t* texels) {
   Random random{seed};
   const size_t channels = shd::image::format_info(format).channels;
+  const Component component = shd::image::format_info(format).component;
   for (size_t i = 0; i < count * channels; ++i) {
     const float value = random.real(-8, 8);
     const auto half = static_cast<uint16_t>((random.next() >> 16 & 0x8fff) | 0x3000);  // 2^-3..2^0, both signs
-    if (format == SHD_FORMAT_RGBA32F) {
+    const uint16_t code = static_cast<uint16_t>(random.next() >> 16);
+    if (component == Component::kFloat32) {
       memcpy(texels + 4 * i, &value, 4);
-    } else if (format == SHD_FORMAT_RGBA16F) {
+    } else if (component == Component::kFloat16) {
       memcpy(texels + 2 * i, &half, 2);
+    } else if (component == Component::kUnorm16) {
+      memcpy(texels + 2 * i, &code, 2);
     } else {
       texels[i] = static_cast<uint8_t>(random.next() >> 24);
     }
@@ -87,21 +96,10 @@ inline void free_texture(Texture* texture) {
   shd::core::destroy(context()->allocator, texture);
 }
 
-inline Sampler make_sampler(const shd_sampler_desc& desc) {
-  return {desc.filter,
-          desc.wrap_u,
-          desc.wrap_v,
-          {desc.border[0], desc.border[1], desc.border[2], desc.border[3]},
-          desc.lod_bias,
-          desc.lod_min,
-          desc.lod_max < desc.lod_min ? desc.lod_min : desc.lod_max};
-}
-
 /// The levels of a texture as the oracle reads them; `levels` has room for all.
 inline ref::Image oracle_image(const Texture& texture, const shd_sampler_desc& sampler, ref::Level* levels) {
-  const size_t size = shd_format_size(texture.format);
   for (uint32_t l = 0; l < texture.level_count; ++l) {
-    levels[l] = {shd::texture::row_of(texture, size, l, 0), shd::texture::level_size(texture.width, l),
+    levels[l] = {shd::texture::row_of(texture, 0, l, 0), shd::texture::level_size(texture.width, l),
                  shd::texture::level_size(texture.height, l)};
   }
   return {texture.format, levels, static_cast<int>(texture.level_count), &sampler};
@@ -123,7 +121,9 @@ struct Batch {
             j ? dvdx : nullptr,
             j ? dudy : nullptr,
             j ? dvdy : nullptr,
-            with_lod ? lod : nullptr};
+            with_lod ? lod : nullptr,
+            nullptr,
+            nullptr};
   }
   void set_canaries() {
     for (auto& column : out) {
