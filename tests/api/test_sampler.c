@@ -15,9 +15,9 @@ static void edit_nothing(shd_sampler_desc *d) { (void)d; }
 static void edit_size_zero(shd_sampler_desc *d) { d->struct_size = 0; }
 static void edit_size_small(shd_sampler_desc *d) { d->struct_size -= 4; }
 static void edit_size_huge(shd_sampler_desc *d) { d->struct_size = 0x7fffffffu; }
-static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)3; }
+static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)12; }
 static void edit_filter_negative(shd_sampler_desc *d) { d->filter = (shd_filter)-1; }
-static void edit_wrap_u(shd_sampler_desc *d) { d->wrap_u = (shd_wrap)4; }
+static void edit_wrap_u(shd_sampler_desc *d) { d->wrap_u = (shd_wrap)5; }
 static void edit_wrap_v(shd_sampler_desc *d) { d->wrap_v = SHD_WRAP_MAX_ENUM; }
 static void edit_all_border(shd_sampler_desc *d) { d->wrap_u = d->wrap_v = SHD_WRAP_BORDER; }
 static void edit_border_nan(shd_sampler_desc *d) { d->border[0] = NAN; }
@@ -36,7 +36,25 @@ static void edit_min_above_max(shd_sampler_desc *d)
     d->lod_min = 5;
     d->lod_max = 2;
 }
-static void edit_reserved(shd_sampler_desc *d) { d->reserved = 7; }
+static void edit_mirror_once(shd_sampler_desc *d) { d->wrap_u = d->wrap_v = SHD_WRAP_MIRROR_ONCE; }
+static void edit_magnification(shd_sampler_desc *d) { d->magnification = (shd_magnification)4; }
+static void edit_width_x_negative(shd_sampler_desc *d) { d->width_x = -1; }
+static void edit_width_y_65(shd_sampler_desc *d) { d->width_y = 65; }
+static void edit_width_nan(shd_sampler_desc *d) { d->width_x = NAN; }
+static void edit_blur_u_2(shd_sampler_desc *d) { d->blur_u = 2; }
+static void edit_blur_v_negative(shd_sampler_desc *d) { d->blur_v = -1e-9f; }
+static void edit_anisotropy_0(shd_sampler_desc *d) { d->max_anisotropy = 0; }
+static void edit_anisotropy_1(shd_sampler_desc *d) { d->max_anisotropy = 1; }
+static void edit_anisotropy_64(shd_sampler_desc *d) { d->max_anisotropy = 64; }
+static void edit_anisotropy_negative(shd_sampler_desc *d) { d->max_anisotropy = -16; }
+static void edit_anisotropy_nan(shd_sampler_desc *d) { d->max_anisotropy = NAN; }
+static void edit_anisotropy_1e9(shd_sampler_desc *d) { d->max_anisotropy = 1e9f; }
+static void edit_probe_weights(shd_sampler_desc *d) { d->probe_weights = (shd_probe_weights)2; }
+static void edit_cubic(shd_sampler_desc *d) { d->cubic = (shd_cubic)3; }
+static void edit_box(shd_sampler_desc *d) { d->box = (shd_box)-1; }
+static void edit_expectation(shd_sampler_desc *d) { d->expectation = SHD_FILTER_RIPMAP; }
+static void edit_tolerance_0(shd_sampler_desc *d) { d->tolerance = 0; }
+static void edit_tolerance_2(shd_sampler_desc *d) { d->tolerance = 2; }
 
 static const struct create_case k_create[] = {
     {"create/defaults", edit_nothing, SHD_OK, ""},
@@ -47,9 +65,9 @@ static const struct create_case k_create[] = {
     {"create/struct_size_zero", edit_size_zero, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 0"},
     {"create/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size"},
     {"create/struct_size_huge", edit_size_huge, SHD_ERROR_INVALID_ARGUMENT, "sampler.struct_size: 2147483647"},
-    {"create/filter_unknown", edit_filter, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 3 is not in 0..2"},
+    {"create/filter_unknown", edit_filter, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 12 is not in 0..11"},
     {"create/filter_negative", edit_filter_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 4294967295"},
-    {"create/wrap_u_unknown", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_u: 4 is not in 0..3"},
+    {"create/wrap_u_unknown", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_u: 5 is not in 0..4"},
     {"create/wrap_v_unknown", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_v: 2147483647"},
     {"create/border_nan", edit_border_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[0]: nan is not finite"},
     {"create/border_infinite", edit_border_infinite, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[3]: -inf"},
@@ -60,7 +78,27 @@ static const struct create_case k_create[] = {
     {"create/lod_min_33", edit_min_33, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_min: 33"},
     {"create/lod_max_infinite", edit_max_infinite, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_max: inf"},
     {"create/lod_max_nan", edit_max_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_max: nan"},
-    {"create/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "sampler.reserved: 7"},
+    {"create/mirror_once", edit_mirror_once, SHD_OK, ""},
+    {"create/anisotropy_1", edit_anisotropy_1, SHD_OK, ""},
+    {"create/anisotropy_64", edit_anisotropy_64, SHD_OK, ""},
+    {"create/magnification_unknown", edit_magnification, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.magnification: 4 is not in 0..3"},
+    {"create/width_x_negative", edit_width_x_negative, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.width_x: -1 is not in 0..64"},
+    {"create/width_y_65", edit_width_y_65, SHD_ERROR_INVALID_ARGUMENT, "sampler.width_y: 65"},
+    {"create/width_nan", edit_width_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.width_x: nan"},
+    {"create/blur_u_2", edit_blur_u_2, SHD_ERROR_INVALID_ARGUMENT, "sampler.blur_u: 2 is not in 0..1"},
+    {"create/blur_v_negative", edit_blur_v_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.blur_v: -1e-09"},
+    {"create/anisotropy_0", edit_anisotropy_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: 0 is not in 1..64"},
+    {"create/anisotropy_negative", edit_anisotropy_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: -16"},
+    {"create/anisotropy_nan", edit_anisotropy_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: nan"},
+    {"create/anisotropy_1e9", edit_anisotropy_1e9, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: 1e+09"},
+    {"create/probe_weights_unknown", edit_probe_weights, SHD_ERROR_INVALID_ARGUMENT, "sampler.probe_weights: 2"},
+    {"create/cubic_unknown", edit_cubic, SHD_ERROR_INVALID_ARGUMENT, "sampler.cubic: 3 is not in 0..2"},
+    {"create/box_unknown", edit_box, SHD_ERROR_INVALID_ARGUMENT, "sampler.box: 4294967295"},
+    {"create/expectation_ripmap", edit_expectation, SHD_ERROR_INVALID_ARGUMENT, "sampler.expectation: 6"},
+    {"create/tolerance_0", edit_tolerance_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 0 is not in"},
+    {"create/tolerance_2", edit_tolerance_2, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 2"},
 };
 
 static void test_create(void **state)
@@ -130,7 +168,7 @@ static void test_newer_desc(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[40];
+    struct CMUnitTest tests[64];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_create / sizeof k_create[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};

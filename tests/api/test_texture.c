@@ -7,7 +7,7 @@
 
 #include <shd/shd.h>
 
-static uint64_t k_texels[64]; /* 512 bytes, aligned for every format */
+static uint64_t k_texels[128]; /* 1 KB, aligned for every format */
 
 struct create_case {
     const char *name;
@@ -27,7 +27,33 @@ static void edit_size_zero(shd_texture_desc *d) { d->struct_size = 0; }
 static void edit_size_small(shd_texture_desc *d) { d->struct_size = 8; }
 static void edit_format_none(shd_texture_desc *d) { d->format = SHD_FORMAT_NONE; }
 static void edit_format_unknown(shd_texture_desc *d) { d->format = (shd_format)99; }
-static void edit_format_rgba16(shd_texture_desc *d) { d->format = SHD_FORMAT_RGBA16; }
+static void edit_format_negative(shd_texture_desc *d) { d->format = (shd_format)-1; }
+static void edit_layers(shd_texture_desc *d) { d->layers = 3; }
+static void edit_layers_0(shd_texture_desc *d) { d->layers = 0; }
+static void edit_layers_2049(shd_texture_desc *d) { d->layers = 2049; }
+static void edit_layers_too_many(shd_texture_desc *d)
+{
+    d->width = d->height = 1024;
+    d->layers = 257;
+}
+static void edit_layer_stride_small(shd_texture_desc *d) { d->layer_stride = 63; }
+static void edit_layer_stride_odd(shd_texture_desc *d)
+{
+    d->format = SHD_FORMAT_R16;
+    d->layer_stride = 65;
+}
+static void edit_layer_stride_huge(shd_texture_desc *d)
+{
+    d->layers = 3;
+    d->layer_stride = SIZE_MAX / 2;
+}
+static void edit_swizzle(shd_texture_desc *d)
+{
+    d->swizzle[0] = SHD_CHANNEL_A;
+    d->swizzle[3] = SHD_CHANNEL_FILL;
+}
+static void edit_swizzle_unknown(shd_texture_desc *d) { d->swizzle[2] = (shd_channel)6; }
+static void edit_fill_infinite(shd_texture_desc *d) { d->fill[1] = INFINITY; }
 static void edit_width_zero(shd_texture_desc *d) { d->width = 0; }
 static void edit_height_zero(shd_texture_desc *d) { d->height = 0; }
 static void edit_width_65537(shd_texture_desc *d) { d->width = 65537; }
@@ -58,8 +84,7 @@ static void edit_stride_odd(shd_texture_desc *d)
 }
 static void edit_stride_huge(shd_texture_desc *d) { d->row_stride = SIZE_MAX; }
 static void edit_stride_half_huge(shd_texture_desc *d) { d->row_stride = SIZE_MAX / 4; }
-static void edit_tables_unknown(shd_texture_desc *d) { d->tables = 6; }
-static void edit_reserved(shd_texture_desc *d) { d->reserved = 3; }
+static void edit_tables_unknown(shd_texture_desc *d) { d->tables = 24; }
 
 static const struct create_case k_create[] = {
     {"create/4x4", edit_nothing, SHD_OK, ""},
@@ -72,16 +97,30 @@ static const struct create_case k_create[] = {
     {"create/bytes_need_no_alignment", edit_bytes_misaligned, SHD_OK, ""},
     {"create/struct_size_zero", edit_size_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.struct_size: 0"},
     {"create/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "texture.struct_size: 8"},
-    {"create/no_format", edit_format_none, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 0 is not a format of textures"},
+    {"create/no_format", edit_format_none, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 0 is not a format"},
     {"create/unknown_format", edit_format_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 99"},
-    {"create/image_format", edit_format_rgba16, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 6"},
+    {"create/negative_format", edit_format_negative, SHD_ERROR_INVALID_ARGUMENT, "texture.format: 4294967295"},
+    {"create/3_layers", edit_layers, SHD_OK, ""},
+    {"create/swizzle", edit_swizzle, SHD_OK, ""},
+    {"create/zero_layers", edit_layers_0, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 0 is not in 1..2048"},
+    {"create/2049_layers", edit_layers_2049, SHD_ERROR_INVALID_ARGUMENT, "texture.layers: 2049"},
+    {"create/2^28_and_a_layer", edit_layers_too_many, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.width * texture.height * texture.layers: 269484032"},
+    {"create/layer_stride_below_layer", edit_layer_stride_small, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.layer_stride: 63 is below 64"},
+    {"create/layer_stride_odd_for_16_bits", edit_layer_stride_odd, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.layer_stride: 65 is not a multiple of 2"},
+    {"create/layer_stride_overflow", edit_layer_stride_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
+    {"create/unknown_swizzle", edit_swizzle_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.swizzle: 6 is not in 0..5"},
+    {"create/infinite_fill", edit_fill_infinite, SHD_ERROR_INVALID_ARGUMENT, "texture.fill[1]: inf is not finite"},
     {"create/zero_width", edit_width_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 0 is not in 1..65536"},
     {"create/zero_height", edit_height_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 0 is not in 1..65536"},
     {"create/width_65537", edit_width_65537, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 65537"},
     {"create/negative_height", edit_height_negative, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 4294967292"},
     {"create/2^28_and_a_row", edit_too_many, SHD_ERROR_INVALID_ARGUMENT,
-     "texture.width * texture.height: 268500992 is not in 1..268435456"},
-    {"create/32_bit_overflow", edit_overflow, SHD_ERROR_INVALID_ARGUMENT, "texture.width * texture.height: 4294967296"},
+     "texture.width * texture.height * texture.layers: 268500992 is not in 1..268435456"},
+    {"create/32_bit_overflow", edit_overflow, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.width * texture.height * texture.layers: 4294967296"},
     {"create/null_texels", edit_texels_null, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: NULL"},
     {"create/misaligned_floats", edit_texels_misaligned, SHD_ERROR_INVALID_ARGUMENT,
      "texture.texels: not aligned to 4"},
@@ -92,8 +131,7 @@ static const struct create_case k_create[] = {
     {"create/stride_overflow", edit_stride_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
     {"create/stride_times_rows_overflow", edit_stride_half_huge, SHD_ERROR_INVALID_ARGUMENT,
      "exceeds the address space"},
-    {"create/unknown_tables", edit_tables_unknown, SHD_ERROR_UNSUPPORTED, "texture.tables: bits 0x6"},
-    {"create/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "texture.reserved: 3"},
+    {"create/unknown_tables", edit_tables_unknown, SHD_ERROR_UNSUPPORTED, "texture.tables: bits 0x18"},
 };
 
 static shd_texture_desc desc_4x4(void)

@@ -16,6 +16,7 @@ struct Case {
   std::vector<float> columns[7];
   size_t column_stride[7] = {};
   size_t count = 0;
+  std::vector<uint32_t> integers[2];
   size_t out_stride[4] = {};
   uint32_t channels = 0;
   bool integer_texels = false;
@@ -28,22 +29,26 @@ uint32_t random_edge(Source& source) {
 
 void fill_texture(Source& source, Case& c) {
   shd_texture_desc& desc = c.texture;
-  desc.format = static_cast<shd_format>(source.one_in(16) ? source.word() & 0x7fffffff : 1 + source.below(6));
+  desc.format = static_cast<shd_format>(source.one_in(16) ? source.word() & 0x7fffffff : 1 + source.below(20));
   desc.width = random_edge(source);
   desc.height = random_edge(source);
   if (uint64_t{desc.width} * desc.height > 1 << 18 && desc.width <= 65536 && desc.height <= 65536) desc.height = 1;
-  desc.tables = source.one_in(16) ? source.word() : source.below(2);
-  desc.reserved = source.one_in(64);
+  desc.tables = source.one_in(16) ? source.word() : source.below(8);
+  if (source.one_in(4)) desc.layers = source.one_in(8) ? source.word() | 4096 : 1 + source.below(3);
+  for (shd_channel& channel : desc.swizzle) channel = static_cast<shd_channel>(source.below(source.one_in(32) ? 9 : 6));
+  for (float& value : desc.fill) value = source.one_in(32) ? source.hostile() : source.unit();
   if (source.one_in(64)) desc.struct_size = source.one_in(2) ? source.below(sizeof desc) : 0x80000000u | source.word();
   const size_t pixel = shd_format_size(desc.format);
   const size_t packed = desc.width * pixel;
   if (source.one_in(4)) desc.row_stride = source.one_in(8) ? source.word() : packed + 16 * source.below(4);
   const size_t rows = size_t{desc.height} > 65536 ? 1 : desc.height;
   const size_t stride = desc.row_stride > packed && desc.row_stride < packed + 64 ? desc.row_stride : packed;
-  const size_t size = rows * stride;
+  const size_t size = rows * stride * (desc.layers > 3 ? 1 : desc.layers);
   c.texels.assign(size <= size_t{1} << 24 ? size : 16, 0);
-  const bool floats = desc.format == SHD_FORMAT_RGBA32F;
-  c.integer_texels = !floats && desc.format != SHD_FORMAT_RGBA16F;
+  const bool floats = desc.format == SHD_FORMAT_RGBA32F || desc.format >= SHD_FORMAT_R32F;
+  const bool halves =
+      desc.format == SHD_FORMAT_RGBA16F || (desc.format >= SHD_FORMAT_R16F && desc.format <= SHD_FORMAT_RGB16F);
+  c.integer_texels = !floats && !halves;
   for (size_t i = 0; i + 4 <= c.texels.size() && i < 4096; i += 4) {
     const float value = floats ? source.hostile() : 0.0f;
     const uint32_t bits = source.word();
@@ -56,9 +61,21 @@ void fill_texture(Source& source, Case& c) {
 
 void fill_sampler(Source& source, Case& c) {
   shd_sampler_desc& desc = c.sampler;
-  desc.filter = static_cast<shd_filter>(source.one_in(32) ? source.word() & 0x7fffffff : source.below(3));
-  desc.wrap_u = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 4));
-  desc.wrap_v = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 4));
+  desc.filter = static_cast<shd_filter>(source.one_in(32) ? source.word() & 0x7fffffff : source.below(12));
+  desc.magnification = static_cast<shd_magnification>(source.below(source.one_in(32) ? 9 : 4));
+  desc.max_anisotropy = source.one_in(16) ? source.hostile() : 1.0f + static_cast<float>(source.below(64));
+  desc.probe_weights = static_cast<shd_probe_weights>(source.below(2));
+  desc.cubic = static_cast<shd_cubic>(source.below(3));
+  desc.box = static_cast<shd_box>(source.below(2));
+  desc.expectation = static_cast<shd_filter>(source.below(11));
+  desc.seed = source.word();
+  desc.width_x = source.one_in(8) ? source.hostile() : 1.0f;
+  desc.width_y = source.one_in(8) ? source.hostile() : 1.0f;
+  desc.blur_u = source.one_in(8) ? source.hostile() : 0.0f;
+  desc.blur_v = source.one_in(8) ? source.hostile() : 0.0f;
+  if (source.one_in(8)) desc.tolerance = source.hostile();
+  desc.wrap_u = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 5));
+  desc.wrap_v = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 5));
   for (float& value : desc.border) value = source.one_in(16) ? source.hostile() : source.unit();
   desc.lod_bias = source.one_in(16) ? source.hostile() : source.unit() * 15.0f;
   desc.lod_min = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(33));
@@ -74,6 +91,11 @@ void fill_lookups(Source& source, Case& c) {
     c.columns[k].resize(c.count * c.column_stride[k] / 4 + 1);
     for (float& value : c.columns[k]) value = source.hostile();
   }
+  for (std::vector<uint32_t>& column : c.integers) {
+    if (!source.one_in(4)) continue;
+    column.resize(c.count + 1);
+    for (uint32_t& value : column) value = source.one_in(2) ? source.word() : source.below(4);
+  }
   c.channels = 1 + source.below(15);  // none at all is refused
   for (size_t& stride : c.out_stride) stride = 4 * (1 + source.below(3));
 }
@@ -88,6 +110,8 @@ shd_lookups make_lookups(const Case& c) {
     columns[k]->data = c.columns[k].data();
     columns[k]->stride = c.column_stride[k];
   }
+  if (!c.integers[0].empty()) lookups.layer.data = c.integers[0].data();
+  if (!c.integers[1].empty()) lookups.random.data = c.integers[1].data();
   return lookups;
 }
 
@@ -124,7 +148,12 @@ bool run(const Case& c, shd_simd simd, Output& output) {
       out.channel[k].data = output.channel[k].data();
       out.channel[k].stride = c.out_stride[k];
     }
-    SHD_FUZZ_CHECK(shd_texture_sample(texture, sampler, &lookups, &out) == SHD_OK);
+    const shd_result result = shd_texture_sample(texture, sampler, &lookups, &out);
+    const bool lacks_table =
+        (c.sampler.filter == SHD_FILTER_RIPMAP && !(c.texture.tables & SHD_TABLE_RIPMAP)) ||
+        (c.sampler.filter == SHD_FILTER_SUMMED_AREA && !(c.texture.tables & SHD_TABLE_SUMMED_AREA));
+    SHD_FUZZ_CHECK(result == (lacks_table ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK));
+    if (lacks_table) output = {};
     SHD_FUZZ_CHECK(out.nonfinite_count <= c.count);
     output.nonfinite_count = out.nonfinite_count;
     for (int k = 0; k < 4; ++k) check_output(c, output, k);
