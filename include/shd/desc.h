@@ -19,21 +19,23 @@ SHD_BEGIN_DECLS
 /** Which desc shd_desc_init fills. */
 typedef enum shd_desc_kind {
     SHD_DESC_NONE = 0,
-    SHD_DESC_CONTEXT = 1,     /**< shd_context_desc */
-    SHD_DESC_TEXTURE = 2,     /**< shd_texture_desc */
-    SHD_DESC_SAMPLER = 3,     /**< shd_sampler_desc */
-    SHD_DESC_LOOKUPS = 4,     /**< shd_lookups */
-    SHD_DESC_MESH = 5,        /**< shd_mesh_desc */
-    SHD_DESC_MATERIAL = 6,    /**< shd_material_desc */
-    SHD_DESC_LIGHT = 7,       /**< shd_light_desc */
-    SHD_DESC_FRAMEBUFFER = 8, /**< shd_framebuffer_desc */
-    SHD_DESC_DRAW = 9,        /**< shd_draw */
-    SHD_DESC_RENDER = 10,     /**< shd_render_desc */
-    SHD_DESC_IMAGE = 11,      /**< shd_image */
-    SHD_DESC_CAMERA = 12,     /**< shd_camera */
-    SHD_DESC_COLOR = 13,      /**< shd_color_desc, of shd/color.h */
-    SHD_DESC_LOAD = 14,       /**< shd_load_desc, of shd/io.h */
-    SHD_DESC_SAVE = 15,       /**< shd_save_desc, of shd/io.h */
+    SHD_DESC_CONTEXT = 1,            /**< shd_context_desc */
+    SHD_DESC_TEXTURE = 2,            /**< shd_texture_desc */
+    SHD_DESC_SAMPLER = 3,            /**< shd_sampler_desc */
+    SHD_DESC_LOOKUPS = 4,            /**< shd_lookups */
+    SHD_DESC_MESH = 5,               /**< shd_mesh_desc */
+    SHD_DESC_MATERIAL = 6,           /**< shd_material_desc */
+    SHD_DESC_LIGHT = 7,              /**< shd_light_desc */
+    SHD_DESC_FRAMEBUFFER = 8,        /**< shd_framebuffer_desc */
+    SHD_DESC_DRAW = 9,               /**< shd_draw */
+    SHD_DESC_RENDER = 10,            /**< shd_render_desc */
+    SHD_DESC_IMAGE = 11,             /**< shd_image */
+    SHD_DESC_CAMERA = 12,            /**< shd_camera */
+    SHD_DESC_COLOR = 13,             /**< shd_color_desc, of shd/color.h */
+    SHD_DESC_LOAD = 14,              /**< shd_load_desc, of shd/io.h */
+    SHD_DESC_SAVE = 15,              /**< shd_save_desc, of shd/io.h */
+    SHD_DESC_RAY_DIFFERENTIALS = 16, /**< shd_ray_differentials */
+    SHD_DESC_RAY_CONES = 17,         /**< shd_ray_cones */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

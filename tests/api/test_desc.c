@@ -36,6 +36,8 @@ DEFAULTS(shd_camera, shd_camera)
 DEFAULTS(shd_color_desc, shd_color_desc)
 DEFAULTS(shd_load_desc, shd_load_desc)
 DEFAULTS(shd_save_desc, shd_save_desc)
+DEFAULTS(shd_ray_differentials, shd_ray_differentials)
+DEFAULTS(shd_ray_cones, shd_ray_cones)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -53,6 +55,8 @@ static const struct kind_case k_kinds[] = {
     {"color", SHD_DESC_COLOR, sizeof(shd_color_desc), defaults_shd_color_desc},
     {"load", SHD_DESC_LOAD, sizeof(shd_load_desc), defaults_shd_load_desc},
     {"save", SHD_DESC_SAVE, sizeof(shd_save_desc), defaults_shd_save_desc},
+    {"ray_differentials", SHD_DESC_RAY_DIFFERENTIALS, sizeof(shd_ray_differentials), defaults_shd_ray_differentials},
+    {"ray_cones", SHD_DESC_RAY_CONES, sizeof(shd_ray_cones), defaults_shd_ray_cones},
 };
 
 static void test_kind(void **state)
@@ -90,7 +94,7 @@ static void test_kind(void **state)
 
 static void test_unknown_kinds(void **state)
 {
-    const int32_t kinds[] = {0, 16, 1000, 0x7fffffff, -1};
+    const int32_t kinds[] = {0, 999, 1000, 0x7fffffff, -1};
     unsigned char bytes[LARGEST];
     size_t i;
     (void)state;
