@@ -29,15 +29,15 @@ typedef struct shd_derivatives {
 
 /** Hits of rays with their differentials, as columns of `count` elements; x, y, z in one space. */
 typedef struct shd_ray_differentials {
-    uint32_t struct_size;     /**< set by shd_ray_differentials_default() */
-    uint32_t reserved;        /**< 0 */
-    size_t count;             /**< number of hits; 0 is allowed */
-    shd_f32_in dpdu[3];       /**< change of the surface point with u; required */
-    shd_f32_in dpdv[3];       /**< change of the surface point with v; required */
-    shd_f32_in direction[3];  /**< of the ray, any length; required */
-    shd_f32_in distance;      /**< to the hit, in lengths of `direction`; absent = 0 */
-    shd_f32_in origin_dx[3];  /**< change of the ray's origin per pixel step in x; absent = 0 */
-    shd_f32_in origin_dy[3];  /**< the same in y; absent = 0 */
+    uint32_t struct_size;       /**< set by shd_ray_differentials_default() */
+    uint32_t reserved;          /**< 0 */
+    size_t count;               /**< number of hits; 0 is allowed */
+    shd_f32_in dpdu[3];         /**< change of the surface point with u; required */
+    shd_f32_in dpdv[3];         /**< change of the surface point with v; required */
+    shd_f32_in direction[3];    /**< of the ray, any length; required */
+    shd_f32_in distance;        /**< to the hit, in lengths of `direction`; absent = 0 */
+    shd_f32_in origin_dx[3];    /**< change of the ray's origin per pixel step in x; absent = 0 */
+    shd_f32_in origin_dy[3];    /**< the same in y; absent = 0 */
     shd_f32_in direction_dx[3]; /**< change of `direction` per pixel step in x; absent = 0 */
     shd_f32_in direction_dy[3]; /**< the same in y; absent = 0 */
     /* ---- end of 0.1; append below ---- */

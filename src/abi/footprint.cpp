@@ -96,8 +96,7 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     if (in.count > 0) SHD_TRY(check_not_null("cones.width.data", in.width.data));
     for (size_t i = 0; i < in.count; ++i) {
       const Surface surface = {load_triple(in.dpdu, i), load_triple(in.dpdv, i)};
-      const texture::ConeSteps steps =
-          steps_of_cone(surface, load_triple(in.direction, i), load_or_zero(in.width, i));
+      const texture::ConeSteps steps = steps_of_cone(surface, load_triple(in.direction, i), load_or_zero(in.width, i));
       store_steps(*out, i, steps.along, steps.across);
     }
     return SHD_OK;
