@@ -7,6 +7,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/lookup_columns.h"
 #include "core/executor.h"
 #include "data/column.h"
 #include "texture/texture.h"
@@ -16,24 +17,17 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr size_t kFloats = texture::kFloatColumns;
-constexpr size_t kIntegers = texture::kIntegerColumns;
 constexpr size_t kChannels = 4;
 constexpr size_t kChunk = 16384;  // lookups per task
 constexpr uint64_t kMaxTasks = 1u << 20;
 constexpr size_t kStage = 512;  // lookups per copy of strided columns: 26 KB of stack
 
-/// The columns of one call, in the order of texture::Lookups.
+/// The columns of one call.
 struct Batch {
-  size_t count;
-  shd_f32_in in[kFloats];
-  shd_u32_in integers[kIntegers];
+  LookupColumns in;
   shd_f32_out out[kChannels];
 };
 
-constexpr const char* kIntegerNames[kIntegers] = {"lookups.layer", "lookups.random"};
-constexpr const char* kInputNames[kFloats] = {"lookups.u",    "lookups.v",    "lookups.dudx", "lookups.dvdx",
-                                              "lookups.dudy", "lookups.dvdy", "lookups.lod"};
 constexpr const char* kChannelNames[kChannels] = {"texels.channel[0]", "texels.channel[1]", "texels.channel[2]",
                                                   "texels.channel[3]"};
 
@@ -64,22 +58,24 @@ bool overlap(const Extent& a, const Extent& b) {
 }
 
 shd_result check_overlap(const Batch& batch) {
+  const size_t count = batch.in.count;
   for (size_t c = 0; c < kChannels; ++c) {
     if (!batch.out[c].data) continue;
-    const Extent out(batch.out[c].data, batch.out[c].stride, batch.count);
-    for (size_t i = 0; i < kFloats; ++i) {
-      if (batch.in[i].data && overlap(out, Extent(batch.in[i].data, batch.in[i].stride, batch.count))) {
-        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kInputNames[i]);
+    const Extent out(batch.out[c].data, batch.out[c].stride, count);
+    for (size_t i = 0; i < kLookupFloats; ++i) {
+      const shd_f32_in& in = batch.in.floats[i];
+      if (in.data && overlap(out, Extent(in.data, in.stride, count))) {
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kLookupFloatNames[i]);
       }
     }
-    for (size_t i = 0; i < kIntegers; ++i) {
-      const shd_u32_in& in = batch.integers[i];
-      if (in.data && overlap(out, Extent(in.data, in.stride, batch.count))) {
-        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kIntegerNames[i]);
+    for (size_t i = 0; i < kLookupIntegers; ++i) {
+      const shd_u32_in& in = batch.in.integers[i];
+      if (in.data && overlap(out, Extent(in.data, in.stride, count))) {
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kLookupIntegerNames[i]);
       }
     }
     for (size_t i = 0; i < c; ++i) {
-      if (batch.out[i].data && overlap(out, Extent(batch.out[i].data, batch.out[i].stride, batch.count))) {
+      if (batch.out[i].data && overlap(out, Extent(batch.out[i].data, batch.out[i].stride, count))) {
         return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kChannelNames[i]);
       }
     }
@@ -87,29 +83,13 @@ shd_result check_overlap(const Batch& batch) {
   return SHD_OK;
 }
 
-shd_result check_batch(const Batch& batch) {
-  for (size_t i = 0; i < kFloats; ++i) SHD_TRY(check_column(kInputNames[i], batch.in[i], batch.count));
-  for (size_t i = 0; i < kIntegers; ++i) SHD_TRY(check_column(kIntegerNames[i], batch.integers[i], batch.count));
-  for (size_t c = 0; c < kChannels; ++c) SHD_TRY(check_column(kChannelNames[c], batch.out[c], batch.count));
-  if (batch.count == 0) return SHD_OK;
-  SHD_TRY(check_not_null("lookups.u.data", batch.in[0].data));
-  SHD_TRY(check_not_null("lookups.v.data", batch.in[1].data));
+shd_result check_out(const Batch& batch) {
+  for (size_t c = 0; c < kChannels; ++c) SHD_TRY(check_column(kChannelNames[c], batch.out[c], batch.in.count));
+  if (batch.in.count == 0) return SHD_OK;
   bool wanted = false;
   for (const shd_f32_out& channel : batch.out) wanted = wanted || channel.data;
   if (!wanted) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.channel: NULL for all four");
   return check_overlap(batch);
-}
-
-/// Whether the texture has the table that the filter cannot do without.
-shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
-  if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
-  }
-  if (sampler.filter == SHD_FILTER_SUMMED_AREA && !(texture.tables & SHD_TABLE_SUMMED_AREA)) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                      "sampler.filter: SUMMED_AREA, but the texture has no SHD_TABLE_SUMMED_AREA");
-  }
-  return SHD_OK;
 }
 
 /// A 0.1 shd_texels may leave its struct_size 0.
@@ -134,8 +114,9 @@ class Chunk {
 
   size_t run(size_t first, size_t count) const {
     bool packed = true;
-    for (const shd_f32_in& column : batch_.in) packed = packed && (!column.data || data::is_packed(column.stride));
-    for (const shd_u32_in& column : batch_.integers)
+    for (const shd_f32_in& column : batch_.in.floats)
+      packed = packed && (!column.data || data::is_packed(column.stride));
+    for (const shd_u32_in& column : batch_.in.integers)
       packed = packed && (!column.data || data::is_packed(column.stride));
     for (const shd_f32_out& column : batch_.out) packed = packed && (!column.data || data::is_packed(column.stride));
     if (packed) return run_packed(first, count);
@@ -148,31 +129,32 @@ class Chunk {
 
  private:
   size_t run_packed(size_t first, size_t count) const {
-    const float* in[kFloats];
-    const uint32_t* integers[kIntegers];
+    const float* in[kLookupFloats];
+    const uint32_t* integers[kLookupIntegers];
     texture::Texels out;
-    for (size_t i = 0; i < kFloats; ++i) in[i] = batch_.in[i].data ? batch_.in[i].data + first : nullptr;
-    for (size_t i = 0; i < kIntegers; ++i) {
-      integers[i] = batch_.integers[i].data ? batch_.integers[i].data + first : nullptr;
+    for (size_t i = 0; i < kLookupFloats; ++i)
+      in[i] = batch_.in.floats[i].data ? batch_.in.floats[i].data + first : nullptr;
+    for (size_t i = 0; i < kLookupIntegers; ++i) {
+      integers[i] = batch_.in.integers[i].data ? batch_.in.integers[i].data + first : nullptr;
     }
     for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? batch_.out[c].data + first : nullptr;
     return sample(in, integers, count, out);
   }
 
   size_t run_staged(size_t first, size_t count) const {
-    float in_copy[kFloats][kStage], out_copy[kChannels][kStage];
-    uint32_t integer_copy[kIntegers][kStage];
-    const float* in[kFloats] = {};
-    const uint32_t* integers[kIntegers] = {};
+    float in_copy[kLookupFloats][kStage], out_copy[kChannels][kStage];
+    uint32_t integer_copy[kLookupIntegers][kStage];
+    const float* in[kLookupFloats] = {};
+    const uint32_t* integers[kLookupIntegers] = {};
     texture::Texels out = {};
-    for (size_t i = 0; i < kFloats; ++i) {
-      if (!batch_.in[i].data) continue;
-      for (size_t k = 0; k < count; ++k) in_copy[i][k] = data::load(batch_.in[i], first + k);
+    for (size_t i = 0; i < kLookupFloats; ++i) {
+      if (!batch_.in.floats[i].data) continue;
+      for (size_t k = 0; k < count; ++k) in_copy[i][k] = data::load(batch_.in.floats[i], first + k);
       in[i] = in_copy[i];
     }
-    for (size_t i = 0; i < kIntegers; ++i) {
-      if (!batch_.integers[i].data) continue;
-      for (size_t k = 0; k < count; ++k) integer_copy[i][k] = data::load(batch_.integers[i], first + k);
+    for (size_t i = 0; i < kLookupIntegers; ++i) {
+      if (!batch_.in.integers[i].data) continue;
+      for (size_t k = 0; k < count; ++k) integer_copy[i][k] = data::load(batch_.in.integers[i], first + k);
       integers[i] = integer_copy[i];
     }
     for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? out_copy[c] : nullptr;
@@ -218,18 +200,16 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
     SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
     SHD_TRY(check_tables(*texture_body, *sampler_body));
-    shd_lookups in = shd_lookups_default();
-    SHD_TRY(read_desc("lookups", lookups, false, &in));
-    SHD_TRY(check_zero("lookups.reserved", in.reserved));
+    Batch batch;
+    SHD_TRY(read_lookups(lookups, &batch.in));
     shd_texels texels;
     SHD_TRY(read_texels(out, &texels));
-    Batch batch = {in.count, {in.u, in.v, in.dudx, in.dvdx, in.dudy, in.dvdy, in.lod}, {in.layer, in.random}, {}};
     std::memcpy(batch.out, texels.channel, sizeof batch.out);
-    SHD_TRY(check_batch(batch));
+    SHD_TRY(check_out(batch));
 
     const core::Context& context = *object_of(texture)->context;
     const Chunk chunk(*texture_body, *sampler_body, context.simd, batch);
-    out->nonfinite_count = run_batch(context, chunk, batch.count);
+    out->nonfinite_count = run_batch(context, chunk, batch.in.count);
     return SHD_OK;
   });
 }

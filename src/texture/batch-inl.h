@@ -126,9 +126,9 @@ struct Tail {
 
 /// filter(d, points, out, i) writes one vector of results to element i of the columns. Returns the number of
 /// lookups that were not finite.
-template <class Filter>
+template <class D = BatchTag, class Filter>
 HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, const Lookups& in, const Texels& out) {
-  const BatchTag d;
+  const D d;
   const size_t lanes = hn::Lanes(d);
   const size_t whole = in.count - in.count % lanes;
   Tail tail;
@@ -147,7 +147,7 @@ HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, 
       tail.copy_out(out, whole);
       return nonfinite;
     }
-    const Points<BatchTag> points = LoadPoints(d, texture, *from, i);
+    const Points<D> points = LoadPoints(d, texture, *from, i);
     nonfinite += points.nonfinite;
     filter(d, points, *to, i);
   }

@@ -19,6 +19,13 @@
 
 namespace shd::texture {
 
+/// 1 / 255 and 1 / 65535 in two factors, of which the first times a whole code is exact.
+struct CodeScale {
+  float high, low;
+};
+constexpr CodeScale kScale8 = {0x1.01p-8f, 0x1.0101p-24f};
+constexpr CodeScale kScale16 = {0x1p-16f, 0x1.0001p-32f};
+
 /// Nearest code of a value in the range of codes, ties to even.
 template <class T>
 T round_to_code(double value) {

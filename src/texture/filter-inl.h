@@ -179,10 +179,12 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
 template <class F, bool kBorder, size_t C, class D>
 SHD_KERNEL_PART auto BlendQuad(D d, const Quad<F, D>& quad, const Sampler& sampler) {
   using B = Blend<F, kBorder>;
-  const auto top = B::blend_u(d, B::template tap<C>(d, quad.t00, quad.in00, sampler),
-                              B::template tap<C>(d, quad.t10, quad.in10, sampler), quad.s, quad.rate_s);
-  const auto bottom = B::blend_u(d, B::template tap<C>(d, quad.t01, quad.in01, sampler),
-                                 B::template tap<C>(d, quad.t11, quad.in11, sampler), quad.s, quad.rate_s);
+  const auto t00 = B::template tap<C>(d, quad.t00, quad.in00, sampler);
+  const auto t10 = B::template tap<C>(d, quad.t10, quad.in10, sampler);
+  const auto top = B::blend_u(d, t00, t10, quad.s, quad.rate_s);
+  const auto t01 = B::template tap<C>(d, quad.t01, quad.in01, sampler);
+  const auto t11 = B::template tap<C>(d, quad.t11, quad.in11, sampler);
+  const auto bottom = B::blend_u(d, t01, t11, quad.s, quad.rate_s);
   return B::blend_v(d, top, bottom, quad.t, quad.rate_t);
 }
 

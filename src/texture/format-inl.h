@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "image/srgb.h"
+#include "texture/codes.h"
 #include "texture/gather-inl.h"
 #include "texture/texture.h"
 #include "texture/wrap-inl.h"
@@ -28,11 +29,11 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// code / 255: the correctly rounded quotient for whole codes 0..255, else within 1.2e-7 of it, relative. 1/255 is
-/// split into two factors, of which the first times a whole code is exact; a division would take three times as long.
+/// code times a scale: the correctly rounded quotient by 255 or 65535 for whole codes, else within 1.2e-7 of it,
+/// relative; a division would take three times as long.
 template <class D, class V>
-HWY_INLINE V CodeToUnit(D d, V code) {
-  return hn::Add(hn::Mul(code, hn::Set(d, 0x1.01p-8f)), hn::Mul(code, hn::Set(d, 0x1.0101p-24f)));
+HWY_INLINE V CodeToUnit(D d, CodeScale scale, V code) {
+  return hn::Add(hn::Mul(code, hn::Set(d, scale.high)), hn::Mul(code, hn::Set(d, scale.low)));
 }
 
 /// Byte C of every word.
@@ -69,7 +70,7 @@ struct Unorm8 : Word {
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
-    return CodeToUnit(d, value);
+    return CodeToUnit(d, kScale8, value);
   }
 };
 
@@ -84,7 +85,7 @@ struct Srgb8 : Word {
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
-    if constexpr (C == 3) return CodeToUnit(d, value);
+    if constexpr (C == 3) return CodeToUnit(d, kScale8, value);
     return value;
   }
 };
@@ -130,7 +131,7 @@ struct Unorm16 : Words2 {
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
-    return hn::Div(value, hn::Set(d, 65535.0f));
+    return CodeToUnit(d, kScale16, value);
   }
 };
 

@@ -17,4 +17,8 @@ size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const cor
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 
+/// Levels of detail of the longer axis, after bias and clamps, of packed lookups.
+size_t sample_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  float* out);
+
 }  // namespace shd::texture

@@ -10,6 +10,7 @@
 
 #include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
+#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -31,8 +32,9 @@ struct Bilinear {
 
 template <class F>
 size_t BilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler)) return ForEachVector(texture, Bilinear<F, true>{texture, sampler}, in, out);
-  return ForEachVector(texture, Bilinear<F, false>{texture, sampler}, in, out);
+  if (has_border(sampler))
+    return ForEachVector<typename TagOf<F>::Type>(texture, Bilinear<F, true>{texture, sampler}, in, out);
+  return ForEachVector<typename TagOf<F>::Type>(texture, Bilinear<F, false>{texture, sampler}, in, out);
 }
 
 struct BilinearOfTexture {
@@ -51,6 +53,12 @@ size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Looku
   return ForFormat(texture, BilinearOfTexture{texture, sampler, in, out});
 }
 
+#if HWY_TARGET == HWY_STATIC_TARGET
+void RecordBilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  BilinearOfFormat<Recorded>(texture, sampler, in, out);
+}
+#endif
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -63,6 +71,11 @@ HWY_EXPORT(BilinearBatch);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                        const Lookups& lookups, const Texels& out) {
   return SHD_DISPATCH(BilinearBatch, simd)(texture, sampler, lookups, out);
+}
+
+void record_bilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  float unused[1];
+  HWY_STATIC_DISPATCH(RecordBilinear)(texture, sampler, lookups, {{unused}});
 }
 
 }  // namespace shd::texture

@@ -10,6 +10,7 @@
 
 #include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
+#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -46,8 +47,9 @@ struct Nearest {
 
 template <class F>
 size_t NearestOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler)) return ForEachVector(texture, Nearest<F, true>{texture, sampler}, in, out);
-  return ForEachVector(texture, Nearest<F, false>{texture, sampler}, in, out);
+  if (has_border(sampler))
+    return ForEachVector<typename TagOf<F>::Type>(texture, Nearest<F, true>{texture, sampler}, in, out);
+  return ForEachVector<typename TagOf<F>::Type>(texture, Nearest<F, false>{texture, sampler}, in, out);
 }
 
 struct NearestOfTexture {
@@ -66,6 +68,12 @@ size_t NearestBatch(const Texture& texture, const Sampler& sampler, const Lookup
   return ForFormat(texture, NearestOfTexture{texture, sampler, in, out});
 }
 
+#if HWY_TARGET == HWY_STATIC_TARGET
+void RecordNearest(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  NearestOfFormat<Recorded>(texture, sampler, in, out);
+}
+#endif
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -78,6 +86,11 @@ HWY_EXPORT(NearestBatch);
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out) {
   return SHD_DISPATCH(NearestBatch, simd)(texture, sampler, lookups, out);
+}
+
+void record_nearest(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  float unused[1];
+  HWY_STATIC_DISPATCH(RecordNearest)(texture, sampler, lookups, {{unused}});
 }
 
 }  // namespace shd::texture

@@ -10,6 +10,7 @@
 
 #include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
+#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -71,8 +72,9 @@ struct Trilinear {
 
     template <size_t C>
     HWY_INLINE auto of() const {
-      return Blend<F, kBorder>::blend(D(), BlendQuad<F, kBorder, C>(D(), high, sampler),
-                                      BlendQuad<F, kBorder, C>(D(), low, sampler), fraction);
+      const auto first = BlendQuad<F, kBorder, C>(D(), high, sampler);
+      const auto second = BlendQuad<F, kBorder, C>(D(), low, sampler);
+      return Blend<F, kBorder>::blend(D(), first, second, fraction);
     }
   };
 };
@@ -108,12 +110,17 @@ size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const L
     Texels to;
     for (size_t c = 0; c < 4; ++c) to.channel[c] = out.channel[c] ? out.channel[c] + first : nullptr;
     if (has_border(sampler)) {
-      ForEachVector(texture, Trilinear<F, true>{texture, sampler}, block, to);
+      ForEachVector<typename TagOf<F>::Type>(texture, Trilinear<F, true>{texture, sampler}, block, to);
     } else {
-      ForEachVector(texture, Trilinear<F, false>{texture, sampler}, block, to);
+      ForEachVector<typename TagOf<F>::Type>(texture, Trilinear<F, false>{texture, sampler}, block, to);
     }
   }
   return nonfinite;
+}
+
+size_t LodBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return ForEachVector(texture, LevelOfDetail{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in,
+                       out);
 }
 
 struct TrilinearOfTexture {
@@ -132,6 +139,12 @@ size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Look
   return ForFormat(texture, TrilinearOfTexture{texture, sampler, in, out});
 }
 
+#if HWY_TARGET == HWY_STATIC_TARGET
+void RecordTrilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  TrilinearOfFormat<Recorded>(texture, sampler, in, out);
+}
+#endif
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -139,11 +152,22 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(TrilinearBatch);
+HWY_EXPORT(LodBatch);
 }  // namespace
 
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out) {
   return SHD_DISPATCH(TrilinearBatch, simd)(texture, sampler, lookups, out);
+}
+
+size_t sample_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  float* out) {
+  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, lookups, {{out}});
+}
+
+void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  float unused[1];
+  HWY_STATIC_DISPATCH(RecordTrilinear)(texture, sampler, lookups, {{unused}});
 }
 
 }  // namespace shd::texture

@@ -23,6 +23,8 @@
 /// | filter-inl.h            | levels, the four texels around a point, blends                              |
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
 /// | gather-inl.h            | loads of neighbouring texels                                                |
+/// | explain.h               | one lookup as its tree of blends                                            |
+/// | record.h, record-inl.h  | kernels that write down what they do                                        |
 /// | ray_footprint.h         | derivatives from ray differentials and ray cones                            |
 /// | kernel_part.h           | inlining of the larger pieces                                               |
 #pragma once

@@ -38,6 +38,7 @@ DEFAULTS(shd_load_desc, shd_load_desc)
 DEFAULTS(shd_save_desc, shd_save_desc)
 DEFAULTS(shd_ray_differentials, shd_ray_differentials)
 DEFAULTS(shd_ray_cones, shd_ray_cones)
+DEFAULTS(shd_explanation, shd_explanation)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -57,6 +58,7 @@ static const struct kind_case k_kinds[] = {
     {"save", SHD_DESC_SAVE, sizeof(shd_save_desc), defaults_shd_save_desc},
     {"ray_differentials", SHD_DESC_RAY_DIFFERENTIALS, sizeof(shd_ray_differentials), defaults_shd_ray_differentials},
     {"ray_cones", SHD_DESC_RAY_CONES, sizeof(shd_ray_cones), defaults_shd_ray_cones},
+    {"explanation", SHD_DESC_EXPLANATION, sizeof(shd_explanation), defaults_shd_explanation},
 };
 
 static void test_kind(void **state)

@@ -145,16 +145,16 @@ static void want_bc7(int x, double *rgba)
 
 struct dds_case {
     const char *name;
-    const char *code;     /**< of the header; "DX10" = another header with the next member follows */
+    const char *code; /**< of the header; "DX10" = another header with the next member follows */
     uint32_t dxgi_format;
     unsigned block_size;
     void (*make)(struct bits *b);
     void (*want)(int x, double *rgba);
 };
 static const struct dds_case k_cases[] = {
-    {"bc1", "DXT1", 0, 8, make_bc1, want_color},   {"bc2", "DXT3", 0, 16, make_bc2, want_bc2},
-    {"bc3", "DXT5", 0, 16, make_bc3, want_bc3},    {"bc4", "DX10", 80, 8, make_bc4, want_bc4},
-    {"bc5", "DX10", 83, 16, make_bc5, want_bc5},   {"bc6h", "DX10", 95, 16, make_bc6h, want_bc6h},
+    {"bc1", "DXT1", 0, 8, make_bc1, want_color}, {"bc2", "DXT3", 0, 16, make_bc2, want_bc2},
+    {"bc3", "DXT5", 0, 16, make_bc3, want_bc3},  {"bc4", "DX10", 80, 8, make_bc4, want_bc4},
+    {"bc5", "DX10", 83, 16, make_bc5, want_bc5}, {"bc6h", "DX10", 95, 16, make_bc6h, want_bc6h},
     {"bc7", "DX10", 98, 16, make_bc7, want_bc7},
 };
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <shd/explain.h>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "abi/lookup_columns.h"
+#include "data/column.h"
+#include "texture/explain.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+shd_result check_explanation(const shd_explanation& explanation) {
+  SHD_TRY(check_zero("explanation.reserved", explanation.reserved));
+  if (explanation.tap_capacity > 0) SHD_TRY(check_not_null("explanation.taps", explanation.taps));
+  if (explanation.blend_capacity > 0) SHD_TRY(check_not_null("explanation.blends", explanation.blends));
+  return SHD_OK;
+}
+
+/// One lookup of a batch as packed columns of one element.
+struct OneLookup {
+  float floats[kLookupFloats];
+  uint32_t integers[kLookupIntegers];
+  texture::Lookups lookups;
+
+  OneLookup(const LookupColumns& columns, size_t index) {
+    const float* float_column[kLookupFloats] = {};
+    const uint32_t* integer_column[kLookupIntegers] = {};
+    for (size_t i = 0; i < kLookupFloats; ++i) {
+      if (!columns.floats[i].data) continue;
+      floats[i] = data::load(columns.floats[i], index);
+      float_column[i] = &floats[i];
+    }
+    for (size_t i = 0; i < kLookupIntegers; ++i) {
+      if (!columns.integers[i].data) continue;
+      integers[i] = data::load(columns.integers[i], index);
+      integer_column[i] = &integers[i];
+    }
+    lookups = {1,
+               float_column[0],
+               float_column[1],
+               float_column[2],
+               float_column[3],
+               float_column[4],
+               float_column[5],
+               float_column[6],
+               integer_column[0],
+               integer_column[1]};
+  }
+};
+
+}  // namespace
+
+extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_sampler* sampler,
+                                          const shd_lookups* lookups, size_t index, shd_explanation* explanation) {
+  return guard([&]() -> shd_result {
+    const texture::Texture* texture_body;
+    const texture::Sampler* sampler_body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
+    SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
+    SHD_TRY(check_tables(*texture_body, *sampler_body));
+    LookupColumns columns;
+    SHD_TRY(read_lookups(lookups, &columns));
+    if (index >= columns.count) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "index: %zu is not below lookups.count %zu", index, columns.count);
+    }
+    shd_explanation out = shd_explanation_default();
+    SHD_TRY(read_desc("explanation", explanation, false, &out));
+    SHD_TRY(check_explanation(out));
+    if (!texture::is_explainable(sampler_body->filter)) {
+      return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d is not a tree of blends",
+                        static_cast<int>(sampler_body->filter));
+    }
+    const OneLookup one(columns, index);
+    texture::explain(*object_of(texture)->context, *texture_body, *sampler_body, one.lookups, &out);
+    out.struct_size = explanation->struct_size;
+    *explanation = out;
+    return SHD_OK;
+  });
+}

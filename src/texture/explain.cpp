@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "texture/explain.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "image/half.h"
+#include "image/srgb.h"
+#include "texture/codes.h"
+#include "texture/record.h"
+#include "texture/sample.h"
+#include "texture/storage.h"
+
+namespace shd::texture {
+
+thread_local Recording* t_recording = nullptr;
+
+namespace {
+
+/// Makes a recording the one of this thread for a scope.
+class RecordingScope {
+ public:
+  explicit RecordingScope(Recording* recording) { t_recording = recording; }
+  ~RecordingScope() { t_recording = nullptr; }
+  RecordingScope(const RecordingScope&) = delete;
+  RecordingScope& operator=(const RecordingScope&) = delete;
+};
+
+CodeScale scale_of(image::Component component, size_t channel) {
+  switch (component) {
+    case image::Component::kUnorm8: return kScale8;
+    case image::Component::kUnorm16: return kScale16;
+    case image::Component::kSrgb8: return channel == 3 ? kScale8 : CodeScale{1.0f, 0.0f};
+    default: return {1.0f, 0.0f};
+  }
+}
+
+float finish(CodeScale scale, float value) {
+  return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
+}
+
+/// Channel of a stored texel as the blends of its format see it, or the result it stands for.
+float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
+  float value;
+  uint16_t code;
+  switch (texture.component) {
+    case image::Component::kUnorm8: value = texel[channel]; break;
+    case image::Component::kSrgb8:
+      value = channel == 3 ? static_cast<float>(texel[3]) : image::kSrgb8ToLinear[texel[channel]];
+      break;
+    case image::Component::kUnorm16:
+      std::memcpy(&code, texel + 2 * channel, sizeof code);
+      value = code;
+      break;
+    case image::Component::kFloat16:
+      std::memcpy(&code, texel + 2 * channel, sizeof code);
+      value = image::half_to_float(code);
+      break;
+    default: std::memcpy(&value, texel + 4 * channel, sizeof value); break;
+  }
+  return finished ? finish(scale_of(texture.component, channel), value) : value;
+}
+
+shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap) {
+  shd_tap out = {};
+  out.layer = tap.index / texture.layer_texels;
+  const uint32_t in_layer = tap.index % texture.layer_texels;
+  while (out.level + 1 < texture.level_count && in_layer >= texture.offset[out.level + 1]) ++out.level;
+  const uint32_t width = level_size(texture.width, out.level), in_level = in_layer - texture.offset[out.level];
+  out.x = in_level % width;
+  out.y = in_level / width;
+  out.border = tap.border;
+  const uint8_t* texel = row_of(texture, out.layer, out.level, out.y) + out.x * texel_size(texture);
+  for (size_t c = 0; c < texture.channels; ++c) {
+    out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
+  }
+  return out;
+}
+
+uint32_t node_number(const Recording& recording, uint32_t node) {
+  if (!(node & kBlendNode)) return node;
+  return static_cast<uint32_t>(recording.tap_count) + (node & ~kBlendNode);
+}
+
+/// Weights of all nodes from that of the last: blends hand theirs down in reverse order.
+core::Array<float> weights(const core::Allocator& allocator, const Recording& recording) {
+  const size_t count = recording.tap_count + recording.blend_count;
+  core::Array<float> weight(allocator, count);
+  std::memset(weight.data(), 0, count * sizeof(float));
+  weight[count - 1] = 1.0f;
+  for (size_t k = recording.blend_count; k-- > 0;) {
+    const RecordedBlend& blend = recording.blends[k];
+    const float own = weight[recording.tap_count + k];
+    weight[node_number(recording, blend.a)] += own * (1.0f - blend.s);
+    weight[node_number(recording, blend.b)] += own * blend.s;
+  }
+  return weight;
+}
+
+void record(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  switch (sampler.filter) {
+    case SHD_FILTER_NEAREST: return record_nearest(texture, sampler, lookups);
+    case SHD_FILTER_BILINEAR: return record_bilinear(texture, sampler, lookups);
+    default: return record_trilinear(texture, sampler, lookups);
+  }
+}
+
+void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,
+                const Recording& recording, shd_explanation* out) {
+  const core::Array<float> weight = weights(context.allocator, recording);
+  for (size_t i = 0; i < recording.tap_count && i < out->tap_capacity; ++i) {
+    out->taps[i] = describe(texture, sampler, recording, recording.taps[i]);
+    out->taps[i].weight = weight[i];
+  }
+  for (size_t k = 0; k < recording.blend_count && k < out->blend_capacity; ++k) {
+    const RecordedBlend& blend = recording.blends[k];
+    out->blends[k] = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+  }
+  out->tap_count = static_cast<uint32_t>(recording.tap_count);
+  out->blend_count = static_cast<uint32_t>(recording.blend_count);
+  for (size_t c = 0; c < 4; ++c) {
+    const CodeScale scale =
+        recording.finished_taps ? CodeScale{1.0f, 0.0f} : scale_of(texture.component, c);
+    out->scale_high[c] = scale.high;
+    out->scale_low[c] = scale.low;
+  }
+}
+
+}  // namespace
+
+bool is_explainable(shd_filter filter) {
+  return filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
+}
+
+void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
+             shd_explanation* out) {
+  Recording recording(context.allocator);
+  {
+    const RecordingScope scope(&recording);
+    record(texture, sampler, lookups);
+  }
+  write_tree(context, texture, sampler, recording, out);
+  out->filter = static_cast<uint32_t>(sampler.filter);
+  for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
+  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}};
+  sample(texture, sampler, context.simd, lookups, result);
+  float lod[1];
+  sample_lod(texture, sampler, context.simd, lookups, lod);
+  out->lod = lod[0];
+}
+
+}  // namespace shd::texture

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shd/explain.h>
+
+#include "core/context.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// Whether a filter is a tree of blends, which explain() can show.
+bool is_explainable(shd_filter filter);
+
+/// Explains the one lookup of `lookups` with a filter that is_explainable: fills all that shd_explanation has written.
+void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
+             shd_explanation* out);
+
+}  // namespace shd::texture
