@@ -72,6 +72,23 @@ typedef struct shd_texels {
 SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, const shd_sampler *sampler,
                                                     const shd_lookups *lookups, shd_texels *out);
 
+/** Where levels of detail go; unwanted ones NULL. */
+typedef struct shd_levels {
+    shd_f32_out lod;   /**< continuous: log2 of the footprint's longer axis, after bias and clamps */
+    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1 */
+} shd_levels;
+
+/**
+ * Levels of detail of `lookups->count` points, as trilinear filtering uses them: what pictures of mip levels show.
+ * @param texture  concurrent reads
+ * @param sampler  its bias, clamps, width and blur count, its filter does not
+ * @param lookups  columns, borrowed for the call
+ * @param out      columns, borrowed for the call; must not overlap any input or each other
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_query_levels(const shd_texture *texture, const shd_sampler *sampler,
+                                                          const shd_lookups *lookups, const shd_levels *out);
+
 SHD_END_DECLS
 
 #endif /* SHD_LOOKUP_H */

@@ -5,7 +5,6 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup_columns.h"
-#include "data/column.h"
 #include "texture/explain.h"
 
 namespace {
@@ -19,38 +18,6 @@ shd_result check_explanation(const shd_explanation& explanation) {
   if (explanation.blend_capacity > 0) SHD_TRY(check_not_null("explanation.blends", explanation.blends));
   return SHD_OK;
 }
-
-/// One lookup of a batch as packed columns of one element.
-struct OneLookup {
-  float floats[kLookupFloats];
-  uint32_t integers[kLookupIntegers];
-  texture::Lookups lookups;
-
-  OneLookup(const LookupColumns& columns, size_t index) {
-    const float* float_column[kLookupFloats] = {};
-    const uint32_t* integer_column[kLookupIntegers] = {};
-    for (size_t i = 0; i < kLookupFloats; ++i) {
-      if (!columns.floats[i].data) continue;
-      floats[i] = data::load(columns.floats[i], index);
-      float_column[i] = &floats[i];
-    }
-    for (size_t i = 0; i < kLookupIntegers; ++i) {
-      if (!columns.integers[i].data) continue;
-      integers[i] = data::load(columns.integers[i], index);
-      integer_column[i] = &integers[i];
-    }
-    lookups = {1,
-               float_column[0],
-               float_column[1],
-               float_column[2],
-               float_column[3],
-               float_column[4],
-               float_column[5],
-               float_column[6],
-               integer_column[0],
-               integer_column[1]};
-  }
-};
 
 }  // namespace
 
@@ -74,8 +41,8 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
       return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d is not a tree of blends",
                         static_cast<int>(sampler_body->filter));
     }
-    const OneLookup one(columns, index);
-    texture::explain(*object_of(texture)->context, *texture_body, *sampler_body, one.lookups, &out);
+    LookupStage<1> stage;
+    texture::explain(*object_of(texture)->context, *texture_body, *sampler_body, stage.load(columns, index, 1), &out);
     out.struct_size = explanation->struct_size;
     *explanation = out;
     return SHD_OK;

@@ -138,38 +138,21 @@ class Chunk {
       integers[i] = batch_.in.integers[i].data ? batch_.in.integers[i].data + first : nullptr;
     }
     for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? batch_.out[c].data + first : nullptr;
-    return sample(in, integers, count, out);
+    const texture::Lookups lookups = {count, in[0], in[1], in[2], in[3], in[4], in[5], in[6], integers[0], integers[1]};
+    return texture::sample(texture_, sampler_, simd_, lookups, out);
   }
 
   size_t run_staged(size_t first, size_t count) const {
-    float in_copy[kLookupFloats][kStage], out_copy[kChannels][kStage];
-    uint32_t integer_copy[kLookupIntegers][kStage];
-    const float* in[kLookupFloats] = {};
-    const uint32_t* integers[kLookupIntegers] = {};
+    LookupStage<kStage> stage;
+    float out_copy[kChannels][kStage];
     texture::Texels out = {};
-    for (size_t i = 0; i < kLookupFloats; ++i) {
-      if (!batch_.in.floats[i].data) continue;
-      for (size_t k = 0; k < count; ++k) in_copy[i][k] = data::load(batch_.in.floats[i], first + k);
-      in[i] = in_copy[i];
-    }
-    for (size_t i = 0; i < kLookupIntegers; ++i) {
-      if (!batch_.in.integers[i].data) continue;
-      for (size_t k = 0; k < count; ++k) integer_copy[i][k] = data::load(batch_.in.integers[i], first + k);
-      integers[i] = integer_copy[i];
-    }
     for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? out_copy[c] : nullptr;
-    const size_t nonfinite = sample(in, integers, count, out);
+    const size_t nonfinite = texture::sample(texture_, sampler_, simd_, stage.load(batch_.in, first, count), out);
     for (size_t c = 0; c < kChannels; ++c) {
       if (!batch_.out[c].data) continue;
       for (size_t k = 0; k < count; ++k) data::store(batch_.out[c], first + k, out_copy[c][k]);
     }
     return nonfinite;
-  }
-
-  size_t sample(const float* const* in, const uint32_t* const* integers, size_t count,
-                const texture::Texels& out) const {
-    const texture::Lookups lookups = {count, in[0], in[1], in[2], in[3], in[4], in[5], in[6], integers[0], integers[1]};
-    return texture::sample(texture_, sampler_, simd_, lookups, out);
   }
 
   const texture::Texture& texture_;

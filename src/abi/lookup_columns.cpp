@@ -13,9 +13,8 @@ shd_result read_lookups(const shd_lookups* in, LookupColumns* out) {
   shd_lookups read = shd_lookups_default();
   SHD_TRY(read_desc("lookups", in, false, &read));
   SHD_TRY(check_zero("lookups.reserved", read.reserved));
-  *out = {read.count,
-          {read.u, read.v, read.dudx, read.dvdx, read.dudy, read.dvdy, read.lod},
-          {read.layer, read.random}};
+  *out = {
+      read.count, {read.u, read.v, read.dudx, read.dvdx, read.dudy, read.dvdy, read.lod}, {read.layer, read.random}};
   for (size_t i = 0; i < kLookupFloats; ++i) SHD_TRY(check_column(kLookupFloatNames[i], out->floats[i], read.count));
   for (size_t i = 0; i < kLookupIntegers; ++i) {
     SHD_TRY(check_column(kLookupIntegerNames[i], out->integers[i], read.count));

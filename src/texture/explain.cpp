@@ -119,8 +119,7 @@ void write_tree(const core::Context& context, const Texture& texture, const Samp
   out->tap_count = static_cast<uint32_t>(recording.tap_count);
   out->blend_count = static_cast<uint32_t>(recording.blend_count);
   for (size_t c = 0; c < 4; ++c) {
-    const CodeScale scale =
-        recording.finished_taps ? CodeScale{1.0f, 0.0f} : scale_of(texture.component, c);
+    const CodeScale scale = recording.finished_taps ? CodeScale{1.0f, 0.0f} : scale_of(texture.component, c);
     out->scale_high[c] = scale.high;
     out->scale_low[c] = scale.low;
   }

@@ -21,8 +21,8 @@ static const struct {
     {"nearest", SHD_FILTER_NEAREST}, {"bilinear", SHD_FILTER_BILINEAR}, {"trilinear", SHD_FILTER_TRILINEAR}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
-static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGB16,
-                                       SHD_FORMAT_R16F,  SHD_FORMAT_RGBA32F};
+static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FORMAT_RGBA8_SRGB,
+                                       SHD_FORMAT_RGB16, SHD_FORMAT_R16F, SHD_FORMAT_RGBA32F};
 enum { FORMATS = sizeof k_formats / sizeof k_formats[0] };
 
 static uint32_t random_bits(uint32_t *state) { return *state = *state * 1664525u + 1013904223u; }
