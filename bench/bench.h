@@ -46,6 +46,8 @@ class Stopwatch {
 void register_texture_peers();
 void register_frame_peers();
 void register_texture();
+void register_texture_create();
+void register_quality();
 void register_frame();
 
 }  // namespace shd::bench

@@ -62,6 +62,8 @@ int main(int argc, char** argv) {
   shd::bench::register_texture_peers();
   shd::bench::register_frame();
   shd::bench::register_texture();
+  shd::bench::register_texture_create();
+  shd::bench::register_quality();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

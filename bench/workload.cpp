@@ -55,15 +55,17 @@ std::vector<uint8_t> make_rgba8(uint32_t edge) {
 
 Lookups floor_lookups(const Floor& floor) {
   Lookups q;
-  for (std::vector<float>* column : {&q.u, &q.v, &q.dudx, &q.dvdx, &q.dudy, &q.dvdy}) column->resize(kLookupCount);
-  for (uint32_t y = 0; y < kFrameEdge; ++y) {
+  for (std::vector<float>* column : {&q.u, &q.v, &q.dudx, &q.dvdx, &q.dudy, &q.dvdy}) {
+    column->resize(size_t{floor.frame} * floor.frame);
+  }
+  for (uint32_t y = 0; y < floor.frame; ++y) {
     const float z = floor.z(static_cast<float>(y) + 0.5f);
-    const float dzdy = -z * z * (1.0f - 1.0f / floor.far) / kFrameEdge;
-    for (uint32_t x = 0; x < kFrameEdge; ++x) {
-      const size_t i = size_t{y} * kFrameEdge + x;
+    const float dzdy = -z * z * (1.0f - 1.0f / floor.far) / floor.edge();
+    for (uint32_t x = 0; x < floor.frame; ++x) {
+      const size_t i = size_t{y} * floor.frame + x;
       q.u[i] = floor.u(static_cast<float>(x) + 0.5f, z);
       q.v[i] = floor.v(z);
-      q.dudx[i] = floor.scale * z / kFrameEdge;
+      q.dudx[i] = floor.scale * z / floor.edge();
       q.dvdx[i] = 0.0f;
       q.dudy[i] = floor.u(static_cast<float>(x) + 0.5f, dzdy);
       q.dvdy[i] = floor.scale * dzdy;
@@ -139,7 +141,8 @@ void maybe_write(const std::string& name, const std::vector<float>& rgba) {
   const char* folder = std::getenv("SHD_BENCH_WRITE");
   std::FILE* file = folder ? std::fopen((std::string(folder) + "/" + name + ".ppm").c_str(), "wb") : nullptr;
   if (!file) return;
-  std::fprintf(file, "P6\n%u %u\n255\n", kFrameEdge, kFrameEdge);
+  const auto edge = static_cast<unsigned>(std::lround(std::sqrt(static_cast<double>(rgba.size() / 4))));
+  std::fprintf(file, "P6\n%u %u\n255\n", edge, edge);
   for (size_t i = 0; i < rgba.size(); ++i) {
     if (i % 4 != 3) std::fputc(static_cast<int>(std::clamp(rgba[i], 0.0f, 1.0f) * 255.0f + 0.5f), file);
   }

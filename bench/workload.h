@@ -18,26 +18,30 @@ constexpr size_t kLookupCount = size_t{kFrameEdge} * kFrameEdge;
 /// Texels of a square texture: smooth waves with noise on top, four 8-bit channels, packed, row 0 on top.
 std::vector<uint8_t> make_rgba8(uint32_t edge);
 
-/// A plane that recedes to `far` times the distance of its nearest row, seen over the whole frame. In pixels from the
-/// top left: 1/z = 1/far + (1 - 1/far) (y + 1/2) / edge, u = scale (x + 1/2 - edge/2) / edge z, v = scale z.
+/// A plane that recedes to `far` times the distance of its nearest row, seen over a frame of frame x frame pixels. At
+/// (x, y) pixels from the top left: 1/z = 1/far + (1 - 1/far) y / frame, u = scale (x / frame - 1/2) z, v = scale z.
 struct Floor {
   float far = 20.0f;
   float scale = 0.25f;
+  uint32_t frame = kFrameEdge;
 
   /// The same footprint in texels for any size: half a texel across the nearest pixel.
-  static Floor of_texture(uint32_t edge) { return {20.0f, 0.25f * 2048.0f / static_cast<float>(edge)}; }
-  float z(float y) const { return 1.0f / (1.0f / far + (1.0f - 1.0f / far) * y / kFrameEdge); }
-  float u(float x, float z) const { return scale * (x / kFrameEdge - 0.5f) * z; }
+  static Floor of_texture(uint32_t edge) { return {20.0f, 512.0f / static_cast<float>(edge)}; }
+  float edge() const { return static_cast<float>(frame); }
+  float z(float y) const { return 1.0f / (1.0f / far + (1.0f - 1.0f / far) * y / edge()); }
+  float u(float x, float z) const { return scale * (x / edge() - 0.5f) * z; }
   float v(float z) const { return scale * z; }
 };
 
-/// Columns of kLookupCount lookups with analytic derivatives, in frame order.
+/// Columns of lookups with analytic derivatives, a whole number of frame rows, in frame order.
 struct Lookups {
   std::vector<float> u, v, dudx, dvdx, dudy, dvdy;
+
+  size_t count() const { return u.size(); }
 };
 
 Lookups floor_lookups(const Floor& floor);
-/// Uniform in [0, 1)^2 with a footprint of `texels` texels along both axes.
+/// kLookupCount uniform in [0, 1)^2 with a footprint of `texels` texels along both axes.
 Lookups random_lookups(uint32_t edge, float texels);
 
 /// Spheres on a cubic grid in [-1, 1]^3, one mesh drawn many times.
@@ -74,7 +78,7 @@ struct Difference {
 };
 Difference compare(const std::vector<float>& a, const std::vector<float>& b);
 
-/// Writes r, g, b as a binary PPM when the environment names a folder in SHD_BENCH_WRITE.
+/// Writes r, g, b of a square image as a binary PPM when the environment names a folder in SHD_BENCH_WRITE.
 void maybe_write(const std::string& name, const std::vector<float>& rgba);
 
 /// Rates that peers reached, for the ratio column of the rows that follow.

@@ -67,17 +67,28 @@ GLuint link(const char* vertex, const char* fragment) {
   return program;
 }
 
-GLuint make_texture(uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter) {
+GLint minification(PeerFilter filter) {
+  switch (filter) {
+    case PeerFilter::kNearest: return GL_NEAREST;
+    case PeerFilter::kBilinear: return GL_LINEAR;
+    case PeerFilter::kNearestMip: return GL_NEAREST_MIPMAP_NEAREST;
+    case PeerFilter::kBilinearMip: return GL_LINEAR_MIPMAP_NEAREST;
+    default: return GL_LINEAR_MIPMAP_LINEAR;
+  }
+}
+
+GLuint make_texture(uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(edge), static_cast<GLsizei>(edge), 0, GL_RGBA,
                GL_UNSIGNED_BYTE, texels.data());
   glGenerateMipmap(GL_TEXTURE_2D);
-  const GLint magnify = filter == SHD_FILTER_NEAREST ? GL_NEAREST : GL_LINEAR;
-  const GLint minify = filter == SHD_FILTER_TRILINEAR ? GL_LINEAR_MIPMAP_LINEAR : magnify;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minify);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnify);
+  const bool nearest = filter == PeerFilter::kNearest || filter == PeerFilter::kNearestMip;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minification(filter));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+  if (filter == PeerFilter::kAnisotropic16) glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0f);
+  if (glGetError() != GL_NO_ERROR) die("texture parameters");
   return texture;
 }
 
@@ -92,17 +103,17 @@ GLuint make_buffer(GLenum target, const void* data, size_t size) {
 /// Framebuffer, vertex array and texture of one pass.
 class Pass : public Peer {
  public:
-  Pass(uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter) {
+  Pass(uint32_t frame, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
+      : frame_(static_cast<GLsizei>(frame)) {
     make_current();
-    constexpr GLsizei kEdge = kFrameEdge;
     glGenFramebuffers(1, &framebuffer_);
     glGenRenderbuffers(2, planes_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glBindRenderbuffer(GL_RENDERBUFFER, planes_[0]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kEdge, kEdge);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, frame_, frame_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, planes_[0]);
     glBindRenderbuffer(GL_RENDERBUFFER, planes_[1]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, kEdge, kEdge);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, frame_, frame_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, planes_[1]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) die("incomplete framebuffer");
     glGenVertexArrays(1, &vertex_array_);
@@ -120,20 +131,18 @@ class Pass : public Peer {
   Pass& operator=(const Pass&) = delete;
 
   std::vector<float> image() override {
-    std::vector<float> upside_down(kLookupCount * 4), result(kLookupCount * 4);
+    const size_t edge = static_cast<size_t>(frame_), row = edge * 4;
+    std::vector<float> upside_down(edge * row), result(edge * row);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glReadPixels(0, 0, kFrameEdge, kFrameEdge, GL_RGBA, GL_FLOAT, upside_down.data());
-    constexpr size_t kRow = size_t{kFrameEdge} * 4;
-    for (size_t y = 0; y < kFrameEdge; ++y) {
-      std::copy_n(&upside_down[(kFrameEdge - 1 - y) * kRow], kRow, &result[y * kRow]);
-    }
+    glReadPixels(0, 0, frame_, frame_, GL_RGBA, GL_FLOAT, upside_down.data());
+    for (size_t y = 0; y < edge; ++y) std::copy_n(&upside_down[(edge - 1 - y) * row], row, &result[y * row]);
     return result;
   }
 
  protected:
   void begin() {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, kFrameEdge, kFrameEdge);
+    glViewport(0, 0, frame_, frame_);
     glBindVertexArray(vertex_array_);
     glBindTexture(GL_TEXTURE_2D, texture_);
     glUseProgram(program_);
@@ -148,6 +157,7 @@ class Pass : public Peer {
   GLuint program_ = 0;
 
  private:
+  GLsizei frame_ = 0;
   GLuint framebuffer_ = 0, vertex_array_ = 0, texture_ = 0;
   GLuint planes_[2] = {};
 };
@@ -167,14 +177,14 @@ void main() { colour = texture(image, v_uv); }
 
 class FloorPass final : public Pass {
  public:
-  FloorPass(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter)
-      : Pass(edge, texels, filter) {
+  FloorPass(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
+      : Pass(floor.frame, edge, texels, filter) {
     std::vector<float> position, uv;
     for (int corner = 0; corner < 4; ++corner) {
       const bool right = corner & 1, bottom = corner & 2;
-      const float z = floor.z(bottom ? kFrameEdge : 0.0f);
+      const float z = floor.z(bottom ? floor.edge() : 0.0f);
       position.insert(position.end(), {right ? z : -z, bottom ? -z : z, 0.0f, z});
-      uv.insert(uv.end(), {floor.u(right ? kFrameEdge : 0.0f, z), floor.v(z)});
+      uv.insert(uv.end(), {floor.u(right ? floor.edge() : 0.0f, z), floor.v(z)});
     }
     attribute(0, 4, position);
     attribute(1, 2, uv);
@@ -228,7 +238,7 @@ void main() {
 class SpherePass final : public Pass {
  public:
   SpherePass(const Spheres& spheres, const std::vector<uint8_t>& texels)
-      : Pass(kFrameTextureEdge, texels, SHD_FILTER_TRILINEAR), spheres_(spheres) {
+      : Pass(kFrameEdge, kFrameTextureEdge, texels, PeerFilter::kTrilinear), spheres_(spheres) {
     std::vector<float> position, uv;
     for (size_t i = 0; i < spheres.position[0].size(); ++i) {
       for (const std::vector<float>& column : spheres.position) position.push_back(column[i]);
@@ -297,7 +307,7 @@ std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::v
 }
 
 std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
-                                          shd_filter filter) {
+                                          PeerFilter filter) {
   return std::make_unique<FloorPass>(floor, edge, texels, filter);
 }
 

@@ -12,11 +12,27 @@
 namespace shd::bench {
 namespace {
 
-/// Lookups through TextureSystem with a cached handle, from a tiled and mipmapped file that it holds in memory.
-class TextureSystemPass final : public Peer {
+constexpr int kAnisotropy = 16;
+
+OIIO::Tex::MipMode mip_mode(PeerFilter filter) {
+  switch (filter) {
+    case PeerFilter::kNearestMip:
+    case PeerFilter::kBilinearMip: return OIIO::Tex::MipMode::OneLevel;
+    case PeerFilter::kTrilinear: return OIIO::Tex::MipMode::Trilinear;
+    case PeerFilter::kAnisotropic16: return OIIO::Tex::MipMode::Aniso;
+    default: return OIIO::Tex::MipMode::NoMIP;
+  }
+}
+
+OIIO::Tex::InterpMode interp_mode(PeerFilter filter) {
+  const bool nearest = filter == PeerFilter::kNearest || filter == PeerFilter::kNearestMip;
+  return nearest ? OIIO::Tex::InterpMode::Closest : OIIO::Tex::InterpMode::Bilinear;
+}
+
+/// A tiled and mipmapped file that TextureSystem holds in memory, with a cached handle.
+class TextureFile {
  public:
-  TextureSystemPass(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels, shd_filter filter)
-      : lookups_(lookups), out_(kLookupCount * 4) {
+  TextureFile(uint32_t edge, const std::vector<uint8_t>& texels) {
     path_ = "/tmp/shd-bench-" + std::to_string(getpid()) + "-" + std::to_string(edge) + ".tx";
     const int size = static_cast<int>(edge);
     const OIIO::ImageBuf image(OIIO::ImageSpec(size, size, 4, OIIO::TypeDesc::UINT8),
@@ -28,40 +44,89 @@ class TextureSystemPass final : public Peer {
       std::fprintf(stderr, "OpenImageIO: %s\n", OIIO::geterror().c_str());
       std::exit(1);
     }
-    system_ = OIIO::TextureSystem::create(false);
-    system_->attribute("max_memory_MB", 1024.0f);
-    thread_ = system_->get_perthread_info();
-    handle_ = system_->get_texture_handle(OIIO::ustring(path_), thread_);
-    options_.swrap = options_.twrap = OIIO::TextureOpt::WrapPeriodic;
-    options_.interpmode =
-        filter == SHD_FILTER_NEAREST ? OIIO::TextureOpt::InterpClosest : OIIO::TextureOpt::InterpBilinear;
-    options_.mipmode =
-        filter == SHD_FILTER_TRILINEAR ? OIIO::TextureOpt::MipModeTrilinear : OIIO::TextureOpt::MipModeNoMIP;
+    system = OIIO::TextureSystem::create(false);
+    system->attribute("max_memory_MB", 1024.0f);
+    thread = system->get_perthread_info();
+    handle = system->get_texture_handle(OIIO::ustring(path_), thread);
   }
-  ~TextureSystemPass() override {
-    OIIO::TextureSystem::destroy(system_, true);
+  ~TextureFile() {
+    OIIO::TextureSystem::destroy(system, true);
     std::remove(path_.c_str());
   }
-  TextureSystemPass(const TextureSystemPass&) = delete;
-  TextureSystemPass& operator=(const TextureSystemPass&) = delete;
+  TextureFile(const TextureFile&) = delete;
+  TextureFile& operator=(const TextureFile&) = delete;
 
+  OIIO::TextureSystem* system = nullptr;
+  OIIO::TextureSystem::Perthread* thread = nullptr;
+  OIIO::TextureSystem::TextureHandle* handle = nullptr;
+
+ private:
+  std::string path_;
+};
+
+class SinglePass final : public Peer {
+ public:
+  SinglePass(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
+      : lookups_(lookups), file_(edge, texels), out_(lookups.count() * 4) {
+    options_.swrap = options_.twrap = OIIO::TextureOpt::WrapPeriodic;
+    options_.interpmode = static_cast<OIIO::TextureOpt::InterpMode>(interp_mode(filter));
+    options_.mipmode = static_cast<OIIO::TextureOpt::MipMode>(mip_mode(filter));
+    options_.anisotropic = kAnisotropy;
+  }
   void run() override {
     const Lookups& q = lookups_;
-    for (size_t i = 0; i < kLookupCount; ++i) {
-      system_->texture(handle_, thread_, options_, q.u[i], q.v[i], q.dudx[i], q.dvdx[i], q.dudy[i], q.dvdy[i], 4,
-                       &out_[4 * i]);
+    for (size_t i = 0; i < q.count(); ++i) {
+      file_.system->texture(file_.handle, file_.thread, options_, q.u[i], q.v[i], q.dudx[i], q.dvdx[i], q.dudy[i],
+                            q.dvdy[i], 4, &out_[4 * i]);
     }
   }
   std::vector<float> image() override { return out_; }
 
  private:
   const Lookups& lookups_;
+  TextureFile file_;
   std::vector<float> out_;
-  std::string path_;
-  OIIO::TextureSystem* system_ = nullptr;
-  OIIO::TextureSystem::Perthread* thread_ = nullptr;
-  OIIO::TextureSystem::TextureHandle* handle_ = nullptr;
   OIIO::TextureOpt options_;
+};
+
+/// kWidth lookups a call; the results of a call are kWidth reds, then kWidth greens and so on.
+class BatchPass final : public Peer {
+ public:
+  BatchPass(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
+      : lookups_(lookups), file_(edge, texels), out_(lookups.count() * 4) {
+    for (size_t i = 0; i < kWidth; ++i) {
+      options_.sblur[i] = options_.tblur[i] = options_.rblur[i] = 0.0f;
+      options_.swidth[i] = options_.twidth[i] = options_.rwidth[i] = 1.0f;
+    }
+    options_.swrap = options_.twrap = OIIO::Tex::Wrap::Periodic;
+    options_.interpmode = interp_mode(filter);
+    options_.mipmode = mip_mode(filter);
+    options_.anisotropic = kAnisotropy;
+  }
+  void run() override {
+    const Lookups& q = lookups_;
+    for (size_t i = 0; i < q.count(); i += kWidth) {
+      file_.system->texture(file_.handle, file_.thread, options_, OIIO::Tex::RunMaskOn, &q.u[i], &q.v[i], &q.dudx[i],
+                            &q.dvdx[i], &q.dudy[i], &q.dvdy[i], 4, &out_[4 * i]);
+    }
+  }
+  std::vector<float> image() override {
+    std::vector<float> rgba(out_.size());
+    for (size_t i = 0; i < lookups_.count(); ++i) {
+      const size_t lane = i % kWidth;
+      for (size_t c = 0; c < 4; ++c) rgba[4 * i + c] = out_[4 * (i - lane) + c * kWidth + lane];
+    }
+    return rgba;
+  }
+
+ private:
+  static constexpr size_t kWidth = OIIO::Tex::BatchWidth;
+  static_assert(kFrameEdge % kWidth == 0, "batches fill the rows of a frame");
+
+  const Lookups& lookups_;
+  TextureFile file_;
+  std::vector<float> out_;
+  OIIO::TextureOptBatch options_;
 };
 
 }  // namespace
@@ -71,8 +136,27 @@ std::string openimageio_description() {
 }
 
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
-                                       shd_filter filter) {
-  return std::make_unique<TextureSystemPass>(lookups, edge, texels, filter);
+                                       PeerFilter filter) {
+  return std::make_unique<SinglePass>(lookups, edge, texels, filter);
+}
+
+std::unique_ptr<Peer> make_openimageio_batch(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                             PeerFilter filter) {
+  return std::make_unique<BatchPass>(lookups, edge, texels, filter);
+}
+
+std::vector<uint8_t> load_rgba8(const std::string& path, uint32_t edge) {
+  OIIO::ImageBuf file(path);
+  if (!file.read(0, 0, true, OIIO::TypeDesc::FLOAT)) return {};
+  const int size = static_cast<int>(edge);
+  const float opaque[] = {0.0f, 0.0f, 0.0f, 1.0f};
+  const int order[] = {0, 1, 2, -1};
+  const OIIO::ImageBuf rgba =
+      OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::resize(file, "", 0.0f, OIIO::ROI(0, size, 0, size)), 4, order,
+                                   opaque);
+  std::vector<uint8_t> texels(size_t{edge} * edge * 4);
+  if (!rgba.get_pixels(OIIO::ROI(0, size, 0, size, 0, 1, 0, 4), OIIO::TypeDesc::UINT8, texels.data())) return {};
+  return texels;
 }
 
 }  // namespace shd::bench

@@ -10,12 +10,15 @@
 /// Other renderers on the same workload. Their own headers stay in this folder.
 namespace shd::bench {
 
+/// What a peer is asked for; each knows some of them.
+enum class PeerFilter { kNone, kNearest, kBilinear, kNearestMip, kBilinearMip, kTrilinear, kAnisotropic16 };
+
 /// One pass over the workload on one thread, finished when run() returns.
 class Peer {
  public:
   virtual ~Peer() = default;
   virtual void run() = 0;
-  /// The last pass as RGBA floats, kFrameEdge^2 pixels, row 0 on top.
+  /// The last pass as RGBA floats, one a lookup or pixel, row 0 on top.
   virtual std::vector<float> image() = 0;
 };
 
@@ -28,10 +31,16 @@ std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::v
 
 /// Mesa llvmpipe: the floor as one quadrilateral over the frame, into RGBA8.
 std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
-                                          shd_filter filter);
+                                          PeerFilter filter);
 
 /// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
-                                       shd_filter filter);
+                                       PeerFilter filter);
+/// The same through its batched calls.
+std::unique_ptr<Peer> make_openimageio_batch(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
+                                             PeerFilter filter);
+
+/// An image file as RGBA8, resized to edge x edge texels; empty if it cannot be read.
+std::vector<uint8_t> load_rgba8(const std::string& path, uint32_t edge);
 
 }  // namespace shd::bench

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "texture_setup.h"
+
+#include <cstring>
+
+namespace shd::bench {
+namespace {
+
+/// binary16 of a value in [0, 1] that is 0 or at least 2^-14, rounded to nearest.
+uint16_t to_half(float value) {
+  uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return value == 0.0f ? 0 : static_cast<uint16_t>((bits - (112u << 23) + 0x1000u) >> 13);
+}
+
+/// Whether the call worked; leaves the text of SHD_ERROR_UNSUPPORTED in `missing`.
+bool works(shd_result result, std::string* missing) {
+  if (result == SHD_ERROR_UNSUPPORTED) {
+    *missing = shd_last_error();
+    return false;
+  }
+  check(result);
+  return true;
+}
+
+}  // namespace
+
+std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format) {
+  if (format.format == SHD_FORMAT_RGBA8 || format.format == SHD_FORMAT_RGBA8_SRGB) return rgba;
+  const size_t size = shd_format_size(format.format) / static_cast<size_t>(format.channels);
+  const size_t step = 4 / static_cast<size_t>(format.channels);
+  std::vector<uint8_t> texels(rgba.size() / step * size);
+  for (size_t i = 0; i < rgba.size() / step; ++i) {
+    const float value = static_cast<float>(rgba[i * step]) / 255.0f;
+    const uint16_t half = to_half(value);
+    const void* source = size == 1   ? static_cast<const void*>(&rgba[i * step])
+                         : size == 2 ? &half
+                                     : static_cast<const void*>(&value);
+    std::memcpy(&texels[i * size], source, size);
+  }
+  return texels;
+}
+
+Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, uint32_t edge,
+                   const std::vector<uint8_t>& texels)
+    : context_(make_context(simd)) {
+  shd_sampler_desc sampler = shd_sampler_desc_default();
+  sampler.filter = filter.filter;
+  if (!works(shd_sampler_create(context_, &sampler, &sampler_), &missing)) return;
+  const std::vector<uint8_t> converted = convert(texels, format);
+  shd_texture_desc texture = shd_texture_desc_default();
+  texture.format = format.format;
+  texture.width = texture.height = edge;
+  texture.texels = converted.data();
+  texture.tables = filter.tables;
+  works(shd_texture_create(context_, &texture, &texture_), &missing);
+}
+
+Sampling::~Sampling() {
+  shd_texture_release(texture_);
+  shd_sampler_release(sampler_);
+  shd_context_release(context_);
+}
+
+void Sampling::run(const shd_lookups& columns, shd_texels* out) const {
+  check(shd_texture_sample(texture_, sampler_, &columns, out));
+}
+
+shd_lookups columns_of(const Lookups& q, const Filter& filter) {
+  const size_t stride = filter.every * sizeof(float);
+  shd_lookups columns = shd_lookups_default();
+  columns.count = q.count() / filter.every;
+  columns.u = {q.u.data(), stride};
+  columns.v = {q.v.data(), stride};
+  if (!filter.reads_derivatives) return columns;
+  columns.dudx = {q.dudx.data(), stride};
+  columns.dvdx = {q.dvdx.data(), stride};
+  columns.dudy = {q.dudy.data(), stride};
+  columns.dvdy = {q.dvdy.data(), stride};
+  return columns;
+}
+
+std::vector<float> filtered_image(const Filter& filter, const Lookups& lookups, uint32_t edge,
+                                  const std::vector<uint8_t>& texels) {
+  const Sampling sampling(SHD_SIMD_BEST, filter, kRgba8, edge, texels);
+  if (!sampling.missing.empty()) return {};
+  Filter all = filter;
+  all.every = 1;
+  std::vector<float> image(lookups.count() * 4);
+  shd_texels out = {};
+  for (int c = 0; c < 4; ++c) out.channel[c] = {&image[static_cast<size_t>(c)], 4 * sizeof(float)};
+  sampling.run(columns_of(lookups, all), &out);
+  return image;
+}
+
+}  // namespace shd::bench

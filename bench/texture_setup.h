@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bench.h"
+#include "peers/peers.h"
+#include "workload.h"
+
+/// Filters, formats and objects that the rows of textures share.
+namespace shd::bench {
+
+/// A filter of shd with what it reads, and what peers have like it.
+struct Filter {
+  const char* name;
+  shd_filter filter;
+  uint32_t tables;
+  bool reads_derivatives;
+  const char* peer_row;  // name of the peers' rows to compare with; empty = none
+  PeerFilter peer;
+  uint32_t every;       // one lookup of so many of the workload, to keep slow filters short
+  bool on_all_formats;  // has rows beyond RGBA8 at the larger size
+};
+
+constexpr Filter kFilters[] = {
+    {"nearest", SHD_FILTER_NEAREST, SHD_TABLE_MIPMAP, false, "nearest", PeerFilter::kNearest, 1, true},
+    {"bilinear", SHD_FILTER_BILINEAR, SHD_TABLE_MIPMAP, false, "bilinear", PeerFilter::kBilinear, 1, true},
+    {"bicubic", SHD_FILTER_BICUBIC, SHD_TABLE_MIPMAP, false, "", PeerFilter::kNone, 1, false},
+    {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_TABLE_MIPMAP, true, "nearest_mip", PeerFilter::kNearestMip, 1, false},
+    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_TABLE_MIPMAP, true, "bilinear_mip", PeerFilter::kBilinearMip, 1,
+     false},
+    {"trilinear", SHD_FILTER_TRILINEAR, SHD_TABLE_MIPMAP, true, "trilinear", PeerFilter::kTrilinear, 1, true},
+    {"ripmap", SHD_FILTER_RIPMAP, SHD_TABLE_RIPMAP, true, "", PeerFilter::kNone, 1, false},
+    {"summed_area", SHD_FILTER_SUMMED_AREA, SHD_TABLE_SUMMED_AREA, true, "", PeerFilter::kNone, 1, false},
+    {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1,
+     true},
+    {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
+    {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
+    {"exact", SHD_FILTER_EXACT, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 61, false},
+};
+
+/// Whether the peers' rows are this filter's own, and not those of another that it is compared with.
+inline bool has_own_peers(const Filter& filter) {
+  return std::string(filter.name) == filter.peer_row;
+}
+
+struct Format {
+  const char* name;
+  shd_format format;
+  int channels;
+};
+constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
+                               {"rgba8", SHD_FORMAT_RGBA8, 4},
+                               {"rgba8_srgb", SHD_FORMAT_RGBA8_SRGB, 4},
+                               {"rgba16f", SHD_FORMAT_RGBA16F, 4},
+                               {"rgba32f", SHD_FORMAT_RGBA32F, 4}};
+/// The format of the peers' rows.
+constexpr Format kRgba8 = kFormats[1];
+
+/// RGBA8 texels as another format; its channels are the first ones.
+std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format);
+
+/// A context with a texture and a sampler for `filter`. Where shd has no such filter or table yet, the objects are
+/// NULL and `missing` says why; any other failure ends the program.
+class Sampling {
+ public:
+  Sampling(shd_simd simd, const Filter& filter, const Format& format, uint32_t edge,
+           const std::vector<uint8_t>& texels);
+  ~Sampling();
+  Sampling(const Sampling&) = delete;
+  Sampling& operator=(const Sampling&) = delete;
+
+  /// Filters `columns` into `out`.
+  void run(const shd_lookups& columns, shd_texels* out) const;
+
+  std::string missing;
+
+ private:
+  shd_context* context_ = nullptr;
+  shd_texture* texture_ = nullptr;
+  shd_sampler* sampler_ = nullptr;
+};
+
+/// The columns that `filter` reads, one lookup of filter.every.
+shd_lookups columns_of(const Lookups& lookups, const Filter& filter);
+
+/// Every lookup as RGBA; empty if shd has no such filter yet.
+std::vector<float> filtered_image(const Filter& filter, const Lookups& lookups, uint32_t edge,
+                                  const std::vector<uint8_t>& texels);
+
+}  // namespace shd::bench
