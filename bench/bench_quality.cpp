@@ -14,7 +14,8 @@ namespace {
 constexpr uint32_t kQualityFrame = 512;
 constexpr uint32_t kQualityTexture = 2048;
 [[maybe_unused]] constexpr char kPhotograph[] = "/usr/share/xplanet/images/earth.jpg";
-constexpr Floor kFloor = {20.0f, 0.25f, kQualityFrame};
+/// Two and a half texels a pixel in front, fifty across at the horizon: most of the frame is minified.
+constexpr Floor kFloor = {20.0f, 1.25f, kQualityFrame};
 
 /// The photograph, or noise where that file or its reader is missing.
 std::string photograph_name() {

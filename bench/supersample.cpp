@@ -89,7 +89,8 @@ std::vector<float> supersample(const Floor& floor, const Picture& picture, int s
     }
     for (uint32_t x = 0; x < floor.frame; ++x) {
       float* pixel = &image[(size_t{y} * floor.frame + x) * 4];
-      for (size_t c = 0; c < 3; ++c) pixel[c] = static_cast<float>(sums[size_t{x} * 3 + c] / (255.0 * samples * samples));
+      for (size_t c = 0; c < 3; ++c)
+        pixel[c] = static_cast<float>(sums[size_t{x} * 3 + c] / (255.0 * samples * samples));
       pixel[3] = 1.0f;
     }
   }

@@ -151,9 +151,8 @@ std::vector<uint8_t> load_rgba8(const std::string& path, uint32_t edge) {
   const int size = static_cast<int>(edge);
   const float opaque[] = {0.0f, 0.0f, 0.0f, 1.0f};
   const int order[] = {0, 1, 2, -1};
-  const OIIO::ImageBuf rgba =
-      OIIO::ImageBufAlgo::channels(OIIO::ImageBufAlgo::resize(file, "", 0.0f, OIIO::ROI(0, size, 0, size)), 4, order,
-                                   opaque);
+  const OIIO::ImageBuf rgba = OIIO::ImageBufAlgo::channels(
+      OIIO::ImageBufAlgo::resize(file, "", 0.0f, OIIO::ROI(0, size, 0, size)), 4, order, opaque);
   std::vector<uint8_t> texels(size_t{edge} * edge * 4);
   if (!rgba.get_pixels(OIIO::ROI(0, size, 0, size, 0, 1, 0, 4), OIIO::TypeDesc::UINT8, texels.data())) return {};
   return texels;
