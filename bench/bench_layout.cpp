@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // layout/<storage>/<fetch>/<pattern>/edge:<texels>: a bilinear RGBA8 loop of its own over storage orders that the
 // library does not have, on the best SIMD target, one thread. Fetches: words = four gathers, pairs = two of 8 bytes
-// where the right texel is behind the left one, rows = the library's loads of whole rows, else pairs; _prefetch asks for
-// the lines of the lookups ahead.
-// Patterns: floor, the floor turned by 45 degrees in texture space, uniform random places, and the same places sorted
-// by the Morton order of their texels.
+// where the right texel is behind the left one, rows = the library's loads of whole rows, else pairs; _prefetch asks
+// for the lines of the lookups ahead. Patterns: floor, the floor turned by 45 degrees in texture space, uniform random
+// places, and the same places sorted by the Morton order of their texels.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,8 +15,8 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench_layout.cpp"
-#include <hwy/foreach_target.h>
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "texture/gather-inl.h"
