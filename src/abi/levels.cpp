@@ -36,12 +36,13 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
 
     const core::Context& context = *object_of(texture)->context;
     const auto tasks = static_cast<uint32_t>((columns.count + kStage - 1) / kStage);
+    const texture::LodRange range = texture::lod_range(*texture_body, *sampler_body);
     core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
       LookupStage<kStage> stage;
       float lod[kStage];
       const size_t first = task * kStage;
       const size_t count = columns.count - first < kStage ? columns.count - first : kStage;
-      texture::sample_lod(*texture_body, *sampler_body, context.simd, stage.load(columns, first, count), lod);
+      texture::sample_lod(*texture_body, *sampler_body, range, context.simd, stage.load(columns, first, count), lod);
       for (size_t i = 0; i < count; ++i) {
         if (out->lod.data) data::store(out->lod, first + i, lod[i]);
         if (out->level.data) {

@@ -7,6 +7,7 @@
 #include "image/half.h"
 #include "image/srgb.h"
 #include "texture/codes.h"
+#include "texture/magnify.h"
 #include "texture/record.h"
 #include "texture/sample.h"
 #include "texture/storage.h"
@@ -101,6 +102,9 @@ void record(const Texture& texture, const Sampler& sampler, const Lookups& looku
   switch (sampler.filter) {
     case SHD_FILTER_NEAREST: return record_nearest(texture, sampler, lookups);
     case SHD_FILTER_BILINEAR: return record_bilinear(texture, sampler, lookups);
+    case SHD_FILTER_BICUBIC: return record_bicubic(texture, sampler, lookups);
+    case SHD_FILTER_NEAREST_MIP:
+    case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
     default: return record_trilinear(texture, sampler, lookups);
   }
 }
@@ -133,18 +137,19 @@ bool is_explainable(shd_filter filter) {
 
 void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
              shd_explanation* out) {
+  const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);
   Recording recording(context.allocator);
   {
     const RecordingScope scope(&recording);
-    record(texture, sampler, lookups);
+    record(texture, taken, lookups);
   }
-  write_tree(context, texture, sampler, recording, out);
-  out->filter = static_cast<uint32_t>(sampler.filter);
+  write_tree(context, texture, taken, recording, out);
+  out->filter = static_cast<uint32_t>(taken.filter);
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}};
   sample(texture, sampler, context.simd, lookups, result);
   float lod[1];
-  sample_lod(texture, sampler, context.simd, lookups, lod);
+  sample_lod(texture, sampler, lod_range(texture, sampler), context.simd, lookups, lod);
   out->lod = lod[0];
 }
 

@@ -51,6 +51,17 @@ SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first
           hn::Add(first_texel, hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level))};
 }
 
+/// A level per lane, given as a whole float: the same bits by a shorter way where all lanes agree.
+template <class D>
+HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> level) {
+  const hn::RebindToSigned<D> di;
+  const float first = hn::GetLane(level);
+  if (hn::AllTrue(d, hn::Eq(level, hn::Set(d, first)))) {
+    return SameLevel(d, texture, first_texel, static_cast<uint32_t>(first));
+  }
+  return LevelPerLane(d, texture, first_texel, hn::ConvertTo(di, level));
+}
+
 /// Index of the first texel of row y from the first of the texture: all the addressing there is, as levels are
 /// packed rows.
 template <class D>
@@ -95,7 +106,7 @@ struct Blend {
     return hn::IfThenElse(in, F::template finish<C>(d, value), hn::Set(d, sampler.border[C]));
   }
 
-  /// a + s (b - a), s in [0, 1].
+  /// a + s (b - a); s in [0, 1] but for the lobes of cubic kernels.
   template <class D>
   static HWY_INLINE Value<D> blend(D d, Value<D> a, Value<D> b, hn::Vec<D> s) {
     if constexpr (kBorder || F::kFloat) return Mix(d, a, b, s);
@@ -135,6 +146,30 @@ HWY_INLINE void StoreChannels(D d, const ValueOf& value, const Texels& out, size
   if (out.channel[1]) B::template store<1>(d, value.template of<1>(), out, i);
   if (out.channel[2]) B::template store<2>(d, value.template of<2>(), out, i);
   if (out.channel[3]) B::template store<3>(d, value.template of<3>(), out, i);
+}
+
+/// One texel of a level.
+template <class F, bool kBorder, class D>
+struct TapValue {
+  const typename F::template Texel<D>& texel;
+  MaskOf<D> in;
+  const Sampler& sampler;
+
+  template <size_t C>
+  HWY_INLINE auto of() const {
+    return Blend<F, kBorder>::template tap<C>(D(), texel, in, sampler);
+  }
+};
+
+/// The texel of a level that contains (u, v), to element i of the wanted columns.
+template <class F, bool kBorder, class D>
+HWY_INLINE void StoreNearest(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u,
+                             hn::Vec<D> v, const Texels& out, size_t i) {
+  MaskOf<D> in_x, in_y;
+  const auto x = WrapNearest(d, sampler.wrap_u, ReduceCoordinate(d, sampler.wrap_u, u), level.across, &in_x);
+  const auto y = WrapNearest(d, sampler.wrap_v, ReduceCoordinate(d, sampler.wrap_v, v), level.down, &in_y);
+  const auto texel = F::fetch(d, texture, hn::Add(RowIndex(d, level, y), x));
+  StoreChannels<F, kBorder>(d, TapValue<F, kBorder, D>{texel, hn::And(in_x, in_y), sampler}, out, i);
 }
 
 /// The four texels around a point of a level.

@@ -13,6 +13,7 @@
 
 #include "simd/math-inl.h"
 #include "texture/kernel_part.h"
+#include "texture/lod.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,16 +42,6 @@ SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float heig
   // Also where the sum overflowed to infinity or NaN.
   const V bounded = hn::IfThenElse(hn::Lt(square, huge), hn::Max(square, hn::Set(d, 0x1p-64f)), huge);
   return hn::Mul(half, simd::HWY_NAMESPACE::Log2(d, bounded));
-}
-
-/// Bounds of the level of detail for a texture and a sampler.
-struct LodRange {
-  float low, high;  // 0 <= low <= high <= level_count - 1
-};
-
-inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
-  const auto last = static_cast<float>(texture.level_count - 1);
-  return {sampler.lod_min < last ? sampler.lod_min : last, sampler.lod_max < last ? sampler.lod_max : last};
 }
 
 /// lambda + bias, clamped to the range; lambda may be infinite but not NaN.

@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "texture/magnify.h"
+
 namespace shd::texture {
 namespace {
 
@@ -10,22 +12,28 @@ void fill(float* column, size_t count, float value) {
   for (size_t i = 0; i < count; ++i) column[i] = value;
 }
 
-size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+}  // namespace
+
+size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
   switch (sampler.filter) {
     case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, out);
     case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_BICUBIC: return sample_bicubic(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_NEAREST_MIP:
+    case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
   }
 }
-
-}  // namespace
 
 bool has_kernel(const shd_sampler_desc& desc) {
   switch (desc.filter) {
     case SHD_FILTER_NEAREST:
     case SHD_FILTER_BILINEAR:
-    case SHD_FILTER_TRILINEAR: return desc.magnification == SHD_MAGNIFICATION_DEFAULT;
+    case SHD_FILTER_BICUBIC:
+    case SHD_FILTER_NEAREST_MIP:
+    case SHD_FILTER_BILINEAR_MIP:
+    case SHD_FILTER_TRILINEAR: return true;
     default: return false;
   }
 }
@@ -61,7 +69,9 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
     const uint32_t source = texture.channel_source[c];
     if (source != kFill && !stored.channel[source]) stored.channel[source] = out.channel[c];
   }
-  const size_t nonfinite = sample_stored(texture, sampler, simd, lookups, stored);
+  const size_t nonfinite = sampler.magnification == SHD_MAGNIFICATION_DEFAULT
+                               ? sample_filter(texture, sampler, simd, lookups, stored)
+                               : sample_magnified(texture, sampler, simd, lookups, stored);
   for (size_t c = 0; c < 4; ++c) {
     if (!out.channel[c]) continue;
     const uint32_t source = texture.channel_source[c];

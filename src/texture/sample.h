@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "texture/lod.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -10,15 +11,26 @@ namespace shd::texture {
 ///   nearest    a texel within 4e-7 w and 4e-7 h texels of the point; its value within 1.2e-7, relative
 ///   bilinear   m (3e-7 + 8e-7 (w + h)); m 3e-7 where u w - 1/2 and v h - 1/2 are floats
 ///   trilinear  that of bilinear, and m 4e-6 for the level of detail
+///   bicubic    m (3e-6 + 4e-6 (w + h)): the kernels' slopes and lobes are at most 5 times those of bilinear
+///   mip        those of nearest and bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                        const Lookups& lookups, const Texels& out);
+size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                      const Lookups& lookups, const Texels& out);
+/// SHD_FILTER_NEAREST_MIP and SHD_FILTER_BILINEAR_MIP.
+size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out);
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 
-/// Levels of detail of the longer axis, after bias and clamps, of packed lookups.
-size_t sample_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  float* out);
+/// The one of these that sampler.filter names; its magnification does not count.
+size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out);
+
+/// Levels of detail of the longer axis of packed lookups, biased and clamped to a range.
+size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
+                  const Lookups& lookups, float* out);
 
 }  // namespace shd::texture

@@ -23,26 +23,8 @@ struct Nearest {
 
   template <class D>
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
-    const Level<D> level = SameLevel(d, texture, p.first_texel, 0);
-    MaskOf<D> in_x, in_y;
-    const auto x = WrapNearest(d, sampler.wrap_u, ReduceCoordinate(d, sampler.wrap_u, p.u), level.across, &in_x);
-    const auto y = WrapNearest(d, sampler.wrap_v, ReduceCoordinate(d, sampler.wrap_v, p.v), level.down, &in_y);
-    const auto texel = F::fetch(d, texture, hn::Add(RowIndex(d, level, y), x));
-    const auto in = hn::And(in_x, in_y);
-    StoreChannels<F, kBorder>(d, Tap<D>{texel, in, sampler}, out, i);
+    StoreNearest<F, kBorder>(d, texture, sampler, SameLevel(d, texture, p.first_texel, 0), p.u, p.v, out, i);
   }
-
-  template <class D>
-  struct Tap {
-    const typename F::template Texel<D>& texel;
-    MaskOf<D> in;
-    const Sampler& sampler;
-
-    template <size_t C>
-    HWY_INLINE auto of() const {
-      return Blend<F, kBorder>::template tap<C>(D(), texel, in, sampler);
-    }
-  };
 };
 
 template <class F>

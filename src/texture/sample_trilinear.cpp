@@ -8,28 +8,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
+#include "texture/lod_block-inl.h"
 #include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Writes the clamped level of detail of each lookup to the first column.
-struct LevelOfDetail {
-  const Texture& texture;
-  const Sampler& sampler;
-  LodRange range;
-  bool lod_given;
-
-  template <class D>
-  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
-    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
-    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
-    hn::StoreU(ClampLod(d, lambda, sampler.lod_bias, range), d, out.channel[0] + i);
-  }
-};
 
 /// Bilinear on the levels floor(lod) and the next, blended by the fraction (Williams, "Pyramidal Parametrics", 1983).
 /// The short cuts for lanes that share a level or blend nothing give the bits of the general path.
@@ -79,48 +64,21 @@ struct Trilinear {
   };
 };
 
-/// The lookups of a batch whose levels of detail are found before any of them is filtered: the two chains of dependent
-/// operations then overlap with those of other lookups.
-constexpr size_t kBlock = 256;
-
-template <class T>
-const T* Skip(const T* column, size_t rows) {
-  return column ? column + rows : nullptr;
-}
-
 template <class F>
 size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  const LevelOfDetail level_of_detail = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
-  alignas(64) float lod[kBlock];
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < in.count; first += kBlock) {
-    const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
-    const Lookups given = {count,
-                           in.u + first,
-                           in.v + first,
-                           Skip(in.dudx, first),
-                           Skip(in.dvdx, first),
-                           Skip(in.dudy, first),
-                           Skip(in.dvdy, first),
-                           Skip(in.lod, first),
-                           Skip(in.layer, first),
-                           Skip(in.random, first)};
-    nonfinite += ForEachVector(texture, level_of_detail, given, {{lod, nullptr, nullptr, nullptr}});
-    const Lookups block = {count, given.u, given.v, nullptr, nullptr, nullptr, nullptr, lod, given.layer, nullptr};
-    Texels to;
-    for (size_t c = 0; c < 4; ++c) to.channel[c] = out.channel[c] ? out.channel[c] + first : nullptr;
+  using D = typename TagOf<F>::Type;
+  return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
     if (has_border(sampler)) {
-      ForEachVector<typename TagOf<F>::Type>(texture, Trilinear<F, true>{texture, sampler}, block, to);
+      ForEachVector<D>(texture, Trilinear<F, true>{texture, sampler}, block, to);
     } else {
-      ForEachVector<typename TagOf<F>::Type>(texture, Trilinear<F, false>{texture, sampler}, block, to);
+      ForEachVector<D>(texture, Trilinear<F, false>{texture, sampler}, block, to);
     }
-  }
-  return nonfinite;
+  });
 }
 
-size_t LodBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForEachVector(texture, LevelOfDetail{texture, sampler, lod_range(texture, sampler), in.lod != nullptr}, in,
-                       out);
+size_t LodBatch(const Texture& texture, const Sampler& sampler, const LodRange& range, const Lookups& in,
+                const Texels& out) {
+  return ForEachVector(texture, LevelOfDetail{texture, sampler, range, in.lod != nullptr}, in, out);
 }
 
 struct TrilinearOfTexture {
@@ -160,9 +118,9 @@ size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const co
   return SHD_DISPATCH(TrilinearBatch, simd)(texture, sampler, lookups, out);
 }
 
-size_t sample_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  float* out) {
-  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, lookups, {{out}});
+size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
+                  const Lookups& lookups, float* out) {
+  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, range, lookups, {{out}});
 }
 
 void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {

@@ -17,6 +17,10 @@
 /// | sample_nearest.cpp      | kernels: nearest x format                                                   |
 /// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
 /// | sample_trilinear.cpp    | kernels: trilinear x format                                                 |
+/// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
+/// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
+/// | magnify.h               | another filter where the footprint is no longer than a texel                |
+/// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
 /// | lod-inl.h               | level of detail from the footprint                                          |
 /// | wrap-inl.h              | texel coordinates and wrapping                                              |

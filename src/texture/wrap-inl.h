@@ -138,6 +138,61 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
   }
 }
 
+/// The four taps of cubic filtering along one axis, around the point between the second and the third.
+template <class D>
+struct CubicTaps {
+  hn::Vec<D> s;     // of the way from the second to the third, in [0, 1)
+  hn::Vec<D> rate;  // ds/du
+  Ints<D> index[4];
+  MaskOf<D> in[4];  // false = border colour
+};
+
+/// A whole float wrapped to an index; |i| <= 2 size + 4.
+template <class D>
+HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>& size, MaskOf<D>* in) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> di;
+  *in = hn::Eq(i, i);
+  switch (wrap) {
+    case SHD_WRAP_REPEAT: {
+      const V periods = hn::Floor(hn::Div(i, size.real));
+      return hn::ConvertTo(di, hn::Sub(i, hn::Mul(periods, size.real)));
+    }
+    case SHD_WRAP_MIRROR: {
+      const V period = hn::Add(size.real, size.real);
+      const V periods = hn::Floor(hn::Div(i, period));
+      return Fold(di, hn::ConvertTo(di, hn::Sub(i, hn::Mul(periods, period))), size.whole);
+    }
+    case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, hn::ConvertTo(di, i), size.whole);
+    default: return ClampBorder(d, hn::ConvertTo(di, i), size.whole, in);
+  }
+}
+
+/// Taps around u * size - 1/2 of a reduced coordinate.
+template <class D>
+SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
+  using V = hn::Vec<D>;
+  const V half = hn::Set(d, 0.5f), two = hn::Set(d, 2.0f);
+  const V scaled = hn::Mul(reduced, size.real);
+  V x = hn::Sub(wrap == SHD_WRAP_MIRROR ? hn::Add(scaled, scaled) : scaled, half);
+  CubicTaps<D> taps;
+  taps.rate = size.real;
+  if (wrap == SHD_WRAP_CLAMP || wrap == SHD_WRAP_BORDER || wrap == SHD_WRAP_MIRROR_ONCE) {
+    // Further outside all taps are the same.
+    const V free = x, outside = wrap == SHD_WRAP_MIRROR_ONCE ? hn::Add(size.real, two) : two;
+    x = hn::Min(hn::Max(free, hn::Neg(outside)), hn::Add(size.real, two));
+    taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
+  }
+  const V floor = hn::Floor(x);
+  taps.s = hn::Min(hn::Sub(x, floor), hn::Set(d, 0x1.fffffep-1f));
+  for (int k = 0; k < 4; ++k) {
+    const V i = hn::Add(floor, hn::Set(d, static_cast<float>(k - 1)));
+    taps.index[k] = WrapWhole(d, wrap, i, size, &taps.in[k]);
+    if (wrap != SHD_WRAP_BORDER) taps.in[k] = hn::Eq(half, half);
+  }
+  return taps;
+}
+
 /// Texel that contains a reduced coordinate.
 template <class D>
 SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {

@@ -17,8 +17,9 @@ static shd_blend g_blends[MAX_TAPS];
 static const struct {
     const char *name;
     shd_filter filter;
-} k_filters[] = {
-    {"nearest", SHD_FILTER_NEAREST}, {"bilinear", SHD_FILTER_BILINEAR}, {"trilinear", SHD_FILTER_TRILINEAR}};
+} k_filters[] = {{"nearest", SHD_FILTER_NEAREST},           {"bilinear", SHD_FILTER_BILINEAR},
+                 {"bicubic", SHD_FILTER_BICUBIC},           {"nearest_mip", SHD_FILTER_NEAREST_MIP},
+                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
 static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FORMAT_RGBA8_SRGB,
@@ -107,6 +108,7 @@ static shd_sampler *make_sampler(shd_filter filter, shd_wrap wrap)
     const float border[4] = {0.25f, -1.5f, 2.0f, 0.75f};
     shd_sampler *sampler = NULL;
     desc.filter = filter;
+    desc.magnification = SHD_MAGNIFICATION_BICUBIC;
     desc.wrap_u = wrap;
     desc.wrap_v = wrap == SHD_WRAP_BORDER ? SHD_WRAP_CLAMP : wrap;
     memcpy(desc.border, border, sizeof border);
@@ -199,14 +201,17 @@ static void test_bilinear_by_hand(void **state)
     shd_explanation e = shd_explanation_default();
     shd_lookups lookups = shd_lookups_default();
     shd_texture *texture = NULL;
-    shd_sampler *sampler = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
+    shd_sampler *sampler = NULL;
+    shd_sampler_desc bilinear = shd_sampler_desc_default();
     shd_tap taps[4];
     uint32_t k;
     (void)state;
     desc.format = SHD_FORMAT_R8;
     desc.width = desc.height = 2;
     desc.texels = texels;
+    bilinear.filter = SHD_FILTER_BILINEAR;
     shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
+    shd_assert_ok(shd_sampler_create(g_context, &bilinear, &sampler));
     lookups.count = 1;
     lookups.u.data = &u;
     lookups.v.data = &v;

@@ -59,9 +59,8 @@ struct level_case {
     int lod_given;
 };
 static const struct level_case k_cases[] = {
-    {"levels/derivatives", 0, 0, 32, 0},     {"levels/bias", 1.25f, 0, 32, 0},
-    {"levels/clamped", 0, 1.5f, 3.75f, 0},   {"levels/min_above_max", 0, 4, 2, 0},
-    {"levels/lod_column", -0.5f, 0, 32, 1},
+    {"levels/derivatives", 0, 0, 32, 0},  {"levels/bias", 1.25f, 0, 32, 0},       {"levels/clamped", 0, 1.5f, 3.75f, 0},
+    {"levels/min_above_max", 0, 4, 2, 0}, {"levels/lod_column", -0.5f, 0, 32, 1},
 };
 
 /** Larger singular value, from the eigenvalues of the matrix times its transpose. */

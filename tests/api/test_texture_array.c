@@ -64,18 +64,19 @@ static const struct format_case k_formats[] = {
 static double put_channel(enum kind kind, unsigned char *texel, int k, uint32_t i)
 {
     const unsigned char code = (unsigned char)(17 * i + 61 * (uint32_t)k);
-    const uint16_t wide = (uint16_t)(i * 1009 + (uint32_t)k * 257), half = (uint16_t)(0x3800 + 8 * i + 64 * (uint32_t)k);
+    const uint16_t wide = (uint16_t)(i * 1009 + (uint32_t)k * 257),
+                   half = (uint16_t)(0x3800 + 8 * i + 64 * (uint32_t)k);
     const float value = (float)i - 10.0f * (float)k;
     const double encoded = code / 255.0;
     switch (kind) {
-    case UNORM8: texel[k] = code; return encoded;
-    case SRGB8:
-        texel[k] = code;
-        if (k == 3) return encoded;
-        return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
-    case UNORM16: memcpy(texel + 2 * k, &wide, 2); return wide / 65535.0;
-    case HALF: memcpy(texel + 2 * k, &half, 2); return ldexp(1024 + half % 1024, half / 1024 - 25);
-    default: memcpy(texel + 4 * k, &value, 4); return (double)value;
+        case UNORM8: texel[k] = code; return encoded;
+        case SRGB8:
+            texel[k] = code;
+            if (k == 3) return encoded;
+            return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
+        case UNORM16: memcpy(texel + 2 * k, &wide, 2); return wide / 65535.0;
+        case HALF: memcpy(texel + 2 * k, &half, 2); return ldexp(1024 + half % 1024, half / 1024 - 25);
+        default: memcpy(texel + 4 * k, &value, 4); return (double)value;
     }
 }
 
@@ -173,17 +174,29 @@ struct swizzle_case {
 };
 static const struct swizzle_case k_swizzles[] = {
     {"swizzle/default", SHD_FORMAT_RGBA8, {SHD_CHANNEL_DEFAULT}, {0.2f, 0.4f, 0.6f, 0.8f}},
-    {"swizzle/grey", SHD_FORMAT_R8, {SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_FILL},
+    {"swizzle/grey",
+     SHD_FORMAT_R8,
+     {SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_R, SHD_CHANNEL_FILL},
      {0.2f, 0.2f, 0.2f, 8}},
-    {"swizzle/bgra", SHD_FORMAT_RGBA8, {SHD_CHANNEL_B, SHD_CHANNEL_G, SHD_CHANNEL_R, SHD_CHANNEL_A},
+    {"swizzle/bgra",
+     SHD_FORMAT_RGBA8,
+     {SHD_CHANNEL_B, SHD_CHANNEL_G, SHD_CHANNEL_R, SHD_CHANNEL_A},
      {0.6f, 0.4f, 0.2f, 0.8f}},
-    {"swizzle/alpha_everywhere", SHD_FORMAT_RGBA8, {SHD_CHANNEL_A, SHD_CHANNEL_A, SHD_CHANNEL_A, SHD_CHANNEL_A},
+    {"swizzle/alpha_everywhere",
+     SHD_FORMAT_RGBA8,
+     {SHD_CHANNEL_A, SHD_CHANNEL_A, SHD_CHANNEL_A, SHD_CHANNEL_A},
      {0.8f, 0.8f, 0.8f, 0.8f}},
-    {"swizzle/missing_alpha", SHD_FORMAT_RG8, {SHD_CHANNEL_A, SHD_CHANNEL_R, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_G},
+    {"swizzle/missing_alpha",
+     SHD_FORMAT_RG8,
+     {SHD_CHANNEL_A, SHD_CHANNEL_R, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_G},
      {5, 0.2f, 7, 0.4f}},
-    {"swizzle/all_filled", SHD_FORMAT_RGBA8, {SHD_CHANNEL_FILL, SHD_CHANNEL_FILL, SHD_CHANNEL_FILL, SHD_CHANNEL_FILL},
+    {"swizzle/all_filled",
+     SHD_FORMAT_RGBA8,
+     {SHD_CHANNEL_FILL, SHD_CHANNEL_FILL, SHD_CHANNEL_FILL, SHD_CHANNEL_FILL},
      {5, 6, 7, 8}},
-    {"swizzle/alpha_of_rgb", SHD_FORMAT_RGB8, {SHD_CHANNEL_DEFAULT, SHD_CHANNEL_A, SHD_CHANNEL_B, SHD_CHANNEL_DEFAULT},
+    {"swizzle/alpha_of_rgb",
+     SHD_FORMAT_RGB8,
+     {SHD_CHANNEL_DEFAULT, SHD_CHANNEL_A, SHD_CHANNEL_B, SHD_CHANNEL_DEFAULT},
      {0.2f, 6, 0.6f, 8}},
 };
 
