@@ -48,13 +48,9 @@ SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds) {
     const V square = hn::Mul(x, x);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(set(k.p3), x), set(k.p2)), square), set(k.p0));
   };
-  const auto inner_slope = [&](V x) {
-    return hn::Mul(hn::Add(hn::Mul(set(3 * k.p3), x), set(2 * k.p2)), x);
-  };
+  const auto inner_slope = [&](V x) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.p3), x), set(2 * k.p2)), x); };
   const auto outer = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(k.q3), r), set(k.q2)), hn::Mul(r, r)); };
-  const auto outer_slope = [&](V r) {
-    return hn::Mul(hn::Add(hn::Mul(set(3 * k.q3), r), set(2 * k.q2)), r);
-  };
+  const auto outer_slope = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.q3), r), set(2 * k.q2)), r); };
   const V r = hn::Sub(set(1.0f), s);
   // In the order of the taps: second, third, first, fourth.
   const V weight[4] = {inner(s), inner(r), outer(r), outer(s)};

@@ -29,8 +29,14 @@ struct Gathered {
   Lookups load(const Lookups& in, const uint16_t* rows, size_t count) {
     const float* columns[kFloatColumns] = {in.u, in.v, in.dudx, in.dvdx, in.dudy, in.dvdy, in.lod};
     for (size_t c = 0; c < kFloatColumns; ++c) columns[c] = gather(columns[c], rows, count, floats[c]);
-    return {count,      columns[0], columns[1], columns[2],
-            columns[3], columns[4], columns[5], columns[6],
+    return {count,
+            columns[0],
+            columns[1],
+            columns[2],
+            columns[3],
+            columns[4],
+            columns[5],
+            columns[6],
             gather(in.layer, rows, count, integers[0]),
             gather(in.random, rows, count, integers[1])};
   }

@@ -15,7 +15,6 @@ size_t sample_magnified(const Texture& texture, const Sampler& sampler, const co
                         const Lookups& lookups, const Texels& out);
 
 /// The one of the two that a single lookup takes.
-Sampler sampler_of(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                   const Lookups& lookup);
+Sampler sampler_of(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookup);
 
 }  // namespace shd::texture

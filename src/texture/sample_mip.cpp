@@ -101,8 +101,8 @@ namespace {
 HWY_EXPORT(MipBatch);
 }  // namespace
 
-size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                  const Lookups& lookups, const Texels& out) {
+size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out) {
   return SHD_DISPATCH(MipBatch, simd)(texture, sampler, lookups, out);
 }
 

@@ -124,14 +124,6 @@ inline double mix(double a, double b, double s) {
   return (1 - s) * a + s * b;
 }
 
-/// Texel that contains (u, v) moved by (du, dv) texels.
-inline double nearest(const Image& image, double u, double v, double du, double dv, int c) {
-  const Level& l = image.levels[0];
-  const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) + du;
-  const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) + dv;
-  return texel(image, 0, static_cast<int64_t>(floor(x)), static_cast<int64_t>(floor(y)), c);
-}
-
 inline double bilinear(const Image& image, int level, double u, double v, int c) {
   const Level& l = image.levels[level];
   const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) - 0.5;
@@ -165,6 +157,50 @@ inline double trilinear(const Image& image, double u, double v, double lod, int 
   const int high = static_cast<int>(floor(d));
   const int low = high + 1 < image.level_count ? high + 1 : image.level_count - 1;
   return mix(bilinear(image, high, u, v, c), bilinear(image, low, u, v, c), d - floor(d));
+}
+
+/// Texel of a level that contains (u, v) moved by (du, dv) texels.
+inline double nearest_on(const Image& image, int level, double u, double v, double du, double dv, int c) {
+  const Level& l = image.levels[level];
+  const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) + du;
+  const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) + dv;
+  return texel(image, level, static_cast<int64_t>(floor(x)), static_cast<int64_t>(floor(y)), c);
+}
+
+/// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988), equation (8).
+inline double cubic_kernel(double b, double c, double x) {
+  x = fabs(x);
+  if (x < 1) return ((12 - 9 * b - 6 * c) * x * x * x + (-18 + 12 * b + 6 * c) * x * x + 6 - 2 * b) / 6;
+  if (x < 2) return ((-b - 6 * c) * x * x * x + (6 * b + 30 * c) * x * x + (-12 * b - 48 * c) * x + 8 * b + 24 * c) / 6;
+  return 0;
+}
+inline double cubic_weight(shd_cubic cubic, double x) {
+  switch (cubic) {
+    case SHD_CUBIC_B_SPLINE: return cubic_kernel(1, 0, x);
+    case SHD_CUBIC_MITCHELL: return cubic_kernel(1.0 / 3, 1.0 / 3, x);
+    default: return cubic_kernel(0, 0.5, x);
+  }
+}
+
+/// The 4 x 4 texels of level 0 around (u, v); one of weight 0 does not count.
+inline double bicubic(const Image& image, double u, double v, int c) {
+  const Level& l = image.levels[0];
+  const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) - 0.5;
+  const double y = reduce(image.sampler->wrap_v, v) * static_cast<double>(l.height) - 0.5;
+  const auto i = static_cast<int64_t>(floor(x)), j = static_cast<int64_t>(floor(y));
+  double sum = 0;
+  for (int row = -1; row <= 2; ++row) {
+    for (int column = -1; column <= 2; ++column) {
+      const double weight = cubic_weight(image.sampler->cubic, x - static_cast<double>(i + column)) *
+                            cubic_weight(image.sampler->cubic, y - static_cast<double>(j + row));
+      if (weight != 0) sum += weight * texel(image, 0, i + column, j + row, c);
+    }
+  }
+  return sum;
+}
+
+inline double nearest(const Image& image, double u, double v, double du, double dv, int c) {
+  return nearest_on(image, 0, u, v, du, dv, c);
 }
 
 /// Length of the part of texel i of n that texel j of m covers, both spanning [0, n m].

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Bicubic: every kernel x format x wrap pair x size x target against the oracle, all tails, and what the kernels
+// promise.
+#include "points.h"
+
+namespace {
+
+using namespace fixture;
+
+struct bicubic_case {
+  const char* name;
+  shd_cubic cubic;
+  uint32_t width, height;
+};
+const bicubic_case k_cases[] = {
+    {"catmull_rom/1x1", SHD_CUBIC_CATMULL_ROM, 1, 1},
+    {"catmull_rom/1x7", SHD_CUBIC_CATMULL_ROM, 1, 7},
+    {"catmull_rom/5x3", SHD_CUBIC_CATMULL_ROM, 5, 3},
+    {"catmull_rom/64x64", SHD_CUBIC_CATMULL_ROM, 64, 64},
+    {"catmull_rom/1023x511", SHD_CUBIC_CATMULL_ROM, 1023, 511},
+    {"b_spline/1x1", SHD_CUBIC_B_SPLINE, 1, 1},
+    {"b_spline/5x3", SHD_CUBIC_B_SPLINE, 5, 3},
+    {"b_spline/128x32", SHD_CUBIC_B_SPLINE, 128, 32},
+    {"b_spline/4096x1", SHD_CUBIC_B_SPLINE, 4096, 1},
+    {"mitchell/2x2", SHD_CUBIC_MITCHELL, 2, 2},
+    {"mitchell/5x3", SHD_CUBIC_MITCHELL, 5, 3},
+    {"mitchell/64x64", SHD_CUBIC_MITCHELL, 64, 64},
+};
+constexpr shd_cubic kCubics[] = {SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_B_SPLINE, SHD_CUBIC_MITCHELL};
+
+Batch t_batch, t_first;
+
+shd_sampler_desc make_desc(shd_cubic cubic, uint32_t pair) {
+  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = SHD_FILTER_BICUBIC;
+  desc.cubic = cubic;
+  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
+  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  memcpy(desc.border, border, sizeof border);
+  return desc;
+}
+
+/// The bound of sample.h.
+double bound(const bicubic_case& c, shd_format format) {
+  return fmax(magnitude(format), 2) * (3e-6 + 4e-6 * (c.width + c.height));
+}
+
+void test_against_oracle(void** state) {
+  const auto& c = *static_cast<const bicubic_case*>(*state);
+  make_points(&t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, c.width, c.height, false);
+    for (uint32_t pair = 0; pair < 25; ++pair) {
+      const shd_sampler_desc desc = make_desc(c.cubic, pair);
+      ref::Level levels[shd::texture::kMaxLevels];
+      const ref::Image image = oracle_image(*texture, desc, levels);
+      bool first = true;
+      for_each_target([&](int64_t target) {
+        const size_t nonfinite = run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
+        assert_int_equal(nonfinite, kNonfinitePoints);
+        if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
+        first = false;
+        assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
+      });
+      for (size_t i = 0; i < t_batch.count; ++i) {
+        const double u = static_cast<double>(t_batch.u[i]), v = static_cast<double>(t_batch.v[i]);
+        for (int channel = 0; channel < 4; ++channel) {
+          shd_assert_close(c.name, i, static_cast<double>(t_batch.out[channel][i]),
+                           ref::bicubic(image, u, v, channel), bound(c, format), 0);
+        }
+      }
+    }
+    free_texture(texture);
+  }
+}
+
+void test_tails(void**) {
+  make_points(&t_batch);
+  memcpy(&t_first, &t_batch, sizeof t_batch);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 64, 32, false);
+    const Sampler sampler = make_sampler(make_desc(SHD_CUBIC_MITCHELL, 3));
+    for_each_target([&](int64_t target) {
+      run(*texture, sampler, target, t_first.lookups(false, false), &t_first);
+      for (size_t count = 0; count <= 35; ++count) {
+        t_batch.count = count;
+        run(*texture, sampler, target, t_batch.lookups(false, false), &t_batch);
+        for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
+      }
+    });
+    free_texture(texture);
+  }
+}
+
+/// A constant texture gives exactly its value.
+void test_constant(void**) {
+  make_points(&t_batch);
+  for (const shd_format format : kFormats) {
+    uint8_t texels[8 * 8 * 16];
+    const size_t bytes = shd_format_size(format);
+    random_texels(format, 1, 4242, texels);
+    for (size_t i = 1; i < 64; ++i) memcpy(texels + i * bytes, texels, bytes);
+    Texture* texture = make_texture(format, 8, 8, texels, false);
+    for (const shd_cubic cubic : kCubics) {
+      for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_MIRROR_ONCE}) {
+        for_each_target([&](int64_t target) {
+          const shd_sampler_desc desc = make_desc(cubic, 6 * static_cast<uint32_t>(wrap));
+          run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
+          for (int c = 0; c < 4; ++c) {
+            const auto want = static_cast<float>(ref::decode(format, texels, c));
+            for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
+          }
+        });
+      }
+    }
+    free_texture(texture);
+  }
+}
+
+/// Catmull-Rom goes through the texels: at their centres nothing else counts, not even NaN and infinity.
+void test_interpolates(void**) {
+  float texels[64];
+  for (size_t i = 0; i < 64; ++i) texels[i] = i % 5 == 0 ? NAN : i % 5 == 1 ? INFINITY : static_cast<float>(i);
+  Texture* texture = make_texture(SHD_FORMAT_R32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
+  t_batch.count = 64;
+  for (size_t i = 0; i < 64; ++i) {
+    t_batch.u[i] = (static_cast<float>(i) + 0.5f) / 64;
+    t_batch.v[i] = 0.5f;
+  }
+  for_each_target([&](int64_t target) {
+    const Sampler sampler = make_sampler(make_desc(SHD_CUBIC_CATMULL_ROM, 0));
+    run(*texture, sampler, target, t_batch.lookups(false, false), &t_batch);
+    for (size_t i = 0; i < 64; ++i) {
+      assert_true(isnan(texels[i]) ? isnan(t_batch.out[0][i]) : t_batch.out[0][i] == texels[i]);
+    }
+  });
+  free_texture(texture);
+}
+
+/// Finite texels of any size give finite values: differences that overflow are blended another way.
+void test_huge_texels(void**) {
+  float texels[16];
+  for (size_t i = 0; i < 16; ++i) texels[i] = i % 2 ? 3e38f : -3e38f;
+  Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 4, reinterpret_cast<uint8_t*>(texels), false);
+  make_points(&t_batch);
+  for_each_target([&](int64_t target) {
+    const Sampler sampler = make_sampler(make_desc(SHD_CUBIC_B_SPLINE, 0));
+    run(*texture, sampler, target, t_batch.lookups(false, false), &t_batch);
+    for (size_t i = 0; i < t_batch.count; ++i) assert_true(isfinite(t_batch.out[0][i]));
+  });
+  free_texture(texture);
+}
+
+}  // namespace
+
+int main() {
+  CMUnitTest tests[24];
+  size_t n = 0;
+  for (const bicubic_case& c : k_cases) {
+    tests[n++] = {c.name, test_against_oracle, nullptr, nullptr, const_cast<bicubic_case*>(&c)};
+  }
+  tests[n++] = {"tails", test_tails, nullptr, nullptr, nullptr};
+  tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};
+  tests[n++] = {"interpolates", test_interpolates, nullptr, nullptr, nullptr};
+  tests[n++] = {"huge_texels", test_huge_texels, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.texture.bicubic", tests, n, nullptr, nullptr);
+}
