@@ -93,7 +93,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Texture& texture, const Lookups&
 struct Tail {
   alignas(64) float in_columns[kFloatColumns][kMaxLanes];
   alignas(64) uint32_t in_integers[kIntegerColumns][kMaxLanes];
-  alignas(64) float out_columns[4][kMaxLanes];
+  alignas(64) float out_columns[kOutputColumns][kMaxLanes];
   Lookups in;
   Texels out;
 
@@ -115,11 +115,11 @@ struct Tail {
     }
     in = {count,      columns[0], columns[1], columns[2],  columns[3],
           columns[4], columns[5], columns[6], integers[0], integers[1]};
-    for (size_t c = 0; c < 4; ++c) out.channel[c] = to.channel[c] ? out_columns[c] : nullptr;
+    for (size_t c = 0; c < kOutputColumns; ++c) out.column(c) = to.column(c) ? out_columns[c] : nullptr;
   }
   void copy_out(const Texels& to, size_t first) const {
-    for (size_t c = 0; c < 4; ++c) {
-      if (to.channel[c]) std::memcpy(to.channel[c] + first, out_columns[c], in.count * sizeof(float));
+    for (size_t c = 0; c < kOutputColumns; ++c) {
+      if (to.column(c)) std::memcpy(to.column(c) + first, out_columns[c], in.count * sizeof(float));
     }
   }
 };

@@ -146,7 +146,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   write_tree(context, texture, taken, recording, out);
   out->filter = static_cast<uint32_t>(taken.filter);
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
-  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}};
+  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   sample(texture, sampler, context.simd, lookups, result);
   float lod[1];
   sample_lod(texture, sampler, lod_range(texture, sampler), context.simd, lookups, lod);

@@ -136,16 +136,17 @@ struct Blend {
   static HWY_INLINE void store(D d, Value<D> value, const Texels& out, size_t i) {
     hn::StoreU(finish<C>(d, value), d, out.channel[C] + i);
   }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
 };
 
 /// value.of<C>() of every wanted channel C, to element i of its column.
 template <class F, bool kBorder, class D, class ValueOf>
 HWY_INLINE void StoreChannels(D d, const ValueOf& value, const Texels& out, size_t i) {
   using B = Blend<F, kBorder>;
-  if (out.channel[0]) B::template store<0>(d, value.template of<0>(), out, i);
-  if (out.channel[1]) B::template store<1>(d, value.template of<1>(), out, i);
-  if (out.channel[2]) B::template store<2>(d, value.template of<2>(), out, i);
-  if (out.channel[3]) B::template store<3>(d, value.template of<3>(), out, i);
+  if (B::wanted(out, 0)) B::template store<0>(d, value.template of<0>(), out, i);
+  if (B::wanted(out, 1)) B::template store<1>(d, value.template of<1>(), out, i);
+  if (B::wanted(out, 2)) B::template store<2>(d, value.template of<2>(), out, i);
+  if (B::wanted(out, 3)) B::template store<3>(d, value.template of<3>(), out, i);
 }
 
 /// One texel of a level.

@@ -25,6 +25,17 @@ size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::Si
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 
+/// Derivatives of the wanted channels in u and v, of filters that have_gradient(): exact derivatives of the blends, in
+/// float.
+void gradient_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                       const Lookups& lookups, const Texels& out);
+void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                      const Lookups& lookups, const Texels& out);
+void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out);
+void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                        const Lookups& lookups, const Texels& out);
+
 /// The one of these that sampler.filter names; its magnification does not count.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out);

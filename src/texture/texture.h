@@ -28,6 +28,8 @@
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
 /// | gather-inl.h            | loads of neighbouring texels                                                |
 /// | explain.h               | one lookup as its tree of blends                                            |
+/// | kernel-inl.h            | how a filter becomes kernels: values, gradients, records                    |
+/// | gradient-inl.h          | kernels that give derivatives                                               |
 /// | record.h, record-inl.h  | kernels that write down what they do                                        |
 /// | ray_footprint.h         | derivatives from ray differentials and ray cones                            |
 /// | kernel_part.h           | inlining of the larger pieces                                               |
@@ -86,6 +88,9 @@ struct Sampler {
 /// Whether this build filters so.
 bool has_kernel(const shd_sampler_desc& desc);
 
+/// Whether a filter has derivatives: those that are continuous trees of blends.
+bool has_gradient(shd_filter filter);
+
 /// Of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
@@ -101,9 +106,15 @@ struct Lookups {
   const uint32_t* random;                  // null = drawn from the bits of u and v
 };
 
+constexpr size_t kOutputColumns = 12;
+
 /// Packed columns of `count` elements; unwanted ones are null. Nothing is written past `count`.
 struct Texels {
   float* channel[4];
+  float *du[4], *dv[4];  // derivatives of the channels; only of filters that have_gradient()
+
+  float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : dv[i - 8]; }
+  float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
 };
 
 /// Copies the texels of a checked desc and builds its tables on the context's executor.
