@@ -22,7 +22,11 @@ typedef struct shd_texture shd_texture;
 typedef enum shd_table {
     SHD_TABLE_NONE = 0,   /**< the base level alone */
     SHD_TABLE_MIPMAP = 1, /**< levels max(1, floor(size / 2^l)) down to 1 x 1 (Williams 1983); memory 4/3 */
-    SHD_TABLE_RIPMAP = 2, /**< levels for every pair of powers of two, one per axis; memory up to 4 */
+    /**
+     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j; memory at most 4, with a
+     * mipmap too, whose levels are among them. Textures of up to 2^26 texels.
+     */
+    SHD_TABLE_RIPMAP = 2,
     /**
      * Sums over all rectangles at the origin (Crow 1984). Bytes per texel and channel: 4 for 8-bit formats of at
      * most 2^24 texels a layer, else 8 (exact integers for 8 and 16 bits, doubles for the others).

@@ -182,11 +182,10 @@ struct Quad {
   MaskOf<D> in00, in10, in01, in11;
 };
 
+/// The texels at taps x and y of a level.
 template <class F, class D>
-SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
-                                     hn::Vec<D> u, hn::Vec<D> v) {
-  const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
-  const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
+SHD_KERNEL_PART Quad<F, D> FetchTaps(D d, const Texture& texture, const Level<D>& level, const LinearTaps<D>& x,
+                                     const LinearTaps<D>& y) {
   const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
   Quad<F, D> quad;
   quad.s = x.s;
@@ -209,6 +208,13 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
   quad.t01 = F::fetch(d, texture, hn::Add(bottom, x.i0));
   quad.t11 = F::fetch(d, texture, hn::Add(bottom, x.i1));
   return quad;
+}
+
+template <class F, class D>
+SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
+                                     hn::Vec<D> u, hn::Vec<D> v) {
+  return FetchTaps<F>(d, texture, level, WrapLinear(d, sampler.wrap_u, u, level.across),
+                      WrapLinear(d, sampler.wrap_v, v, level.down));
 }
 
 /// Bilinear value of channel C, in the lerp domain.

@@ -20,6 +20,7 @@ size_t sample_values(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_BICUBIC: return sample_bicubic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
   }
 }
@@ -61,6 +62,7 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_BICUBIC:
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP:
+    case SHD_FILTER_RIPMAP:
     case SHD_FILTER_TRILINEAR: return true;
     default: return false;
   }

@@ -13,6 +13,7 @@ namespace shd::texture {
 ///   trilinear  that of bilinear, and m 4e-6 for the level of detail
 ///   bicubic    m (3e-6 + 4e-6 (w + h)): the kernels' slopes and lobes are at most 5 times those of bilinear
 ///   mip        those of nearest and bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
+///   ripmap     that of bilinear, and m 8e-6 for the levels of detail
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
@@ -24,6 +25,8 @@ size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::Si
                   const Texels& out);
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
+size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out);
 
 /// Derivatives of the wanted channels in u and v, of filters that have_gradient(): exact derivatives of the blends, in
 /// float.

@@ -13,10 +13,12 @@
 /// |-------------------------|-----------------------------------------------------------------------------|
 /// | storage.h               | layout of levels; the copy of the base                                      |
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
+/// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | sample.h                | the filters and their error bounds                                          |
 /// | sample_nearest.cpp      | kernels: nearest x format                                                   |
 /// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
 /// | sample_trilinear.cpp    | kernels: trilinear x format                                                 |
+/// | sample_ripmap.cpp       | kernels: ripmap x format                                                    |
 /// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
@@ -54,17 +56,20 @@ constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
 
 /// Texels of every level of every layer in one block.
 struct Texture {
-  shd_format format;            // as stored: of one, two or four channels
-  image::Component component;   // of that format
-  uint32_t channels;            // of that format
-  uint32_t channel_source[4];   // stored channel of an output, or kFill
-  float fill[4];                // by output
-  uint32_t tables;              // shd_table bits
-  uint32_t width, height;       // of level 0
-  uint32_t layers;              // 1..2048
-  uint32_t layer_texels;        // of all levels of one layer
-  uint32_t level_count;         // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];  // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
+  shd_format format;                     // as stored: of one, two or four channels
+  image::Component component;            // of that format
+  uint32_t channels;                     // of that format
+  uint32_t channel_source[4];            // stored channel of an output, or kFill
+  float fill[4];                         // by output
+  uint32_t tables;                       // shd_table bits
+  uint32_t width, height;                // of level 0
+  uint32_t layers;                       // 1..2048
+  uint32_t layer_texels;                 // of all levels of one layer
+  uint32_t level_count;                  // 1..kMaxLevels
+  uint32_t offset[kMaxLevels];           // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
+  uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
+                                         // max(1, width >> i) x max(1, height >> j)
+  uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
   core::Array<uint8_t> texels;  // rows packed, levels and then layers in order, padded at the end for whole gathers
 };
 
