@@ -66,8 +66,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   if (sampler.blur_u == 0.0f && sampler.blur_v == 0.0f) return;
 
   const V blur_u = hn::Set(d, sampler.blur_u), blur_v = hn::Set(d, sampler.blur_v);
-  const V largest =
-      hn::Max(LargestMagnitude(j->dudx, j->dvdx, j->dudy, j->dvdy), hn::Max(blur_u, blur_v));
+  const V largest = hn::Max(LargestMagnitude(j->dudx, j->dvdx, j->dudy, j->dvdy), hn::Max(blur_u, blur_v));
   const auto finite = hn::Lt(largest, hn::Set(d, __builtin_inff()));
   const auto exponent = ExponentOf(d, largest);
   const V down = PowerOfTwo(d, hn::Neg(exponent)), up = PowerOfTwo(d, exponent);
@@ -77,8 +76,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   const V length = hn::Sqrt(uu);
   const V scale = hn::IfThenElseZero(hn::Gt(uu, zero), hn::Div(hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), uu));
   const V rx = hn::Sub(vx, hn::Mul(scale, ux)), ry = hn::Sub(vy, hn::Mul(scale, uy)), rb = hn::Mul(scale, ub);
-  const V rest =
-      hn::Add(hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry)), hn::Add(hn::Mul(rb, rb), hn::Mul(vb, vb)));
+  const V rest = hn::Add(hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry)), hn::Add(hn::Mul(rb, rb), hn::Mul(vb, vb)));
   j->dudx = hn::IfThenElse(finite, hn::Mul(length, up), j->dudx);
   j->dudy = hn::IfThenElse(finite, zero, j->dudy);
   j->dvdx = hn::IfThenElse(finite, hn::Mul(hn::Mul(scale, length), up), j->dvdx);
@@ -132,7 +130,8 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   f.roundness = hn::IfThenElse(round, one, hn::Min(hn::Div(determinant, square), one));
 
   // The eigenvector of J J^T to the larger eigenvalue, from the row of its two that does not cancel.
-  const V p = hn::Mul(half, hn::Sub(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy))));
+  const V p =
+      hn::Mul(half, hn::Sub(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy))));
   const V q = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy));
   const V a = hn::Add(hn::Sqrt(hn::Add(hn::Mul(p, p), hn::Mul(q, q))), hn::Abs(p));
   const V norm = hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(q, q)));

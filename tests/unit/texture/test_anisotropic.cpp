@@ -14,8 +14,8 @@ struct size_case {
   uint32_t width, height;
 };
 const size_case k_sizes[] = {
-    {"anisotropic/1x1", 1, 1},     {"anisotropic/1x7", 1, 7},           {"anisotropic/5x3", 5, 3},
-    {"anisotropic/64x64", 64, 64}, {"anisotropic/128x32", 128, 32},     {"anisotropic/1023x511", 1023, 511},
+    {"anisotropic/1x1", 1, 1},       {"anisotropic/1x7", 1, 7},       {"anisotropic/5x3", 5, 3},
+    {"anisotropic/64x64", 64, 64},   {"anisotropic/128x32", 128, 32}, {"anisotropic/1023x511", 1023, 511},
     {"anisotropic/4096x1", 4096, 1},
 };
 

@@ -22,7 +22,7 @@ void EvaluateFootprint(const Sampler& sampler, const float* const* j, size_t cou
   const D d;
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     Derivatives<D> derivatives = {hn::LoadU(d, j[0] + i), hn::LoadU(d, j[1] + i), hn::LoadU(d, j[2] + i),
-                                            hn::LoadU(d, j[3] + i)};
+                                  hn::LoadU(d, j[3] + i)};
     if (widens(sampler)) Widen(d, sampler, &derivatives);
     const Footprint<D> f = FootprintOf(d, derivatives, 1.0f, 1.0f);
     hn::StoreU(f.lambda, d, out[0] + i);
