@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/lod-inl.h"
+#include "texture/footprint-inl.h"
 #include "texture/texture.h"
 #include "texture/wrap-inl.h"
 
@@ -135,6 +135,7 @@ HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, 
   const Lookups* from = &in;
   const Texels* to = &out;
   size_t nonfinite = 0;
+  const bool widened = !in.lod && widens(filter.sampler);
   // One call for vectors and tail, as it is inlined.
   for (size_t i = 0;; i += lanes) {
     if (i >= whole && from == &in) {
@@ -147,8 +148,9 @@ HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, 
       tail.copy_out(out, whole);
       return nonfinite;
     }
-    const Points<D> points = LoadPoints(d, texture, *from, i);
+    Points<D> points = LoadPoints(d, texture, *from, i);
     nonfinite += points.nonfinite;
+    if (HWY_UNLIKELY(widened)) Widen(d, filter.sampler, &points.derivatives);
     filter(d, points, *to, i);
   }
 }

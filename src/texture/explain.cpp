@@ -105,6 +105,7 @@ void record(const Texture& texture, const Sampler& sampler, const Lookups& looku
     case SHD_FILTER_BICUBIC: return record_bicubic(texture, sampler, lookups);
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
+    case SHD_FILTER_ANISOTROPIC: return record_anisotropic(texture, sampler, lookups);
     default: return record_trilinear(texture, sampler, lookups);
   }
 }

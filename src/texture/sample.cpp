@@ -21,6 +21,7 @@ size_t sample_values(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
     case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
   }
 }
@@ -63,7 +64,8 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP:
     case SHD_FILTER_RIPMAP:
-    case SHD_FILTER_TRILINEAR: return true;
+    case SHD_FILTER_TRILINEAR:
+    case SHD_FILTER_ANISOTROPIC: return true;
     default: return false;
   }
 }

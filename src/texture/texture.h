@@ -23,8 +23,11 @@
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
+/// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
 /// | lod-inl.h               | level of detail from the footprint                                          |
+/// | footprint-inl.h         | axes of the footprint; width and blur                                       |
+/// | probe-inl.h             | lookups at several points of the same mip levels                            |
 /// | wrap-inl.h              | texel coordinates and wrapping                                              |
 /// | filter-inl.h            | levels, the four texels around a point, blends                              |
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
