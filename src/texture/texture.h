@@ -13,6 +13,7 @@
 /// |-------------------------|-----------------------------------------------------------------------------|
 /// | storage.h               | layout of levels; the copy of the base                                      |
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
+/// | mip_sums.h              | their first steps as sums of integers                                       |
 /// | sample.h                | the filters and their error bounds                                          |
 /// | sample_nearest.cpp      | kernels: nearest x format                                                   |
 /// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
