@@ -132,7 +132,8 @@ struct Sums<CodeSrgb8<kChannels>> {
 
   Sums() {
     for (size_t code = 0; code < 256; ++code) {
-      linear[code] = static_cast<uint64_t>(static_cast<double>(image::kSrgb8ToLinear[code]) * static_cast<double>(kUnit));
+      linear[code] =
+          static_cast<uint64_t>(static_cast<double>(image::kSrgb8ToLinear[code]) * static_cast<double>(kUnit));
     }
   }
   void pair(const uint8_t* top, const uint8_t* bottom, uint32_t count, Sum* to) const {
