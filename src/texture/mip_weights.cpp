@@ -56,7 +56,8 @@ double kernel_area(shd_mip_kernel kernel, double low, double high) {
   const double centre = (low + high) / 2, half = (high - low) / 2;
   double sum = 0;
   for (int i = 0; i < 4; ++i) {
-    sum += kWeight[i] * (kernel_value(kernel, centre - half * kPoint[i]) + kernel_value(kernel, centre + half * kPoint[i]));
+    sum += kWeight[i] *
+           (kernel_value(kernel, centre - half * kPoint[i]) + kernel_value(kernel, centre + half * kPoint[i]));
   }
   return sum * half;
 }

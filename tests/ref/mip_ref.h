@@ -15,9 +15,10 @@ inline double mip_sinc(double x) {
   return x == 0 ? 1 : sin(M_PI * x) / (M_PI * x);
 }
 
+/// Modified Bessel function of order 0, by its series.
 inline double mip_bessel(double x) {
-  double sum = 0;
-  for (int k = 0; k < 30; ++k) sum += pow(x / 2, 2 * k) / pow(tgamma(k + 1.0), 2);
+  double sum = 1, term = 1;
+  for (int k = 1; k < 25; ++k) sum += term *= x * x / (4 * k * k);
   return sum;
 }
 
@@ -26,7 +27,7 @@ inline double mip_kernel(shd_mip_kernel kernel, double x) {
     case SHD_MIP_BOX: return 1;
     case SHD_MIP_TRIANGLE: return 1 - fabs(x);
     case SHD_MIP_LANCZOS: return mip_sinc(x) * mip_sinc(x / 3);
-    default: return mip_sinc(x) * mip_bessel(4 * sqrt(fmax(0, 1 - x * x / 9))) / mip_bessel(4);
+    default: return mip_sinc(x) * mip_bessel(4 * sqrt(fmax(0, 1 - x * x / 9))) / 11.301921952136330496;  // I0(4)
   }
 }
 
@@ -41,7 +42,7 @@ inline double mip_area(shd_mip_kernel kernel, double low, double high) {
   high = fmin(high, radius);
   if (low >= high) return 0;
   if (low < 0 && high > 0) return mip_area(kernel, low, 0) + mip_area(kernel, 0, high);
-  const int steps = kernel <= SHD_MIP_TRIANGLE ? 2 : 32;
+  const int steps = kernel <= SHD_MIP_TRIANGLE ? 2 : 64;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
     const double x = low + (high - low) * i / steps;
@@ -89,7 +90,11 @@ inline double* mip_filter(const shd_mip_desc& desc, const double* values, int64_
       for (int64_t x = 0; weight != 0 && x < width; ++x) column[x] += weight * values[j * width + x];
     }
     for (int64_t x = 0; x < to_width; ++x) {
-      for (int64_t i = 0; i < width; ++i) out[y * to_width + x] += across[x * width + i] * column[i];
+      const double* weight = across + x * width;
+      int64_t first = 0, end = width;
+      while (weight[first] == 0) ++first;
+      while (weight[end - 1] == 0) --end;
+      for (int64_t i = first; i < end; ++i) out[y * to_width + x] += weight[i] * column[i];
     }
   }
   free(across);

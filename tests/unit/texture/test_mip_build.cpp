@@ -184,7 +184,8 @@ void test_constant(void**) {
         build(chain, desc);
         for (uint32_t l = 0; l < chain->count; ++l) {
           const auto* level = static_cast<const uint8_t*>(chain->levels[l].pixels);
-          for (size_t t = 0; t < texels_of(chain->levels[l]); ++t) assert_memory_equal(level + t * bytes, texels, bytes);
+          for (size_t t = 0; t < texels_of(chain->levels[l]); ++t)
+            assert_memory_equal(level + t * bytes, texels, bytes);
         }
       }
       free_chain(chain);
@@ -231,8 +232,8 @@ size_t covered(const shd_image& image, double cutoff) {
 void test_coverage(void**) {
   shd_mip_desc desc = shd_mip_desc_default();
   desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
-  for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16, SHD_FORMAT_RGBA16F,
-                                  SHD_FORMAT_RGBA32F}) {
+  for (const shd_format format :
+       {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F}) {
     for (const float cutoff : {0.25f, 0.5f, 0.8f}) {
       for (const shd_mip_kernel kernel : {SHD_MIP_TRIANGLE, SHD_MIP_KAISER}) {
         for (const Size& size : {Size{64, 64}, Size{128, 32}, Size{37, 53}}) {
