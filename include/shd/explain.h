@@ -3,7 +3,7 @@
  * @file
  * @brief What one lookup reads and how it is put together.
  *
- * Every filter of shd but RIPMAP, SUMMED_AREA and EXACT is a tree of blends of texels, and the explanation is that tree,
+ * Every filter of shd but SUMMED_AREA and EXACT is a tree of blends of texels, and the explanation is that tree,
  * recorded from the kernel itself. Replaying it in float gives exactly what shd_texture_sample gives:
  *
  *     node i < tap_count              v[i] = taps[i].value[c]
@@ -22,13 +22,14 @@ SHD_BEGIN_DECLS
 
 /** A texel that a lookup reads. */
 typedef struct shd_tap {
-    uint32_t layer;  /**< of the array */
-    uint32_t level;  /**< mip level */
-    uint32_t x;      /**< column, after wrapping */
-    uint32_t y;      /**< row, after wrapping */
-    uint32_t border; /**< 1 = the border colour instead of the texel */
-    float weight;    /**< in the result; those of all taps add up to 1 but for rounding */
-    float value[4];  /**< stored channels as the blends see them: unorm ones as codes, unless on a border wrap */
+    uint32_t layer;   /**< of the array */
+    uint32_t level_u; /**< times the width was halved: the mip level, or the ripmap's across */
+    uint32_t level_v; /**< times the height was halved: the mip level, or the ripmap's down */
+    uint32_t x;       /**< column, after wrapping */
+    uint32_t y;       /**< row, after wrapping */
+    uint32_t border;  /**< 1 = the border colour instead of the texel */
+    float weight;     /**< in the result; those of all taps add up to 1 but for rounding */
+    float value[4];   /**< stored channels as the blends see them: unorm ones as codes, unless on a border wrap */
 } shd_tap;
 
 /** A step of the tree. */

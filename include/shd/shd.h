@@ -50,6 +50,7 @@
 #include <shd/lookup.h>
 #include <shd/material.h>
 #include <shd/mesh.h>
+#include <shd/mip.h>
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>

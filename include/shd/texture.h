@@ -59,6 +59,13 @@ typedef struct shd_texture_desc {
     uint32_t tables;        /**< shd_table bits; default none */
     shd_channel swizzle[4]; /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT. A missing channel reads `fill` */
     float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
+    /**
+     * Mip levels of the caller's, used with SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of
+     * this format; element l is level l + 1, max(1, width >> (l + 1)) by max(1, height >> (l + 1)). Copied
+     */
+    const shd_image *levels;
+    uint32_t level_count; /**< 0 = build them; fewer than down to 1 x 1 make a texture that ends there; default 0 */
+    uint32_t reserved;    /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 
@@ -95,7 +102,7 @@ typedef struct shd_texture_info {
     uint32_t width;       /**< texels of level 0 */
     uint32_t height;      /**< texels of level 0 */
     uint32_t layers;      /**< images of the array */
-    uint32_t level_count; /**< 1, or floor(log2(max(width, height))) + 1 with SHD_TABLE_MIPMAP */
+    uint32_t level_count; /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than levels were given */
     uint32_t tables;      /**< shd_table bits */
     size_t byte_size;     /**< of all tables */
 } shd_texture_info;

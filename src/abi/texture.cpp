@@ -6,6 +6,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/levels.h"
 #include "image/format.h"
 #include "texture/storage.h"
 #include "texture/texture.h"
@@ -60,6 +61,19 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
   return SHD_OK;
 }
 
+shd_result check_given_levels(const shd_texture_desc& desc) {
+  SHD_TRY(check_zero("texture.reserved", desc.reserved));
+  if (desc.level_count == 0) return SHD_OK;
+  if (!(desc.tables & SHD_TABLE_MIPMAP)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP", desc.level_count);
+  }
+  SHD_TRY(
+      check_count("texture.level_count", desc.level_count, 0, texture::full_level_count(desc.width, desc.height) - 1));
+  SHD_TRY(check_not_null("texture.levels", desc.levels));
+  return check_levels("texture.levels", desc.levels, desc.layers, desc.level_count, desc.format, desc.width,
+                      desc.height);
+}
+
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
   if (bits < SHD_FORMAT_R8 || bits > SHD_FORMAT_RGB32F) {
@@ -73,6 +87,7 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
                       uint64_t{desc.width} * desc.height * desc.layers, 1,
                       desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels));
   SHD_TRY(check_rows(desc, image::format_info(desc.format)));
+  SHD_TRY(check_given_levels(desc));
   for (const shd_channel channel : desc.swizzle) {
     SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));
   }

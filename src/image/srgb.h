@@ -23,13 +23,13 @@ inline float srgb8_to_linear(uint8_t code) {
 
 /// 8-bit sRGB code of a linear value, correctly rounded; below 0 and NaN give 0, above 1 gives 255.
 inline uint8_t linear_to_srgb8(float linear) {
-  if (!(linear >= 0x1p-13f)) return 0;
-  if (linear >= 1.0f) return 255;
+  linear = linear >= 0x1p-13f ? linear : 0x1p-13f;   // code 0
+  linear = linear < 1.0f ? linear : 0x1.fffffep-1f;  // code 255
   uint32_t bits;
   std::memcpy(&bits, &linear, sizeof bits);
-  uint32_t code = kLinearToSrgb8Start[(bits >> 18) - kSrgb8StartFirst];
-  while (linear >= kLinearToSrgb8Threshold[code + 1]) ++code;
-  return static_cast<uint8_t>(code);
+  const uint32_t start = kLinearToSrgb8Start[(bits >> 18) - kSrgb8StartFirst];
+  const float* threshold = kLinearToSrgb8Threshold + start;
+  return static_cast<uint8_t>(start + (linear >= threshold[1]) + (linear >= threshold[2]) + (linear >= threshold[3]));
 }
 
 }  // namespace shd::image

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 
+#include "image/format.h"
 #include "image/half.h"
 #include "image/srgb.h"
 
@@ -146,5 +147,27 @@ struct CodeFloat32 {
     std::memcpy(texel, floats, sizeof floats);
   }
 };
+
+template <template <size_t> class Code, class Body>
+void visit_channels(size_t channels, Body&& body) {
+  switch (channels) {
+    case 1: return body(Code<1>());
+    case 2: return body(Code<2>());
+    case 3: return body(Code<3>());
+    default: return body(Code<4>());
+  }
+}
+
+/// Calls body(Code<channels>()) with the code of a component.
+template <class Body>
+void visit_code(image::Component component, size_t channels, Body&& body) {
+  switch (component) {
+    case image::Component::kUnorm8: return visit_channels<CodeUnorm8>(channels, body);
+    case image::Component::kSrgb8: return visit_channels<CodeSrgb8>(channels, body);
+    case image::Component::kUnorm16: return visit_channels<CodeUnorm16>(channels, body);
+    case image::Component::kFloat16: return visit_channels<CodeFloat16>(channels, body);
+    default: return visit_channels<CodeFloat32>(channels, body);
+  }
+}
 
 }  // namespace shd::texture

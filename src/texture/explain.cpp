@@ -62,16 +62,41 @@ float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, b
   return finished ? finish(scale_of(texture.component, channel), value) : value;
 }
 
+/// Where a texel of one layer lies.
+struct Place {
+  uint32_t level_u, level_v, first;
+};
+
+Place mip_place(const Texture& texture, uint32_t texel) {
+  uint32_t level = 0;
+  while (level + 1 < texture.level_count && texel >= texture.offset[level + 1]) ++level;
+  return {level, level, texture.offset[level]};
+}
+
+Place ripmap_place(const Texture& texture, uint32_t texel) {
+  for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
+    for (uint32_t i = 0; i < texture.ripmap_columns; ++i) {
+      const uint32_t first = texture.ripmap_offset[j * kMaxLevels + i];
+      const uint32_t count = level_size(texture.width, i) * level_size(texture.height, j);
+      if (texel >= first && texel - first < count) return {i, j, first};
+    }
+  }
+  return {0, 0, 0};
+}
+
 shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap) {
   shd_tap out = {};
   out.layer = tap.index / texture.layer_texels;
   const uint32_t in_layer = tap.index % texture.layer_texels;
-  while (out.level + 1 < texture.level_count && in_layer >= texture.offset[out.level + 1]) ++out.level;
-  const uint32_t width = level_size(texture.width, out.level), in_level = in_layer - texture.offset[out.level];
-  out.x = in_level % width;
-  out.y = in_level / width;
+  const Place place =
+      sampler.filter == SHD_FILTER_RIPMAP ? ripmap_place(texture, in_layer) : mip_place(texture, in_layer);
+  const uint32_t width = level_size(texture.width, place.level_u);
+  out.level_u = place.level_u;
+  out.level_v = place.level_v;
+  out.x = (in_layer - place.first) % width;
+  out.y = (in_layer - place.first) / width;
   out.border = tap.border;
-  const uint8_t* texel = row_of(texture, out.layer, out.level, out.y) + out.x * texel_size(texture);
+  const uint8_t* texel = texture.texels.data() + tap.index * texel_size(texture);
   for (size_t c = 0; c < texture.channels; ++c) {
     out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
   }
@@ -105,6 +130,7 @@ void record(const Texture& texture, const Sampler& sampler, const Lookups& looku
     case SHD_FILTER_BICUBIC: return record_bicubic(texture, sampler, lookups);
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
+    case SHD_FILTER_RIPMAP: return record_ripmap(texture, sampler, lookups);
     case SHD_FILTER_ANISOTROPIC: return record_anisotropic(texture, sampler, lookups);
     default: return record_trilinear(texture, sampler, lookups);
   }
@@ -133,7 +159,7 @@ void write_tree(const core::Context& context, const Texture& texture, const Samp
 }  // namespace
 
 bool is_explainable(shd_filter filter) {
-  return filter != SHD_FILTER_RIPMAP && filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
+  return filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
 }
 
 void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,

@@ -3,16 +3,17 @@
 //
 // As long as both sizes halve evenly (or are 1 already) the average of the base is the average of the unrounded
 // level above: tiles of the base go down up to kTileSteps levels in a scratch of 8 KB, and the unrounded averages
-// of the last of them are kept for the next round. From the first uneven step on, a level is summed from the base,
-// each texel weighted by the integer part of its area: a level texel i covers [i w, (i + 1) w), a base texel x
-// [x w', (x + 1) w'), where w and w' are the sizes of base and level.
+// of the last of them are kept for the next round. Texels of integer formats begin as integer sums, kSumSteps down.
+// From the first uneven step on, a level is summed from the base, each texel weighted by the integer part of its area:
+// a level texel i covers [i w, (i + 1) w), a base texel x [x w', (x + 1) w'), where w and w' are the sizes of base and
+// level.
 //
 // Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
 // gives constant levels: c n with n <= 2^28 and a c of 24 bits is exact.
 #include <cstring>
 
 #include "core/executor.h"
-#include "texture/codes.h"
+#include "texture/mip_sums.h"
 #include "texture/storage.h"
 
 namespace shd::texture {
@@ -118,6 +119,61 @@ struct Round {
   }
 };
 
+/// The first steps down of a base of an integer format, both of whose sizes are multiples of 2^steps.
+template <class Code>
+struct FirstRound {
+  using Sum = typename Sums<Code>::Sum;
+  static constexpr uint32_t kRows = 1u << kSumSteps;
+  static constexpr uint32_t kColumns = 1024 / sizeof(Sum);
+
+  Texture& texture;
+  double* last;  // unrounded level `steps`, or null
+  uint32_t steps;
+  uint32_t layer;
+
+  void run(const core::Context& context) const {
+    const Sums<Code> sums;
+    core::parallel_for(context, texture.height >> steps, [&](uint32_t band, uint32_t) {
+      for (uint32_t x = 0; x < texture.width; x += kColumns) {
+        run_tile(sums, x, texture.width - x < kColumns ? texture.width - x : kColumns, band << steps);
+      }
+    });
+  }
+
+  void run_tile(const Sums<Code>& sums, uint32_t x, uint32_t width, uint32_t y) const {
+    Sum odd[Code::kChannels * kColumns * kRows / 4], even[Code::kChannels * kColumns * kRows / 16];
+    const Sum* from = even;
+    Sum* to = odd;
+    uint32_t rows = 1u << steps;
+    for (uint32_t step = 1; step <= steps; ++step) {
+      width /= 2;
+      rows /= 2;
+      x /= 2;
+      y /= 2;
+      const size_t pitch = size_t{width} * Code::kChannels;
+      for (uint32_t j = 0; j < rows; ++j) {
+        if (step == 1) {
+          sums.pair(row_of(texture, layer, 0, 2 * (y + j)) + size_t{x} * 2 * Code::kSize,
+                    row_of(texture, layer, 0, 2 * (y + j) + 1) + size_t{x} * 2 * Code::kSize, width, to + j * pitch);
+        } else {
+          sums.halve(from + 4 * j * pitch, from + (4 * j + 2) * pitch, width, to + j * pitch);
+        }
+        sums.store(to + j * pitch, width, 2 * step, row_of(texture, layer, step, y + j) + size_t{x} * Code::kSize);
+      }
+      from = to;
+      to = to == odd ? even : odd;
+    }
+    if (last) keep(sums, from, x, y, width);
+  }
+
+  void keep(const Sums<Code>& sums, const Sum* from, uint32_t x, uint32_t y, uint32_t width) const {
+    double* to = last + (size_t{y} * level_size(texture.width, steps) + x) * Code::kChannels;
+    for (size_t i = 0; i < width; ++i) {
+      for (size_t c = 0; c < Code::kChannels; ++c, ++from) *to++ = sums.average(*from, c, 2 * steps);
+    }
+  }
+};
+
 /// Base texels under one level texel along an axis, with their weights; the inner ones weigh `full`.
 struct Span {
   uint32_t first, last;  // inclusive
@@ -183,17 +239,35 @@ uint32_t even_steps(const Texture& texture) {
   return steps;
 }
 
+/// How many of them, up to kSumSteps, halve both sizes.
+uint32_t square_steps(const Texture& texture) {
+  uint32_t steps = 0;
+  while (steps < kSumSteps && (texture.width | texture.height) % (2u << steps) == 0) ++steps;
+  return steps;
+}
+
+/// Unrounded values of `level`, none if it is the last of them.
+Plane make_plane(const core::Context& context, const Texture& texture, uint32_t level, uint32_t end) {
+  if (level == end) return Plane();
+  const size_t texels = size_t{level_size(texture.width, level)} * level_size(texture.height, level);
+  return Plane(context.allocator, core::checked_mul(texels, texture.channels));
+}
+
 template <class Code>
 void build_layer(const core::Context& context, Texture& texture, uint32_t layer) {
   const uint32_t even = even_steps(texture);
   Plane source;
-  for (uint32_t from = 0; from < even;) {
-    const uint32_t steps = even - from < kTileSteps ? even - from : kTileSteps;
-    Plane last;
-    if (from + steps < even) {
-      const size_t texels = size_t{level_size(texture.width, from + steps)} * level_size(texture.height, from + steps);
-      last = Plane(context.allocator, core::checked_mul(texels, Code::kChannels));
+  uint32_t from = 0;
+  if constexpr (Sums<Code>::kExact) {
+    from = square_steps(texture);
+    if (from > 0) {
+      source = make_plane(context, texture, from, even);
+      FirstRound<Code>{texture, source.data(), from, layer}.run(context);
     }
+  }
+  while (from < even) {
+    const uint32_t steps = even - from < kTileSteps ? even - from : kTileSteps;
+    Plane last = make_plane(context, texture, from + steps, even);
     Round<Code>{texture, source.data(), last.data(), from, steps, layer}.run(context);
     source = static_cast<Plane&&>(last);
     from += steps;

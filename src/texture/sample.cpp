@@ -32,6 +32,8 @@ void sample_gradient(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_BILINEAR: return gradient_bilinear(texture, sampler, simd, lookups, out);
     case SHD_FILTER_BICUBIC: return gradient_bicubic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_BILINEAR_MIP: return gradient_mip(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_RIPMAP: return gradient_ripmap(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_ANISOTROPIC: return gradient_anisotropic(texture, sampler, simd, lookups, out);
     default: return gradient_trilinear(texture, sampler, simd, lookups, out);
   }
 }
@@ -43,6 +45,8 @@ bool has_gradient(shd_filter filter) {
     case SHD_FILTER_BILINEAR:
     case SHD_FILTER_BICUBIC:
     case SHD_FILTER_BILINEAR_MIP:
+    case SHD_FILTER_RIPMAP:
+    case SHD_FILTER_ANISOTROPIC:
     case SHD_FILTER_TRILINEAR: return true;
     default: return false;
   }

@@ -42,6 +42,10 @@ void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core
                       const Lookups& lookups, const Texels& out);
 void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out);
+void gradient_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                          const Lookups& lookups, const Texels& out);
+void gradient_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out);
 void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

@@ -14,8 +14,8 @@
 #include "texture/block.h"
 #include "texture/filter-inl.h"
 #include "texture/footprint-inl.h"
+#include "texture/kernel-inl.h"
 #include "texture/probe-inl.h"
-#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -143,64 +143,50 @@ struct Anisotropic {
       return value[C];
     }
     HWY_INLINE void set(D, const Texels& out, const ProbeValue<D>& probe) {
-      if (out.channel[0]) value[0] = probe.template of<0>();
-      if (out.channel[1]) value[1] = probe.template of<1>();
-      if (out.channel[2]) value[2] = probe.template of<2>();
-      if (out.channel[3]) value[3] = probe.template of<3>();
+      if (B::wanted(out, 0)) value[0] = probe.template of<0>();
+      if (B::wanted(out, 1)) value[1] = probe.template of<1>();
+      if (B::wanted(out, 2)) value[2] = probe.template of<2>();
+      if (B::wanted(out, 3)) value[3] = probe.template of<3>();
     }
     HWY_INLINE void add(D d, const Texels& out, const ProbeValue<D>& probe, hn::Vec<D> share) {
-      if (out.channel[0]) value[0] = B::blend(d, value[0], probe.template of<0>(), share);
-      if (out.channel[1]) value[1] = B::blend(d, value[1], probe.template of<1>(), share);
-      if (out.channel[2]) value[2] = B::blend(d, value[2], probe.template of<2>(), share);
-      if (out.channel[3]) value[3] = B::blend(d, value[3], probe.template of<3>(), share);
+      if (B::wanted(out, 0)) value[0] = B::blend(d, value[0], probe.template of<0>(), share);
+      if (B::wanted(out, 1)) value[1] = B::blend(d, value[1], probe.template of<1>(), share);
+      if (B::wanted(out, 2)) value[2] = B::blend(d, value[2], probe.template of<2>(), share);
+      if (B::wanted(out, 3)) value[3] = B::blend(d, value[3], probe.template of<3>(), share);
     }
   };
 };
 
-template <class F>
-size_t AnisotropicOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  using D = typename TagOf<F>::Type;
-  const ProbesOf probes = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
-  Sampler unwidened = sampler;
-  unwidened.width_x = unwidened.width_y = 1.0f;
-  unwidened.blur_u = unwidened.blur_v = 0.0f;
-  alignas(64) float columns[4][kBlock];
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < in.count; first += kBlock) {
-    const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
-    const Lookups given = part_of(in, first, count);
-    nonfinite += ForEachVector(texture, probes, given, {{columns[0], columns[1], columns[2], columns[3]}});
-    const Lookups block = {count,      given.u,    given.v, columns[0],  columns[1],
-                           columns[2], columns[3], nullptr, given.layer, nullptr};
-    const Texels to = part_of(out, first);
-    if (has_border(sampler)) {
-      ForEachVector<D>(texture, Anisotropic<F, true>{texture, unwidened}, block, to);
-    } else {
-      ForEachVector<D>(texture, Anisotropic<F, false>{texture, unwidened}, block, to);
-    }
-  }
-  return nonfinite;
-}
-
-struct AnisotropicOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
+struct AnisotropicKernel {
   template <class F>
-  size_t run() const {
-    return AnisotropicOfFormat<F>(texture, sampler, in, out);
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    const ProbesOf probes = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
+    Sampler unwidened = sampler;
+    unwidened.width_x = unwidened.width_y = 1.0f;
+    unwidened.blur_u = unwidened.blur_v = 0.0f;
+    alignas(64) float columns[4][kBlock];
+    size_t nonfinite = 0;
+    for (size_t first = 0; first < in.count; first += kBlock) {
+      const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
+      const Lookups given = part_of(in, first, count);
+      nonfinite += ForEachVector(texture, probes, given, {{columns[0], columns[1], columns[2], columns[3]}, {}, {}});
+      const Lookups block = {count,      given.u,    given.v, columns[0],  columns[1],
+                             columns[2], columns[3], nullptr, given.layer, nullptr};
+      ForEachPoint<Anisotropic, F>(texture, unwidened, block, part_of(out, first));
+    }
+    return nonfinite;
   }
 };
 
 size_t AnisotropicBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, AnisotropicOfTexture{texture, sampler, in, out});
+  return RunValues<AnisotropicKernel>(texture, sampler, in, out);
 }
-
+size_t AnisotropicGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<AnisotropicKernel>(texture, sampler, in, out);
+}
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordAnisotropic(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  AnisotropicOfFormat<Recorded>(texture, sampler, in, out);
+  AnisotropicKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -211,6 +197,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(AnisotropicBatch);
+HWY_EXPORT(AnisotropicGradient);
 }  // namespace
 
 size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
@@ -218,9 +205,14 @@ size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const 
   return SHD_DISPATCH(AnisotropicBatch, simd)(texture, sampler, lookups, out);
 }
 
+void gradient_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                          const Lookups& lookups, const Texels& out) {
+  SHD_DISPATCH(AnisotropicGradient, simd)(texture, sampler, lookups, out);
+}
+
 void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordAnisotropic)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordAnisotropic)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

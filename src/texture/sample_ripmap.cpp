@@ -8,8 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
+#include "texture/kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -63,7 +63,7 @@ struct Ripmap {
 
   template <class D>
   struct Four {
-    typename B::template Value<D> channel[4];
+    typename B::template Value<D> channel[4] = {};
 
     template <size_t C>
     HWY_INLINE auto of() const {
@@ -97,17 +97,17 @@ struct Ripmap {
                            const LinearTaps<D>& y, bool both, const Texels& out, Four<D>* to) const {
     {
       const Quad<F, D> quad = FetchTaps<F>(d, texture, LevelAt(d, p, width[0], height, levels.first, j), x[0], y);
-      if (out.channel[0]) Set<0>(d, quad, to);
-      if (out.channel[1]) Set<1>(d, quad, to);
-      if (out.channel[2]) Set<2>(d, quad, to);
-      if (out.channel[3]) Set<3>(d, quad, to);
+      if (B::wanted(out, 0)) Set<0>(d, quad, to);
+      if (B::wanted(out, 1)) Set<1>(d, quad, to);
+      if (B::wanted(out, 2)) Set<2>(d, quad, to);
+      if (B::wanted(out, 3)) Set<3>(d, quad, to);
     }
     if (!both) return;
     const Quad<F, D> quad = FetchTaps<F>(d, texture, LevelAt(d, p, width[1], height, levels.second, j), x[1], y);
-    if (out.channel[0]) Mix<0>(d, quad, levels.fraction, to);
-    if (out.channel[1]) Mix<1>(d, quad, levels.fraction, to);
-    if (out.channel[2]) Mix<2>(d, quad, levels.fraction, to);
-    if (out.channel[3]) Mix<3>(d, quad, levels.fraction, to);
+    if (B::wanted(out, 0)) Mix<0>(d, quad, levels.fraction, to);
+    if (B::wanted(out, 1)) Mix<1>(d, quad, levels.fraction, to);
+    if (B::wanted(out, 2)) Mix<2>(d, quad, levels.fraction, to);
+    if (B::wanted(out, 3)) Mix<3>(d, quad, levels.fraction, to);
   }
 
   template <class D>
@@ -126,43 +126,43 @@ struct Ripmap {
     const AxisSize<D> width[2] = {SizeAt(d, texture.width, columns.first), SizeAt(d, texture.width, columns.second)};
     const AxisSize<D> height[2] = {SizeAt(d, texture.height, rows.first), SizeAt(d, texture.height, rows.second)};
     const LinearTaps<D> x[2] = {WrapLinear(d, sampler.wrap_u, u, width[0]), WrapLinear(d, sampler.wrap_u, u, width[1])};
-    const auto zero = hn::Zero(d);
-    Four<D> upper = {{zero, zero, zero, zero}}, lower = upper;
+    Four<D> upper = {}, lower = {};
     Row(d, p, columns, rows.first, width, height[0], x, WrapLinear(d, sampler.wrap_v, v, height[0]), both_columns, out,
         &upper);
     if (both_rows) {
       Row(d, p, columns, rows.second, width, height[1], x, WrapLinear(d, sampler.wrap_v, v, height[1]), both_columns,
           out, &lower);
-      if (out.channel[0]) upper.channel[0] = B::blend(d, upper.channel[0], lower.channel[0], rows.fraction);
-      if (out.channel[1]) upper.channel[1] = B::blend(d, upper.channel[1], lower.channel[1], rows.fraction);
-      if (out.channel[2]) upper.channel[2] = B::blend(d, upper.channel[2], lower.channel[2], rows.fraction);
-      if (out.channel[3]) upper.channel[3] = B::blend(d, upper.channel[3], lower.channel[3], rows.fraction);
+      if (B::wanted(out, 0)) upper.channel[0] = B::blend(d, upper.channel[0], lower.channel[0], rows.fraction);
+      if (B::wanted(out, 1)) upper.channel[1] = B::blend(d, upper.channel[1], lower.channel[1], rows.fraction);
+      if (B::wanted(out, 2)) upper.channel[2] = B::blend(d, upper.channel[2], lower.channel[2], rows.fraction);
+      if (B::wanted(out, 3)) upper.channel[3] = B::blend(d, upper.channel[3], lower.channel[3], rows.fraction);
     }
     StoreChannels<F, kBorder>(d, upper, out, k);
   }
 };
 
-struct RipmapOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
-  template <class F, bool kBorder>
-  size_t run() const {
-    const Ripmap<F, kBorder> filter = {texture, sampler, lod_range(texture.ripmap_columns, sampler),
-                                       lod_range(texture.ripmap_rows, sampler), in.lod != nullptr};
-    return ForEachVector(texture, filter, in, out);
-  }
+struct RipmapKernel {
   template <class F>
-  size_t run() const {
-    return has_border(sampler) ? run<F, true>() : run<F, false>();
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return WithBorder<F>(sampler, [&](auto border) {
+      const Ripmap<F, decltype(border)::value> filter = {texture, sampler, lod_range(texture.ripmap_columns, sampler),
+                                                         lod_range(texture.ripmap_rows, sampler), in.lod != nullptr};
+      return ForEachVector<typename TagOf<F>::Type>(texture, filter, in, out);
+    });
   }
 };
 
 size_t RipmapBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, RipmapOfTexture{texture, sampler, in, out});
+  return RunValues<RipmapKernel>(texture, sampler, in, out);
 }
+size_t RipmapGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<RipmapKernel>(texture, sampler, in, out);
+}
+#if HWY_TARGET == HWY_STATIC_TARGET
+void RecordRipmap(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  RipmapKernel::run<Recorded>(texture, sampler, in, out);
+}
+#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -171,11 +171,22 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(RipmapBatch);
+HWY_EXPORT(RipmapGradient);
 }  // namespace
 
 size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
   return SHD_DISPATCH(RipmapBatch, simd)(texture, sampler, lookups, out);
+}
+
+void gradient_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out) {
+  SHD_DISPATCH(RipmapGradient, simd)(texture, sampler, lookups, out);
+}
+
+void record_ripmap(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  float unused[1];
+  HWY_STATIC_DISPATCH(RecordRipmap)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "image/format.h"
+#include "texture/image_list.h"
 
 namespace shd::texture {
 namespace {
@@ -60,7 +61,10 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->height = desc.height;
   texture->layers = desc.layers;
   texture->tables = desc.tables;
-  texture->level_count = desc.tables & SHD_TABLE_MIPMAP ? full_level_count(desc.width, desc.height) : 1;
+  texture->level_count = desc.level_count + 1;
+  if (desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP) {
+    texture->level_count = full_level_count(desc.width, desc.height);
+  }
   size_t texels = 0;
   for (uint32_t level = 0; level < kMaxLevels; ++level) {
     texture->offset[level] = static_cast<uint32_t>(texels);
@@ -80,10 +84,29 @@ void expand_row(const uint8_t* from, size_t channel_size, uint32_t width, uint8_
   }
 }
 
+/// One level of one layer in the caller's memory.
+struct Given {
+  uint32_t layer, level;
+  const uint8_t* texels;
+  size_t stride;
+};
+
+void copy_rows(const Given& given, const image::FormatInfo& format, uint32_t first, uint32_t end, Texture* texture) {
+  const uint32_t width = level_size(texture->width, given.level);
+  for (uint32_t y = first; y < end; ++y) {
+    const uint8_t* from = given.texels + y * given.stride;
+    uint8_t* to = row_of(*texture, given.layer, given.level, y);
+    if (format.channels == 3) {
+      expand_row(from, format.channel_size, width, to);
+    } else {
+      std::memcpy(to, from, width * format.pixel_size);
+    }
+  }
+}
+
 void copy_base(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
-  const image::FormatInfo given = image::format_info(desc.format);
-  const size_t row_size = desc.width * given.pixel_size;
-  const size_t stride = desc.row_stride ? desc.row_stride : row_size;
+  const image::FormatInfo format = image::format_info(desc.format);
+  const size_t stride = desc.row_stride ? desc.row_stride : desc.width * format.pixel_size;
   const size_t layer_stride = desc.layer_stride ? desc.layer_stride : desc.height * stride;
   const auto* source = static_cast<const uint8_t*>(desc.texels);
   const uint32_t tasks_per_layer = (desc.height + kRowsPerTask - 1) / kRowsPerTask;
@@ -91,15 +114,18 @@ void copy_base(const core::Context& context, const shd_texture_desc& desc, Textu
     const uint32_t layer = task / tasks_per_layer;
     const uint32_t first = task % tasks_per_layer * kRowsPerTask;
     const uint32_t end = first + kRowsPerTask < desc.height ? first + kRowsPerTask : desc.height;
-    for (uint32_t y = first; y < end; ++y) {
-      const uint8_t* from = source + layer * layer_stride + y * stride;
-      uint8_t* to = row_of(*texture, layer, 0, y);
-      if (given.channels == 3) {
-        expand_row(from, given.channel_size, desc.width, to);
-      } else {
-        std::memcpy(to, from, row_size);
-      }
-    }
+    copy_rows({layer, 0, source + layer * layer_stride, stride}, format, first, end, texture);
+  });
+}
+
+/// The levels that the caller gave.
+void copy_levels(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo format = image::format_info(desc.format);
+  core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
+    const shd_image image = image_at(desc.levels, task);
+    const Given given = {task / desc.level_count, task % desc.level_count + 1,
+                         static_cast<const uint8_t*>(image.pixels), image.row_stride};
+    copy_rows(given, format, 0, image.height, texture);
   });
 }
 
@@ -118,7 +144,11 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   texture.texels = core::Array<uint8_t>(context.allocator, size + kPadding);
   std::memset(texture.texels.data() + size, 0, kPadding);
   copy_base(context, desc, &texture);
-  if (desc.tables & SHD_TABLE_MIPMAP) build_mip_levels(context, &texture);
+  if (desc.level_count > 0) {
+    copy_levels(context, desc, &texture);
+  } else if (desc.tables & SHD_TABLE_MIPMAP) {
+    build_mip_levels(context, &texture);
+  }
   if (desc.tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }

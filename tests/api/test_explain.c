@@ -17,9 +17,13 @@ static shd_blend g_blends[MAX_TAPS];
 static const struct {
     const char *name;
     shd_filter filter;
-} k_filters[] = {{"nearest", SHD_FILTER_NEAREST},           {"bilinear", SHD_FILTER_BILINEAR},
-                 {"bicubic", SHD_FILTER_BICUBIC},           {"nearest_mip", SHD_FILTER_NEAREST_MIP},
-                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR},
+} k_filters[] = {{"nearest", SHD_FILTER_NEAREST},
+                 {"bilinear", SHD_FILTER_BILINEAR},
+                 {"bicubic", SHD_FILTER_BICUBIC},
+                 {"nearest_mip", SHD_FILTER_NEAREST_MIP},
+                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP},
+                 {"trilinear", SHD_FILTER_TRILINEAR},
+                 {"ripmap", SHD_FILTER_RIPMAP},
                  {"anisotropic", SHD_FILTER_ANISOTROPIC}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
@@ -94,7 +98,7 @@ static shd_texture *make_texture(shd_format format)
     desc.height = HEIGHT;
     desc.layers = LAYERS;
     desc.texels = texels;
-    desc.tables = SHD_TABLE_MIPMAP;
+    desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP;
     desc.swizzle[0] = SHD_CHANNEL_A;
     desc.swizzle[2] = SHD_CHANNEL_R;
     desc.fill[1] = 0.125f;
@@ -154,8 +158,8 @@ static void check_point(const shd_texture *texture, const shd_sampler *sampler, 
     for (k = 0; k < e.tap_count; ++k) {
         assert_in_range(e.taps[k].layer, 0, LAYERS - 1);
         assert_int_equal(e.taps[k].layer, g_layers[i] < LAYERS ? g_layers[i] : LAYERS - 1);
-        assert_true(e.taps[k].x < level_size(WIDTH, e.taps[k].level));
-        assert_true(e.taps[k].y < level_size(HEIGHT, e.taps[k].level));
+        assert_true(e.taps[k].x < level_size(WIDTH, e.taps[k].level_u));
+        assert_true(e.taps[k].y < level_size(HEIGHT, e.taps[k].level_v));
         sum += (double)e.taps[k].weight;
     }
     shd_assert_close("weights", i, sum, 1, 1e-5, 0);
@@ -223,7 +227,7 @@ static void test_bilinear_by_hand(void **state)
     assert_int_equal(e.blend_count, 3);
     assert_int_equal(e.filter, SHD_FILTER_BILINEAR);
     for (k = 0; k < 4; ++k) {
-        assert_int_equal(taps[k].level, 0);
+        assert_int_equal(taps[k].level_u + taps[k].level_v, 0);
         assert_int_equal(taps[k].x, k % 2);
         assert_int_equal(taps[k].y, k / 2);
         assert_int_equal(taps[k].border, 0);

@@ -23,21 +23,26 @@ const size_case k_sizes[] = {
 
 /// The stored value nearest to `average`, or one step away where `average` lies on a tie for the oracle's own error.
 bool is_rounded(shd_format format, const uint8_t* texel, int c, double average) {
-  if (format == SHD_FORMAT_RGBA32F) {
-    float value;
-    memcpy(&value, texel + 4 * c, 4);
-    return shd_is_close(static_cast<double>(value), average, 1e-13, 6.0e-8);
+  const ref::Layout layout = ref::layout(format);
+  double maximum = 255;
+  uint16_t wide = 0;
+  memcpy(&wide, texel + layout.size * c, layout.size == 1 ? 1 : 2);
+  double code = layout.size == 1 ? texel[c] : wide;
+  switch (layout.component) {
+    case ref::Layout::kFloat32: return shd_is_close(ref::decode(format, texel, c), average, 1e-13, 6.0e-8);
+    case ref::Layout::kFloat16: {
+      const double ulp = fmax(ldexp(1, -24), ldexp(fabs(average), -10));
+      return fabs(ref::half_value(wide) - average) <= ulp / 2 + 1e-12;
+    }
+    case ref::Layout::kSrgb8:
+      if (c < 3) return fabs(code - 255 * ref::linear_to_srgb(average)) <= 0.50001;
+      break;
+    case ref::Layout::kUnorm16: maximum = 65535; break;
+    default: break;
   }
-  if (format == SHD_FORMAT_RGBA16F) {
-    uint16_t half;
-    memcpy(&half, texel + 2 * c, 2);
-    const double value = ref::half_value(half), ulp = fmax(ldexp(1, -24), ldexp(fabs(average), -10));
-    return fabs(value - average) <= ulp / 2 + 1e-12;
-  }
-  if (format == SHD_FORMAT_RGBA8_SRGB && c < 3) return fabs(texel[c] - 255 * ref::linear_to_srgb(average)) <= 0.50001;
-  const double code = nearbyint(255 * average);  // nearest even, as the library
-  return fabs(texel[c] - 255 * average) <= 0.5 + 1e-12 &&
-         (fabs(fabs(code - 255 * average) - 0.5) < 1e-9 || code == texel[c]);
+  const double nearest = nearbyint(maximum * average);  // nearest even, as the library
+  return fabs(code - maximum * average) <= 0.5 + 1e-9 &&
+         (fabs(fabs(nearest - maximum * average) - 0.5) < 1e-9 || code == nearest);
 }
 
 void test_box(void** state) {

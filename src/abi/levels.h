@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+
+#include "abi/desc.h"
+#include "texture/image_list.h"
+#include "texture/storage.h"
+
+namespace shd::abi {
+
+/// Checks [layers][count] images as levels 1..count of a base of a known format.
+inline shd_result check_levels(const char* name, const shd_image* levels, uint32_t layers, uint32_t count,
+                               shd_format format, uint32_t width, uint32_t height) {
+  if (count > 0) SHD_TRY(check_not_null(name, levels));
+  for (size_t i = 0; i < size_t{layers} * count; ++i) {
+    char element[48], field[64];
+    std::snprintf(element, sizeof element, "%s[%zu]", name, i);
+    shd_image image;
+    const shd_image* given = texture::element_of(levels, i);
+    SHD_TRY(read_image(element, given, &image));
+    if (texture::struct_size_of(given) != texture::struct_size_of(levels)) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s[0]", element,
+                        texture::struct_size_of(given), texture::struct_size_of(levels), name);
+    }
+    if (image.format != format) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,
+                        static_cast<int>(image.format), static_cast<int>(format));
+    }
+    const auto level = static_cast<uint32_t>(i % count) + 1;
+    const uint32_t level_width = texture::level_size(width, level), level_height = texture::level_size(height, level);
+    std::snprintf(field, sizeof field, "%s.width", element);
+    SHD_TRY(check_count(field, image.width, level_width, level_width));
+    std::snprintf(field, sizeof field, "%s.height", element);
+    SHD_TRY(check_count(field, image.height, level_height, level_height));
+  }
+  return SHD_OK;
+}
+
+}  // namespace shd::abi

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <shd/mip.h>
+
+#include "abi/desc.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "abi/levels.h"
+#include "image/format.h"
+#include "texture/mip_build.h"
+#include "texture/storage.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr uint64_t kMaxPixels = uint64_t{1} << 28;
+
+shd_result check_mip_desc(const shd_mip_desc& desc, size_t channels) {
+  SHD_TRY(check_enum("mip.kernel", desc.kernel, SHD_MIP_BOX, SHD_MIP_LANCZOS));
+  SHD_TRY(check_enum("mip.source", desc.source, SHD_MIP_FROM_BASE, SHD_MIP_FROM_PREVIOUS));
+  SHD_TRY(check_enum("mip.semantic", desc.semantic, SHD_SEMANTIC_COLOR, SHD_SEMANTIC_ALPHA_COVERAGE));
+  SHD_TRY(check_enum("mip.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
+  SHD_TRY(check_enum("mip.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
+  SHD_TRY(check_range("mip.alpha_cutoff", static_cast<double>(desc.alpha_cutoff), 0, 1));
+  SHD_TRY(check_zero("mip.reserved", desc.reserved));
+  if (desc.semantic == SHD_SEMANTIC_NORMAL && channels < 3) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: normals need 3 or 4 channels, not %zu", channels);
+  }
+  if (desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE && channels != 4) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: alpha coverage needs 4 channels, not %zu", channels);
+  }
+  return SHD_OK;
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_mip_desc* desc, uint32_t level_count,
+                         const shd_image* levels) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
+    shd_image image;
+    SHD_TRY(read_image("base", base, &image));
+    SHD_TRY(check_count("base.width * base.height", uint64_t{image.width} * image.height, 1, kMaxPixels));
+    shd_mip_desc read = shd_mip_desc_default();
+    SHD_TRY(read_desc("mip", desc, false, &read));
+    SHD_TRY(check_mip_desc(read, image::format_info(image.format).channels));
+    SHD_TRY(check_count("level_count", level_count, 0, texture::full_level_count(image.width, image.height) - 1));
+    SHD_TRY(check_levels("levels", levels, 1, level_count, image.format, image.width, image.height));
+    texture::build_levels(context_of(context), image, read, level_count,
+                          [&](uint32_t level) { return texture::image_at(levels, level - 1); });
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstring>
+
+#include <shd/image.h>
+
+#include "image/format.h"
+
+namespace shd::texture {
+
+inline uint32_t struct_size_of(const shd_image* image) {
+  uint32_t size;
+  std::memcpy(&size, image, sizeof size);
+  return size;
+}
+
+/// Element i of the caller's images, which are struct_size apart.
+inline const shd_image* element_of(const shd_image* images, size_t i) {
+  return reinterpret_cast<const shd_image*>(reinterpret_cast<const uint8_t*>(images) + i * struct_size_of(images));
+}
+
+/// The same as this version knows it, checked before, with its row stride filled in.
+inline shd_image image_at(const shd_image* images, size_t i) {
+  shd_image image = shd_image_default();
+  const shd_image* given = element_of(images, i);
+  const size_t size = struct_size_of(given);
+  std::memcpy(&image, given, size < sizeof image ? size : sizeof image);
+  if (image.row_stride == 0) image.row_stride = image.width * image::format_info(image.format).pixel_size;
+  return image;
+}
+
+}  // namespace shd::texture
