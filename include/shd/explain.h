@@ -3,7 +3,7 @@
  * @file
  * @brief What one lookup reads and how it is put together.
  *
- * Every filter of shd but SUMMED_AREA and EXACT is a tree of blends of texels, and the explanation is that tree,
+ * Every filter of shd but RIPMAP, SUMMED_AREA and EXACT is a tree of blends of texels, and the explanation is that tree,
  * recorded from the kernel itself. Replaying it in float gives exactly what shd_texture_sample gives:
  *
  *     node i < tap_count              v[i] = taps[i].value[c]

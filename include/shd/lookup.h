@@ -57,6 +57,13 @@ typedef struct shd_texels {
     uint32_t struct_size;
     uint32_t reserved;      /**< 0 */
     shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; unwanted ones NULL */
+    /**
+     * d/du and d/dv of the channels, u and v normalised and the footprint held constant; unwanted ones NULL. For
+     * BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP and ANISOTROPIC (and a magnification among them); other
+     * filters answer SHD_ERROR_UNSUPPORTED. At a texel centre, where BILINEAR has a kink, the one to the right.
+     */
+    shd_f32_out du[4];
+    shd_f32_out dv[4];
     size_t nonfinite_count; /**< written: lookups whose coordinates or derivatives (or lod) were not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_texels;

@@ -22,7 +22,11 @@ typedef struct shd_texture shd_texture;
 typedef enum shd_table {
     SHD_TABLE_NONE = 0,   /**< the base level alone */
     SHD_TABLE_MIPMAP = 1, /**< levels max(1, floor(size / 2^l)) down to 1 x 1 (Williams 1983); memory 4/3 */
-    SHD_TABLE_RIPMAP = 2, /**< levels for every pair of powers of two, one per axis; memory up to 4 */
+    /**
+     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j; memory at most 4, with a
+     * mipmap too, whose levels are among them. Textures of up to 2^26 texels.
+     */
+    SHD_TABLE_RIPMAP = 2,
     /**
      * Sums over all rectangles at the origin (Crow 1984). Bytes per texel and channel: 4 for 8-bit formats of at
      * most 2^24 texels a layer, else 8 (exact integers for 8 and 16 bits, doubles for the others).
@@ -57,7 +61,8 @@ typedef struct shd_texture_desc {
     float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
     /**
      * Mip levels of the caller's, used with SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of
-     * this format; element l is level l + 1, max(1, width >> (l + 1)) by max(1, height >> (l + 1)). Copied
+     * this format; element l is level l + 1, max(1, width >> (l + 1)) by max(1, height >> (l + 1)). Copied. A ripmap
+     * of the same texture reads them where it has a level of the mipmap
      */
     const shd_image *levels;
     uint32_t level_count; /**< 0 = build them; fewer than down to 1 x 1 make a texture that ends there; default 0 */
@@ -76,8 +81,8 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 }
 
 /**
- * Copy texels and build the tables. Mip levels are area averages of the base level, exact for any size,
- * taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
+ * Copy texels and build the tables. Mip levels that are not given are area averages of the base level, exact for any
+ * size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
  * @param context      retained
  * @param desc         borrowed for the call
  * @param out_texture  owned; NULL on failure

@@ -17,19 +17,20 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr size_t kChannels = 4;
+constexpr size_t kOutputs = texture::kOutputColumns;
 constexpr size_t kChunk = 16384;  // lookups per task
 constexpr uint64_t kMaxTasks = 1u << 20;
-constexpr size_t kStage = 512;  // lookups per copy of strided columns: 26 KB of stack
+constexpr size_t kStage = 128;  // lookups per copy of strided columns: 11 KB of stack
 
 /// The columns of one call.
 struct Batch {
   LookupColumns in;
-  shd_f32_out out[kChannels];
+  shd_f32_out out[kOutputs];
 };
 
-constexpr const char* kChannelNames[kChannels] = {"texels.channel[0]", "texels.channel[1]", "texels.channel[2]",
-                                                  "texels.channel[3]"};
+constexpr const char* kOutputNames[kOutputs] = {
+    "texels.channel[0]", "texels.channel[1]", "texels.channel[2]", "texels.channel[3]", "texels.du[0]", "texels.du[1]",
+    "texels.du[2]",      "texels.du[3]",      "texels.dv[0]",      "texels.dv[1]",      "texels.dv[2]", "texels.dv[3]"};
 
 /// Where a column lies: elements at first + i * stride, i < count.
 struct Extent {
@@ -59,24 +60,24 @@ bool overlap(const Extent& a, const Extent& b) {
 
 shd_result check_overlap(const Batch& batch) {
   const size_t count = batch.in.count;
-  for (size_t c = 0; c < kChannels; ++c) {
+  for (size_t c = 0; c < kOutputs; ++c) {
     if (!batch.out[c].data) continue;
     const Extent out(batch.out[c].data, batch.out[c].stride, count);
     for (size_t i = 0; i < kLookupFloats; ++i) {
       const shd_f32_in& in = batch.in.floats[i];
       if (in.data && overlap(out, Extent(in.data, in.stride, count))) {
-        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kLookupFloatNames[i]);
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kOutputNames[c], kLookupFloatNames[i]);
       }
     }
     for (size_t i = 0; i < kLookupIntegers; ++i) {
       const shd_u32_in& in = batch.in.integers[i];
       if (in.data && overlap(out, Extent(in.data, in.stride, count))) {
-        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kLookupIntegerNames[i]);
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kOutputNames[c], kLookupIntegerNames[i]);
       }
     }
     for (size_t i = 0; i < c; ++i) {
       if (batch.out[i].data && overlap(out, Extent(batch.out[i].data, batch.out[i].stride, count))) {
-        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kChannelNames[c], kChannelNames[i]);
+        return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: overlaps %s", kOutputNames[c], kOutputNames[i]);
       }
     }
   }
@@ -84,12 +85,27 @@ shd_result check_overlap(const Batch& batch) {
 }
 
 shd_result check_out(const Batch& batch) {
-  for (size_t c = 0; c < kChannels; ++c) SHD_TRY(check_column(kChannelNames[c], batch.out[c], batch.in.count));
+  for (size_t c = 0; c < kOutputs; ++c) SHD_TRY(check_column(kOutputNames[c], batch.out[c], batch.in.count));
   if (batch.in.count == 0) return SHD_OK;
   bool wanted = false;
   for (const shd_f32_out& channel : batch.out) wanted = wanted || channel.data;
-  if (!wanted) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.channel: NULL for all four");
+  if (!wanted) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.channel: NULL for all, and no derivative");
   return check_overlap(batch);
+}
+
+/// Whether the sampler has the derivatives that a batch asks for.
+shd_result check_gradient(const Batch& batch, const texture::Sampler& sampler) {
+  bool wanted = false;
+  for (size_t c = 4; c < kOutputs; ++c) wanted = wanted || batch.out[c].data;
+  if (!wanted) return SHD_OK;
+  if (!texture::has_gradient(sampler.filter)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %d of the sampler has no derivatives",
+                      static_cast<int>(sampler.filter));
+  }
+  if (sampler.magnification == SHD_MAGNIFICATION_NEAREST) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: NEAREST magnification has no derivatives");
+  }
+  return SHD_OK;
 }
 
 /// A 0.1 shd_texels may leave its struct_size 0.
@@ -137,18 +153,18 @@ class Chunk {
     for (size_t i = 0; i < kLookupIntegers; ++i) {
       integers[i] = batch_.in.integers[i].data ? batch_.in.integers[i].data + first : nullptr;
     }
-    for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? batch_.out[c].data + first : nullptr;
+    for (size_t c = 0; c < kOutputs; ++c) out.column(c) = batch_.out[c].data ? batch_.out[c].data + first : nullptr;
     const texture::Lookups lookups = {count, in[0], in[1], in[2], in[3], in[4], in[5], in[6], integers[0], integers[1]};
     return texture::sample(texture_, sampler_, simd_, lookups, out);
   }
 
   size_t run_staged(size_t first, size_t count) const {
     LookupStage<kStage> stage;
-    float out_copy[kChannels][kStage];
+    float out_copy[kOutputs][kStage];
     texture::Texels out = {};
-    for (size_t c = 0; c < kChannels; ++c) out.channel[c] = batch_.out[c].data ? out_copy[c] : nullptr;
+    for (size_t c = 0; c < kOutputs; ++c) out.column(c) = batch_.out[c].data ? out_copy[c] : nullptr;
     const size_t nonfinite = texture::sample(texture_, sampler_, simd_, stage.load(batch_.in, first, count), out);
-    for (size_t c = 0; c < kChannels; ++c) {
+    for (size_t c = 0; c < kOutputs; ++c) {
       if (!batch_.out[c].data) continue;
       for (size_t k = 0; k < count; ++k) data::store(batch_.out[c], first + k, out_copy[c][k]);
     }
@@ -187,7 +203,12 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     SHD_TRY(read_lookups(lookups, &batch.in));
     shd_texels texels;
     SHD_TRY(read_texels(out, &texels));
-    std::memcpy(batch.out, texels.channel, sizeof batch.out);
+    for (size_t c = 0; c < 4; ++c) {
+      batch.out[c] = texels.channel[c];
+      batch.out[4 + c] = texels.du[c];
+      batch.out[8 + c] = texels.dv[c];
+    }
+    SHD_TRY(check_gradient(batch, *sampler_body));
     SHD_TRY(check_out(batch));
 
     const core::Context& context = *object_of(texture)->context;

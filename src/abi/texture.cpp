@@ -18,6 +18,7 @@ using namespace shd::abi;
 
 /// Texel indices of all levels, times four channels, stay within 32-bit gathers.
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
+constexpr uint64_t kMaxRipmapTexels = uint64_t{1} << 26;
 
 /// `layer_size` is the size of one layer in bytes, with its row stride.
 shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& format, size_t layer_size) {
@@ -81,10 +82,11 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
   SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
   SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
+  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP));
   SHD_TRY(check_count("texture.width * texture.height * texture.layers",
-                      uint64_t{desc.width} * desc.height * desc.layers, 1, kMaxTexels));
+                      uint64_t{desc.width} * desc.height * desc.layers, 1,
+                      desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels));
   SHD_TRY(check_rows(desc, image::format_info(desc.format)));
-  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP));
   SHD_TRY(check_given_levels(desc));
   for (const shd_channel channel : desc.swizzle) {
     SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));

@@ -87,7 +87,7 @@ const float* const* look_up(const core::SimdTarget& simd, const material::Materi
   const raster::Fragments& f = w->fragments;
   const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
   texture::sample(*material.diffuse_texture, *material.diffuse_sampler, simd, lookups,
-                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], nullptr}});
+                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], nullptr}, {}, {}});
   return w->columns.texture;
 }
 

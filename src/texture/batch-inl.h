@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/lod-inl.h"
+#include "texture/footprint-inl.h"
 #include "texture/texture.h"
 #include "texture/wrap-inl.h"
 
@@ -93,7 +93,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Texture& texture, const Lookups&
 struct Tail {
   alignas(64) float in_columns[kFloatColumns][kMaxLanes];
   alignas(64) uint32_t in_integers[kIntegerColumns][kMaxLanes];
-  alignas(64) float out_columns[4][kMaxLanes];
+  alignas(64) float out_columns[kOutputColumns][kMaxLanes];
   Lookups in;
   Texels out;
 
@@ -115,11 +115,11 @@ struct Tail {
     }
     in = {count,      columns[0], columns[1], columns[2],  columns[3],
           columns[4], columns[5], columns[6], integers[0], integers[1]};
-    for (size_t c = 0; c < 4; ++c) out.channel[c] = to.channel[c] ? out_columns[c] : nullptr;
+    for (size_t c = 0; c < kOutputColumns; ++c) out.column(c) = to.column(c) ? out_columns[c] : nullptr;
   }
   void copy_out(const Texels& to, size_t first) const {
-    for (size_t c = 0; c < 4; ++c) {
-      if (to.channel[c]) std::memcpy(to.channel[c] + first, out_columns[c], in.count * sizeof(float));
+    for (size_t c = 0; c < kOutputColumns; ++c) {
+      if (to.column(c)) std::memcpy(to.column(c) + first, out_columns[c], in.count * sizeof(float));
     }
   }
 };
@@ -135,6 +135,7 @@ HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, 
   const Lookups* from = &in;
   const Texels* to = &out;
   size_t nonfinite = 0;
+  const bool widened = !in.lod && widens(filter.sampler);
   // One call for vectors and tail, as it is inlined.
   for (size_t i = 0;; i += lanes) {
     if (i >= whole && from == &in) {
@@ -147,8 +148,9 @@ HWY_NOINLINE size_t ForEachVector(const Texture& texture, const Filter& filter, 
       tail.copy_out(out, whole);
       return nonfinite;
     }
-    const Points<D> points = LoadPoints(d, texture, *from, i);
+    Points<D> points = LoadPoints(d, texture, *from, i);
     nonfinite += points.nonfinite;
+    if (HWY_UNLIKELY(widened)) Widen(d, filter.sampler, &points.derivatives);
     filter(d, points, *to, i);
   }
 }

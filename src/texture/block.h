@@ -28,7 +28,7 @@ inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
 }
 inline Texels part_of(const Texels& out, size_t first) {
   Texels part;
-  for (size_t c = 0; c < 4; ++c) part.channel[c] = part_of(out.channel[c], first);
+  for (size_t c = 0; c < kOutputColumns; ++c) part.column(c) = part_of(out.column(c), first);
   return part;
 }
 

@@ -105,6 +105,7 @@ void record(const Texture& texture, const Sampler& sampler, const Lookups& looku
     case SHD_FILTER_BICUBIC: return record_bicubic(texture, sampler, lookups);
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
+    case SHD_FILTER_ANISOTROPIC: return record_anisotropic(texture, sampler, lookups);
     default: return record_trilinear(texture, sampler, lookups);
   }
 }
@@ -132,7 +133,7 @@ void write_tree(const core::Context& context, const Texture& texture, const Samp
 }  // namespace
 
 bool is_explainable(shd_filter filter) {
-  return filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
+  return filter != SHD_FILTER_RIPMAP && filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
 }
 
 void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
@@ -146,7 +147,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   write_tree(context, texture, taken, recording, out);
   out->filter = static_cast<uint32_t>(taken.filter);
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
-  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}};
+  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   sample(texture, sampler, context.simd, lookups, result);
   float lod[1];
   sample_lod(texture, sampler, lod_range(texture, sampler), context.simd, lookups, lod);

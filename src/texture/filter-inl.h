@@ -136,16 +136,17 @@ struct Blend {
   static HWY_INLINE void store(D d, Value<D> value, const Texels& out, size_t i) {
     hn::StoreU(finish<C>(d, value), d, out.channel[C] + i);
   }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
 };
 
 /// value.of<C>() of every wanted channel C, to element i of its column.
 template <class F, bool kBorder, class D, class ValueOf>
 HWY_INLINE void StoreChannels(D d, const ValueOf& value, const Texels& out, size_t i) {
   using B = Blend<F, kBorder>;
-  if (out.channel[0]) B::template store<0>(d, value.template of<0>(), out, i);
-  if (out.channel[1]) B::template store<1>(d, value.template of<1>(), out, i);
-  if (out.channel[2]) B::template store<2>(d, value.template of<2>(), out, i);
-  if (out.channel[3]) B::template store<3>(d, value.template of<3>(), out, i);
+  if (B::wanted(out, 0)) B::template store<0>(d, value.template of<0>(), out, i);
+  if (B::wanted(out, 1)) B::template store<1>(d, value.template of<1>(), out, i);
+  if (B::wanted(out, 2)) B::template store<2>(d, value.template of<2>(), out, i);
+  if (B::wanted(out, 3)) B::template store<3>(d, value.template of<3>(), out, i);
 }
 
 /// One texel of a level.
@@ -181,11 +182,10 @@ struct Quad {
   MaskOf<D> in00, in10, in01, in11;
 };
 
+/// The texels at taps x and y of a level.
 template <class F, class D>
-SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
-                                     hn::Vec<D> u, hn::Vec<D> v) {
-  const LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
-  const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
+SHD_KERNEL_PART Quad<F, D> FetchTaps(D d, const Texture& texture, const Level<D>& level, const LinearTaps<D>& x,
+                                     const LinearTaps<D>& y) {
   const auto top = RowIndex(d, level, y.i0), bottom = RowIndex(d, level, y.i1);
   Quad<F, D> quad;
   quad.s = x.s;
@@ -208,6 +208,13 @@ SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler&
   quad.t01 = F::fetch(d, texture, hn::Add(bottom, x.i0));
   quad.t11 = F::fetch(d, texture, hn::Add(bottom, x.i1));
   return quad;
+}
+
+template <class F, class D>
+SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
+                                     hn::Vec<D> u, hn::Vec<D> v) {
+  return FetchTaps<F>(d, texture, level, WrapLinear(d, sampler.wrap_u, u, level.across),
+                      WrapLinear(d, sampler.wrap_v, v, level.down));
 }
 
 /// Bilinear value of channel C, in the lerp domain.

@@ -11,9 +11,13 @@ struct LodRange {
 };
 
 /// Those of a sampler, within the levels of a texture.
-inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
-  const auto last = static_cast<float>(texture.level_count - 1);
+inline LodRange lod_range(uint32_t level_count, const Sampler& sampler) {
+  const auto last = static_cast<float>(level_count - 1);
   return {sampler.lod_min < last ? sampler.lod_min : last, sampler.lod_max < last ? sampler.lod_max : last};
+}
+
+inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
+  return lod_range(texture.level_count, sampler);
 }
 
 }  // namespace shd::texture

@@ -44,7 +44,7 @@ HWY_INLINE size_t ForEachLodBlock(const Texture& texture, const Sampler& sampler
   for (size_t first = 0; first < in.count; first += kBlock) {
     const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
     const Lookups given = part_of(in, first, count);
-    nonfinite += ForEachVector(texture, level_of_detail, given, {{lod, nullptr, nullptr, nullptr}});
+    nonfinite += ForEachVector(texture, level_of_detail, given, {{lod}, {}, {}});
     filter(Lookups{count, given.u, given.v, nullptr, nullptr, nullptr, nullptr, lod, given.layer, given.random},
            part_of(out, first));
   }

@@ -17,7 +17,7 @@ LodRange free_range(const Sampler& sampler) {
 struct Gathered {
   float floats[kFloatColumns][kBlock];
   uint32_t integers[kIntegerColumns][kBlock];
-  float results[4][kBlock];
+  float results[kOutputColumns][kBlock];
 
   template <class T>
   static const T* gather(const T* column, const uint16_t* rows, size_t count, T* to) {
@@ -42,13 +42,13 @@ struct Gathered {
   }
   Texels wanted(const Texels& out) {
     Texels to;
-    for (size_t c = 0; c < 4; ++c) to.channel[c] = out.channel[c] ? results[c] : nullptr;
+    for (size_t c = 0; c < kOutputColumns; ++c) to.column(c) = out.column(c) ? results[c] : nullptr;
     return to;
   }
   void scatter(const uint16_t* rows, size_t count, const Texels& out) const {
-    for (size_t c = 0; c < 4; ++c) {
-      if (!out.channel[c]) continue;
-      for (size_t i = 0; i < count; ++i) out.channel[c][rows[i]] = results[c][i];
+    for (size_t c = 0; c < kOutputColumns; ++c) {
+      if (!out.column(c)) continue;
+      for (size_t i = 0; i < count; ++i) out.column(c)[rows[i]] = results[c][i];
     }
   }
 };

@@ -28,16 +28,6 @@ struct Recorded {
   }
 };
 
-/// Vectors that a kernel of format class F runs on.
-template <class F>
-struct TagOf {
-  using Type = BatchTag;
-};
-template <>
-struct TagOf<Recorded> {
-  using Type = hn::CappedTag<float, 1>;
-};
-
 template <bool kBorder>
 struct Blend<Recorded, kBorder> {
   struct Node {
@@ -67,6 +57,7 @@ struct Blend<Recorded, kBorder> {
     t_recording->root = value.id;
     t_recording->finished_taps = kBorder;
   }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
 };
 
 }  // namespace shd::texture::HWY_NAMESPACE

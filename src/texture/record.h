@@ -59,5 +59,6 @@ void record_bilinear(const Texture& texture, const Sampler& sampler, const Looku
 void record_bicubic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_mip(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
+void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 
 }  // namespace shd::texture

@@ -12,9 +12,7 @@ void fill(float* column, size_t count, float value) {
   for (size_t i = 0; i < count; ++i) column[i] = value;
 }
 
-}  // namespace
-
-size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+size_t sample_values(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
   switch (sampler.filter) {
     case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, out);
@@ -22,8 +20,40 @@ size_t sample_filter(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_BICUBIC: return sample_bicubic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
   }
+}
+
+void sample_gradient(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out) {
+  switch (sampler.filter) {
+    case SHD_FILTER_BILINEAR: return gradient_bilinear(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_BICUBIC: return gradient_bicubic(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_BILINEAR_MIP: return gradient_mip(texture, sampler, simd, lookups, out);
+    default: return gradient_trilinear(texture, sampler, simd, lookups, out);
+  }
+}
+
+}  // namespace
+
+bool has_gradient(shd_filter filter) {
+  switch (filter) {
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_BICUBIC:
+    case SHD_FILTER_BILINEAR_MIP:
+    case SHD_FILTER_TRILINEAR: return true;
+    default: return false;
+  }
+}
+
+size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out) {
+  bool derivatives = false;
+  for (size_t c = 0; c < 4; ++c) derivatives = derivatives || out.du[c] || out.dv[c];
+  if (derivatives) sample_gradient(texture, sampler, simd, lookups, out);
+  return sample_values(texture, sampler, simd, lookups, out);
 }
 
 bool has_kernel(const shd_sampler_desc& desc) {
@@ -33,7 +63,9 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_BICUBIC:
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP:
-    case SHD_FILTER_TRILINEAR: return true;
+    case SHD_FILTER_RIPMAP:
+    case SHD_FILTER_TRILINEAR:
+    case SHD_FILTER_ANISOTROPIC: return true;
     default: return false;
   }
 }
@@ -64,22 +96,26 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out) {
+  // Columns 4 k + c of values (k = 0) and of their derivatives in u and v, by stored channel.
   Texels stored = {};
-  for (size_t c = 0; c < 4; ++c) {
-    const uint32_t source = texture.channel_source[c];
-    if (source != kFill && !stored.channel[source]) stored.channel[source] = out.channel[c];
+  for (size_t i = 0; i < kOutputColumns; ++i) {
+    const uint32_t source = texture.channel_source[i % 4];
+    if (source == kFill) continue;
+    float*& column = stored.column(i / 4 * 4 + source);
+    if (!column) column = out.column(i);
   }
   const size_t nonfinite = sampler.magnification == SHD_MAGNIFICATION_DEFAULT
                                ? sample_filter(texture, sampler, simd, lookups, stored)
                                : sample_magnified(texture, sampler, simd, lookups, stored);
-  for (size_t c = 0; c < 4; ++c) {
-    if (!out.channel[c]) continue;
-    const uint32_t source = texture.channel_source[c];
+  for (size_t i = 0; i < kOutputColumns; ++i) {
+    if (!out.column(i)) continue;
+    const uint32_t source = texture.channel_source[i % 4];
     if (source == kFill) {
-      fill(out.channel[c], lookups.count, texture.fill[c]);
-    } else if (stored.channel[source] != out.channel[c]) {
-      std::memcpy(out.channel[c], stored.channel[source], lookups.count * sizeof(float));
+      fill(out.column(i), lookups.count, i < 4 ? texture.fill[i] : 0.0f);
+      continue;
     }
+    const float* column = stored.column(i / 4 * 4 + source);
+    if (column != out.column(i)) std::memcpy(out.column(i), column, lookups.count * sizeof(float));
   }
   return nonfinite;
 }

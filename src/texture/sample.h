@@ -13,6 +13,13 @@ namespace shd::texture {
 ///   trilinear  that of bilinear, and m 4e-6 for the level of detail
 ///   bicubic    m (3e-6 + 4e-6 (w + h)): the kernels' slopes and lobes are at most 5 times those of bilinear
 ///   mip        those of nearest and bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
+///   ripmap     that of bilinear, and m 8e-6 for the levels of detail
+///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
+///
+/// Anisotropic: with the footprint's longer and shorter half axis a >= b in base texels (footprint-inl.h) and
+/// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
+/// at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N), k = 0..N - 1; Gaussian weights are
+/// exp(-2 x^2), x = 2 t. N = 1 with r = 1 has the bits of trilinear.
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
@@ -24,6 +31,21 @@ size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::Si
                   const Texels& out);
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
+size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& out);
+
+/// Derivatives of the wanted channels in u and v, of filters that have_gradient(): exact derivatives of the blends, in
+/// float.
+void gradient_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                       const Lookups& lookups, const Texels& out);
+void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                      const Lookups& lookups, const Texels& out);
+void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out);
+void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                        const Lookups& lookups, const Texels& out);
+size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                          const Lookups& lookups, const Texels& out);
 
 /// The one of these that sampler.filter names; its magnification does not count.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

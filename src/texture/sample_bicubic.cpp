@@ -8,9 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
 #include "texture/cubic-inl.h"
-#include "texture/record-inl.h"
+#include "texture/kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -86,32 +85,22 @@ struct Bicubic {
   }
 };
 
-template <class F>
-size_t BicubicOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  using D = typename TagOf<F>::Type;
-  if (has_border(sampler)) return ForEachVector<D>(texture, Bicubic<F, true>{texture, sampler}, in, out);
-  return ForEachVector<D>(texture, Bicubic<F, false>{texture, sampler}, in, out);
-}
-
-struct BicubicOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
+struct BicubicKernel {
   template <class F>
-  size_t run() const {
-    return BicubicOfFormat<F>(texture, sampler, in, out);
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return ForEachPoint<Bicubic, F>(texture, sampler, in, out);
   }
 };
 
 size_t BicubicBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, BicubicOfTexture{texture, sampler, in, out});
+  return RunValues<BicubicKernel>(texture, sampler, in, out);
 }
-
+size_t BicubicGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<BicubicKernel>(texture, sampler, in, out);
+}
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordBicubic(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  BicubicOfFormat<Recorded>(texture, sampler, in, out);
+  BicubicKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -122,6 +111,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(BicubicBatch);
+HWY_EXPORT(BicubicGradient);
 }  // namespace
 
 size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
@@ -129,9 +119,14 @@ size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core
   return SHD_DISPATCH(BicubicBatch, simd)(texture, sampler, lookups, out);
 }
 
+void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                      const Lookups& lookups, const Texels& out) {
+  SHD_DISPATCH(BicubicGradient, simd)(texture, sampler, lookups, out);
+}
+
 void record_bicubic(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordBicubic)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordBicubic)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

@@ -8,9 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
-#include "texture/record-inl.h"
+#include "texture/kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -30,32 +29,22 @@ struct Bilinear {
   }
 };
 
-template <class F>
-size_t BilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler))
-    return ForEachVector<typename TagOf<F>::Type>(texture, Bilinear<F, true>{texture, sampler}, in, out);
-  return ForEachVector<typename TagOf<F>::Type>(texture, Bilinear<F, false>{texture, sampler}, in, out);
-}
-
-struct BilinearOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
+struct BilinearKernel {
   template <class F>
-  size_t run() const {
-    return BilinearOfFormat<F>(texture, sampler, in, out);
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return ForEachPoint<Bilinear, F>(texture, sampler, in, out);
   }
 };
 
 size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, BilinearOfTexture{texture, sampler, in, out});
+  return RunValues<BilinearKernel>(texture, sampler, in, out);
 }
-
+size_t BilinearGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<BilinearKernel>(texture, sampler, in, out);
+}
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordBilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  BilinearOfFormat<Recorded>(texture, sampler, in, out);
+  BilinearKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -66,6 +55,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(BilinearBatch);
+HWY_EXPORT(BilinearGradient);
 }  // namespace
 
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
@@ -73,9 +63,14 @@ size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const cor
   return SHD_DISPATCH(BilinearBatch, simd)(texture, sampler, lookups, out);
 }
 
+void gradient_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                       const Lookups& lookups, const Texels& out) {
+  SHD_DISPATCH(BilinearGradient, simd)(texture, sampler, lookups, out);
+}
+
 void record_bilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordBilinear)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordBilinear)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

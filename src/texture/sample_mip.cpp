@@ -9,8 +9,8 @@
 #include <hwy/highway.h>
 
 #include "texture/filter-inl.h"
+#include "texture/kernel-inl.h"
 #include "texture/lod_block-inl.h"
-#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -49,46 +49,28 @@ struct BilinearMip {
   }
 };
 
-template <class F, bool kBorder>
-void MipBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  using D = typename TagOf<F>::Type;
-  if (sampler.filter == SHD_FILTER_NEAREST_MIP) {
-    ForEachVector<D>(texture, NearestMip<F, kBorder>{texture, sampler}, in, out);
-  } else {
-    ForEachVector<D>(texture, BilinearMip<F, kBorder>{texture, sampler}, in, out);
-  }
-}
-
-template <class F>
-size_t MipOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
-    if (has_border(sampler)) {
-      MipBlock<F, true>(texture, sampler, block, to);
-    } else {
-      MipBlock<F, false>(texture, sampler, block, to);
-    }
-  });
-}
-
-struct MipOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
+struct MipKernel {
   template <class F>
-  size_t run() const {
-    return MipOfFormat<F>(texture, sampler, in, out);
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
+      if (sampler.filter == SHD_FILTER_NEAREST_MIP) {
+        ForEachPoint<NearestMip, F>(texture, sampler, block, to);
+      } else {
+        ForEachPoint<BilinearMip, F>(texture, sampler, block, to);
+      }
+    });
   }
 };
 
 size_t MipBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, MipOfTexture{texture, sampler, in, out});
+  return RunValues<MipKernel>(texture, sampler, in, out);
 }
-
+size_t MipGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<MipKernel>(texture, sampler, in, out);
+}
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordMip(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  MipOfFormat<Recorded>(texture, sampler, in, out);
+  MipKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -99,6 +81,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(MipBatch);
+HWY_EXPORT(MipGradient);
 }  // namespace
 
 size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
@@ -106,9 +89,14 @@ size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::Si
   return SHD_DISPATCH(MipBatch, simd)(texture, sampler, lookups, out);
 }
 
+void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out) {
+  SHD_DISPATCH(MipGradient, simd)(texture, sampler, lookups, out);
+}
+
 void record_mip(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordMip)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordMip)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

@@ -8,9 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
 #include "texture/filter-inl.h"
-#include "texture/record-inl.h"
+#include "texture/kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -27,32 +26,19 @@ struct Nearest {
   }
 };
 
-template <class F>
-size_t NearestOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  if (has_border(sampler))
-    return ForEachVector<typename TagOf<F>::Type>(texture, Nearest<F, true>{texture, sampler}, in, out);
-  return ForEachVector<typename TagOf<F>::Type>(texture, Nearest<F, false>{texture, sampler}, in, out);
-}
-
-struct NearestOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
+struct NearestKernel {
   template <class F>
-  size_t run() const {
-    return NearestOfFormat<F>(texture, sampler, in, out);
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return ForEachPoint<Nearest, F>(texture, sampler, in, out);
   }
 };
 
 size_t NearestBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, NearestOfTexture{texture, sampler, in, out});
+  return RunValues<NearestKernel>(texture, sampler, in, out);
 }
-
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordNearest(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  NearestOfFormat<Recorded>(texture, sampler, in, out);
+  NearestKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -72,7 +58,7 @@ size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core
 
 void record_nearest(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordNearest)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordNearest)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

@@ -9,8 +9,8 @@
 #include <hwy/highway.h>
 
 #include "texture/filter-inl.h"
+#include "texture/kernel-inl.h"
 #include "texture/lod_block-inl.h"
-#include "texture/record-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -64,42 +64,29 @@ struct Trilinear {
   };
 };
 
-template <class F>
-size_t TrilinearOfFormat(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  using D = typename TagOf<F>::Type;
-  return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
-    if (has_border(sampler)) {
-      ForEachVector<D>(texture, Trilinear<F, true>{texture, sampler}, block, to);
-    } else {
-      ForEachVector<D>(texture, Trilinear<F, false>{texture, sampler}, block, to);
-    }
-  });
-}
+struct TrilinearKernel {
+  template <class F>
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
+      ForEachPoint<Trilinear, F>(texture, sampler, block, to);
+    });
+  }
+};
 
+size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunValues<TrilinearKernel>(texture, sampler, in, out);
+}
+size_t TrilinearGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<TrilinearKernel>(texture, sampler, in, out);
+}
 size_t LodBatch(const Texture& texture, const Sampler& sampler, const LodRange& range, const Lookups& in,
                 const Texels& out) {
   return ForEachVector(texture, LevelOfDetail{texture, sampler, range, in.lod != nullptr}, in, out);
 }
 
-struct TrilinearOfTexture {
-  const Texture& texture;
-  const Sampler& sampler;
-  const Lookups& in;
-  const Texels& out;
-
-  template <class F>
-  size_t run() const {
-    return TrilinearOfFormat<F>(texture, sampler, in, out);
-  }
-};
-
-size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return ForFormat(texture, TrilinearOfTexture{texture, sampler, in, out});
-}
-
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordTrilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  TrilinearOfFormat<Recorded>(texture, sampler, in, out);
+  TrilinearKernel::run<Recorded>(texture, sampler, in, out);
 }
 #endif
 
@@ -110,6 +97,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(TrilinearBatch);
+HWY_EXPORT(TrilinearGradient);
 HWY_EXPORT(LodBatch);
 }  // namespace
 
@@ -120,12 +108,17 @@ size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const co
 
 size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
                   const Lookups& lookups, float* out) {
-  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, range, lookups, {{out}});
+  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, range, lookups, {{out}, {}, {}});
+}
+
+void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                        const Lookups& lookups, const Texels& out) {
+  SHD_DISPATCH(TrilinearGradient, simd)(texture, sampler, lookups, out);
 }
 
 void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
   float unused[1];
-  HWY_STATIC_DISPATCH(RecordTrilinear)(texture, sampler, lookups, {{unused}});
+  HWY_STATIC_DISPATCH(RecordTrilinear)(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 }  // namespace shd::texture

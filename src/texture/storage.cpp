@@ -37,6 +37,24 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
   }
 }
 
+/// Sets the offsets of the ripmap levels; they follow `texels` others. Returns the number of texels of all.
+size_t lay_out_ripmap(Texture* texture, size_t texels) {
+  texture->ripmap_columns = full_level_count(texture->width, 1);
+  texture->ripmap_rows = full_level_count(texture->height, 1);
+  for (uint32_t j = 0; j < texture->ripmap_rows; ++j) {
+    for (uint32_t i = 0; i < texture->ripmap_columns; ++i) {
+      uint32_t* offset = &texture->ripmap_offset[j * kMaxLevels + i];
+      if (is_mip_level(*texture, i, j)) {
+        *offset = texture->offset[i > j ? i : j];
+      } else {
+        *offset = static_cast<uint32_t>(texels);
+        texels += size_t{level_size(texture->width, i)} * level_size(texture->height, j);
+      }
+    }
+  }
+  return texels;
+}
+
 /// Sets the sizes and the offset of every level; returns the number of texels of all layers.
 size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->width = desc.width;
@@ -52,6 +70,8 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
     texture->offset[level] = static_cast<uint32_t>(texels);
     if (level < texture->level_count) texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level);
   }
+  texture->ripmap_columns = texture->ripmap_rows = 0;
+  if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(texture, texels);
   texture->layer_texels = static_cast<uint32_t>(texels);
   return texels * desc.layers;
 }
@@ -129,6 +149,7 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   } else if (desc.tables & SHD_TABLE_MIPMAP) {
     build_mip_levels(context, &texture);
   }
+  if (desc.tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }
 

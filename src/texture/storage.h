@@ -50,4 +50,25 @@ inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t le
 /// stores: unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
 void build_mip_levels(const core::Context& context, Texture* texture);
 
+/// Whether ripmap level (i, j) is the base or, where there is a mipmap, level max(i, j) of it.
+inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
+  const uint32_t level = i > j ? i : j, columns = texture.ripmap_columns, rows = texture.ripmap_rows;
+  return level < texture.level_count && i == (level < columns ? level : columns - 1) &&
+         j == (level < rows ? level : rows - 1);
+}
+
+/// First byte of row y of ripmap level (i, j) of a layer.
+inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
+  const size_t first = size_t{layer} * texture.layer_texels + texture.ripmap_offset[j * kMaxLevels + i] +
+                       size_t{y} * level_size(texture.width, i);
+  return texture.texels.data() + first * texel_size(texture);
+}
+inline const uint8_t* ripmap_row(const Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
+  return ripmap_row(const_cast<Texture&>(texture), layer, i, j, y);
+}
+
+/// Fills the ripmap levels of every layer of a texture whose levels 0 are there (ripmap.cpp): averages as those of
+/// build_mip_levels.
+void build_ripmap_levels(const core::Context& context, Texture* texture);
+
 }  // namespace shd::texture

@@ -14,6 +14,7 @@
 /// | storage.h               | layout of levels; the copy of the base                                      |
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
 /// | mip_sums.h              | their first steps as sums of integers                                       |
+/// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
 /// | image_list.h            | images of the caller's in an array                                          |
@@ -21,17 +22,23 @@
 /// | sample_nearest.cpp      | kernels: nearest x format                                                   |
 /// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
 /// | sample_trilinear.cpp    | kernels: trilinear x format                                                 |
+/// | sample_ripmap.cpp       | kernels: ripmap x format                                                    |
 /// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
+/// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
 /// | lod-inl.h               | level of detail from the footprint                                          |
+/// | footprint-inl.h         | axes of the footprint; width and blur                                       |
+/// | probe-inl.h             | lookups at several points of the same mip levels                            |
 /// | wrap-inl.h              | texel coordinates and wrapping                                              |
 /// | filter-inl.h            | levels, the four texels around a point, blends                              |
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
 /// | gather-inl.h            | loads of neighbouring texels                                                |
 /// | explain.h               | one lookup as its tree of blends                                            |
+/// | kernel-inl.h            | how a filter becomes kernels: values, gradients, records                    |
+/// | gradient-inl.h          | kernels that give derivatives                                               |
 /// | record.h, record-inl.h  | kernels that write down what they do                                        |
 /// | ray_footprint.h         | derivatives from ray differentials and ray cones                            |
 /// | kernel_part.h           | inlining of the larger pieces                                               |
@@ -56,17 +63,20 @@ constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
 
 /// Texels of every level of every layer in one block.
 struct Texture {
-  shd_format format;            // as stored: of one, two or four channels
-  image::Component component;   // of that format
-  uint32_t channels;            // of that format
-  uint32_t channel_source[4];   // stored channel of an output, or kFill
-  float fill[4];                // by output
-  uint32_t tables;              // shd_table bits
-  uint32_t width, height;       // of level 0
-  uint32_t layers;              // 1..2048
-  uint32_t layer_texels;        // of all levels of one layer
-  uint32_t level_count;         // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];  // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
+  shd_format format;                     // as stored: of one, two or four channels
+  image::Component component;            // of that format
+  uint32_t channels;                     // of that format
+  uint32_t channel_source[4];            // stored channel of an output, or kFill
+  float fill[4];                         // by output
+  uint32_t tables;                       // shd_table bits
+  uint32_t width, height;                // of level 0
+  uint32_t layers;                       // 1..2048
+  uint32_t layer_texels;                 // of all levels of one layer
+  uint32_t level_count;                  // 1..kMaxLevels
+  uint32_t offset[kMaxLevels];           // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
+  uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
+                                         // max(1, width >> i) x max(1, height >> j)
+  uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
   core::Array<uint8_t> texels;  // rows packed, levels and then layers in order, padded at the end for whole gathers
 };
 
@@ -90,6 +100,9 @@ struct Sampler {
 /// Whether this build filters so.
 bool has_kernel(const shd_sampler_desc& desc);
 
+/// Whether a filter has derivatives: those that are continuous trees of blends.
+bool has_gradient(shd_filter filter);
+
 /// Of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
@@ -105,9 +118,15 @@ struct Lookups {
   const uint32_t* random;                  // null = drawn from the bits of u and v
 };
 
+constexpr size_t kOutputColumns = 12;
+
 /// Packed columns of `count` elements; unwanted ones are null. Nothing is written past `count`.
 struct Texels {
   float* channel[4];
+  float *du[4], *dv[4];  // derivatives of the channels; only of filters that have_gradient()
+
+  float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : dv[i - 8]; }
+  float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
 };
 
 /// Copies the texels of a checked desc and builds its tables on the context's executor.

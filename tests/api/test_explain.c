@@ -19,7 +19,8 @@ static const struct {
     shd_filter filter;
 } k_filters[] = {{"nearest", SHD_FILTER_NEAREST},           {"bilinear", SHD_FILTER_BILINEAR},
                  {"bicubic", SHD_FILTER_BICUBIC},           {"nearest_mip", SHD_FILTER_NEAREST_MIP},
-                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR}};
+                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"trilinear", SHD_FILTER_TRILINEAR},
+                 {"anisotropic", SHD_FILTER_ANISOTROPIC}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
 static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FORMAT_RGBA8_SRGB,

@@ -63,6 +63,12 @@ static void edit_too_many(shd_texture_desc *d)
     d->width = 65536;
     d->height = 4097;
 }
+static void edit_too_many_for_ripmap(shd_texture_desc *d)
+{
+    d->width = 8192;
+    d->height = 8193;
+    d->tables = SHD_TABLE_RIPMAP;
+}
 static void edit_overflow(shd_texture_desc *d) { d->width = d->height = 0x10000; }
 static void edit_texels_null(shd_texture_desc *d) { d->texels = NULL; }
 static void edit_texels_misaligned(shd_texture_desc *d)
@@ -119,6 +125,8 @@ static const struct create_case k_create[] = {
     {"create/negative_height", edit_height_negative, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 4294967292"},
     {"create/2^28_and_a_row", edit_too_many, SHD_ERROR_INVALID_ARGUMENT,
      "texture.width * texture.height * texture.layers: 268500992 is not in 1..268435456"},
+    {"create/ripmap_of_2^26_and_a_row", edit_too_many_for_ripmap, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.width * texture.height * texture.layers: 67117056 is not in 1..67108864"},
     {"create/32_bit_overflow", edit_overflow, SHD_ERROR_INVALID_ARGUMENT,
      "texture.width * texture.height * texture.layers: 4294967296"},
     {"create/null_texels", edit_texels_null, SHD_ERROR_INVALID_ARGUMENT, "texture.texels: NULL"},
@@ -202,6 +210,10 @@ static const struct info_case k_info[] = {
     {"info/8x8_mipmap", SHD_FORMAT_RGBA8, 8, 8, SHD_TABLE_MIPMAP, 4, 4 * (64 + 16 + 4 + 1)},
     {"info/5x3_mipmap", SHD_FORMAT_RGBA16F, 5, 3, SHD_TABLE_MIPMAP, 3, 8 * (15 + 2 + 1)},
     {"info/1x7_mipmap", SHD_FORMAT_RGBA32F, 1, 7, SHD_TABLE_MIPMAP, 3, 16 * (7 + 3 + 1)},
+    {"info/8x8_ripmap", SHD_FORMAT_RGBA8, 8, 8, SHD_TABLE_RIPMAP, 1, 4 * 15 * 15},
+    {"info/8x8_mipmap_ripmap", SHD_FORMAT_RGBA8, 8, 8, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP, 4, 4 * 15 * 15},
+    {"info/5x3_ripmap", SHD_FORMAT_RGBA16F, 5, 3, SHD_TABLE_RIPMAP, 1, 8 * (5 + 2 + 1) * (3 + 1)},
+    {"info/1x7_mipmap_ripmap", SHD_FORMAT_R16, 1, 7, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP, 3, 2 * (7 + 3 + 1)},
     {"info/65536x1_mipmap", SHD_FORMAT_R8, 65536, 1, SHD_TABLE_MIPMAP, 17, 131071},
 };
 

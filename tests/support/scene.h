@@ -84,6 +84,7 @@ static inline shd_result shd_scene_texture(shd_scene *s, size_t which)
     desc.height = k_height[which];
     desc.texels = texels;
     desc.tables = which == 2 ? SHD_TABLE_NONE : SHD_TABLE_MIPMAP;
+    if (which == 3) desc.tables |= SHD_TABLE_RIPMAP;
     result = shd_texture_create(s->context, &desc, &s->texture[which]);
     free(texels);
     return result;

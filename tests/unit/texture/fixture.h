@@ -141,7 +141,7 @@ struct Batch {
 inline size_t run(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups,
                   Batch* batch) {
   batch->set_canaries();
-  const Texels out = {{batch->out[0], batch->out[1], batch->out[2], batch->out[3]}};
+  const Texels out = {{batch->out[0], batch->out[1], batch->out[2], batch->out[3]}, {}, {}};
   const size_t nonfinite =
       shd::texture::sample(texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
   batch->check_canaries();

@@ -66,8 +66,8 @@ void test_against_oracle(void** state) {
       for (size_t i = 0; i < t_batch.count; ++i) {
         const double u = static_cast<double>(t_batch.u[i]), v = static_cast<double>(t_batch.v[i]);
         for (int channel = 0; channel < 4; ++channel) {
-          shd_assert_close(c.name, i, static_cast<double>(t_batch.out[channel][i]),
-                           ref::bicubic(image, u, v, channel), bound(c, format), 0);
+          shd_assert_close(c.name, i, static_cast<double>(t_batch.out[channel][i]), ref::bicubic(image, u, v, channel),
+                           bound(c, format), 0);
         }
       }
     }
