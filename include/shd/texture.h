@@ -61,7 +61,8 @@ typedef struct shd_texture_desc {
     float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
     /**
      * Mip levels of the caller's, used with SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of
-     * this format; element l is level l + 1, max(1, width >> (l + 1)) by max(1, height >> (l + 1)). Copied
+     * this format; element l is level l + 1, max(1, width >> (l + 1)) by max(1, height >> (l + 1)). Copied. A ripmap
+     * of the same texture reads them where it has a level of the mipmap
      */
     const shd_image *levels;
     uint32_t level_count; /**< 0 = build them; fewer than down to 1 x 1 make a texture that ends there; default 0 */
@@ -80,8 +81,8 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 }
 
 /**
- * Copy texels and build the tables. Mip levels are area averages of the base level, exact for any size,
- * taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
+ * Copy texels and build the tables. Mip levels that are not given are area averages of the base level, exact for any
+ * size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
  * @param context      retained
  * @param desc         borrowed for the call
  * @param out_texture  owned; NULL on failure

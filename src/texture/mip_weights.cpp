@@ -19,7 +19,7 @@ double sin_pi(double x) {
     term *= -square / (i * (i + 1));
     sum += term;
   }
-  return std::fmod(nearest, 2) == 0 ? sum : -sum;
+  return 2 * std::floor(nearest / 2) == nearest ? sum : -sum;
 }
 
 double sinc(double x) {

@@ -13,8 +13,8 @@
 /// |-------------------------|-----------------------------------------------------------------------------|
 /// | storage.h               | layout of levels; the copy of the base                                      |
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
-/// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | mip_sums.h              | their first steps as sums of integers                                       |
+/// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
 /// | image_list.h            | images of the caller's in an array                                          |
