@@ -47,9 +47,7 @@ HWY_INLINE Drawn<D> DrawCubic(D d, shd_wrap wrap, hn::Vec<D> u, const AxisSize<D
   const V one = hn::Set(d, 1.0f), three = hn::Set(d, 3.0f), four = hn::Set(d, 4.0f), six = hn::Set(d, 6.0f);
   const CubicPoint<D> at = LocateCubic(d, wrap, ReduceCoordinate(d, wrap, u), size);
   const V r = hn::Sub(one, at.s);
-  const auto inner = [&](V t) {
-    return hn::Add(hn::Mul(hn::Sub(hn::Mul(three, t), six), hn::Mul(t, t)), four);
-  };
+  const auto inner = [&](V t) { return hn::Add(hn::Mul(hn::Sub(hn::Mul(three, t), six), hn::Mul(t, t)), four); };
   const V first = hn::Mul(r, hn::Mul(r, r));
   const V second = hn::Add(first, inner(at.s));
   const V third = hn::Add(second, inner(r));
