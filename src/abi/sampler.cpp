@@ -25,6 +25,15 @@ shd_result check_expectation(shd_filter filter) {
   }
 }
 
+/// Weights below 0 are no probabilities.
+shd_result check_drawn_cubic(const shd_sampler_desc& desc) {
+  if (desc.filter != SHD_FILTER_STOCHASTIC || desc.expectation != SHD_FILTER_BICUBIC) return SHD_OK;
+  if (desc.cubic == SHD_CUBIC_B_SPLINE) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                    "sampler.cubic: %u is not SHD_CUBIC_B_SPLINE, the only one that can be drawn from",
+                    enum_bits(desc.cubic));
+}
+
 shd_result check_footprint(const shd_sampler_desc& desc) {
   SHD_TRY(check_range("sampler.lod_bias", static_cast<double>(desc.lod_bias), -15, 15));
   SHD_TRY(check_range("sampler.lod_min", static_cast<double>(desc.lod_min), 0, 32));
@@ -49,7 +58,11 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
   SHD_TRY(check_expectation(desc.expectation));
+  SHD_TRY(check_drawn_cubic(desc));
   if (texture::has_kernel(desc)) return SHD_OK;
+  if (desc.filter == SHD_FILTER_STOCHASTIC) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.expectation: %u is not built yet", enum_bits(desc.expectation));
+  }
   return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %u is not built yet", enum_bits(desc.filter));
 }
 

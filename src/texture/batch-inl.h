@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "texture/footprint-inl.h"
+#include "texture/random-inl.h"
 #include "texture/texture.h"
 #include "texture/wrap-inl.h"
 
@@ -30,6 +31,7 @@ struct Points {
   Derivatives<D> derivatives;  // of what is absent: 0
   hn::Vec<D> lod;              // not NaN
   Ints<D> first_texel;         // of the lane's layer
+  Bits<D> random;              // the lane's own bits, before the seed
   size_t nonfinite;            // lanes where something was not finite
 };
 
@@ -86,6 +88,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Texture& texture, const Lookups&
     j.dudy = ZeroIfNaN(j.dudy);
     j.dvdy = ZeroIfNaN(j.dvdy);
   }
+  p.random = in.random ? hn::LoadU(hn::RebindToUnsigned<D>(), in.random + i) : BitsOfPoint(d, p.u, p.v);
   return p;
 }
 

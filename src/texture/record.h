@@ -58,6 +58,7 @@ void record_nearest(const Texture& texture, const Sampler& sampler, const Lookup
 void record_bilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_bicubic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_mip(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
+void record_stochastic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_ripmap(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);

@@ -15,6 +15,8 @@ namespace shd::texture {
 ///   mip        those of nearest and bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
 ///   ripmap     that of bilinear, and m 8e-6 for the levels of detail
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
+///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h); a texel of weight 0 is
+///              never drawn
 ///
 /// Anisotropic: with the footprint's longer and shorter half axis a >= b in base texels (footprint-inl.h) and
 /// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
@@ -29,6 +31,8 @@ size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core
 /// SHD_FILTER_NEAREST_MIP and SHD_FILTER_BILINEAR_MIP.
 size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out);
+size_t sample_stochastic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                         const Lookups& lookups, const Texels& out);
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

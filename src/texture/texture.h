@@ -25,6 +25,7 @@
 /// | sample_ripmap.cpp       | kernels: ripmap x format                                                    |
 /// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
+/// | sample_stochastic.cpp, random-inl.h | kernels: one texel drawn at random x format                    |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |

@@ -168,27 +168,50 @@ HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>
   }
 }
 
-/// Taps around u * size - 1/2 of a reduced coordinate.
+/// Where cubic filtering stands along one axis: the second of its taps, a whole float before wrapping.
 template <class D>
-SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
+struct CubicPoint {
+  hn::Vec<D> second, s, rate;  // s, rate: as those of CubicTaps
+};
+
+/// At u * size - 1/2 of a reduced coordinate.
+template <class D>
+SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   using V = hn::Vec<D>;
   const V half = hn::Set(d, 0.5f), two = hn::Set(d, 2.0f);
   const V scaled = hn::Mul(reduced, size.real);
   V x = hn::Sub(wrap == SHD_WRAP_MIRROR ? hn::Add(scaled, scaled) : scaled, half);
-  CubicTaps<D> taps;
-  taps.rate = size.real;
+  CubicPoint<D> point;
+  point.rate = size.real;
   if (wrap == SHD_WRAP_CLAMP || wrap == SHD_WRAP_BORDER || wrap == SHD_WRAP_MIRROR_ONCE) {
     // Further outside all taps are the same.
     const V free = x, outside = wrap == SHD_WRAP_MIRROR_ONCE ? hn::Add(size.real, two) : two;
     x = hn::Min(hn::Max(free, hn::Neg(outside)), hn::Add(size.real, two));
-    taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
+    point.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
   }
-  const V floor = hn::Floor(x);
-  taps.s = hn::Min(hn::Sub(x, floor), hn::Set(d, 0x1.fffffep-1f));
+  point.second = hn::Floor(x);
+  point.s = hn::Min(hn::Sub(x, point.second), hn::Set(d, 0x1.fffffep-1f));
+  return point;
+}
+
+/// A tap of cubic filtering from its whole float; the border counts for SHD_WRAP_BORDER only.
+template <class D>
+HWY_INLINE Ints<D> WrapCubicTap(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>& size, MaskOf<D>* in) {
+  const Ints<D> index = WrapWhole(d, wrap, i, size, in);
+  if (wrap != SHD_WRAP_BORDER) *in = hn::Eq(i, i);
+  return index;
+}
+
+/// Taps around u * size - 1/2 of a reduced coordinate.
+template <class D>
+SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
+  const CubicPoint<D> point = LocateCubic(d, wrap, reduced, size);
+  CubicTaps<D> taps;
+  taps.s = point.s;
+  taps.rate = point.rate;
   for (int k = 0; k < 4; ++k) {
-    const V i = hn::Add(floor, hn::Set(d, static_cast<float>(k - 1)));
-    taps.index[k] = WrapWhole(d, wrap, i, size, &taps.in[k]);
-    if (wrap != SHD_WRAP_BORDER) taps.in[k] = hn::Eq(half, half);
+    const auto i = hn::Add(point.second, hn::Set(d, static_cast<float>(k - 1)));
+    taps.index[k] = WrapCubicTap(d, wrap, i, size, &taps.in[k]);
   }
   return taps;
 }

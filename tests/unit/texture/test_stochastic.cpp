@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Stochastic filtering: means of many draws against what they are expected to be, by Hoeffding's inequality
+// ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single draws promise.
+#include "points.h"
+
+namespace {
+
+using namespace fixture;
+
+struct stochastic_case {
+  const char* name;
+  shd_filter expectation;
+  uint32_t width, height;
+};
+const stochastic_case k_cases[] = {
+    {"bilinear/1x7", SHD_FILTER_BILINEAR, 1, 7},         {"bilinear/5x3", SHD_FILTER_BILINEAR, 5, 3},
+    {"bilinear/128x32", SHD_FILTER_BILINEAR, 128, 32},   {"bicubic/1x1", SHD_FILTER_BICUBIC, 1, 1},
+    {"bicubic/5x3", SHD_FILTER_BICUBIC, 5, 3},           {"bicubic/64x64", SHD_FILTER_BICUBIC, 64, 64},
+    {"trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1},       {"trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3},
+    {"trilinear/128x32", SHD_FILTER_TRILINEAR, 128, 32},
+};
+constexpr shd_filter kExpectations[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR};
+constexpr size_t kRounds = 8;  // of kMaxPoints draws
+
+Batch t_batch, t_first;
+uint32_t t_random[kMaxPoints];
+
+shd_sampler_desc make_desc(shd_filter expectation, uint32_t pair) {
+  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = SHD_FILTER_STOCHASTIC;
+  desc.expectation = expectation;
+  desc.cubic = SHD_CUBIC_B_SPLINE;
+  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
+  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  memcpy(desc.border, border, sizeof border);
+  return desc;
+}
+
+Lookups drawn(const Batch& batch, bool lod) {
+  Lookups lookups = batch.lookups(false, lod);
+  lookups.random = t_random;
+  return lookups;
+}
+
+/// Draws at one point with the random words first, first + 1, ...
+void make_draws(float u, float v, float lod, uint32_t first) {
+  t_batch.count = kMaxPoints;
+  for (size_t i = 0; i < kMaxPoints; ++i) {
+    t_batch.u[i] = u;
+    t_batch.v[i] = v;
+    t_batch.lod[i] = lod;
+    t_random[i] = first + static_cast<uint32_t>(i);
+  }
+}
+
+double expected(const ref::Image& image, double u, double v, double lod, int channel) {
+  switch (image.sampler->expectation) {
+    case SHD_FILTER_BILINEAR: return ref::bilinear(image, 0, u, v, channel);
+    case SHD_FILTER_BICUBIC: return ref::bicubic(image, u, v, channel);
+    default: return ref::trilinear(image, u, v, lod, channel);
+  }
+}
+
+/// What the mean of n draws from a range is off by with a probability of 1e-12 at most.
+double hoeffding(double range, double n) {
+  return range * sqrt(log(2e12) / (2 * n));
+}
+
+void check_mean(const stochastic_case& c, const Texture& texture, const shd_sampler_desc& desc, float u, float v,
+                float lod) {
+  ref::Level levels[shd::texture::kMaxLevels];
+  const ref::Image image = oracle_image(texture, desc, levels);
+  const Sampler sampler = make_sampler(desc);
+  double sum[4] = {0, 0, 0, 0};
+  for (size_t round = 0; round < kRounds; ++round) {
+    make_draws(u, v, lod, static_cast<uint32_t>(round * kMaxPoints));
+    run(texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+    for (int k = 0; k < 4; ++k) {
+      for (size_t i = 0; i < kMaxPoints; ++i) sum[k] += static_cast<double>(t_batch.out[k][i]);
+    }
+  }
+  constexpr double kCount = kRounds * kMaxPoints;
+  const double m = fmax(magnitude(texture.format), 2);
+  const double bound = hoeffding(2 * m, kCount) + m * (2e-6 + 8e-7 * (c.width + c.height));
+  for (int k = 0; k < 4; ++k) {
+    const double want = expected(image, static_cast<double>(u), static_cast<double>(v), static_cast<double>(lod), k);
+    shd_assert_close(c.name, static_cast<size_t>(k), sum[k] / kCount, want, bound, 0);
+  }
+}
+
+void test_mean(void** state) {
+  const auto& c = *static_cast<const stochastic_case*>(*state);
+  Random random{99};
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, c.width, c.height, true);
+    for (uint32_t pair = 0; pair < 25; ++pair) {
+      for (int point = 0; point < 3; ++point) {
+        const float u = random.real(-1.5f, 2.5f), v = random.real(-1.5f, 2.5f), lod = random.real(-1, 8);
+        check_mean(c, *texture, make_desc(c.expectation, pair), u, v, lod);
+      }
+    }
+    free_texture(texture);
+  }
+}
+
+/// Every tap on its own: the share of the draws that are a texel, 2^20 of them, is its weight.
+void test_weights(void**) {
+  constexpr uint32_t kDraws = 1u << 20;
+  for (const shd_filter expectation : kExpectations) {
+    uint8_t texels[36];
+    for (uint8_t i = 0; i < 36; ++i) texels[i] = i;
+    Texture* texture = make_texture(SHD_FORMAT_R8, 6, 6, texels, false);
+    static uint32_t hits[36];
+    memset(hits, 0, sizeof hits);
+    const Sampler sampler = make_sampler(make_desc(expectation, 0));
+    for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
+      make_draws(0.45f, 0.62f, 0, first);
+      run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+      for (size_t i = 0; i < kMaxPoints; ++i) ++hits[lroundf(t_batch.out[0][i] * 255)];
+    }
+    const auto weight = [&](double x, int i) {
+      const double distance = x * 6 - 0.5 - i;
+      return expectation == SHD_FILTER_BICUBIC ? ref::cubic_weight(SHD_CUBIC_B_SPLINE, distance)
+                                               : fmax(0, 1 - fabs(distance));
+    };
+    for (int i = 0; i < 36; ++i) {
+      const double want = weight(static_cast<double>(0.45f), i % 6) * weight(static_cast<double>(0.62f), i / 6);
+      shd_assert_close("share", static_cast<size_t>(i), hits[i] / static_cast<double>(kDraws), want,
+                       hoeffding(1, kDraws) + 1e-5, 0);
+      if (want == 0) assert_int_equal(hits[i], 0);
+    }
+    free_texture(texture);
+  }
+}
+
+/// The same bits on every target, for every tail, with and without random words; finite whatever the coordinates.
+void test_targets_and_tails(void**) {
+  make_points(&t_batch);
+  memcpy(&t_first, &t_batch, sizeof t_batch);
+  for (size_t i = 0; i < kMaxPoints; ++i) t_random[i] = static_cast<uint32_t>(i * 7);
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 64, 32, true);
+    for (const shd_filter expectation : kExpectations) {
+      for (const bool given : {false, true}) {
+        const Sampler sampler = make_sampler(make_desc(expectation, 7));
+        const auto lookups = [&](const Batch& batch) {
+          Lookups in = batch.lookups(true, false);
+          if (given) in.random = t_random;
+          return in;
+        };
+        bool first = true;
+        for_each_target([&](int64_t target) {
+          t_batch.count = kPoints;
+          assert_int_equal(run(*texture, sampler, target, lookups(t_batch), &t_batch), kNonfinitePoints);
+          if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
+          first = false;
+          assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
+          for (size_t i = 0; i < kPoints; ++i) assert_true(isfinite(t_batch.out[0][i]));
+          for (size_t count = 0; count <= 35; ++count) {
+            t_batch.count = count;
+            run(*texture, sampler, target, lookups(t_batch), &t_batch);
+            for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
+          }
+        });
+      }
+    }
+    free_texture(texture);
+  }
+}
+
+/// Another seed draws other texels; so do other coordinates without random words.
+void test_seeds(void**) {
+  Texture* texture = random_texture(SHD_FORMAT_R16, 64, 64, true);
+  for (const shd_filter expectation : kExpectations) {
+    shd_sampler_desc desc = make_desc(expectation, 0);
+    make_draws(0.503f, 0.503f, 0.5f, 0);
+    t_first.count = kMaxPoints;
+    for_each_target([&](int64_t target) {
+      run(*texture, make_sampler(desc), target, drawn(t_batch, true), &t_first);
+      desc.seed = 1;
+      run(*texture, make_sampler(desc), target, drawn(t_batch, true), &t_batch);
+      desc.seed = 0;
+      size_t different = 0, changes = 0;
+      for (size_t i = 0; i < kMaxPoints; ++i) different += t_batch.out[0][i] != t_first.out[0][i];
+      assert_in_range(different, kMaxPoints / 4, kMaxPoints);
+      Batch& moved = t_batch;
+      for (size_t i = 0; i < kMaxPoints; ++i) moved.u[i] = 0.503f + 0x1p-24f * static_cast<float>(i);
+      run(*texture, make_sampler(desc), target, moved.lookups(false, true), &moved);
+      for (size_t i = 1; i < kMaxPoints; ++i) changes += moved.out[0][i] != moved.out[0][i - 1];
+      assert_in_range(changes, kMaxPoints / 4, kMaxPoints);
+      for (size_t i = 0; i < kMaxPoints; ++i) moved.u[i] = 0.503f;
+    });
+  }
+  free_texture(texture);
+}
+
+/// A texel of weight 0 is never drawn: at texel centres NaN next door does not show.
+void test_weight_zero(void**) {
+  float texels[64];
+  for (size_t i = 0; i < 64; ++i) texels[i] = i == 20 ? 5.0f : NAN;
+  Texture* texture = make_texture(SHD_FORMAT_R32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
+  for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+    for_each_target([&](int64_t target) {
+      make_draws(20.5f / 64, 0.5f, 0, 0);
+      run(*texture, make_sampler(make_desc(expectation, 0)), target, drawn(t_batch, true), &t_batch);
+      for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 5.0f);
+    });
+  }
+  free_texture(texture);
+}
+
+}  // namespace
+
+int main() {
+  CMUnitTest tests[16];
+  size_t n = 0;
+  for (const stochastic_case& c : k_cases) {
+    tests[n++] = {c.name, test_mean, nullptr, nullptr, const_cast<stochastic_case*>(&c)};
+  }
+  tests[n++] = {"weights", test_weights, nullptr, nullptr, nullptr};
+  tests[n++] = {"targets_and_tails", test_targets_and_tails, nullptr, nullptr, nullptr};
+  tests[n++] = {"seeds", test_seeds, nullptr, nullptr, nullptr};
+  tests[n++] = {"weight_zero", test_weight_zero, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.texture.stochastic", tests, n, nullptr, nullptr);
+}
