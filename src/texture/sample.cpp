@@ -55,10 +55,16 @@ bool has_gradient(shd_filter filter) {
 
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
+  Texels values = {}, gradient = {};
   bool derivatives = false;
-  for (size_t c = 0; c < 4; ++c) derivatives = derivatives || out.du[c] || out.dv[c];
-  if (derivatives) sample_gradient(texture, sampler, simd, lookups, out);
-  return sample_values(texture, sampler, simd, lookups, out);
+  for (size_t c = 0; c < 4; ++c) {
+    values.channel[c] = out.channel[c];
+    gradient.du[c] = out.du[c];
+    gradient.dv[c] = out.dv[c];
+    derivatives = derivatives || out.du[c] || out.dv[c];
+  }
+  if (derivatives) sample_gradient(texture, sampler, simd, lookups, gradient);
+  return sample_values(texture, sampler, simd, lookups, values);
 }
 
 bool has_kernel(const shd_sampler_desc& desc) {

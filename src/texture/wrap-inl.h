@@ -107,7 +107,9 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       return taps;
     }
     case SHD_WRAP_BORDER: {
-      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Set(d, -1.0f)), size.real);
+      const V free = hn::Sub(x, half);
+      x = hn::Min(hn::Max(free, hn::Set(d, -1.0f)), size.real);
+      taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = hn::Min(hn::Sub(x, floor), below_one);
       const auto i = hn::ConvertTo(di, floor);  // -1..size
@@ -116,7 +118,9 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       return taps;
     }
     case SHD_WRAP_MIRROR_ONCE: {
-      x = hn::Min(hn::Max(hn::Sub(x, half), hn::Neg(size.real)), size.real);
+      const V free = hn::Sub(x, half);
+      x = hn::Min(hn::Max(free, hn::Neg(size.real)), size.real);
+      taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = hn::Min(hn::Sub(x, floor), below_one);
       const auto i = hn::ConvertTo(di, floor);  // -size..size

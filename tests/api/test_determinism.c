@@ -188,21 +188,150 @@ static void test_lookups(void **state)
     }
 }
 
+/* Every filter, on formats of every kind, with derivatives where it has them. */
+enum { k_filter_lookups = 3001, k_filter_width = 37, k_filter_height = 24, k_filter_layers = 2 };
+
+static const struct {
+    shd_filter filter, expectation;
+    shd_magnification magnification;
+    int derivatives;
+} k_filters[] = {
+    {SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 0},
+    {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
+    {SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
+    {SHD_FILTER_NEAREST_MIP, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_BILINEAR, 0},
+    {SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
+    {SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_BICUBIC, 1},
+    {SHD_FILTER_RIPMAP, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
+    {SHD_FILTER_ANISOTROPIC, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
+    {SHD_FILTER_STOCHASTIC, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 0},
+};
+static const shd_format k_filter_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB16, SHD_FORMAT_R16F,
+                                              SHD_FORMAT_RGBA32F};
+
+static shd_texture *make_filter_texture(shd_context *context, shd_format format)
+{
+    const size_t size = (size_t)k_filter_width * k_filter_height * k_filter_layers * shd_format_size(format);
+    unsigned char *texels = (unsigned char *)shd_scene_memory(size);
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_texture *texture = NULL;
+    uint32_t seed = 31;
+    size_t i;
+    for (i = 0; i + 4 <= size; i += 4) {
+        const float value = 8.0f * shd_scene_random(&seed) - 4.0f;
+        const uint16_t halves[2] = {(uint16_t)(0x3000 + 512 * value), (uint16_t)(0xb000 + 512 * value)};
+        memcpy(texels + i, format == SHD_FORMAT_RGBA32F ? (const void *)&value : halves, 4);
+    }
+    desc.format = format;
+    desc.width = k_filter_width;
+    desc.height = k_filter_height;
+    desc.layers = k_filter_layers;
+    desc.texels = texels;
+    desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP;
+    shd_assert_ok(shd_texture_create(context, &desc, &texture));
+    free(texels);
+    return texture;
+}
+
+static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const float *in, size_t filter, size_t format)
+{
+    static float out[12 * k_filter_lookups];
+    shd_context *context = NULL;
+    shd_sampler *sampler = NULL;
+    shd_texture *texture;
+    shd_sampler_desc sd = shd_sampler_desc_default();
+    shd_lookups lookups = shd_lookups_default();
+    shd_f32_in *const column[6] = {&lookups.u, &lookups.v, &lookups.dudx, &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
+    shd_texels texels;
+    size_t c;
+    shd_assert_ok(shd_context_create(desc, &context));
+    texture = make_filter_texture(context, k_filter_formats[format]);
+    sd.filter = k_filters[filter].filter;
+    sd.expectation = k_filters[filter].expectation;
+    sd.magnification = k_filters[filter].magnification;
+    sd.wrap_u = (shd_wrap)((filter + format) % 5);
+    sd.wrap_v = (shd_wrap)((filter + 2 * format) % 5);
+    sd.blur_u = filter % 2 ? 0.01f : 0.0f;
+    sd.seed = 5;
+    shd_assert_ok(shd_sampler_create(context, &sd, &sampler));
+    memset(&texels, 0, sizeof texels);
+    memset(out, 0, sizeof out);
+    lookups.count = k_filter_lookups;
+    lookups.layer.data = (const uint32_t *)(const void *)in; /* the bits of u: most lie beyond the last layer */
+    for (c = 0; c < 6; ++c) column[c]->data = in + c * k_lookups;
+    for (c = 0; c < 4; ++c) {
+        texels.channel[c].data = out + c * k_filter_lookups;
+        if (!k_filters[filter].derivatives) continue;
+        texels.du[c].data = out + (4 + c) * k_filter_lookups;
+        texels.dv[c].data = out + (8 + c) * k_filter_lookups;
+    }
+    shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &texels));
+    for (c = 0; c < 12 * (size_t)k_filter_lookups; ++c) assert_true(isfinite(out[c]));
+    shd_sampler_release(sampler);
+    shd_texture_release(texture);
+    shd_context_release(context);
+    return shd_hash(hash, out, sizeof out);
+}
+
+enum {
+    k_filter_count = sizeof k_filters / sizeof k_filters[0],
+    k_filter_format_count = sizeof k_filter_formats / sizeof k_filter_formats[0],
+    k_filter_cases = k_filter_count * k_filter_format_count
+};
+
+/** Hashes of every filter on every format. */
+static void filters_on(const shd_context_desc *desc, uint64_t hashes[k_filter_cases])
+{
+    float *in = (float *)shd_scene_memory(6 * k_lookups * sizeof(float));
+    size_t i;
+    fill_lookups(in);
+    for (i = 0; i < k_filter_cases; ++i) {
+        hashes[i] = hash_filter(desc, SHD_HASH_START, in, i / k_filter_format_count, i % k_filter_format_count);
+    }
+    free(in);
+}
+
+static void test_filters(void **state)
+{
+    uint64_t want[k_filter_cases], got[k_filter_cases];
+    int simd;
+    size_t i;
+    (void)state;
+    filters_on(NULL, want);
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        shd_context_desc desc = shd_context_desc_default();
+        if (!can_run(simd)) continue;
+        desc.simd = (shd_simd)simd;
+        desc.worker_count = 2;
+        filters_on(&desc, got);
+        for (i = 0; i < k_filter_cases; ++i) {
+            if (got[i] != want[i]) {
+                print_error("filter %d, format %d differ on SIMD target %d\n",
+                            (int)k_filters[i / k_filter_format_count].filter,
+                            (int)k_filter_formats[i % k_filter_format_count], simd);
+            }
+        }
+    }
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0}, {"lit", 0}, {"lookups", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0}, {"lit", 0}, {"lookups", 0}, {"filters", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
 {
+    uint64_t filters[k_filter_cases];
     int kind;
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_LIT; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 1].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 2].hash = lookups_on(NULL);
+    filters_on(NULL, filters);
+    k_golden[k_golden_count - 1].hash = shd_hash(SHD_HASH_START, filters, sizeof filters);
 }
 
 static void test_golden(void **state)
@@ -247,6 +376,7 @@ int main(int argc, char **argv)
         {"targets_and_workers", test_targets_and_workers, NULL, NULL, NULL},
         {"orders", test_orders, NULL, NULL, NULL},
         {"lookups", test_lookups, NULL, NULL, NULL},
+        {"filters", test_filters, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();
