@@ -73,12 +73,9 @@ run_tests() {
 
 stage_format() { tests/support/check_format.sh; }
 stage_release() { build release && run_tests release; }
-# Two of the SIMD targets, the lowest and AVX2: the release and scalar stages test every kernel on all of them, and a
-# sanitized kernel takes the compiler long.
-few_targets='-DCMAKE_CXX_FLAGS=-DHWY_DISABLED_TARGETS=(HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)'
 # The binary and the style are the release stage's matter; a sanitized library loads and exports more.
 stage_asan() {
-  build asan "$few_targets" -DSHD_BUILD_EXAMPLES=OFF &&
+  build asan -DSHD_BUILD_EXAMPLES=OFF &&
     ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:allocator_may_return_null=1 \
       LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 \
       UBSAN_OPTIONS=print_stacktrace=1 run_tests asan -E '^(abi|style|consumer)\.'
@@ -87,11 +84,11 @@ stage_asan() {
 stage_tsan() {
   local runner=()
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
-  build tsan "$few_targets" -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+  build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
       run_tests tsan -E '^(abi|style|consumer|fuzz)\.'
 }
-stage_core() { build core "$few_targets" && run_tests core; }
+stage_core() { build core && run_tests core; }
 stage_scalar() {
   build scalar -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     run_tests scalar -E '^(style|consumer)\.'

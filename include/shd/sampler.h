@@ -33,15 +33,15 @@ typedef enum shd_filter {
     SHD_FILTER_BILINEAR_MIP = 5, /**< bilinear on the nearest mip level */
     /** Bilinear on the four nearest ripmap levels, which halve each axis on its own. Needs SHD_TABLE_RIPMAP. */
     SHD_FILTER_RIPMAP = 6,
-    /** Average over the footprint's box, from sums over rectangles (Crow 1984). Needs SHD_TABLE_SUMMED_AREA. */
+    /** Average over the footprint's box, from sums over rectangles (Crow 1984). Not built yet: UNSUPPORTED. */
     SHD_FILTER_SUMMED_AREA = 7,
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
     SHD_FILTER_ANISOTROPIC = 8,
-    /** Elliptical weighted average: the footprint's ellipse under a Gaussian (Greene and Heckbert 1986). */
+    /** The footprint's ellipse under a Gaussian (Greene and Heckbert 1986). Not built yet: UNSUPPORTED. */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random so that its expectation is the filter `expectation`. */
     SHD_FILTER_STOCHASTIC = 10,
-    /** The bilinear reconstruction integrated over the footprint's parallelogram to `tolerance`; slow. */
+    /** The bilinear reconstruction integrated over the footprint to `tolerance`. Not built yet: UNSUPPORTED. */
     SHD_FILTER_EXACT = 11,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
@@ -98,7 +98,7 @@ typedef struct shd_sampler_desc {
     shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
     shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
     /**
-     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
+     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, no others yet;
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter expectation;

@@ -28,8 +28,8 @@ typedef enum shd_table {
      */
     SHD_TABLE_RIPMAP = 2,
     /**
-     * Sums over all rectangles at the origin (Crow 1984). Bytes per texel and channel: 4 for 8-bit formats of at
-     * most 2^24 texels a layer, else 8 (exact integers for 8 and 16 bits, doubles for the others).
+     * Sums over all rectangles at the origin (Crow 1984). Not built yet: SHD_ERROR_UNSUPPORTED. The number is kept
+     * for SHD_FILTER_SUMMED_AREA.
      */
     SHD_TABLE_SUMMED_AREA = 4,
     SHD_TABLE_MAX_ENUM = 0x7fffffff

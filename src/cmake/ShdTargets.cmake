@@ -19,6 +19,8 @@ function(shd_compile_options target)
   endif()
   if(SHD_SIMD STREQUAL "scalar")
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_SCALAR)
+  elseif(SHD_SIMD STREQUAL "few")
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
   endif()
 endfunction()
 

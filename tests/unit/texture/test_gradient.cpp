@@ -12,13 +12,12 @@ struct gradient_case {
   shd_filter filter;
 };
 const gradient_case k_cases[] = {
-    {"bilinear", SHD_FILTER_BILINEAR},   {"bicubic", SHD_FILTER_BICUBIC},
-    {"trilinear", SHD_FILTER_TRILINEAR}, {"bilinear_mip", SHD_FILTER_BILINEAR_MIP},
-    {"ripmap", SHD_FILTER_RIPMAP},       {"anisotropic", SHD_FILTER_ANISOTROPIC},
+    {"bilinear", SHD_FILTER_BILINEAR},         {"bicubic", SHD_FILTER_BICUBIC}, {"trilinear", SHD_FILTER_TRILINEAR},
+    {"bilinear_mip", SHD_FILTER_BILINEAR_MIP}, {"ripmap", SHD_FILTER_RIPMAP},   {"anisotropic", SHD_FILTER_ANISOTROPIC},
 };
 
 constexpr uint32_t kWidth = 32, kHeight = 16;
-constexpr double kStep = 1e-4;  // texels
+constexpr double kStep = 1e-4;              // texels
 constexpr size_t kOddPoints = kPoints - 1;  // with a tail on every target
 
 Batch t_batch, t_values;
@@ -38,7 +37,8 @@ void make_smooth_points() {
 
 /// Value of a filter in double at a point moved by texels of the base.
 double value(const gradient_case& c, const ref::Image& image, size_t i, double du, double dv, int channel) {
-  const double u = static_cast<double>(t_batch.u[i]) + du / kWidth, v = static_cast<double>(t_batch.v[i]) + dv / kHeight;
+  const double u = static_cast<double>(t_batch.u[i]) + du / kWidth,
+               v = static_cast<double>(t_batch.v[i]) + dv / kHeight;
   const double lod = static_cast<double>(t_batch.lod[i]);
   if (c.filter == SHD_FILTER_BILINEAR) return ref::bilinear(image, 0, u, v, channel);
   if (c.filter == SHD_FILTER_BICUBIC) return ref::bicubic(image, u, v, channel);
@@ -106,8 +106,8 @@ void test_gradient(void** state) {
           out.du[k] = t_du[k];
           out.dv[k] = t_dv[k];
         }
-        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target),
-                             t_batch.lookups(false, true), out);
+        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target), t_batch.lookups(false, true),
+                             out);
         for (size_t k = 0; k < 4; ++k) {
           assert_memory_equal(t_batch.out[k], t_values.out[k], kOddPoints * sizeof(float));
         }
