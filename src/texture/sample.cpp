@@ -23,6 +23,7 @@ size_t sample_values(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
     case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_STOCHASTIC: return sample_stochastic(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_EXACT: return sample_exact(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
   }
 }
@@ -76,7 +77,8 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_BILINEAR_MIP:
     case SHD_FILTER_RIPMAP:
     case SHD_FILTER_TRILINEAR:
-    case SHD_FILTER_ANISOTROPIC: return true;
+    case SHD_FILTER_ANISOTROPIC:
+    case SHD_FILTER_EXACT: return true;
     case SHD_FILTER_STOCHASTIC:
       return desc.expectation == SHD_FILTER_TRILINEAR || desc.expectation == SHD_FILTER_BILINEAR ||
              desc.expectation == SHD_FILTER_BICUBIC;

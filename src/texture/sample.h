@@ -17,6 +17,9 @@ namespace shd::texture {
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
 ///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h); a texel of weight 0 is
 ///              never drawn
+///   exact      m 1e-6 where level 0 serves, i.e. where cell_bound() (parallelogram.h) of the footprint's sides is at
+///              most 16 / tolerance^2 (2^10..2^24 cells); else the integral of the finest level that does, or of a
+///              footprint shortened to that many cells of the coarsest
 ///
 /// Anisotropic: with the footprint's longer and shorter half axis a >= b in base texels (footprint-inl.h) and
 /// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
@@ -33,6 +36,8 @@ size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::Si
                   const Texels& out);
 size_t sample_stochastic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                          const Lookups& lookups, const Texels& out);
+size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                    const Lookups& lookups, const Texels& out);
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

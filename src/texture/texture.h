@@ -29,6 +29,10 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
+/// | exact_footprint.h       | its level and its parallelogram                                             |
+/// | parallelogram.h         | pieces of a parallelogram in the cells of a lattice, and their moments      |
+/// | wrap.h                  | wrapping of one index                                                       |
 /// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
 /// | lod-inl.h               | level of detail from the footprint                                          |
 /// | footprint-inl.h         | axes of the footprint; width and blur                                       |

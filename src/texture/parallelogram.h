@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A parallelogram cut into the unit cells of a lattice, with the moments of every piece: what integrals of functions
+/// that are bilinear on each cell need. Doubles; + - * / and floor only, so the bits are those of any machine.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+
+namespace shd::texture {
+
+struct Vec2 {
+  double x, y;
+};
+
+inline double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Convex. Four clips of a parallelogram add at most one corner each; the rest is room for rounding.
+struct Polygon {
+  static constexpr size_t kMaxCorners = 16;
+  size_t count = 0;
+  Vec2 corner[kMaxCorners];
+
+  void add(Vec2 p) {
+    if (count < kMaxCorners) corner[count++] = p;
+  }
+};
+
+/// center + s a + t b for |s|, |t| <= 1/2, counter-clockwise for cross(a, b) > 0.
+inline Polygon parallelogram(Vec2 center, Vec2 a, Vec2 b) {
+  const Vec2 sum = {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, difference = {0.5 * (a.x - b.x), 0.5 * (a.y - b.y)};
+  Polygon out;
+  out.add({center.x - sum.x, center.y - sum.y});
+  out.add({center.x + difference.x, center.y + difference.y});
+  out.add({center.x + sum.x, center.y + sum.y});
+  out.add({center.x - difference.x, center.y - difference.y});
+  return out;
+}
+
+/// The part of a polygon between 0 and 1 of one axis, moved by -origin along it first (Sutherland and Hodgman,
+/// "Reentrant Polygon Clipping", 1974). Corners on the lines have coordinates of exactly 0 and 1.
+inline Polygon clip_to_unit(const Polygon& polygon, double Vec2::*axis, double Vec2::*other, double origin) {
+  Polygon moved = polygon;
+  for (size_t i = 0; i < moved.count; ++i) moved.corner[i].*axis -= origin;
+  for (const bool above : {true, false}) {
+    const double bound = above ? 0.0 : 1.0;
+    const auto inside = [&](Vec2 p) { return above ? p.*axis >= bound : p.*axis <= bound; };
+    Polygon out;
+    for (size_t i = 0; i < moved.count; ++i) {
+      const Vec2 from = moved.corner[i], to = moved.corner[i + 1 < moved.count ? i + 1 : 0];
+      if (inside(from)) out.add(from);
+      if (inside(from) == inside(to)) continue;
+      const double s = (bound - from.*axis) / (to.*axis - from.*axis);
+      Vec2 crossing;
+      crossing.*axis = bound;
+      crossing.*other = from.*other + s * (to.*other - from.*other);
+      out.add(crossing);
+    }
+    moved = out;
+  }
+  return moved;
+}
+
+/// Integrals of 1, x, y and x y.
+struct Moments {
+  double one, x, y, xy;
+};
+
+/// Of a polygon, by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996).
+inline Moments moments(const Polygon& polygon) {
+  Moments sum = {0, 0, 0, 0};
+  for (size_t i = 0; i < polygon.count; ++i) {
+    const Vec2 p = polygon.corner[i], q = polygon.corner[i + 1 < polygon.count ? i + 1 : 0];
+    const double area = cross(p, q);
+    sum.one += area;
+    sum.x += area * (p.x + q.x);
+    sum.y += area * (p.y + q.y);
+    sum.xy += area * (2 * (p.x * p.y + q.x * q.y) + p.x * q.y + q.x * p.y);
+  }
+  return {sum.one / 2, sum.x / 6, sum.y / 6, sum.xy / 24};
+}
+
+/// Smallest and largest x of the corners whose y is `y`, or an empty interval.
+struct Interval {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+
+  void add(double x) {
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+};
+inline Interval corners_at(const Polygon& polygon, double y) {
+  Interval out;
+  for (size_t i = 0; i < polygon.count; ++i) {
+    if (polygon.corner[i].y == y) out.add(polygon.corner[i].x);
+  }
+  return out;
+}
+
+/// visitor.cell(i, j, moments) for the cells [i, i + 1] x [j, j + 1] that a counter-clockwise parallelogram covers in
+/// part, with the moments about (i, j); visitor.run(j, begin, end) for cells begin..end - 1 of row j that it covers.
+/// Rows from below, cells from the left, a row's run after the cells to its left. At most cell_bound() cells.
+template <class Visitor>
+void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
+  const Polygon slab = clip_to_unit(polygon, &Vec2::y, &Vec2::x, static_cast<double>(j));
+  Interval extent;
+  for (size_t i = 0; i < slab.count; ++i) extent.add(slab.corner[i].x);
+  if (!(extent.low < extent.high)) return;
+  const auto first = static_cast<int64_t>(std::floor(extent.low));
+  const auto end = static_cast<int64_t>(std::floor(extent.high)) + 1;
+  // A cell is covered if both its lower and its upper side are.
+  const Interval lower = corners_at(slab, 0), upper = corners_at(slab, 1);
+  const double low = lower.low > upper.low ? lower.low : upper.low;
+  const double high = lower.high < upper.high ? lower.high : upper.high;
+  int64_t run_begin = end, run_end = end;
+  if (high - low >= 1) {
+    run_begin = -static_cast<int64_t>(std::floor(-low));
+    run_end = static_cast<int64_t>(std::floor(high));
+    if (run_end <= run_begin) run_begin = run_end = end;
+  }
+  for (int64_t i = first; i < end; ++i) {
+    if (i == run_begin) {
+      visitor->run(j, run_begin, run_end);
+      i = run_end - 1;
+      continue;
+    }
+    const Moments m = moments(clip_to_unit(slab, &Vec2::x, &Vec2::y, static_cast<double>(i)));
+    if (m.one > 0) visitor->cell(i, j, m);
+  }
+}
+
+template <class Visitor>
+void visit_cells(const Polygon& polygon, Visitor* visitor) {
+  Interval extent;
+  for (size_t i = 0; i < polygon.count; ++i) extent.add(polygon.corner[i].y);
+  const auto last = static_cast<int64_t>(std::floor(extent.high));
+  for (auto j = static_cast<int64_t>(std::floor(extent.low)); j <= last; ++j) visit_row(polygon, j, visitor);
+}
+
+/// No fewer than the cells that visit_cells() comes to for sides a and b: the covered ones are at most the area, and
+/// each of the two chains of the outline, left to right and bottom to top, enters a cell through a line of the lattice.
+inline double cell_bound(Vec2 a, Vec2 b) {
+  const double extent = std::fabs(a.x) + std::fabs(b.x) + std::fabs(a.y) + std::fabs(b.y);
+  return std::fabs(cross(a, b)) + 4 * extent + 16;
+}
+
+}  // namespace shd::texture
