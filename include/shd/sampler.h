@@ -41,7 +41,11 @@ typedef enum shd_filter {
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random so that its expectation is the filter `expectation`. */
     SHD_FILTER_STOCHASTIC = 10,
-    /** The bilinear reconstruction integrated over the footprint to `tolerance`. Not built yet: UNSUPPORTED. */
+    /**
+     * The average of the bilinear reconstruction over the footprint's parallelogram, in doubles: the ground truth.
+     * On level 0 while that takes at most 16 / tolerance^2 cells (2^10..2^24), else on the finest level that does; a
+     * footprint too large for the coarsest level is shortened. `lod` is a square of 2^lod texels; slow.
+     */
     SHD_FILTER_EXACT = 11,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;

@@ -70,18 +70,24 @@ struct Moments {
   double one, x, y, xy;
 };
 
-/// Of a polygon, by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996).
+/// Of a polygon, by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996), about its
+/// first corner, so that small and thin ones do not cancel, and then about the origin.
 inline Moments moments(const Polygon& polygon) {
+  if (polygon.count < 3) return {0, 0, 0, 0};
+  const Vec2 about = polygon.corner[0];
   Moments sum = {0, 0, 0, 0};
-  for (size_t i = 0; i < polygon.count; ++i) {
-    const Vec2 p = polygon.corner[i], q = polygon.corner[i + 1 < polygon.count ? i + 1 : 0];
+  Vec2 p = {0, 0};
+  for (size_t i = 1; i < polygon.count; ++i) {
+    const Vec2 q = {polygon.corner[i].x - about.x, polygon.corner[i].y - about.y};
     const double area = cross(p, q);
     sum.one += area;
     sum.x += area * (p.x + q.x);
     sum.y += area * (p.y + q.y);
     sum.xy += area * (2 * (p.x * p.y + q.x * q.y) + p.x * q.y + q.x * p.y);
+    p = q;
   }
-  return {sum.one / 2, sum.x / 6, sum.y / 6, sum.xy / 24};
+  const double one = sum.one / 2, x = sum.x / 6, y = sum.y / 6, xy = sum.xy / 24;
+  return {one, x + about.x * one, y + about.y * one, xy + about.x * y + about.y * x + about.x * about.y * one};
 }
 
 /// Smallest and largest x of the corners whose y is `y`, or an empty interval.

@@ -102,7 +102,8 @@ class Integral {
   const Texture& texture_;
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
-  const double negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
+  const double
+      negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
   int64_t width_, height_;
   double border_[Code::kChannels];
   double weight_ = 0;

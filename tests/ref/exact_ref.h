@@ -24,7 +24,8 @@ inline double box_average(const Image& image, int level, double u, double v, dou
   for (auto j = static_cast<int64_t>(floor(top)); static_cast<double>(j) < bottom + 1; ++j) {
     const double weight_y = hat_integral(bottom - static_cast<double>(j)) - hat_integral(top - static_cast<double>(j));
     for (auto i = static_cast<int64_t>(floor(left)); static_cast<double>(i) < right + 1; ++i) {
-      const double weight_x = hat_integral(right - static_cast<double>(i)) - hat_integral(left - static_cast<double>(i));
+      const double weight_x =
+          hat_integral(right - static_cast<double>(i)) - hat_integral(left - static_cast<double>(i));
       if (weight_x * weight_y > 0) sum += weight_x * weight_y * texel(image, level, i, j, c);
     }
   }

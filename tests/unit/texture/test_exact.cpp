@@ -125,8 +125,8 @@ void test_parallelograms(void**) {
     const ref::Image image = oracle_image(*texture, desc, levels);
     run(*texture, make_sampler(desc), any_target(), t_batch.lookups(true, false), &t_batch);
     for (size_t i = 0; i < t_batch.count; ++i) {
-      const double want = ref::parallelogram_average(image, static_cast<double>(t_batch.u[i]),
-                                                     static_cast<double>(t_batch.v[i]), jacobian_of(t_batch, i), 200, 0);
+      const double want = ref::parallelogram_average(
+          image, static_cast<double>(t_batch.u[i]), static_cast<double>(t_batch.v[i]), jacobian_of(t_batch, i), 200, 0);
       shd_assert_close("parallelogram", i, static_cast<double>(t_batch.out[0][i]), want, 4e-4, 0);
     }
   }
@@ -151,7 +151,8 @@ void test_ramp(void**) {
   }
   run(*texture, make_sampler(exact_desc(12)), any_target(), t_batch.lookups(true, false), &t_batch);
   for (size_t i = 0; i < kMaxPoints; ++i) {
-    const double want = static_cast<double>(t_batch.u[i]) * 64 - 0.5 - 2 * (static_cast<double>(t_batch.v[i]) * 64 - 0.5);
+    const double want =
+        static_cast<double>(t_batch.u[i]) * 64 - 0.5 - 2 * (static_cast<double>(t_batch.v[i]) * 64 - 0.5);
     shd_assert_close("ramp", i, static_cast<double>(t_batch.out[0][i]), want, 2e-5, 0);
   }
   free_texture(texture);
@@ -181,7 +182,7 @@ void test_points(void**) {
 
 /// Footprints that nobody should have: every mix of sizes from nothing to infinity.
 void make_hostile(Batch* batch) {
-  const float entries[] = {0,    1e-30f, 1e-10f, 1e-6f, 1e-3f,          0.1f,     1,        20,
+  const float entries[] = {0,    1e-30f, 1e-10f, 1e-6f, 1e-3f,          0.1f,     1,         20,
                            1e4f, 1e10f,  1e30f,  1e38f, 3.40282347e38f, INFINITY, -INFINITY, NAN};
   Random random{11};
   make_points(batch);
@@ -268,6 +269,36 @@ void test_cost(void**) {
   }
 }
 
+/// Where a mip level stands in for the base the value is within the tolerance of the one from the base.
+void test_tolerance(void**) {
+  Texture* texture = random_texture(SHD_FORMAT_R8, 500, 512, true);
+  Random random{21};
+  t_batch.count = 48;
+  for (size_t i = 0; i < t_batch.count; ++i) {
+    t_batch.u[i] = random.real(0, 1);
+    t_batch.v[i] = random.real(0, 1);
+    t_batch.dudx[i] = random.real(-1, 1);
+    t_batch.dvdx[i] = random.real(-1, 1);
+    t_batch.dudy[i] = -t_batch.dvdx[i] * random.real(0.05f, 1);
+    t_batch.dvdy[i] = t_batch.dudx[i] * random.real(0.05f, 1);
+  }
+  shd_sampler_desc desc = exact_desc(0);
+  desc.tolerance = 0x1p-12f;
+  run(*texture, make_sampler(desc), any_target(), t_batch.lookups(true, false), &t_batch);
+  memcpy(&t_other, &t_batch, sizeof t_batch);
+  for (int exponent = 1; exponent <= 7; ++exponent) {
+    desc.tolerance = ldexpf(1, -exponent);
+    run(*texture, make_sampler(desc), any_target(), t_batch.lookups(true, false), &t_batch);
+    double worst = 0;
+    for (size_t i = 0; i < t_batch.count; ++i) {
+      worst = fmax(worst, fabs(static_cast<double>(t_batch.out[0][i]) - static_cast<double>(t_other.out[0][i])));
+    }
+    print_message("tolerance 2^-%d: error %.2g\n", exponent, worst);
+    assert_true(worst <= static_cast<double>(desc.tolerance));
+  }
+  free_texture(texture);
+}
+
 /// A footprint between the centres of texels does not see what lies beyond them.
 void test_texels(void**) {
   float texels[64];
@@ -351,6 +382,7 @@ int main() {
   tests[n++] = {"points", test_points, nullptr, nullptr, nullptr};
   tests[n++] = {"hostile", test_hostile, nullptr, nullptr, nullptr};
   tests[n++] = {"cost", test_cost, nullptr, nullptr, nullptr};
+  tests[n++] = {"tolerance", test_tolerance, nullptr, nullptr, nullptr};
   tests[n++] = {"texels", test_texels, nullptr, nullptr, nullptr};
   tests[n++] = {"floor", test_floor, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.exact", tests, n, nullptr, nullptr);
