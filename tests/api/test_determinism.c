@@ -205,6 +205,7 @@ static const struct {
     {SHD_FILTER_RIPMAP, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
     {SHD_FILTER_ANISOTROPIC, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 1},
     {SHD_FILTER_STOCHASTIC, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 0},
+    {SHD_FILTER_EXACT, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 0},
 };
 static const shd_format k_filter_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB16, SHD_FORMAT_R16F,
                                               SHD_FORMAT_RGBA32F};
@@ -253,6 +254,7 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
     sd.wrap_v = (shd_wrap)((filter + 2 * format) % 5);
     sd.blur_u = filter % 2 ? 0.01f : 0.0f;
     sd.seed = 5;
+    sd.tolerance = 0.125f; /* bounds the exact filter to 1024 cells a lookup */
     shd_assert_ok(shd_sampler_create(context, &sd, &sampler));
     memset(&texels, 0, sizeof texels);
     memset(out, 0, sizeof out);

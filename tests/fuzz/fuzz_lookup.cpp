@@ -73,7 +73,7 @@ void fill_sampler(Source& source, Case& c) {
   desc.width_y = source.one_in(8) ? source.hostile() : 1.0f;
   desc.blur_u = source.one_in(8) ? source.hostile() : 0.0f;
   desc.blur_v = source.one_in(8) ? source.hostile() : 0.0f;
-  if (source.one_in(8)) desc.tolerance = source.hostile();
+  desc.tolerance = source.one_in(8) ? source.hostile() : 0.125f;
   desc.wrap_u = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 5));
   desc.wrap_v = static_cast<shd_wrap>(source.below(source.one_in(32) ? 200 : 5));
   for (float& value : desc.border) value = source.one_in(16) ? source.hostile() : source.unit();
