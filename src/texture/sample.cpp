@@ -81,7 +81,7 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_EXACT: return true;
     case SHD_FILTER_STOCHASTIC:
       return desc.expectation == SHD_FILTER_TRILINEAR || desc.expectation == SHD_FILTER_BILINEAR ||
-             desc.expectation == SHD_FILTER_BICUBIC;
+             desc.expectation == SHD_FILTER_BICUBIC || desc.expectation == SHD_FILTER_ANISOTROPIC;
     default: return false;
   }
 }

@@ -15,6 +15,7 @@
 #include "texture/filter-inl.h"
 #include "texture/kernel-inl.h"
 #include "texture/lod_block-inl.h"
+#include "texture/probe_line-inl.h"
 #include "texture/random-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,11 +29,11 @@ struct Drawn {
   MaskOf<D> in;  // false = border colour
 };
 
-/// One of the two taps of linear filtering.
+/// One of the two taps of linear filtering at a reduced coordinate.
 template <class D>
-HWY_INLINE Drawn<D> DrawLinear(D d, shd_wrap wrap, hn::Vec<D> u, const AxisSize<D>& size, hn::Vec<D> x) {
+HWY_INLINE Drawn<D> DrawLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, hn::Vec<D> x) {
   const hn::RebindToSigned<D> di;
-  const LinearTaps<D> taps = WrapLinear(d, wrap, ReduceCoordinate(d, wrap, u), size);
+  const LinearTaps<D> taps = WrapLinear(d, wrap, reduced, size);
   const auto second = hn::Lt(x, taps.s);
   return {hn::IfThenElse(hn::RebindMask(di, second), taps.i1, taps.i0),
           hn::Or(hn::And(second, taps.in1), hn::AndNot(second, taps.in0))};
@@ -61,11 +62,11 @@ HWY_INLINE Drawn<D> DrawCubic(D d, shd_wrap wrap, hn::Vec<D> u, const AxisSize<D
 
 /// Of the levels floor(lod) and the next, one by the fraction.
 template <class D>
-HWY_INLINE Level<D> DrawLevel(D d, const Texture& texture, const Points<D>& p, hn::Vec<D> x) {
-  const auto floor = hn::Floor(p.lod);
-  const auto next = hn::IfThenElseZero(hn::Lt(x, hn::Sub(p.lod, floor)), hn::Set(d, 1.0f));
+HWY_INLINE Level<D> DrawLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
+  const auto floor = hn::Floor(lod);
+  const auto next = hn::IfThenElseZero(hn::Lt(x, hn::Sub(lod, floor)), hn::Set(d, 1.0f));
   const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
-  return LevelAt(d, texture, p.first_texel, hn::Min(hn::Add(floor, next), last));
+  return LevelAt(d, texture, first_texel, hn::Min(hn::Add(floor, next), last));
 }
 
 template <class F, bool kBorder, class D>
@@ -84,8 +85,10 @@ struct DrawnBilinear {
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     const Level<D> level = SameLevel(d, texture, p.first_texel, 0);
     Draws<D> draws(d, p.random, sampler.seed);
-    const Drawn<D> x = DrawLinear(d, sampler.wrap_u, p.u, level.across, draws.next(d));
-    const Drawn<D> y = DrawLinear(d, sampler.wrap_v, p.v, level.down, draws.next(d));
+    const Drawn<D> x =
+        DrawLinear(d, sampler.wrap_u, ReduceCoordinate(d, sampler.wrap_u, p.u), level.across, draws.next(d));
+    const Drawn<D> y =
+        DrawLinear(d, sampler.wrap_v, ReduceCoordinate(d, sampler.wrap_v, p.v), level.down, draws.next(d));
     StoreDrawn<F, kBorder>(d, texture, sampler, level, x, y, out, i);
   }
 };
@@ -113,10 +116,52 @@ struct DrawnTrilinear {
   template <class D>
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     Draws<D> draws(d, p.random, sampler.seed);
-    const Level<D> level = DrawLevel(d, texture, p, draws.next(d));
-    const Drawn<D> x = DrawLinear(d, sampler.wrap_u, p.u, level.across, draws.next(d));
-    const Drawn<D> y = DrawLinear(d, sampler.wrap_v, p.v, level.down, draws.next(d));
+    const Level<D> level = DrawLevel(d, texture, p.first_texel, p.lod, draws.next(d));
+    const Drawn<D> x =
+        DrawLinear(d, sampler.wrap_u, ReduceCoordinate(d, sampler.wrap_u, p.u), level.across, draws.next(d));
+    const Drawn<D> y =
+        DrawLinear(d, sampler.wrap_v, ReduceCoordinate(d, sampler.wrap_v, p.v), level.down, draws.next(d));
     StoreDrawn<F, kBorder>(d, texture, sampler, level, x, y, out, i);
+  }
+};
+
+/// One probe, then one texel of its trilinear lookup.
+template <class F, bool kBorder>
+struct DrawnAnisotropic {
+  const Texture& texture;
+  const Sampler& sampler;
+
+  template <class D>
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
+    using V = hn::Vec<D>;
+    const ProbeLine<D> line(d, sampler, p);
+    Draws<D> draws(d, p.random, sampler.seed);
+    const V probe = draws.next(d);
+    const V position = sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL
+                           ? line.position(d, hn::Floor(hn::Mul(probe, line.count)))
+                           : DrawGaussian(d, line, probe);
+    const Level<D> level = DrawLevel(d, texture, p.first_texel, line.lod, draws.next(d));
+    const Drawn<D> x = DrawLinear(d, sampler.wrap_u, line.u_at(position), level.across, draws.next(d));
+    const Drawn<D> y = DrawLinear(d, sampler.wrap_v, line.v_at(position), level.down, draws.next(d));
+    StoreDrawn<F, kBorder>(d, texture, sampler, level, x, y, out, i);
+  }
+
+  /// Position of the first probe with the running sum of weights above x times their sum; the last one at least.
+  template <class D, class V>
+  static HWY_INLINE V DrawGaussian(D d, const ProbeLine<D>& line, V x) {
+    const float most = hn::GetLane(hn::MaxOfLanes(d, line.count));
+    const auto weight = [&](float k) {
+      const V position = line.position(d, hn::Set(d, k));
+      return hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.count), ProbeGaussian(d, hn::Div(position, line.count)));
+    };
+    V total = hn::Zero(d), sum = hn::Zero(d), probe = hn::Zero(d);
+    for (float k = 0.0f; k < most; k += 1.0f) total = hn::Add(total, weight(k));
+    const V wanted = hn::Mul(x, total);
+    for (float k = 0.0f; k < most; k += 1.0f) {
+      sum = hn::Add(sum, weight(k));
+      probe = hn::Add(probe, hn::IfThenElseZero(hn::Ge(wanted, sum), hn::Set(d, 1.0f)));
+    }
+    return line.position(d, probe);
   }
 };
 
@@ -126,6 +171,11 @@ struct StochasticKernel {
     switch (sampler.expectation) {
       case SHD_FILTER_BILINEAR: return ForEachPoint<DrawnBilinear, F>(texture, sampler, in, out);
       case SHD_FILTER_BICUBIC: return ForEachPoint<DrawnBicubic, F>(texture, sampler, in, out);
+      case SHD_FILTER_ANISOTROPIC:
+        return ForEachProbeBlock(texture, sampler, in, out,
+                                 [&](const Sampler& unwidened, const Lookups& block, const Texels& to) {
+                                   ForEachPoint<DrawnAnisotropic, F>(texture, unwidened, block, to);
+                                 });
       default:
         return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
           ForEachPoint<DrawnTrilinear, F>(texture, sampler, block, to);

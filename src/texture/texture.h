@@ -37,6 +37,7 @@
 /// | lod-inl.h               | level of detail from the footprint                                          |
 /// | footprint-inl.h         | axes of the footprint; width and blur                                       |
 /// | probe-inl.h             | lookups at several points of the same mip levels                            |
+/// | probe_line-inl.h        | where those of anisotropic filtering lie, for a block of lookups            |
 /// | wrap-inl.h              | texel coordinates and wrapping                                              |
 /// | filter-inl.h            | levels, the four texels around a point, blends                              |
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
