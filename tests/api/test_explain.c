@@ -16,15 +16,17 @@ static shd_blend g_blends[MAX_TAPS];
 
 static const struct {
     const char *name;
-    shd_filter filter;
-} k_filters[] = {{"nearest", SHD_FILTER_NEAREST},
-                 {"bilinear", SHD_FILTER_BILINEAR},
-                 {"bicubic", SHD_FILTER_BICUBIC},
-                 {"nearest_mip", SHD_FILTER_NEAREST_MIP},
-                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP},
-                 {"trilinear", SHD_FILTER_TRILINEAR},
-                 {"ripmap", SHD_FILTER_RIPMAP},
-                 {"anisotropic", SHD_FILTER_ANISOTROPIC}};
+    shd_filter filter, expectation;
+} k_filters[] = {{"nearest", SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR},
+                 {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR},
+                 {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR},
+                 {"nearest_mip", SHD_FILTER_NEAREST_MIP, SHD_FILTER_TRILINEAR},
+                 {"bilinear_mip", SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR},
+                 {"trilinear", SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR},
+                 {"ripmap", SHD_FILTER_RIPMAP, SHD_FILTER_TRILINEAR},
+                 {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_FILTER_TRILINEAR},
+                 {"stochastic_bicubic", SHD_FILTER_STOCHASTIC, SHD_FILTER_BICUBIC},
+                 {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
 static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FORMAT_RGBA8_SRGB,
@@ -107,12 +109,14 @@ static shd_texture *make_texture(shd_format format)
     return texture;
 }
 
-static shd_sampler *make_sampler(shd_filter filter, shd_wrap wrap)
+static shd_sampler *make_sampler(shd_filter filter, shd_filter expectation, shd_wrap wrap)
 {
     shd_sampler_desc desc = shd_sampler_desc_default();
     const float border[4] = {0.25f, -1.5f, 2.0f, 0.75f};
     shd_sampler *sampler = NULL;
     desc.filter = filter;
+    desc.expectation = expectation;
+    desc.cubic = expectation == SHD_FILTER_BICUBIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
     desc.magnification = SHD_MAGNIFICATION_BICUBIC;
     desc.wrap_u = wrap;
     desc.wrap_v = wrap == SHD_WRAP_BORDER ? SHD_WRAP_CLAMP : wrap;
@@ -174,8 +178,8 @@ static void check_point(const shd_texture *texture, const shd_sampler *sampler, 
 }
 
 struct replay_case {
-    char name[48];
-    shd_filter filter;
+    char name[64];
+    shd_filter filter, expectation;
     shd_format format;
     shd_wrap wrap;
 };
@@ -184,7 +188,7 @@ static void test_replay(void **state)
 {
     const struct replay_case *c = (const struct replay_case *)*state;
     shd_texture *texture = make_texture(c->format);
-    shd_sampler *sampler = make_sampler(c->filter, c->wrap);
+    shd_sampler *sampler = make_sampler(c->filter, c->expectation, c->wrap);
     const shd_lookups lookups = make_lookups();
     shd_texels out;
     size_t i;
@@ -243,7 +247,7 @@ static void test_bilinear_by_hand(void **state)
 static void test_arguments(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
-    shd_sampler *sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
+    shd_sampler *sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
     shd_lookups lookups = make_lookups();
     shd_explanation e = shd_explanation_default();
     const shd_result invalid = SHD_ERROR_INVALID_ARGUMENT;
@@ -281,6 +285,7 @@ int main(void)
         c->wrap = (shd_wrap)(n % 5);
         c->format = k_formats[n / 5 % FORMATS];
         c->filter = k_filters[n / 5 / FORMATS].filter;
+        c->expectation = k_filters[n / 5 / FORMATS].expectation;
         snprintf(c->name, sizeof c->name, "replay/%s/format_%d/wrap_%d", k_filters[n / 5 / FORMATS].name,
                  (int)c->format, (int)c->wrap);
         tests[n] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};

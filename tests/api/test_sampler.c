@@ -52,6 +52,11 @@ static void edit_anisotropy_1e9(shd_sampler_desc *d) { d->max_anisotropy = 1e9f;
 static void edit_probe_weights(shd_sampler_desc *d) { d->probe_weights = (shd_probe_weights)2; }
 static void edit_cubic(shd_sampler_desc *d) { d->cubic = (shd_cubic)3; }
 static void edit_box(shd_sampler_desc *d) { d->box = (shd_box)-1; }
+static void edit_drawn_cubic(shd_sampler_desc *d)
+{
+    d->filter = SHD_FILTER_STOCHASTIC;
+    d->expectation = SHD_FILTER_BICUBIC;
+}
 static void edit_expectation(shd_sampler_desc *d) { d->expectation = SHD_FILTER_RIPMAP; }
 static void edit_tolerance_0(shd_sampler_desc *d) { d->tolerance = 0; }
 static void edit_tolerance_2(shd_sampler_desc *d) { d->tolerance = 2; }
@@ -96,6 +101,8 @@ static const struct create_case k_create[] = {
     {"create/probe_weights_unknown", edit_probe_weights, SHD_ERROR_INVALID_ARGUMENT, "sampler.probe_weights: 2"},
     {"create/cubic_unknown", edit_cubic, SHD_ERROR_INVALID_ARGUMENT, "sampler.cubic: 3 is not in 0..2"},
     {"create/box_unknown", edit_box, SHD_ERROR_INVALID_ARGUMENT, "sampler.box: 4294967295"},
+    {"create/expectation_catmull_rom", edit_drawn_cubic, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.cubic: 0 is not SHD_CUBIC_B_SPLINE"},
     {"create/expectation_ripmap", edit_expectation, SHD_ERROR_INVALID_ARGUMENT, "sampler.expectation: 6"},
     {"create/tolerance_0", edit_tolerance_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 0 is not in"},
     {"create/tolerance_2", edit_tolerance_2, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 2"},

@@ -3,6 +3,8 @@
 // ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single draws promise.
 #include "points.h"
 
+#include "ref/footprint_ref.h"
+
 namespace {
 
 using namespace fixture;
@@ -13,13 +15,25 @@ struct stochastic_case {
   uint32_t width, height;
 };
 const stochastic_case k_cases[] = {
-    {"bilinear/1x7", SHD_FILTER_BILINEAR, 1, 7},         {"bilinear/5x3", SHD_FILTER_BILINEAR, 5, 3},
-    {"bilinear/128x32", SHD_FILTER_BILINEAR, 128, 32},   {"bicubic/1x1", SHD_FILTER_BICUBIC, 1, 1},
-    {"bicubic/5x3", SHD_FILTER_BICUBIC, 5, 3},           {"bicubic/64x64", SHD_FILTER_BICUBIC, 64, 64},
-    {"trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1},       {"trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3},
+    {"bilinear/1x7", SHD_FILTER_BILINEAR, 1, 7},
+    {"bilinear/5x3", SHD_FILTER_BILINEAR, 5, 3},
+    {"bilinear/128x32", SHD_FILTER_BILINEAR, 128, 32},
+    {"bicubic/1x1", SHD_FILTER_BICUBIC, 1, 1},
+    {"bicubic/5x3", SHD_FILTER_BICUBIC, 5, 3},
+    {"bicubic/64x64", SHD_FILTER_BICUBIC, 64, 64},
+    {"trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1},
+    {"trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3},
     {"trilinear/128x32", SHD_FILTER_TRILINEAR, 128, 32},
+    {"trilinear/1023x511", SHD_FILTER_TRILINEAR, 1023, 511},
+    {"trilinear/4096x1", SHD_FILTER_TRILINEAR, 4096, 1},
+    {"anisotropic/1x1", SHD_FILTER_ANISOTROPIC, 1, 1},
+    {"anisotropic/5x3", SHD_FILTER_ANISOTROPIC, 5, 3},
+    {"anisotropic/64x64", SHD_FILTER_ANISOTROPIC, 64, 64},
+    {"anisotropic/1023x511", SHD_FILTER_ANISOTROPIC, 1023, 511},
+    {"anisotropic/4096x1", SHD_FILTER_ANISOTROPIC, 4096, 1},
 };
-constexpr shd_filter kExpectations[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR};
+constexpr shd_filter kExpectations[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
+                                        SHD_FILTER_ANISOTROPIC};
 constexpr size_t kRounds = 8;  // of kMaxPoints draws
 
 Batch t_batch, t_first;
@@ -33,33 +47,61 @@ shd_sampler_desc make_desc(shd_filter expectation, uint32_t pair) {
   desc.cubic = SHD_CUBIC_B_SPLINE;
   desc.wrap_u = static_cast<shd_wrap>(pair % 5);
   desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  desc.probe_weights = pair % 2 ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
   memcpy(desc.border, border, sizeof border);
   return desc;
 }
 
-Lookups drawn(const Batch& batch, bool lod) {
-  Lookups lookups = batch.lookups(false, lod);
+/// Where to draw: a level of detail, or for anisotropic filtering a footprint of that longer axis.
+struct Place {
+  float u, v, lod;
+  float aspect, angle;
+};
+
+Lookups drawn(const Batch& batch, bool footprints) {
+  Lookups lookups = batch.lookups(footprints, !footprints);
   lookups.random = t_random;
   return lookups;
 }
 
-/// Draws at one point with the random words first, first + 1, ...
-void make_draws(float u, float v, float lod, uint32_t first) {
+/// Derivatives of (u, v) of a texture of w x h.
+ref::Jacobian jacobian(const Place& at, float w, float h) {
+  const double length = exp2(static_cast<double>(at.lod)), angle = static_cast<double>(at.angle);
+  const double other = length / static_cast<double>(at.aspect);
+  return {length * cos(angle) / static_cast<double>(w), length * sin(angle) / static_cast<double>(h),
+          -other * sin(angle) / static_cast<double>(w), other * cos(angle) / static_cast<double>(h)};
+}
+
+/// Draws at one place with the random words first, first + 1, ...
+void make_draws(const Place& at, const ref::Jacobian& j, uint32_t first) {
   t_batch.count = kMaxPoints;
   for (size_t i = 0; i < kMaxPoints; ++i) {
-    t_batch.u[i] = u;
-    t_batch.v[i] = v;
-    t_batch.lod[i] = lod;
+    t_batch.u[i] = at.u;
+    t_batch.v[i] = at.v;
+    t_batch.lod[i] = at.lod;
+    t_batch.dudx[i] = static_cast<float>(j.ux);
+    t_batch.dvdx[i] = static_cast<float>(j.vx);
+    t_batch.dudy[i] = static_cast<float>(j.uy);
+    t_batch.dvdy[i] = static_cast<float>(j.vy);
     t_random[i] = first + static_cast<uint32_t>(i);
   }
 }
+void make_draws(float u, float v, float lod, uint32_t first) {
+  make_draws({u, v, lod, 1, 0}, {0, 0, 0, 0}, first);
+}
 
-double expected(const ref::Image& image, double u, double v, double lod, int channel) {
+double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j, int channel) {
+  const double u = static_cast<double>(at.u), v = static_cast<double>(at.v);
   switch (image.sampler->expectation) {
     case SHD_FILTER_BILINEAR: return ref::bilinear(image, 0, u, v, channel);
     case SHD_FILTER_BICUBIC: return ref::bicubic(image, u, v, channel);
-    default: return ref::trilinear(image, u, v, lod, channel);
+    case SHD_FILTER_TRILINEAR: return ref::trilinear(image, u, v, static_cast<double>(at.lod), channel);
+    default: break;
   }
+  const double w = image.levels[0].width, h = image.levels[0].height;
+  const ref::Ellipse e = ref::ellipse(ref::Jacobian{j.ux * w, j.vx * h, j.uy * w, j.vy * h});
+  const double ratio = ref::aspect(e, static_cast<double>(image.sampler->max_anisotropy));
+  return ref::anisotropic(image, e, static_cast<int>(ceil(ratio - 0.125)), u, v, channel);
 }
 
 /// What the mean of n draws from a range is off by with a probability of 1e-12 at most.
@@ -67,15 +109,16 @@ double hoeffding(double range, double n) {
   return range * sqrt(log(2e12) / (2 * n));
 }
 
-void check_mean(const stochastic_case& c, const Texture& texture, const shd_sampler_desc& desc, float u, float v,
-                float lod) {
+void check_mean(const stochastic_case& c, const Texture& texture, const shd_sampler_desc& desc, const Place& at) {
   ref::Level levels[shd::texture::kMaxLevels];
   const ref::Image image = oracle_image(texture, desc, levels);
   const Sampler sampler = make_sampler(desc);
+  const ref::Jacobian j = jacobian(at, static_cast<float>(c.width), static_cast<float>(c.height));
+  const bool footprints = desc.expectation == SHD_FILTER_ANISOTROPIC;
   double sum[4] = {0, 0, 0, 0};
   for (size_t round = 0; round < kRounds; ++round) {
-    make_draws(u, v, lod, static_cast<uint32_t>(round * kMaxPoints));
-    run(texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+    make_draws(at, j, static_cast<uint32_t>(round * kMaxPoints));
+    run(texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, footprints), &t_batch);
     for (int k = 0; k < 4; ++k) {
       for (size_t i = 0; i < kMaxPoints; ++i) sum[k] += static_cast<double>(t_batch.out[k][i]);
     }
@@ -84,7 +127,7 @@ void check_mean(const stochastic_case& c, const Texture& texture, const shd_samp
   const double m = fmax(magnitude(texture.format), 2);
   const double bound = hoeffding(2 * m, kCount) + m * (2e-6 + 8e-7 * (c.width + c.height));
   for (int k = 0; k < 4; ++k) {
-    const double want = expected(image, static_cast<double>(u), static_cast<double>(v), static_cast<double>(lod), k);
+    const double want = expected(image, at, j, k);
     shd_assert_close(c.name, static_cast<size_t>(k), sum[k] / kCount, want, bound, 0);
   }
 }
@@ -96,8 +139,13 @@ void test_mean(void** state) {
     Texture* texture = random_texture(format, c.width, c.height, true);
     for (uint32_t pair = 0; pair < 25; ++pair) {
       for (int point = 0; point < 3; ++point) {
-        const float u = random.real(-1.5f, 2.5f), v = random.real(-1.5f, 2.5f), lod = random.real(-1, 8);
-        check_mean(c, *texture, make_desc(c.expectation, pair), u, v, lod);
+        Place at;
+        at.u = random.real(-1.5f, 2.5f);
+        at.v = random.real(-1.5f, 2.5f);
+        at.lod = random.real(-1, 8);
+        at.angle = random.real(-3, 3);
+        at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from where the number of probes changes
+        check_mean(c, *texture, make_desc(c.expectation, pair), at);
       }
     }
     free_texture(texture);
@@ -116,7 +164,7 @@ void test_weights(void**) {
     const Sampler sampler = make_sampler(make_desc(expectation, 0));
     for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
       make_draws(0.45f, 0.62f, 0, first);
-      run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+      run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, false), &t_batch);
       for (size_t i = 0; i < kMaxPoints; ++i) ++hits[lroundf(t_batch.out[0][i] * 255)];
     }
     const auto weight = [&](double x, int i) {
@@ -177,9 +225,9 @@ void test_seeds(void**) {
     make_draws(0.503f, 0.503f, 0.5f, 0);
     t_first.count = kMaxPoints;
     for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, drawn(t_batch, true), &t_first);
+      run(*texture, make_sampler(desc), target, drawn(t_batch, false), &t_first);
       desc.seed = 1;
-      run(*texture, make_sampler(desc), target, drawn(t_batch, true), &t_batch);
+      run(*texture, make_sampler(desc), target, drawn(t_batch, false), &t_batch);
       desc.seed = 0;
       size_t different = 0, changes = 0;
       for (size_t i = 0; i < kMaxPoints; ++i) different += t_batch.out[0][i] != t_first.out[0][i];
@@ -203,9 +251,29 @@ void test_weight_zero(void**) {
   for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
     for_each_target([&](int64_t target) {
       make_draws(20.5f / 64, 0.5f, 0, 0);
-      run(*texture, make_sampler(make_desc(expectation, 0)), target, drawn(t_batch, true), &t_batch);
+      run(*texture, make_sampler(make_desc(expectation, 0)), target, drawn(t_batch, false), &t_batch);
       for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 5.0f);
     });
+  }
+  free_texture(texture);
+}
+
+/// A constant texture gives that constant, on every target.
+void test_constant(void**) {
+  uint8_t texels[33 * 9];
+  memset(texels, 77, sizeof texels);
+  Texture* texture = make_texture(SHD_FORMAT_R8, 33, 9, texels, true);
+  make_points(&t_batch);
+  for (const shd_filter expectation : kExpectations) {
+    for (uint32_t pair = 0; pair < 25; ++pair) {
+      shd_sampler_desc desc = make_desc(expectation, pair);
+      if (desc.wrap_u == SHD_WRAP_BORDER || desc.wrap_v == SHD_WRAP_BORDER) continue;
+      for_each_target([&](int64_t target) {
+        run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
+        for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[0][i] == t_batch.out[0][0]);
+        shd_assert_close("constant", pair, static_cast<double>(t_batch.out[0][0]), 77 / 255.0, 0, 1.2e-7);
+      });
+    }
   }
   free_texture(texture);
 }
@@ -213,7 +281,7 @@ void test_weight_zero(void**) {
 }  // namespace
 
 int main() {
-  CMUnitTest tests[16];
+  CMUnitTest tests[32];
   size_t n = 0;
   for (const stochastic_case& c : k_cases) {
     tests[n++] = {c.name, test_mean, nullptr, nullptr, const_cast<stochastic_case*>(&c)};
@@ -222,5 +290,6 @@ int main() {
   tests[n++] = {"targets_and_tails", test_targets_and_tails, nullptr, nullptr, nullptr};
   tests[n++] = {"seeds", test_seeds, nullptr, nullptr, nullptr};
   tests[n++] = {"weight_zero", test_weight_zero, nullptr, nullptr, nullptr};
+  tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.stochastic", tests, n, nullptr, nullptr);
 }
