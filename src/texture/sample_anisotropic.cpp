@@ -12,6 +12,7 @@
 
 #include "texture/filter-inl.h"
 #include "texture/kernel-inl.h"
+#include "texture/prefetch-inl.h"
 #include "texture/probe-inl.h"
 #include "texture/probe_line-inl.h"
 
@@ -102,10 +103,13 @@ struct Anisotropic {
 struct AnisotropicKernel {
   template <class F>
   static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-    return ForEachProbeBlock(texture, sampler, in, out,
-                             [&](const Sampler& unwidened, const Lookups& block, const Texels& to) {
-                               ForEachPoint<Anisotropic, F>(texture, unwidened, block, to);
-                             });
+    return ForEachProbeBlock(
+        texture, sampler, in, out, [&](const Sampler& unwidened, const Lookups& block, const Texels& to) {
+          const float* lod = block.dvdy;
+          WithPrefetch(texture, unwidened, block, to, 2, lod, [&](const Lookups& part, const Texels& values) {
+            ForEachPoint<Anisotropic, F>(texture, unwidened, part, values);
+          });
+        });
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include "texture/filter-inl.h"
 #include "texture/kernel-inl.h"
+#include "texture/prefetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -32,7 +33,15 @@ struct Bilinear {
 struct BilinearKernel {
   template <class F>
   static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-    return ForEachPoint<Bilinear, F>(texture, sampler, in, out);
+    size_t nonfinite = 0;
+    for (size_t first = 0; first < in.count; first += kBlock) {
+      const Lookups block = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+      WithPrefetch(texture, sampler, block, part_of(out, first), 1, nullptr,
+                   [&](const Lookups& part, const Texels& values) {
+                     nonfinite += ForEachPoint<Bilinear, F>(texture, sampler, part, values);
+                   });
+    }
+    return nonfinite;
   }
 };
 

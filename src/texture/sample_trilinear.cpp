@@ -11,6 +11,7 @@
 #include "texture/filter-inl.h"
 #include "texture/kernel-inl.h"
 #include "texture/lod_block-inl.h"
+#include "texture/prefetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -68,7 +69,9 @@ struct TrilinearKernel {
   template <class F>
   static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
     return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {
-      ForEachPoint<Trilinear, F>(texture, sampler, block, to);
+      WithPrefetch(texture, sampler, block, to, 2, block.lod, [&](const Lookups& part, const Texels& values) {
+        ForEachPoint<Trilinear, F>(texture, sampler, part, values);
+      });
     });
   }
 };
