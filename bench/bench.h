@@ -47,6 +47,7 @@ void register_texture_peers();
 void register_frame_peers();
 void register_texture();
 void register_texture_create();
+void register_texture_worst();
 void register_quality();
 void register_frame();
 

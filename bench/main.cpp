@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   shd::bench::register_frame();
   shd::bench::register_texture();
   shd::bench::register_texture_create();
+  shd::bench::register_texture_worst();
   shd::bench::register_quality();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -18,6 +18,7 @@ struct Filter {
   PeerFilter peer;
   uint32_t every;       // one lookup of so many of the workload, to keep slow filters short
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
+  shd_filter expectation = SHD_FILTER_TRILINEAR;
 };
 
 constexpr Filter kFilters[] = {
@@ -33,6 +34,8 @@ constexpr Filter kFilters[] = {
     {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, true},
     {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
+    {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,
+     SHD_FILTER_ANISOTROPIC},
     {"exact", SHD_FILTER_EXACT, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 61, false},
 };
 

@@ -66,8 +66,8 @@ HWY_INLINE void WithPrefetch(const Texture& texture, const Sampler& sampler, con
   if (!is_scattered(texture, block, lod)) return filter(block, out);
   for (size_t first = 0; first < block.count; first += kPart) {
     const Lookups part = part_of(block, first, block.count - first < kPart ? block.count - first : kPart);
-    const Lookups points = {part.count, part.u, part.v, nullptr, nullptr,
-                            nullptr, nullptr, part_of(lod, first), part.layer, nullptr};
+    const Lookups points = {part.count,          part.u,     part.v, nullptr, nullptr, nullptr, nullptr,
+                            part_of(lod, first), part.layer, nullptr};
     ForEachVector(texture, PrefetchQuads{texture, sampler, levels}, points, {});
     filter(part, part_of(out, first));
   }
