@@ -82,13 +82,13 @@ SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, 
 /** Where levels of detail go; unwanted ones NULL. */
 typedef struct shd_levels {
     shd_f32_out lod;   /**< continuous: log2 of the footprint's longer axis, after bias and clamps */
-    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1 */
+    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1; in SHD_PROFILE_OIIO ceil(lod) */
 } shd_levels;
 
 /**
  * Levels of detail of `lookups->count` points, as trilinear filtering uses them: what pictures of mip levels show.
  * @param texture  concurrent reads
- * @param sampler  its bias, clamps, width and blur count, its filter does not
+ * @param sampler  its bias, clamps, width, blur and profile count, its filter does not
  * @param lookups  columns, borrowed for the call
  * @param out      columns, borrowed for the call; must not overlap any input or each other
  * @since 0.1

@@ -82,6 +82,41 @@ typedef enum shd_box {
     SHD_BOX_MAX_ENUM = 0x7fffffff
 } shd_box;
 
+/**
+ * Whose level of detail, levels and probes NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC use; the other filters
+ * are the same in all profiles. Below, x and y are the columns of the matrix J of derivatives in base-level texels,
+ * a = max_anisotropy, and lambda is the level of detail before bias and clamps.
+ */
+typedef enum shd_profile {
+    /** Singular values of J, as <shd/lookup.h> says; N = ceil(r - 1/8) probes for a footprint r times as long as wide. */
+    SHD_PROFILE_EXACT = 0,
+    /**
+     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: eta = min(max(|x|, |y|) /
+     * min(|x|, |y|), a), lambda = log2(max(|x|, |y|) / eta), ceil(eta) probes of equal weight at i / (ceil(eta) + 1) -
+     * 1/2 of the longer of x and y. Fractions of levels and weights of bilinear lookups (SHD_FILTER_BILINEAR too) have
+     * 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+     */
+    SHD_PROFILE_VULKAN = 1,
+    /**
+     * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(max(|x|, |y|)). ANISOTROPIC: m is the
+     * major axis of J's ellipse (for parallel x and y the longer of both), r = min(m^2 / |det J|, a), lambda =
+     * log2(m / r), ceil(min(r, max(m, 1))) probes along m, where and weighted as in SHD_PROFILE_VULKAN, which that
+     * specification leaves open. Fractions and weights as there.
+     */
+    SHD_PROFILE_D3D11 = 2,
+    /**
+     * OpenImageIO 2.4, TextureSystem with default options. The width w of the filter, in units of the texture, is the
+     * largest of |du/dx| .. |dv/dy| plus the larger blur. Between the first level where w is at most a texel of the
+     * smaller side and the one before, 2 w - 1 of the way to the coarser one with w in texels of that; NEAREST_MIP and
+     * BILINEAR_MIP: the coarser one. ANISOTROPIC: axes m >= n of the ellipse in units of the texture, lengthened by
+     * blur, and where m > a n replaced by m' = (m + a n) / 2 and n' = m' / a; levels by w = n; floor(2 m / n - 1) probes
+     * at p (m - n), p = -1..1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the
+     * derivatives of u and of v, as swidth and twidth do.
+     */
+    SHD_PROFILE_OIIO = 3,
+    SHD_PROFILE_MAX_ENUM = 0x7fffffff
+} shd_profile;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -98,7 +133,7 @@ typedef struct shd_sampler_desc {
     float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
     float blur_v;                    /**< blur in v, likewise */
     float max_anisotropy;            /**< longest footprint in units of its shorter axis, 1..64; default 16 */
-    shd_probe_weights probe_weights; /**< of SHD_FILTER_ANISOTROPIC; default SHD_PROBE_WEIGHTS_EQUAL */
+    shd_probe_weights probe_weights; /**< of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
     shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
     shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
     /**
@@ -108,6 +143,10 @@ typedef struct shd_sampler_desc {
     shd_filter expectation;
     uint32_t seed;   /**< of SHD_FILTER_STOCHASTIC; default 0 */
     float tolerance; /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
+    /**
+     * Default SHD_PROFILE_EXACT. It also decides what is magnified: lambda <= 0 of the filter, bias and clamps included.
+     */
+    shd_profile profile;
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

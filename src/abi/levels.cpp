@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shd/lookup.h>
 
-#include <cmath>
-
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -46,7 +44,7 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
       for (size_t i = 0; i < count; ++i) {
         if (out->lod.data) data::store(out->lod, first + i, lod[i]);
         if (out->level.data) {
-          data::store(out->level, first + i, static_cast<uint32_t>(std::ceil(lod[i] + 0.5f) - 1.0f));
+          data::store(out->level, first + i, texture::nearest_level(*sampler_body, lod[i]));
         }
       }
     });

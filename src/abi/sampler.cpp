@@ -57,6 +57,7 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.probe_weights", desc.probe_weights, SHD_PROBE_WEIGHTS_EQUAL, SHD_PROBE_WEIGHTS_GAUSSIAN));
   SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
+  SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_EXACT, SHD_PROFILE_OIIO));
   SHD_TRY(check_expectation(desc.expectation));
   SHD_TRY(check_drawn_cubic(desc));
   if (texture::has_kernel(desc)) return SHD_OK;

@@ -8,6 +8,7 @@
 #include "image/srgb.h"
 #include "texture/codes.h"
 #include "texture/magnify.h"
+#include "texture/profile.h"
 #include "texture/record.h"
 #include "texture/sample.h"
 #include "texture/storage.h"
@@ -169,7 +170,13 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   Recording recording(context.allocator);
   {
     const RecordingScope scope(&recording);
-    record(texture, taken, lookups);
+    if (is_profiled(taken)) {
+      ProfiledBlock block;
+      profile_block(texture, taken, context.simd, lookups, &block);
+      record(texture, block.sampler, block.lookups);
+    } else {
+      record(texture, taken, lookups);
+    }
   }
   write_tree(context, texture, taken, recording, out);
   out->filter = static_cast<uint32_t>(taken.filter);

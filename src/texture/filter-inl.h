@@ -210,11 +210,28 @@ SHD_KERNEL_PART Quad<F, D> FetchTaps(D d, const Texture& texture, const Level<D>
   return quad;
 }
 
+/// Weights to 8 bits, as texture units have them; a weight of 1 is 0 of the other tap.
+template <class D>
+HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
+  const hn::RebindToSigned<D> di;
+  const auto steps = hn::Set(d, 256.0f);
+  const auto s = hn::Div(hn::Floor(hn::Add(hn::Mul(taps->s, steps), hn::Set(d, 0.5f))), steps);
+  const auto next = hn::Eq(s, hn::Set(d, 1.0f));
+  taps->s = hn::IfThenZeroElse(next, s);
+  taps->i0 = hn::IfThenElse(hn::RebindMask(di, next), taps->i1, taps->i0);
+  taps->in0 = hn::Or(hn::And(next, taps->in1), hn::AndNot(next, taps->in0));
+}
+
 template <class F, class D>
 SHD_KERNEL_PART Quad<F, D> FetchQuad(D d, const Texture& texture, const Sampler& sampler, const Level<D>& level,
                                      hn::Vec<D> u, hn::Vec<D> v) {
-  return FetchTaps<F>(d, texture, level, WrapLinear(d, sampler.wrap_u, u, level.across),
-                      WrapLinear(d, sampler.wrap_v, v, level.down));
+  LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
+  LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
+  if (HWY_UNLIKELY(sampler.rounded_weights)) {
+    RoundWeights(d, &x);
+    RoundWeights(d, &y);
+  }
+  return FetchTaps<F>(d, texture, level, x, y);
 }
 
 /// Bilinear value of channel C, in the lerp domain.

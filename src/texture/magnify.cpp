@@ -3,6 +3,7 @@
 #include "texture/magnify.h"
 
 #include "texture/block.h"
+#include "texture/profile.h"
 #include "texture/sample.h"
 
 namespace shd::texture {
@@ -11,6 +12,16 @@ namespace {
 /// Levels of detail that the texture's own levels do not clamp.
 LodRange free_range(const Sampler& sampler) {
   return {sampler.lod_min, sampler.lod_max};
+}
+
+/// The levels of detail that tell magnification from minification: of the longer axis, but that of the probes where a
+/// profile places them.
+size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
+                    float* out) {
+  if (sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.profile != SHD_PROFILE_EXACT) {
+    return profile_lod(texture, sampler, free_range(sampler), ProfileLod::kAnisotropic, simd, in, out);
+  }
+  return sample_lod(texture, sampler, free_range(sampler), simd, in, out);
 }
 
 /// Packed copies of some lookups of a block, and room for their results.
@@ -93,7 +104,7 @@ size_t sample_magnified(const Texture& texture, const Sampler& sampler, const co
     const size_t count = lookups.count - first < kBlock ? lookups.count - first : kBlock;
     const Lookups block = part_of(lookups, first, count);
     float lod[kBlock];
-    nonfinite += sample_lod(texture, sampler, free_range(sampler), simd, block, lod);
+    nonfinite += deciding_lod(texture, sampler, simd, block, lod);
     uint16_t near_rows[kBlock], far_rows[kBlock];
     size_t near_count = 0, far_count = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -113,7 +124,7 @@ Sampler sampler_of(const Texture& texture, const Sampler& sampler, const core::S
                    const Lookups& lookup) {
   if (sampler.magnification == SHD_MAGNIFICATION_DEFAULT) return sampler;
   float lod[1];
-  sample_lod(texture, sampler, free_range(sampler), simd, lookup, lod);
+  deciding_lod(texture, sampler, simd, lookup, lod);
   return lod[0] <= 0.0f ? magnifier(sampler) : minifier(sampler);
 }
 

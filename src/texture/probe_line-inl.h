@@ -102,16 +102,14 @@ template <class Filter>
 HWY_INLINE size_t ForEachProbeBlock(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                     const Texels& out, const Filter& filter) {
   const ProbesOf probes = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
-  Sampler unwidened = sampler;
-  unwidened.width_x = unwidened.width_y = 1.0f;
-  unwidened.blur_u = unwidened.blur_v = 0.0f;
+  const Sampler plain = unwidened(sampler);
   alignas(64) float columns[4][kBlock];
   size_t nonfinite = 0;
   for (size_t first = 0; first < in.count; first += kBlock) {
     const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
     const Lookups given = part_of(in, first, count);
     nonfinite += ForEachVector(texture, probes, given, {{columns[0], columns[1], columns[2], columns[3]}, {}, {}});
-    filter(unwidened,
+    filter(plain,
            Lookups{count, given.u, given.v, columns[0], columns[1], columns[2], columns[3], nullptr, given.layer,
                    given.random},
            part_of(out, first));

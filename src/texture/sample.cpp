@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "texture/magnify.h"
+#include "texture/profile.h"
 
 namespace shd::texture {
 namespace {
@@ -40,6 +41,35 @@ void sample_gradient(const Texture& texture, const Sampler& sampler, const core:
   }
 }
 
+/// Derivatives and values, each by its own kernels.
+size_t sample_given(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                    const Lookups& lookups, const Texels& out) {
+  Texels values = {}, gradient = {};
+  bool derivatives = false;
+  for (size_t c = 0; c < 4; ++c) {
+    values.channel[c] = out.channel[c];
+    gradient.du[c] = out.du[c];
+    gradient.dv[c] = out.dv[c];
+    derivatives = derivatives || out.du[c] || out.dv[c];
+  }
+  if (derivatives) sample_gradient(texture, sampler, simd, lookups, gradient);
+  return sample_values(texture, sampler, simd, lookups, values);
+}
+
+/// Block by block, what the profile finds and then the kernels on that.
+size_t sample_profiled(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                       const Lookups& lookups, const Texels& out) {
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < lookups.count; first += kBlock) {
+    const size_t count = lookups.count - first < kBlock ? lookups.count - first : kBlock;
+    ProfiledBlock block;
+    profile_block(texture, sampler, simd, part_of(lookups, first, count), &block);
+    sample_given(texture, block.sampler, simd, block.lookups, part_of(out, first));
+    nonfinite += block.nonfinite;
+  }
+  return nonfinite;
+}
+
 }  // namespace
 
 bool has_gradient(shd_filter filter) {
@@ -56,16 +86,8 @@ bool has_gradient(shd_filter filter) {
 
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
-  Texels values = {}, gradient = {};
-  bool derivatives = false;
-  for (size_t c = 0; c < 4; ++c) {
-    values.channel[c] = out.channel[c];
-    gradient.du[c] = out.du[c];
-    gradient.dv[c] = out.dv[c];
-    derivatives = derivatives || out.du[c] || out.dv[c];
-  }
-  if (derivatives) sample_gradient(texture, sampler, simd, lookups, gradient);
-  return sample_values(texture, sampler, simd, lookups, values);
+  return is_profiled(sampler) ? sample_profiled(texture, sampler, simd, lookups, out)
+                              : sample_given(texture, sampler, simd, lookups, out);
 }
 
 bool has_kernel(const shd_sampler_desc& desc) {
@@ -107,6 +129,8 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.expectation = desc.expectation;
   sampler.seed = desc.seed;
   sampler.tolerance = desc.tolerance;
+  sampler.profile = desc.profile;
+  sampler.rounded_weights = has_rounded_weights(desc);
   return sampler;
 }
 

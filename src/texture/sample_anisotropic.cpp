@@ -3,6 +3,8 @@
 // Elliptical Lines for Anisotropic Texture Mapping", 1999), on the level of its shorter one.
 #include "texture/sample.h"
 
+#include <cstring>
+
 #include "core/simd_target.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -20,7 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The lookups of a block as ForEachProbeBlock() hands them out.
+/// The lookups of a block as ForEachProbeBlock() hands them out. The column `random`, of which this filter has no other
+/// use, holds the bits of the distance in steps from the middle where a Gaussian weight is exp(-2).
 template <class F, bool kBorder>
 struct Anisotropic {
   const Texture& texture;
@@ -30,7 +33,7 @@ struct Anisotropic {
   HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
     using V = hn::Vec<D>;
     const ProbeLine<D> line(d, sampler, p);
-    const V count = line.count;
+    const V count = line.count, reach = hn::BitCast(d, p.random);
     const LevelPair<D> levels = LevelsOf(d, texture, p.first_texel, line.lod);
     const float most = hn::GetLane(hn::MaxOfLanes(d, count));
     QuadPair<F, D> quads;
@@ -49,7 +52,7 @@ struct Anisotropic {
       if (sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL) {
         share = hn::IfThenElseZero(active, hn::Set(d, 1.0f / (k + 1.0f)));
       } else {
-        const V weight = hn::IfThenElseZero(active, ProbeGaussian(d, hn::Div(position, count)));
+        const V weight = hn::IfThenElseZero(active, ProbeGaussian(d, hn::Div(position, reach)));
         total = hn::Add(total, weight);
         share = hn::Div(weight, total);
       }
@@ -103,13 +106,24 @@ struct Anisotropic {
 struct AnisotropicKernel {
   template <class F>
   static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-    return ForEachProbeBlock(
-        texture, sampler, in, out, [&](const Sampler& unwidened, const Lookups& block, const Texels& to) {
-          const float* lod = block.dvdy;
-          WithPrefetch(texture, unwidened, block, to, 2, lod, [&](const Lookups& part, const Texels& values) {
-            ForEachPoint<Anisotropic, F>(texture, unwidened, part, values);
-          });
-        });
+    const auto filter = [&](const Sampler& plain, const Lookups& line, const Texels& to) {
+      const float* lod = line.dvdy;
+      WithPrefetch(texture, plain, line, to, 2, lod, [&](const Lookups& part, const Texels& values) {
+        ForEachPoint<Anisotropic, F>(texture, plain, part, values);
+      });
+    };
+    if (sampler.probes_given) {
+      filter(sampler, in, out);
+      return 0;  // the profile has counted
+    }
+    return ForEachProbeBlock(texture, sampler, in, out,
+                             [&](const Sampler& plain, const Lookups& block, const Texels& to) {
+                               alignas(64) uint32_t reach[kBlock];
+                               std::memcpy(reach, block.dudy, block.count * sizeof(float));
+                               Lookups line = block;
+                               line.random = reach;
+                               filter(plain, line, to);
+                             });
   }
 };
 

@@ -173,8 +173,8 @@ struct StochasticKernel {
       case SHD_FILTER_BICUBIC: return ForEachPoint<DrawnBicubic, F>(texture, sampler, in, out);
       case SHD_FILTER_ANISOTROPIC:
         return ForEachProbeBlock(texture, sampler, in, out,
-                                 [&](const Sampler& unwidened, const Lookups& block, const Texels& to) {
-                                   ForEachPoint<DrawnAnisotropic, F>(texture, unwidened, block, to);
+                                 [&](const Sampler& plain, const Lookups& block, const Texels& to) {
+                                   ForEachPoint<DrawnAnisotropic, F>(texture, plain, block, to);
                                  });
       default:
         return ForEachLodBlock(texture, sampler, in, out, [&](const Lookups& block, const Texels& to) {

@@ -2,6 +2,7 @@
 #include "texture/sample.h"
 
 #include "core/simd_target.h"
+#include "texture/profile.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/sample_trilinear.cpp"
@@ -111,6 +112,9 @@ size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const co
 
 size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
                   const Lookups& lookups, float* out) {
+  if (sampler.profile != SHD_PROFILE_EXACT) {
+    return profile_lod(texture, sampler, range, ProfileLod::kLongerAxis, simd, lookups, out);
+  }
   return SHD_DISPATCH(LodBatch, simd)(texture, sampler, range, lookups, {{out}, {}, {}});
 }
 

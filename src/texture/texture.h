@@ -29,6 +29,7 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | profile.h, profile-inl.h | levels of detail and probes of other texture units                         |
 /// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
 /// | exact_footprint.h       | its level and its parallelogram                                             |
 /// | parallelogram.h         | pieces of a parallelogram in the cells of a lattice, and their moments      |
@@ -101,7 +102,18 @@ struct Sampler {
   shd_filter expectation;
   uint32_t seed;
   float tolerance;
+  shd_profile profile;
+  bool rounded_weights;  // those of bilinear lookups, to 8 bits
+  bool probes_given;     // SHD_FILTER_ANISOTROPIC: lookups are those of a ProfiledBlock (profile.h)
 };
+
+/// The same without width and blur.
+inline Sampler unwidened(const Sampler& sampler) {
+  Sampler plain = sampler;
+  plain.width_x = plain.width_y = 1.0f;
+  plain.blur_u = plain.blur_v = 0.0f;
+  return plain;
+}
 
 /// Whether this build filters so.
 bool has_kernel(const shd_sampler_desc& desc);
