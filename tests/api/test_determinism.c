@@ -208,6 +208,40 @@ static const struct {
     {SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC, SHD_MAGNIFICATION_DEFAULT, 0},
     {SHD_FILTER_EXACT, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, 0},
 };
+/* The filters that profiles change, after those. */
+static const struct {
+    shd_filter filter;
+    shd_profile profile;
+    shd_magnification magnification;
+} k_profiled[] = {
+    {SHD_FILTER_NEAREST_MIP, SHD_PROFILE_VULKAN, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_BILINEAR_MIP, SHD_PROFILE_VULKAN, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_TRILINEAR, SHD_PROFILE_VULKAN, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_ANISOTROPIC, SHD_PROFILE_VULKAN, SHD_MAGNIFICATION_BILINEAR},
+    {SHD_FILTER_TRILINEAR, SHD_PROFILE_D3D11, SHD_MAGNIFICATION_BILINEAR},
+    {SHD_FILTER_ANISOTROPIC, SHD_PROFILE_D3D11, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_NEAREST_MIP, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_BILINEAR_MIP, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_BICUBIC},
+    {SHD_FILTER_TRILINEAR, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_DEFAULT},
+    {SHD_FILTER_ANISOTROPIC, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_DEFAULT},
+};
+enum { k_plain_count = sizeof k_filters / sizeof k_filters[0] };
+
+/** What case `filter` looks up with; returns whether it has derivatives. */
+static int describe_filter(size_t filter, shd_sampler_desc *sd)
+{
+    if (filter < k_plain_count) {
+        sd->filter = k_filters[filter].filter;
+        sd->expectation = k_filters[filter].expectation;
+        sd->magnification = k_filters[filter].magnification;
+        return k_filters[filter].derivatives;
+    }
+    sd->filter = k_profiled[filter - k_plain_count].filter;
+    sd->profile = k_profiled[filter - k_plain_count].profile;
+    sd->magnification = k_profiled[filter - k_plain_count].magnification;
+    return sd->filter != SHD_FILTER_NEAREST_MIP;
+}
+
 static const shd_format k_filter_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGB16, SHD_FORMAT_R16F,
                                               SHD_FORMAT_RGBA32F};
 
@@ -246,11 +280,9 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
     shd_f32_in *const column[6] = {&lookups.u, &lookups.v, &lookups.dudx, &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
     shd_texels texels;
     size_t c;
+    const int derivatives = describe_filter(filter, &sd);
     shd_assert_ok(shd_context_create(desc, &context));
     texture = make_filter_texture(context, k_filter_formats[format]);
-    sd.filter = k_filters[filter].filter;
-    sd.expectation = k_filters[filter].expectation;
-    sd.magnification = k_filters[filter].magnification;
     sd.wrap_u = (shd_wrap)((filter + format) % 5);
     sd.wrap_v = (shd_wrap)((filter + 2 * format) % 5);
     sd.blur_u = filter % 2 ? 0.01f : 0.0f;
@@ -264,7 +296,7 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
     for (c = 0; c < 6; ++c) column[c]->data = in + c * k_lookups;
     for (c = 0; c < 4; ++c) {
         texels.channel[c].data = out + c * k_filter_lookups;
-        if (!k_filters[filter].derivatives) continue;
+        if (!derivatives) continue;
         texels.du[c].data = out + (4 + c) * k_filter_lookups;
         texels.dv[c].data = out + (8 + c) * k_filter_lookups;
     }
@@ -277,8 +309,9 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
 }
 
 enum {
-    k_filter_count = sizeof k_filters / sizeof k_filters[0],
+    k_filter_count = k_plain_count + sizeof k_profiled / sizeof k_profiled[0],
     k_filter_format_count = sizeof k_filter_formats / sizeof k_filter_formats[0],
+    k_plain_cases = k_plain_count * k_filter_format_count,
     k_filter_cases = k_filter_count * k_filter_format_count
 };
 
@@ -309,9 +342,8 @@ static void test_filters(void **state)
         filters_on(&desc, got);
         for (i = 0; i < k_filter_cases; ++i) {
             if (got[i] != want[i]) {
-                print_error("filter %d, format %d differ on SIMD target %d\n",
-                            (int)k_filters[i / k_filter_format_count].filter,
-                            (int)k_filter_formats[i % k_filter_format_count], simd);
+                fail_msg("filter case %zu, format %d: differ on SIMD target %d", i / k_filter_format_count,
+                         (int)k_filter_formats[i % k_filter_format_count], simd);
             }
         }
     }
@@ -322,7 +354,7 @@ struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0}, {"lit", 0}, {"lookups", 0}, {"filters", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0}, {"lit", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -332,9 +364,11 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_LIT; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 2].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 3].hash = lookups_on(NULL);
     filters_on(NULL, filters);
-    k_golden[k_golden_count - 1].hash = shd_hash(SHD_HASH_START, filters, sizeof filters);
+    k_golden[k_golden_count - 2].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 1].hash =
+        shd_hash(SHD_HASH_START, filters + k_plain_cases, sizeof filters - k_plain_cases * sizeof *filters);
 }
 
 static void test_golden(void **state)

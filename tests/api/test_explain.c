@@ -29,6 +29,13 @@ static const struct {
                  {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
+/* With a profile, each of them on one format and wrap. */
+static const struct {
+    const char *name;
+    shd_profile profile;
+} k_profiles[] = {{"vulkan", SHD_PROFILE_VULKAN}, {"d3d11", SHD_PROFILE_D3D11}, {"oiio", SHD_PROFILE_OIIO}};
+enum { PROFILES = sizeof k_profiles / sizeof k_profiles[0] };
+
 static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FORMAT_RGBA8_SRGB,
                                        SHD_FORMAT_RGB16, SHD_FORMAT_R16F, SHD_FORMAT_RGBA32F};
 enum { FORMATS = sizeof k_formats / sizeof k_formats[0] };
@@ -109,7 +116,7 @@ static shd_texture *make_texture(shd_format format)
     return texture;
 }
 
-static shd_sampler *make_sampler(shd_filter filter, shd_filter expectation, shd_wrap wrap)
+static shd_sampler *make_sampler(shd_filter filter, shd_filter expectation, shd_wrap wrap, shd_profile profile)
 {
     shd_sampler_desc desc = shd_sampler_desc_default();
     const float border[4] = {0.25f, -1.5f, 2.0f, 0.75f};
@@ -117,6 +124,7 @@ static shd_sampler *make_sampler(shd_filter filter, shd_filter expectation, shd_
     desc.filter = filter;
     desc.expectation = expectation;
     desc.cubic = expectation == SHD_FILTER_BICUBIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
+    desc.profile = profile;
     desc.magnification = SHD_MAGNIFICATION_BICUBIC;
     desc.wrap_u = wrap;
     desc.wrap_v = wrap == SHD_WRAP_BORDER ? SHD_WRAP_CLAMP : wrap;
@@ -182,13 +190,14 @@ struct replay_case {
     shd_filter filter, expectation;
     shd_format format;
     shd_wrap wrap;
+    shd_profile profile;
 };
 
 static void test_replay(void **state)
 {
     const struct replay_case *c = (const struct replay_case *)*state;
     shd_texture *texture = make_texture(c->format);
-    shd_sampler *sampler = make_sampler(c->filter, c->expectation, c->wrap);
+    shd_sampler *sampler = make_sampler(c->filter, c->expectation, c->wrap, c->profile);
     const shd_lookups lookups = make_lookups();
     shd_texels out;
     size_t i;
@@ -247,7 +256,8 @@ static void test_bilinear_by_hand(void **state)
 static void test_arguments(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
-    shd_sampler *sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
+    shd_sampler *sampler =
+        make_sampler(SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PROFILE_EXACT);
     shd_lookups lookups = make_lookups();
     shd_explanation e = shd_explanation_default();
     const shd_result invalid = SHD_ERROR_INVALID_ARGUMENT;
@@ -277,9 +287,9 @@ static void test_arguments(void **state)
 
 int main(void)
 {
-    static struct replay_case cases[FILTERS * FORMATS * 5];
-    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + 2];
-    size_t n = 0;
+    static struct replay_case cases[FILTERS * FORMATS * 5 + FILTERS * PROFILES];
+    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + FILTERS * PROFILES + 2];
+    size_t n = 0, k;
     for (; n < FILTERS * FORMATS * 5; ++n) {
         struct replay_case *c = &cases[n];
         c->wrap = (shd_wrap)(n % 5);
@@ -289,6 +299,16 @@ int main(void)
         snprintf(c->name, sizeof c->name, "replay/%s/format_%d/wrap_%d", k_filters[n / 5 / FORMATS].name,
                  (int)c->format, (int)c->wrap);
         tests[n] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};
+    }
+    for (k = 0; k < FILTERS * PROFILES; ++k) {
+        struct replay_case *c = &cases[n];
+        c->wrap = (shd_wrap)(k % 5);
+        c->format = k_formats[k % FORMATS];
+        c->filter = k_filters[k / PROFILES].filter;
+        c->expectation = k_filters[k / PROFILES].expectation;
+        c->profile = k_profiles[k % PROFILES].profile;
+        snprintf(c->name, sizeof c->name, "replay/%s/%s", k_filters[k / PROFILES].name, k_profiles[k % PROFILES].name);
+        tests[n++] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};
     }
     tests[n++] = (struct CMUnitTest){"bilinear_by_hand", test_bilinear_by_hand, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"arguments", test_arguments, NULL, NULL, NULL};

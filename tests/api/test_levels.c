@@ -57,10 +57,19 @@ struct level_case {
     const char *name;
     float bias, low, high;
     int lod_given;
+    shd_profile profile;
 };
 static const struct level_case k_cases[] = {
-    {"levels/derivatives", 0, 0, 32, 0},  {"levels/bias", 1.25f, 0, 32, 0},       {"levels/clamped", 0, 1.5f, 3.75f, 0},
-    {"levels/min_above_max", 0, 4, 2, 0}, {"levels/lod_column", -0.5f, 0, 32, 1},
+    {"levels/derivatives", 0, 0, 32, 0, SHD_PROFILE_EXACT},
+    {"levels/bias", 1.25f, 0, 32, 0, SHD_PROFILE_EXACT},
+    {"levels/clamped", 0, 1.5f, 3.75f, 0, SHD_PROFILE_EXACT},
+    {"levels/min_above_max", 0, 4, 2, 0, SHD_PROFILE_EXACT},
+    {"levels/lod_column", -0.5f, 0, 32, 1, SHD_PROFILE_EXACT},
+    {"levels/vulkan", 0, 0, 32, 0, SHD_PROFILE_VULKAN},
+    {"levels/vulkan_bias", 0.75f, 0, 32, 0, SHD_PROFILE_VULKAN},
+    {"levels/d3d11", -0.5f, 0.5f, 4, 0, SHD_PROFILE_D3D11},
+    {"levels/oiio", 0, 0, 32, 0, SHD_PROFILE_OIIO},
+    {"levels/oiio_lod_column", 0.25f, 0, 32, 1, SHD_PROFILE_OIIO},
 };
 
 /** Larger singular value, from the eigenvalues of the matrix times its transpose. */
@@ -70,6 +79,36 @@ static double longer_axis(int i)
     const double uy = (double)g_columns[4][i] * WIDTH, vy = (double)g_columns[5][i] * HEIGHT;
     const double mean = (ux * ux + vx * vx + uy * uy + vy * vy) / 2, det = ux * vy - uy * vx;
     return sqrt(mean + sqrt(fmax(mean * mean - det * det, 0)));
+}
+
+static double longer_derivative(int i)
+{
+    return fmax(hypot((double)g_columns[2][i] * WIDTH, (double)g_columns[3][i] * HEIGHT),
+                hypot((double)g_columns[4][i] * WIDTH, (double)g_columns[5][i] * HEIGHT));
+}
+
+/** Levels are WIDTH >> m by HEIGHT >> m, the smaller side from 16 down to 1 and 1 again on levels 5 and 6. */
+static double oiio_lambda(int i)
+{
+    const double x = fmax(fabs((double)g_columns[2][i]), fabs((double)g_columns[3][i]));
+    const double width = fmax(x, fmax(fabs((double)g_columns[4][i]), fabs((double)g_columns[5][i])));
+    int m;
+    for (m = 0; m <= 6; ++m) {
+        const double texels = width * (m < 4 ? HEIGHT >> m : 1);
+        if (texels <= 1) return m == 0 ? log2(texels) : m - 1 + fmax(2 * texels - 1, 0);
+    }
+    return 6;
+}
+
+static double lambda_of(shd_profile profile, int i)
+{
+    if (profile == SHD_PROFILE_EXACT) return log2(longer_axis(i));
+    return profile == SHD_PROFILE_OIIO ? oiio_lambda(i) : log2(longer_derivative(i));
+}
+
+static double level_of(shd_profile profile, float lod)
+{
+    return profile == SHD_PROFILE_OIIO ? ceil((double)lod) : ceil((double)lod + 0.5) - 1;
 }
 
 static void test_levels(void **state)
@@ -84,6 +123,7 @@ static void test_levels(void **state)
     desc.lod_bias = c->bias;
     desc.lod_min = c->low;
     desc.lod_max = c->high;
+    desc.profile = c->profile;
     shd_assert_ok(shd_sampler_create(g_context, &desc, &sampler));
     memset(&out, 0, sizeof out);
     out.lod.data = g_lod;
@@ -92,16 +132,16 @@ static void test_levels(void **state)
     if (c->lod_given) lookups.lod.data = g_columns[4];
     shd_assert_ok(shd_texture_query_levels(g_texture, sampler, &lookups, &out));
     for (i = 0; i < POINTS; ++i) {
-        const double lambda = (c->lod_given ? (double)g_columns[4][i] : log2(longer_axis(i))) + (double)c->bias;
+        const double lambda = (c->lod_given ? (double)g_columns[4][i] : lambda_of(c->profile, i)) + (double)c->bias;
         const double high = fmin(fmax((double)c->high, (double)c->low), 6), low = fmin((double)c->low, 6);
         const double want = fmin(fmax(lambda, low), high);
         shd_assert_close(c->name, (size_t)i, (double)g_lod[2 * i], want, 3e-6, 0);
-        assert_true((double)g_level[i] == ceil((double)g_lod[2 * i] + 0.5) - 1);
+        assert_true((double)g_level[i] == level_of(c->profile, g_lod[2 * i]));
     }
     out.lod.data = NULL;
     memset(g_level, 0xff, sizeof g_level);
     shd_assert_ok(shd_texture_query_levels(g_texture, sampler, &lookups, &out));
-    for (i = 0; i < POINTS; ++i) assert_true((double)g_level[i] == ceil((double)g_lod[2 * i] + 0.5) - 1);
+    for (i = 0; i < POINTS; ++i) assert_true((double)g_level[i] == level_of(c->profile, g_lod[2 * i]));
     shd_sampler_release(sampler);
 }
 
@@ -130,7 +170,7 @@ static void test_arguments(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[8];
+    struct CMUnitTest tests[16];
     size_t n = 0;
     for (; n < sizeof k_cases / sizeof k_cases[0]; ++n) {
         tests[n] = (struct CMUnitTest){k_cases[n].name, test_levels, NULL, NULL, (void *)&k_cases[n]};

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The examples as programs of the including project.
 find_package(Threads REQUIRED)
-foreach(name IN ITEMS hello lookup program custom_allocator own_threads frame)
+foreach(name IN ITEMS hello lookup levels program custom_allocator own_threads frame)
   add_executable(${name} ${EXAMPLES_DIR}/${name}.c)
   target_link_libraries(${name} PRIVATE shd::shd m)
 endforeach()

@@ -4,7 +4,7 @@
 # with what the build knows in the environment (see CMakeLists.txt). Exit code 77: not for this build.
 set -euo pipefail
 kind=$1
-examples=(hello lookup program custom_allocator own_threads frame)
+examples=(hello lookup levels program custom_allocator own_threads frame)
 warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
 
 if [ -n "$SANITIZE" ]; then
