@@ -89,8 +89,7 @@ struct VulkanProfile {
   SHD_KERNEL_PART Probes<D> ProbesOf(D d, const Derivatives<D>& j) const {
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    const Lengths<D> l =
-        LengthsOf(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
+    const Lengths<D> l = LengthsOf(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
     const V longer = hn::Max(l.x, l.y), shorter = hn::Min(l.x, l.y);
     const auto none = hn::Eq(longer, zero);
     const V ratio = hn::Div(hn::IfThenElse(none, one, longer), hn::IfThenElse(none, one, shorter));

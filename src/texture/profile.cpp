@@ -72,10 +72,8 @@ size_t RunPass(const Profile& profile, const Sampler& widening, const LodRange& 
 size_t ProfilePass(const Texture& texture, const Sampler& sampler, const LodRange& range, ProfileFinish finish,
                    bool probes, const Lookups& in, const Texels& out) {
   switch (sampler.profile) {
-    case SHD_PROFILE_VULKAN:
-      return RunPass(VulkanProfile{texture, sampler}, sampler, range, finish, probes, in, out);
-    case SHD_PROFILE_D3D11:
-      return RunPass(D3d11Profile{texture, sampler}, sampler, range, finish, probes, in, out);
+    case SHD_PROFILE_VULKAN: return RunPass(VulkanProfile{texture, sampler}, sampler, range, finish, probes, in, out);
+    case SHD_PROFILE_D3D11: return RunPass(D3d11Profile{texture, sampler}, sampler, range, finish, probes, in, out);
     default: {
       const Sampler plain = unwidened(sampler);  // it widens by itself
       const OiioProfile profile = {texture, sampler, finish == ProfileFinish::kNearest};
@@ -100,8 +98,7 @@ Sampler given_sampler(const Sampler& sampler) {
   given.lod_min = 0.0f;
   given.lod_max = static_cast<float>(kMaxLevels);
   given.probes_given = sampler.filter == SHD_FILTER_ANISOTROPIC;
-  given.probe_weights =
-      sampler.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
+  given.probe_weights = sampler.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
   return given;
 }
 

@@ -27,7 +27,8 @@ inline Jacobian widened(const Jacobian& j, const shd_sampler_desc& s) {
 
 /// `slack` is added to what is rounded up or down to a number of probes.
 inline Line vulkan_line(const Jacobian& j, const shd_sampler_desc& s, double w, double h, double slack) {
-  const double x = hypot(j.ux * w, j.vx * h), y = hypot(j.uy * w, j.vy * h), cap = static_cast<double>(s.max_anisotropy);
+  const double x = hypot(j.ux * w, j.vx * h), y = hypot(j.uy * w, j.vy * h),
+               cap = static_cast<double>(s.max_anisotropy);
   const double longer = fmax(x, y), shorter = fmin(x, y);
   const double eta = longer == 0 ? 1 : shorter == 0 ? cap : fmin(longer / shorter, cap);
   const double count = fmax(ceil(eta + slack), 1);
@@ -63,9 +64,9 @@ inline Line d3d11_line(const Jacobian& j, const shd_sampler_desc& s, double w, d
 /// Level m - 1 + blend of a filter of a width in units of the texture; log2 of its texels where level 0 is enough.
 inline double oiio_lambda(const Image& image, double width, bool one_level) {
   for (int m = 0; m < image.level_count; ++m) {
-    const double texels = width * static_cast<double>(
-                                      image.levels[m].width < image.levels[m].height ? image.levels[m].width
-                                                                                     : image.levels[m].height);
+    const double texels =
+        width * static_cast<double>(image.levels[m].width < image.levels[m].height ? image.levels[m].width
+                                                                                   : image.levels[m].height);
     if (texels > 1) continue;
     if (m == 0) return log2(texels);
     return one_level ? m : m - 1 + fmax(2 * texels - 1, 0);
