@@ -6,7 +6,8 @@
  * (u, v) = (0, 0) is the outer corner of the first texel of row 0; v grows downwards; texel centres lie at
  * (i + 0.5) / size. Level of detail, with J the 2 x 2 matrix of derivatives in base-level texels and s its
  * larger singular value: lambda = clamp(log2(s) + lod_bias, lod_min, lod_max). At lambda <= 0 trilinear is
- * bilinear on level 0; the levels are floor(lambda) and the next, blended by the fraction.
+ * bilinear on level 0; the levels are floor(lambda) and the next, blended by the fraction. Other profiles of the
+ * sampler find them as enum shd_profile says.
  *
  * Total: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite ones as the coarsest level;
  * a NaN `lod` counts as 0. Texels that are finite give finite results; a texel of weight 0 never counts.

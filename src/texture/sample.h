@@ -25,6 +25,9 @@ namespace shd::texture {
 /// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
 /// at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N), k = 0..N - 1; Gaussian weights are
 /// exp(-2 x^2), x = 2 t. N = 1 with r = 1 has the bits of trilinear.
+///
+/// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
+/// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
 size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                       const Lookups& lookups, const Texels& out);
 size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
