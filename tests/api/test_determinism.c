@@ -281,11 +281,12 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
     shd_texels texels;
     size_t c;
     const int derivatives = describe_filter(filter, &sd);
+    const size_t row = filter < k_plain_count ? filter : filter - k_plain_count;
     shd_assert_ok(shd_context_create(desc, &context));
     texture = make_filter_texture(context, k_filter_formats[format]);
-    sd.wrap_u = (shd_wrap)((filter + format) % 5);
-    sd.wrap_v = (shd_wrap)((filter + 2 * format) % 5);
-    sd.blur_u = filter % 2 ? 0.01f : 0.0f;
+    sd.wrap_u = (shd_wrap)((row + format) % 5);
+    sd.wrap_v = (shd_wrap)((row + 2 * format) % 5);
+    sd.blur_u = row % 2 ? 0.01f : 0.0f;
     sd.seed = 5;
     sd.tolerance = 0.125f; /* bounds the exact filter to 1024 cells a lookup */
     shd_assert_ok(shd_sampler_create(context, &sd, &sampler));
