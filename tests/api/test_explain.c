@@ -256,8 +256,7 @@ static void test_bilinear_by_hand(void **state)
 static void test_arguments(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
-    shd_sampler *sampler =
-        make_sampler(SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PROFILE_EXACT);
+    shd_sampler *sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PROFILE_EXACT);
     shd_lookups lookups = make_lookups();
     shd_explanation e = shd_explanation_default();
     const shd_result invalid = SHD_ERROR_INVALID_ARGUMENT;
