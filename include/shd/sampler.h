@@ -109,9 +109,10 @@ typedef enum shd_profile {
      * largest of |du/dx| .. |dv/dy| plus the larger blur. Between the first level where w is at most a texel of the
      * smaller side and the one before, 2 w - 1 of the way to the coarser one with w in texels of that; NEAREST_MIP and
      * BILINEAR_MIP: the coarser one. ANISOTROPIC: axes m >= n of the ellipse in units of the texture, lengthened by
-     * blur, and where m > a n replaced by m' = (m + a n) / 2 and n' = m' / a; levels by w = n; floor(2 m / n - 1) probes
-     * at p (m - n), p = -1..1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the
-     * derivatives of u and of v, as swidth and twidth do.
+     * blur, and where m > a n replaced by m' = (m + a n) / 2 and n' = m' / a; levels by w = n; N = floor(2 m / n - 1)
+     * probes, at least 1 and no more than half texels of level 0 ask for, at p (m - n), p = (2 k + 1 - N) / N, k = 0..N -
+     * 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the derivatives of u and of v, as
+     * swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sampler profiles against the oracle: levels of detail and probes on every target, then what the filters make of
-// them; rounded weights and levels; hostile derivatives and texels.
-#include "points.h"
+// them.
+#include "profiles.h"
 
 #include "ref/profile_ref.h"
 #include "texture/profile.h"
@@ -14,10 +14,6 @@ using shd::texture::kBlock;
 using shd::texture::ProfiledBlock;
 using shd::texture::ProfileLod;
 
-const shd_profile kProfiles[] = {SHD_PROFILE_VULKAN, SHD_PROFILE_D3D11, SHD_PROFILE_OIIO};
-const shd_filter kFilters[] = {SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
-                               SHD_FILTER_ANISOTROPIC};
-
 struct size_case {
   const char* name;
   uint32_t width, height;
@@ -28,19 +24,6 @@ const size_case k_sizes[] = {
 
 Batch t_batch, t_first;
 ProfiledBlock t_block;
-
-shd_sampler_desc make_desc(shd_profile profile, shd_filter filter, uint32_t pair) {
-  const float limits[] = {16, 1, 3.5f, 64, 2};
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.profile = profile;
-  desc.filter = filter;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5 % 5);
-  desc.max_anisotropy = limits[(pair + pair / 5) % 5];
-  memcpy(desc.border, border, sizeof border);
-  return desc;
-}
 
 ref::Jacobian jacobian(const Batch& batch, size_t i) {
   return {static_cast<double>(batch.dudx[i]), static_cast<double>(batch.dvdx[i]), static_cast<double>(batch.dudy[i]),
@@ -228,198 +211,6 @@ void test_parallel(void**) {
   free_texture(texture);
 }
 
-/// Bilinear weights and fractions of levels are the nearest multiples of 1/256, and exact in the other profiles.
-void test_rounding(void**) {
-  const float texels[] = {0, 256, 0, 256};
-  Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 1, reinterpret_cast<const uint8_t*>(texels), true);
-  for (const shd_filter filter : {SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR}) {
-    for (const shd_profile profile : {SHD_PROFILE_EXACT, SHD_PROFILE_VULKAN, SHD_PROFILE_D3D11, SHD_PROFILE_OIIO}) {
-      const bool rounds = profile == SHD_PROFILE_VULKAN || profile == SHD_PROFILE_D3D11;
-      t_batch.count = 400;
-      for (size_t i = 0; i < t_batch.count; ++i) {
-        t_batch.u[i] = 0.125f + static_cast<float>(i) / 2048;  // s = i / 512
-        t_batch.v[i] = 0.5f;
-        t_batch.lod[i] = -1;
-      }
-      for_each_target([&](int64_t target) {
-        run(*texture, make_sampler(make_desc(profile, filter, 0)), target, t_batch.lookups(false, true), &t_batch);
-        for (size_t i = 0; i < t_batch.count; ++i) {
-          const float s = static_cast<float>(i) / 2;
-          assert_true(t_batch.out[0][i] == (rounds ? floorf(s + 0.5f) : s));
-        }
-      });
-    }
-  }
-  for (size_t i = 0; i < t_batch.count; ++i) {
-    t_batch.u[i] = 0.125f;  // a texel of 0, and on the next level the middle of 0 and 256
-    t_batch.lod[i] = static_cast<float>(i) / 512;
-  }
-  for (const shd_profile profile : {SHD_PROFILE_EXACT, SHD_PROFILE_VULKAN, SHD_PROFILE_D3D11, SHD_PROFILE_OIIO}) {
-    const bool rounds = profile == SHD_PROFILE_VULKAN || profile == SHD_PROFILE_D3D11;
-    for (const shd_filter filter : {SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC}) {
-      for_each_target([&](int64_t target) {
-        run(*texture, make_sampler(make_desc(profile, filter, 0)), target, t_batch.lookups(false, true), &t_batch);
-        for (size_t i = 0; i < t_batch.count; ++i) {
-          const float s = static_cast<float>(i) / 2;
-          assert_true(t_batch.out[0][i] == (rounds ? floorf(s + 0.5f) : s) / 2);
-        }
-      });
-    }
-  }
-  free_texture(texture);
-}
-
-/// A weight that rounds to 1 leaves nothing of the other texel, whatever that is.
-void test_rounding_up(void**) {
-  const float texels[] = {NAN, 3, INFINITY, 3};
-  Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 1, reinterpret_cast<const uint8_t*>(texels), false);
-  t_batch.count = 2;
-  for (size_t i = 0; i < 2; ++i) {
-    t_batch.u[i] = (static_cast<float>(2 * i) + 1.499f) / 4;
-    t_batch.v[i] = 0.5f;
-  }
-  for_each_target([&](int64_t target) {
-    for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_BORDER}) {
-      shd_sampler_desc desc = make_desc(SHD_PROFILE_VULKAN, SHD_FILTER_BILINEAR, 0);
-      desc.wrap_u = wrap;
-      desc.wrap_v = SHD_WRAP_CLAMP;
-      run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
-      assert_true(t_batch.out[0][0] == 3 && t_batch.out[0][1] == 3);
-    }
-  });
-  free_texture(texture);
-}
-
-/// Filters that have no profile keep their bits.
-void test_others(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
-  Texture* texture = random_texture(SHD_FORMAT_RGBA16, 64, 32, true);
-  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BICUBIC, SHD_FILTER_STOCHASTIC}) {
-    for (const shd_profile profile : kProfiles) {
-      for_each_target([&](int64_t target) {
-        run(*texture, make_sampler(make_desc(profile, filter, 6)), target, t_batch.lookups(true, false), &t_batch);
-        run(*texture, make_sampler(make_desc(SHD_PROFILE_EXACT, filter, 6)), target, t_first.lookups(true, false),
-            &t_first);
-        assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-      });
-    }
-  }
-  free_texture(texture);
-}
-
-/// Trilinear of OpenImageIO is trilinear at its level of detail: the same values and the same derivatives.
-void test_gradient(void**) {
-  make_points(&t_batch);
-  Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 61, 37, true);
-  for (uint32_t pair = 0; pair < 25; ++pair) {
-    const shd_sampler_desc desc = make_desc(SHD_PROFILE_OIIO, SHD_FILTER_TRILINEAR, pair);
-    shd_sampler_desc exact = desc;
-    exact.profile = SHD_PROFILE_EXACT;
-    for_each_target([&](int64_t target) {
-      static float got[3][kPoints], want[3][kPoints];
-      const auto simd = shd::core::simd_target_from_bit(target);
-      const Lookups lookups = t_batch.lookups(true, false);
-      shd::texture::sample(*texture, make_sampler(desc), simd, lookups,
-                           {{nullptr, got[0]}, {nullptr, got[1]}, {nullptr, got[2]}});
-      shd::texture::sample_lod(*texture, make_sampler(desc), {-15, 17}, simd, lookups, t_batch.lod);
-      shd::texture::sample(*texture, make_sampler(exact), simd, t_batch.lookups(false, true),
-                           {{nullptr, want[0]}, {nullptr, want[1]}, {nullptr, want[2]}});
-      assert_memory_equal(got, want, sizeof got);
-    });
-  }
-  free_texture(texture);
-}
-
-/// A constant texture gives exactly its value.
-void test_constant(void**) {
-  make_points(&t_batch);
-  uint8_t texels[16 * 16 * 4];
-  random_texels(SHD_FORMAT_RGBA8, 1, 4242, texels);
-  for (size_t i = 1; i < 256; ++i) memcpy(texels + 4 * i, texels, 4);
-  Texture* texture = make_texture(SHD_FORMAT_RGBA8, 16, 16, texels, true);
-  for (uint32_t k = 0; k < 3 * 4 * 5; ++k) {
-    const shd_sampler_desc desc = make_desc(kProfiles[k % 3], kFilters[k / 3 % 4], k / 12 * 6);
-    if (desc.wrap_u == SHD_WRAP_BORDER) continue;
-    for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-      for (int c = 0; c < 4; ++c) {
-        const auto want = static_cast<float>(ref::decode(SHD_FORMAT_RGBA8, texels, c));
-        for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
-      }
-    });
-  }
-  free_texture(texture);
-}
-
-/// Every tail length gives the bits of the whole batch and writes nothing after it.
-void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
-  Texture* texture = random_texture(SHD_FORMAT_RGBA8, 64, 32, true);
-  for (uint32_t k = 0; k < 12; ++k) {
-    const Sampler sampler = make_sampler(make_desc(kProfiles[k % 3], kFilters[k / 3], 1));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_first.lookups(true, false), &t_first);
-      for (size_t count = 0; count <= 35; ++count) {
-        t_batch.count = count;
-        run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-        for (size_t c = 0; c < 4; ++c) assert_memory_equal(t_batch.out[c], t_first.out[c], count * sizeof(float));
-      }
-    });
-  }
-  free_texture(texture);
-}
-
-/// Derivatives of any bits: finite texels give values between the least and the largest of them.
-void test_hostile(void**) {
-  const float values[] = {0, -1e-45f, 1e-30f, -1e-8f, -1e-3f, 0.3f, 1e10f, -1e19f, -1e30f, 3.4e38f, INFINITY, NAN};
-  constexpr size_t kValues = sizeof values / sizeof values[0];
-  Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 61, 37, true);
-  Random random{99};
-  for (uint32_t round = 0; round < 120; ++round) {
-    make_points(&t_batch);
-    for (size_t i = 0; i < kPoints; ++i) {
-      for (float* column : {t_batch.dudx, t_batch.dvdx, t_batch.dudy, t_batch.dvdy})
-        column[i] = values[(random.next() >> 16) % kValues];
-    }
-    shd_sampler_desc desc = make_desc(kProfiles[round % 3], kFilters[round / 3 % 4], round);
-    desc.lod_bias = round % 5 == 0 ? -15.0f : 0.0f;
-    desc.width_x = round % 4 == 0 ? 64.0f : round % 7 == 0 ? 0.0f : 1.0f;
-    desc.blur_v = round % 5 == 0 ? 0.5f : 0.0f;
-    if (round % 2) desc.magnification = SHD_MAGNIFICATION_NEAREST;
-    bool first = true;
-    for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-      for (const auto& column : t_batch.out) {
-        for (size_t i = 0; i < kPoints; ++i) assert_true(column[i] >= -8.001f && column[i] <= 8.001f);
-      }
-      if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-      first = false;
-      assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-    });
-  }
-  free_texture(texture);
-}
-
-/// An infinite derivative gives the coarsest level.
-void test_infinite(void**) {
-  Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 64, 64, true);
-  const auto* coarsest = reinterpret_cast<const float*>(shd::texture::row_of(*texture, 0, 6, 0));
-  make_points(&t_batch);
-  for (size_t i = 0; i < kPoints; ++i) t_batch.dvdx[i] = i % 2 ? INFINITY : -INFINITY;
-  for (uint32_t k = 0; k < 12; ++k) {
-    const Sampler sampler = make_sampler(make_desc(kProfiles[k % 3], kFilters[k / 3], 0));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-      for (int c = 0; c < 4; ++c) {
-        for (size_t i = 0; i < kPoints; ++i) assert_true(t_batch.out[c][i] == coarsest[c]);
-      }
-    });
-  }
-  free_texture(texture);
-}
-
 }  // namespace
 
 int main() {
@@ -434,13 +225,5 @@ int main() {
   }
   tests[n++] = {"sheared", test_sheared, nullptr, nullptr, nullptr};
   tests[n++] = {"parallel", test_parallel, nullptr, nullptr, nullptr};
-  tests[n++] = {"rounding", test_rounding, nullptr, nullptr, nullptr};
-  tests[n++] = {"rounding_up", test_rounding_up, nullptr, nullptr, nullptr};
-  tests[n++] = {"others", test_others, nullptr, nullptr, nullptr};
-  tests[n++] = {"gradient", test_gradient, nullptr, nullptr, nullptr};
-  tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};
-  tests[n++] = {"tails", test_tails, nullptr, nullptr, nullptr};
-  tests[n++] = {"hostile", test_hostile, nullptr, nullptr, nullptr};
-  tests[n++] = {"infinite", test_infinite, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.profile", tests, n, nullptr, nullptr);
 }
