@@ -140,10 +140,10 @@ size_t profile_lod(const Texture& texture, const Sampler& sampler, const LodRang
   if (which == ProfileLod::kLongerAxis) {
     return pass(texture, sampler, range, ProfileFinish::kNone, false, in, {{out}, {}, {}});
   }
-  alignas(64) float unused[4][kBlock];
+  alignas(64) float unused[4][kProfileBlock];
   size_t nonfinite = 0;
-  for (size_t first = 0; first < in.count; first += kBlock) {
-    const Lookups block = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+  for (size_t first = 0; first < in.count; first += kProfileBlock) {
+    const Lookups block = part_of(in, first, in.count - first < kProfileBlock ? in.count - first : kProfileBlock);
     nonfinite += pass(texture, sampler, range, ProfileFinish::kNone, true, block,
                       {{unused[0], unused[1], unused[2], out + first}, {unused[3]}, {}});
   }

@@ -16,17 +16,19 @@ bool is_profiled(const Sampler& sampler);
 /// Whether the weights of its bilinear lookups have 8 bits.
 bool has_rounded_weights(const shd_sampler_desc& desc);
 
+constexpr size_t kProfileBlock = 128;  // 3 KB of stack
+
 /// A block as the kernels take it: levels of detail in the column `lod`, or the probes of anisotropic lookups in the
 /// columns of a ProbeLine.
 struct ProfiledBlock {
-  alignas(64) float columns[5][kBlock];
-  alignas(64) uint32_t reach[kBlock];
+  alignas(64) float columns[5][kProfileBlock];
+  alignas(64) uint32_t reach[kProfileBlock];
   Sampler sampler;   // of SHD_PROFILE_EXACT; its bias, clamps, width and blur have been applied
   Lookups lookups;   // refers to the columns
   size_t nonfinite;  // lookups that were not finite
 };
 
-/// Of at most kBlock lookups, for a sampler that is_profiled().
+/// Of at most kProfileBlock lookups, for a sampler that is_profiled().
 void profile_block(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
                    ProfiledBlock* out);
 

@@ -60,8 +60,8 @@ size_t sample_given(const Texture& texture, const Sampler& sampler, const core::
 size_t sample_profiled(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                        const Lookups& lookups, const Texels& out) {
   size_t nonfinite = 0;
-  for (size_t first = 0; first < lookups.count; first += kBlock) {
-    const size_t count = lookups.count - first < kBlock ? lookups.count - first : kBlock;
+  for (size_t first = 0; first < lookups.count; first += kProfileBlock) {
+    const size_t count = lookups.count - first < kProfileBlock ? lookups.count - first : kProfileBlock;
     ProfiledBlock block;
     profile_block(texture, sampler, simd, part_of(lookups, first, count), &block);
     sample_given(texture, block.sampler, simd, block.lookups, part_of(out, first));
