@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Immutable images prepared for filtering.
+ * @brief Images prepared for filtering, which change only by shd_texture_update().
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; functions taking `const shd_texture *` may run
- *                concurrently on one texture.
+ *                concurrently on one texture, shd_texture_update() one thread at a time per object and
+ *                not while any other call uses the texture, not even one that renders with it.
  */
 #ifndef SHD_TEXTURE_H
 #define SHD_TEXTURE_H
@@ -105,7 +106,7 @@ typedef struct shd_texture_info {
     uint32_t layers;      /**< images of the array */
     uint32_t level_count; /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than levels were given */
     uint32_t tables;      /**< shd_table bits */
-    size_t byte_size;     /**< of all tables */
+    size_t byte_size;     /**< of all tables, and of what shd_texture_update() keeps */
 } shd_texture_info;
 
 /**
@@ -124,6 +125,27 @@ SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level,
                                                         const shd_image *out);
+
+/**
+ * Write a rectangle of the base level of one layer, and rebuild what depends on it: the texture is then, bit for bit,
+ * what shd_texture_create() makes of the changed base. Only mip levels that the caller gave stay as they are.
+ *
+ * The first update of a layer with mip levels rebuilds them all and keeps unrounded averages of every 16 x 16 texels
+ * (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; from then on an update touches the texels over its
+ * rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that their texels
+ * over the rectangle cover, ripmap levels in whole rows.
+ *
+ * Nothing is written if anything is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
+ * the rectangle and what depends on it are undefined until the same update succeeds.
+ * @param texture  used by no other call meanwhile
+ * @param layer    0..layers - 1
+ * @param x,y      first column and row of the rectangle
+ * @param texels   its size and texels, of the format that the texture was made from or that shd_texture_get_info()
+ *                 tells; borrowed for the call
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_update(shd_texture *texture, uint32_t layer, uint32_t x, uint32_t y,
+                                                    const shd_image *texels);
 
 SHD_END_DECLS
 

@@ -94,6 +94,21 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   return check_finite("texture.fill", desc.fill, 4);
 }
 
+/// Texels of an update: their format, and that the rectangle lies in the base level.
+shd_result check_update(const texture::Texture& texture, uint32_t layer, uint32_t x, uint32_t y,
+                        const shd_image& texels) {
+  SHD_TRY(check_count("layer", layer, 0, texture.layers - 1));
+  SHD_TRY(check_count("x", x, 0, texture.width - 1));
+  SHD_TRY(check_count("y", y, 0, texture.height - 1));
+  SHD_TRY(check_count("texels.width", texels.width, 1, texture.width - x));
+  SHD_TRY(check_count("texels.height", texels.height, 1, texture.height - y));
+  if (texels.format != texture.format && texels.format != texture.given_format) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.format: %d is not the texture's %d",
+                      static_cast<int>(texels.format), static_cast<int>(texture.given_format));
+  }
+  return SHD_OK;
+}
+
 }  // namespace
 
 extern "C" {
@@ -141,6 +156,18 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
                  body->level_count,
                  body->tables,
                  texture::byte_size(*body)};
+    return SHD_OK;
+  });
+}
+
+shd_result shd_texture_update(shd_texture* texture, uint32_t layer, uint32_t x, uint32_t y, const shd_image* texels) {
+  return guard([&]() -> shd_result {
+    texture::Texture* body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    shd_image image;
+    SHD_TRY(read_image("texels", texels, &image));
+    SHD_TRY(check_update(*body, layer, x, y, image));
+    texture::update(*object_of(texture)->context, layer, x, y, image, body);
     return SHD_OK;
   });
 }
