@@ -47,17 +47,20 @@ typedef enum shd_channel {
     SHD_CHANNEL_MAX_ENUM = 0x7fffffff
 } shd_channel;
 
+/** Bytes behind the last texel of a borrowed base level that lookups may read; what they hold does not matter. */
+#define SHD_TEXTURE_PADDING 128
+
 /** What a texture is made from. */
 typedef struct shd_texture_desc {
-    uint32_t struct_size;   /**< set by shd_texture_desc_default() */
-    shd_format format;      /**< any; no default. Three channels are stored as four */
-    uint32_t width;         /**< texels, 1..65536; width * height * layers at most 2^28 */
-    uint32_t height;        /**< texels, 1..65536 */
-    const void *texels;     /**< [layers][height][width], row 0 on top; aligned to a channel; copied */
-    size_t row_stride;      /**< bytes between rows, at least width * texel size; 0 = packed */
-    size_t layer_stride;    /**< bytes between layers, at least height * row stride; 0 = packed */
-    uint32_t layers;        /**< images of the array, 1..2048; default 1 */
-    uint32_t tables;        /**< shd_table bits; default none */
+    uint32_t struct_size; /**< set by shd_texture_desc_default() */
+    shd_format format;    /**< any; no default. Three channels are stored as four */
+    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28 */
+    uint32_t height;      /**< texels, 1..65536 */
+    const void *texels;   /**< [layers][height][width], row 0 on top; aligned to a channel; copied, but see `borrow` */
+    size_t row_stride;    /**< bytes between rows, at least width * texel size; 0 = packed */
+    size_t layer_stride;  /**< bytes between layers, at least height * row stride; 0 = packed */
+    uint32_t layers;      /**< images of the array, 1..2048; default 1 */
+    uint32_t tables;      /**< shd_table bits; default none */
     shd_channel swizzle[4]; /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT. A missing channel reads `fill` */
     float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
     /**
@@ -67,7 +70,13 @@ typedef struct shd_texture_desc {
      */
     const shd_image *levels;
     uint32_t level_count; /**< 0 = build them; fewer than down to 1 x 1 make a texture that ends there; default 0 */
-    uint32_t reserved;    /**< 0 */
+    /**
+     * 1 = do not copy `texels`: they are borrowed until release and change only as shd_texture_update() says. For
+     * one layer of packed rows, not of three channels, aligned to a texel but at most 4 bytes.
+     * SHD_TEXTURE_PADDING bytes behind the last texel must be readable: lookups load whole vectors. Lookups give the
+     * bits of copied texels; default 0
+     */
+    uint32_t borrow;
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 
@@ -82,10 +91,10 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 }
 
 /**
- * Copy texels and build the tables. Mip levels that are not given are area averages of the base level, exact for any
+ * Copy texels, or borrow them, and build the tables. Mip levels that are not given are area averages of the base level, exact for any
  * size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
  * @param context      retained
- * @param desc         borrowed for the call
+ * @param desc         borrowed for the call, its texels until release where it says so
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */
@@ -106,7 +115,7 @@ typedef struct shd_texture_info {
     uint32_t layers;      /**< images of the array */
     uint32_t level_count; /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than levels were given */
     uint32_t tables;      /**< shd_table bits */
-    size_t byte_size;     /**< of all tables, and of what shd_texture_update() keeps */
+    size_t byte_size;     /**< of all tables but a borrowed base level, and of what shd_texture_update() keeps */
 } shd_texture_info;
 
 /**
@@ -134,6 +143,9 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; from then on an update touches the texels over its
  * rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that their texels
  * over the rectangle cover, ripmap levels in whole rows.
+ *
+ * Texels of a borrowed base level are the caller's to write, before this call and while no other uses the texture; its
+ * `texels` then have the size of the rectangle and NULL for pixels.
  *
  * Nothing is written if anything is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
  * the rectangle and what depends on it are undefined until the same update succeeds.

@@ -111,6 +111,19 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
   });
 }
 
+/// Room for `texels` texels in all, less those that are borrowed.
+void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
+  if (desc.borrow) {
+    texture->borrowed = static_cast<const uint8_t*>(desc.texels);
+    texture->borrowed_texels = desc.width * desc.height;
+  }
+  const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
+  texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
+  std::memset(texture->texels.data() + size, 0, kPadding);
+  const auto first = reinterpret_cast<uintptr_t>(texture->texels.data());
+  texture->origin = reinterpret_cast<const uint8_t*>(first - texture->borrowed_texels * texel_size(*texture));
+}
+
 void build_tables(const core::Context& context, Texture* texture) {
   if (has_built_levels(*texture)) {
     core::Array<double> sums(context.allocator, mip_sums_size(*texture));
@@ -151,10 +164,9 @@ uint32_t full_level_count(uint32_t width, uint32_t height) {
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
   Texture texture = {};
   set_format(desc, &texture);
-  const size_t size = core::checked_mul(lay_out(desc, &texture), texel_size(texture));
-  texture.texels = core::Array<uint8_t>(context.allocator, size + kPadding);
-  std::memset(texture.texels.data() + size, 0, kPadding);
-  copy_base(context, desc, &texture);
+  const size_t texels = lay_out(desc, &texture);
+  allocate(context, desc, texels, &texture);
+  if (!texture.borrowed) copy_base(context, desc, &texture);
   if (desc.level_count > 0) copy_levels(context, desc, &texture);
   build_tables(context, &texture);
   *out = static_cast<Texture&&>(texture);

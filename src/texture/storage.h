@@ -10,7 +10,7 @@
 namespace shd::texture {
 
 /// Bytes after the last texel that a kernel may read: two vectors of 64 bytes.
-constexpr size_t kPadding = 128;
+constexpr size_t kPadding = SHD_TEXTURE_PADDING;
 
 /// Width or height of a level from that of the base.
 inline uint32_t level_size(uint32_t base, uint32_t level) {
@@ -26,7 +26,7 @@ inline size_t texel_size(const Texture& texture) {
   return image::format_info(texture.format).pixel_size;
 }
 
-/// Bytes of all tables, and of the sums that updates keep.
+/// Bytes of all tables that are not borrowed, and of the sums that updates keep.
 inline size_t byte_size(const Texture& texture) {
   return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double);
 }
@@ -41,11 +41,20 @@ inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
 
+/// First byte of a texel, wherever it is kept.
+inline const uint8_t* texel_at(const Texture& texture, size_t index) {
+  return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
+}
+/// Of a texel that is not borrowed, where it is written.
+inline uint8_t* texel_at(Texture& texture, size_t index) {
+  return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
+}
+
 /// First byte of row y of a level of a layer; rows are packed.
 inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   const size_t first =
       size_t{layer} * texture.layer_texels + texture.offset[level] + size_t{y} * level_size(texture.width, level);
-  return texture.texels.data() + first * texel_size(texture);
+  return texel_at(texture, first);
 }
 inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   return row_of(const_cast<Texture&>(texture), layer, level, y);
@@ -78,7 +87,7 @@ inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
 inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   const size_t first = size_t{layer} * texture.layer_texels + texture.ripmap_offset[j * kMaxLevels + i] +
                        size_t{y} * level_size(texture.width, i);
-  return texture.texels.data() + first * texel_size(texture);
+  return texel_at(texture, first);
 }
 inline const uint8_t* ripmap_row(const Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   return ripmap_row(const_cast<Texture&>(texture), layer, i, j, y);

@@ -72,7 +72,7 @@ constexpr uint32_t kMaxLayers = 2048;
 
 constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
 
-/// Texels of every level of every layer in one block.
+/// Texels of every level of every layer in one block, but for a base level that is borrowed.
 struct Texture {
   shd_format format;                     // as stored: of one, two or four channels
   shd_format given_format;               // of the texels that it was made from
@@ -90,7 +90,11 @@ struct Texture {
                                          // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
   bool levels_given;                                // mip levels are the caller's
-  core::Array<uint8_t> texels;   // rows packed, levels and then layers in order, padded at the end for whole gathers
+  core::Array<uint8_t> texels;   // rows packed, levels and then layers in order, padded at the end for whole gathers;
+                                 // without the base where that is borrowed
+  const uint8_t* borrowed;       // the caller's base level, or null
+  const uint8_t* origin;         // where texel 0 lies, or would lie if the base were not borrowed
+  uint32_t borrowed_texels;      // how many: texel indices below are there
   core::Array<double> mip_sums;  // [layers] unrounded averages, from the first update on
   uint32_t mip_sums_ready[kMaxLayers / 32];  // which layers have them
 };
@@ -144,13 +148,13 @@ struct Texels {
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
 };
 
-/// Copies the texels of a checked desc and builds its tables on the context's executor.
+/// Copies or borrows the texels of a checked desc and builds its tables on the context's executor.
 /// Throws std::bad_alloc; then nothing was kept.
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
-/// Writes texels, of the format that the texture has or was made from, at (x, y) of the base of a layer, and rebuilds
-/// what depends on them, but for levels that the caller gave: the bits are those of a texture built from the changed
-/// base. Throws std::bad_alloc before anything is written.
+/// Writes texels, of the format that the texture has or was made from, at (x, y) of the base of a layer, unless that is
+/// borrowed and they have been written, and rebuilds what depends on them, but for levels that the caller gave: the
+/// bits are those of a texture built from the changed base. Throws std::bad_alloc before anything is written.
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
             Texture* texture);
 

@@ -35,6 +35,13 @@ void update_mip_levels(const core::Context& context, uint32_t layer, const Regio
   *ready |= bit;
 }
 
+/// What depends on a region of the base.
+void rebuild(const core::Context& context, uint32_t layer, const Region& region, double* ripmap_scratch,
+             Texture* texture) {
+  if (has_built_levels(*texture)) update_mip_levels(context, layer, region, texture);
+  if (texture->tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, texture, layer, region, ripmap_scratch);
+}
+
 }  // namespace
 
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
@@ -42,15 +49,13 @@ void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y
   Scratch scratch = make_scratch(context, *texture);
   if (scratch.mip_sums.size() > 0) texture->mip_sums = static_cast<core::Array<double>&&>(scratch.mip_sums);
   const Region region = {{x, x + texels.width}, {y, y + texels.height}};
+  if (texture->borrowed) return rebuild(context, layer, region, scratch.ripmap.data(), texture);
   const GivenTexels given = {static_cast<const uint8_t*>(texels.pixels), texels.row_stride,
                              image::format_info(texels.format)};
   for_rows(context, region.y, [&](uint32_t row, uint32_t) {
     copy_rows(given, layer, 0, region, {row, row + 1}, texture);
   });
-  if (has_built_levels(*texture)) update_mip_levels(context, layer, region, texture);
-  if (texture->tables & SHD_TABLE_RIPMAP) {
-    build_ripmap_levels(context, texture, layer, region, scratch.ripmap.data());
-  }
+  rebuild(context, layer, region, scratch.ripmap.data(), texture);
 }
 
 }  // namespace shd::texture

@@ -14,8 +14,8 @@ struct size_case {
   uint32_t width, height, updates;
 };
 const size_case k_sizes[] = {
-    {"1x1", 1, 1, 2},       {"1x7", 1, 7, 8},       {"5x3", 5, 3, 12},    {"64x64", 64, 64, 12},
-    {"128x32", 128, 32, 8}, {"33x65", 33, 65, 8},   {"96x160", 96, 160, 4}, {"100x36", 100, 36, 6},
+    {"1x1", 1, 1, 2},       {"1x7", 1, 7, 8},       {"5x3", 5, 3, 12},        {"64x64", 64, 64, 12},
+    {"128x32", 128, 32, 8}, {"33x65", 33, 65, 8},   {"96x160", 96, 160, 4},   {"100x36", 100, 36, 6},
     {"600x1", 600, 1, 8},   {"2x1024", 2, 1024, 4}, {"256x256", 256, 256, 2},
 };
 /// A base of more than two rounds for every format.
@@ -103,8 +103,8 @@ void check_updates(const size_case& c, shd_format format, uint32_t tables) {
 void test_size(void** state) {
   const auto& c = *static_cast<const size_case*>(*state);
   for (uint32_t format = kFirstFormat; format <= kLastFormat; ++format) {
-    for (const uint32_t tables : {uint32_t{SHD_TABLE_NONE}, uint32_t{SHD_TABLE_MIPMAP}, uint32_t{SHD_TABLE_RIPMAP},
-                                  kAll}) {
+    for (const uint32_t tables :
+         {uint32_t{SHD_TABLE_NONE}, uint32_t{SHD_TABLE_MIPMAP}, uint32_t{SHD_TABLE_RIPMAP}, kAll}) {
       check_updates(c, static_cast<shd_format>(format), tables);
     }
   }
