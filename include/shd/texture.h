@@ -139,10 +139,10 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * Write a rectangle of the base level of one layer, and rebuild what depends on it: the texture is then, bit for bit,
  * what shd_texture_create() makes of the changed base. Only mip levels that the caller gave stay as they are.
  *
- * The first update of a layer with mip levels rebuilds them all and keeps unrounded averages of every 16 x 16 texels
- * (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; from then on an update touches the texels over its
- * rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that their texels
- * over the rectangle cover, ripmap levels in whole rows.
+ * The first update of a layer whose size halves evenly several times rebuilds all its mip levels, to keep unrounded
+ * averages of every 16 x 16 texels (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; other updates touch the
+ * texels over their rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that
+ * these cover, ripmap levels in whole rows.
  *
  * Texels of a borrowed base level are the caller's to write, before this call and while no other uses the texture; its
  * `texels` then have the size of the rectangle and NULL for pixels.

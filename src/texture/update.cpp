@@ -23,14 +23,15 @@ Scratch make_scratch(const core::Context& context, const Texture& texture) {
   return scratch;
 }
 
-/// The mip levels over a region, or of the whole layer where it has no sums yet. They count as missing until all is
-/// done, so that the next update mends what one that failed left.
+/// The mip levels over a region, or of the whole layer where its sums are yet to come. Those count as missing until all
+/// is done, so that the next update mends what one that failed left.
 void update_mip_levels(const core::Context& context, uint32_t layer, const Region& region, Texture* texture) {
   uint32_t* ready = &texture->mip_sums_ready[layer / 32];
   const uint32_t bit = 1u << (layer % 32);
-  const bool partial = *ready & bit;
+  const size_t size = mip_sums_size(*texture);
+  const bool partial = size == 0 || *ready & bit;
   *ready &= ~bit;
-  double* sums = texture->mip_sums.data() + layer * mip_sums_size(*texture);
+  double* sums = texture->mip_sums.data() + layer * size;
   build_mip_levels(context, texture, layer, partial ? region : whole(*texture), sums);
   *ready |= bit;
 }
