@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // create/<format>/edge:<texels> and mipmap/<format>/edge:<texels>: shd_texture_create without tables, and with a
 // mipmap; mipmap_ms is the time of the second beyond that of the first.
+// update/<format>/edge:<texels>: shd_texture_update of 64 x 64 texels, with the mipmap, after the first one.
 #include <algorithm>
 
 #include "texture_setup.h"
@@ -54,6 +55,33 @@ void run(benchmark::State& state, const Format& format, uint32_t tables) {
   shd_context_release(context);
 }
 
+void run_update(benchmark::State& state, const Format& format) {
+  constexpr uint32_t kPatch = 64;
+  const std::vector<uint8_t> texels = make_tiled(format);
+  shd_context* context = make_context(SHD_SIMD_BEST);
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = format.format;
+  desc.width = desc.height = kEdge;
+  desc.texels = texels.data();
+  desc.tables = SHD_TABLE_MIPMAP;
+  shd_texture* texture = nullptr;
+  check(shd_texture_create(context, &desc, &texture));
+  std::vector<uint8_t> patch(kPatch * kPatch * shd_format_size(format.format));
+  shd_image image = shd_image_default();
+  image.format = format.format;
+  image.width = image.height = kPatch;
+  image.pixels = patch.data();
+  check(shd_texture_update(texture, 0, 0, 0, &image));
+  uint32_t random = 1;
+  for (auto _ : state) {
+    random = random * 1664525u + 1013904223u;
+    check(shd_texture_update(texture, 0, (random >> 19) % (kEdge - kPatch), (random >> 6) % (kEdge - kPatch), &image));
+  }
+  state.SetItemsProcessed(state.iterations() * kPatch * kPatch);
+  shd_texture_release(texture);
+  shd_context_release(context);
+}
+
 }  // namespace
 
 void register_texture_create() {
@@ -63,6 +91,9 @@ void register_texture_create() {
                                    [=](benchmark::State& state) { run(state, format, tables); })
           ->Unit(benchmark::kMillisecond);
     }
+    benchmark::RegisterBenchmark(row_name("update", format).c_str(), [=](benchmark::State& state) {
+      run_update(state, format);
+    })->Unit(benchmark::kMicrosecond);
   }
 }
 

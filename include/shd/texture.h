@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Immutable images prepared for filtering.
+ * @brief Images prepared for filtering, which change only by shd_texture_update().
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; functions taking `const shd_texture *` may run
- *                concurrently on one texture.
+ *                concurrently on one texture, shd_texture_update() one thread at a time per object and
+ *                not while any other call uses the texture, not even one that renders with it.
  */
 #ifndef SHD_TEXTURE_H
 #define SHD_TEXTURE_H
@@ -46,17 +47,20 @@ typedef enum shd_channel {
     SHD_CHANNEL_MAX_ENUM = 0x7fffffff
 } shd_channel;
 
+/** Bytes behind the last texel of a borrowed base level that lookups may read; what they hold does not matter. */
+#define SHD_TEXTURE_PADDING 128
+
 /** What a texture is made from. */
 typedef struct shd_texture_desc {
-    uint32_t struct_size;   /**< set by shd_texture_desc_default() */
-    shd_format format;      /**< any; no default. Three channels are stored as four */
-    uint32_t width;         /**< texels, 1..65536; width * height * layers at most 2^28 */
-    uint32_t height;        /**< texels, 1..65536 */
-    const void *texels;     /**< [layers][height][width], row 0 on top; aligned to a channel; copied */
-    size_t row_stride;      /**< bytes between rows, at least width * texel size; 0 = packed */
-    size_t layer_stride;    /**< bytes between layers, at least height * row stride; 0 = packed */
-    uint32_t layers;        /**< images of the array, 1..2048; default 1 */
-    uint32_t tables;        /**< shd_table bits; default none */
+    uint32_t struct_size; /**< set by shd_texture_desc_default() */
+    shd_format format;    /**< any; no default. Three channels are stored as four */
+    uint32_t width;       /**< texels, 1..65536; width * height * layers at most 2^28 */
+    uint32_t height;      /**< texels, 1..65536 */
+    const void *texels;   /**< [layers][height][width], row 0 on top; aligned to a channel; copied, but see `borrow` */
+    size_t row_stride;    /**< bytes between rows, at least width * texel size; 0 = packed */
+    size_t layer_stride;  /**< bytes between layers, at least height * row stride; 0 = packed */
+    uint32_t layers;      /**< images of the array, 1..2048; default 1 */
+    uint32_t tables;      /**< shd_table bits; default none */
     shd_channel swizzle[4]; /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT. A missing channel reads `fill` */
     float fill[4];          /**< what missing channels read, finite; default 0, 0, 0, 1 */
     /**
@@ -66,7 +70,13 @@ typedef struct shd_texture_desc {
      */
     const shd_image *levels;
     uint32_t level_count; /**< 0 = build them; fewer than down to 1 x 1 make a texture that ends there; default 0 */
-    uint32_t reserved;    /**< 0 */
+    /**
+     * 1 = do not copy `texels`: they are borrowed until release and change only as shd_texture_update() says. For
+     * one layer of packed rows, not of three channels, aligned to a texel but at most 4 bytes.
+     * SHD_TEXTURE_PADDING bytes behind the last texel must be readable: lookups load whole vectors. Lookups give the
+     * bits of copied texels; default 0
+     */
+    uint32_t borrow;
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 
@@ -81,10 +91,10 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 }
 
 /**
- * Copy texels and build the tables. Mip levels that are not given are area averages of the base level, exact for any
+ * Copy texels, or borrow them, and build the tables. Mip levels that are not given are area averages of the base level, exact for any
  * size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
  * @param context      retained
- * @param desc         borrowed for the call
+ * @param desc         borrowed for the call, its texels until release where it says so
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */
@@ -105,7 +115,7 @@ typedef struct shd_texture_info {
     uint32_t layers;      /**< images of the array */
     uint32_t level_count; /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than levels were given */
     uint32_t tables;      /**< shd_table bits */
-    size_t byte_size;     /**< of all tables */
+    size_t byte_size;     /**< of all tables but a borrowed base level, and of what shd_texture_update() keeps */
 } shd_texture_info;
 
 /**
@@ -124,6 +134,30 @@ SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *texture, uint32_t layer, uint32_t level,
                                                         const shd_image *out);
+
+/**
+ * Write a rectangle of the base level of one layer, and rebuild what depends on it: the texture is then, bit for bit,
+ * what shd_texture_create() makes of the changed base. Only mip levels that the caller gave stay as they are.
+ *
+ * The first update of a layer whose size halves evenly several times rebuilds all its mip levels, to keep unrounded
+ * averages of every 16 x 16 texels (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; other updates touch the
+ * texels over their rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that
+ * these cover, ripmap levels in whole rows.
+ *
+ * Texels of a borrowed base level are the caller's to write, before this call and while no other uses the texture; its
+ * `texels` then have the size of the rectangle and NULL for pixels.
+ *
+ * Nothing is written if anything is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
+ * the rectangle and what depends on it are undefined until the same update succeeds.
+ * @param texture  used by no other call meanwhile
+ * @param layer    0..layers - 1
+ * @param x,y      first column and row of the rectangle
+ * @param texels   its size and texels, of the format that the texture was made from or that shd_texture_get_info()
+ *                 tells; borrowed for the call
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_update(shd_texture *texture, uint32_t layer, uint32_t x, uint32_t y,
+                                                    const shd_image *texels);
 
 SHD_END_DECLS
 

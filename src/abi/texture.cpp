@@ -61,8 +61,29 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
   return SHD_OK;
 }
 
+/// Of texels that are not copied; their rows are checked.
+shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& format) {
+  SHD_TRY(check_count("texture.borrow", desc.borrow, 0, 1));
+  if (!desc.borrow) return SHD_OK;
+  if (format.channels == 3) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: format %u has three channels", desc.format);
+  }
+  if (desc.layers != 1) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: %u layers, not 1", desc.layers);
+  }
+  const size_t row = desc.width * format.pixel_size;
+  if (desc.row_stride != 0 && desc.row_stride != row) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: texture.row_stride %zu, not %zu", desc.row_stride,
+                      row);
+  }
+  const size_t alignment = format.pixel_size < 4 ? format.pixel_size : 4;
+  if (reinterpret_cast<uintptr_t>(desc.texels) % alignment != 0) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: texture.texels not aligned to %zu bytes", alignment);
+  }
+  return SHD_OK;
+}
+
 shd_result check_given_levels(const shd_texture_desc& desc) {
-  SHD_TRY(check_zero("texture.reserved", desc.reserved));
   if (desc.level_count == 0) return SHD_OK;
   if (!(desc.tables & SHD_TABLE_MIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP", desc.level_count);
@@ -87,11 +108,40 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
                       uint64_t{desc.width} * desc.height * desc.layers, 1,
                       desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels));
   SHD_TRY(check_rows(desc, image::format_info(desc.format)));
+  SHD_TRY(check_borrow(desc, image::format_info(desc.format)));
   SHD_TRY(check_given_levels(desc));
   for (const shd_channel channel : desc.swizzle) {
     SHD_TRY(check_enum("texture.swizzle", channel, SHD_CHANNEL_DEFAULT, SHD_CHANNEL_FILL));
   }
   return check_finite("texture.fill", desc.fill, 4);
+}
+
+/// The caller's texels of an update; those of a borrowed base level are there already.
+shd_result read_update_texels(const texture::Texture& texture, const shd_image* in, shd_image* out) {
+  if (!texture.borrowed) return read_image("texels", in, out);
+  shd_image image = shd_image_default();
+  SHD_TRY(read_desc("texels", in, false, &image));
+  if (image.pixels) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.pixels: not NULL, but the base level is borrowed");
+  }
+  image.struct_size = sizeof image;
+  image.pixels = const_cast<uint8_t*>(texture.borrowed);
+  return read_image("texels", &image, out);
+}
+
+/// Texels of an update: their format, and that the rectangle lies in the base level.
+shd_result check_update(const texture::Texture& texture, uint32_t layer, uint32_t x, uint32_t y,
+                        const shd_image& texels) {
+  SHD_TRY(check_count("layer", layer, 0, texture.layers - 1));
+  SHD_TRY(check_count("x", x, 0, texture.width - 1));
+  SHD_TRY(check_count("y", y, 0, texture.height - 1));
+  SHD_TRY(check_count("texels.width", texels.width, 1, texture.width - x));
+  SHD_TRY(check_count("texels.height", texels.height, 1, texture.height - y));
+  if (texels.format != texture.format && texels.format != texture.given_format) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texels.format: %d is not the texture's %d",
+                      static_cast<int>(texels.format), static_cast<int>(texture.given_format));
+  }
+  return SHD_OK;
 }
 
 }  // namespace
@@ -141,6 +191,18 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
                  body->level_count,
                  body->tables,
                  texture::byte_size(*body)};
+    return SHD_OK;
+  });
+}
+
+shd_result shd_texture_update(shd_texture* texture, uint32_t layer, uint32_t x, uint32_t y, const shd_image* texels) {
+  return guard([&]() -> shd_result {
+    texture::Texture* body;
+    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
+    shd_image image;
+    SHD_TRY(read_update_texels(*body, texels, &image));
+    SHD_TRY(check_update(*body, layer, x, y, image));
+    texture::update(*object_of(texture)->context, layer, x, y, image, body);
     return SHD_OK;
   });
 }

@@ -97,7 +97,7 @@ shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording
   out.x = (in_layer - place.first) % width;
   out.y = (in_layer - place.first) / width;
   out.border = tap.border;
-  const uint8_t* texel = texture.texels.data() + tap.index * texel_size(texture);
+  const uint8_t* texel = texel_at(texture, tap.index);
   for (size_t c = 0; c < texture.channels; ++c) {
     out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
   }

@@ -198,8 +198,9 @@ SHD_KERNEL_PART Quad<F, D> FetchTaps(D d, const Texture& texture, const Level<D>
   quad.in11 = hn::And(x.in1, y.in1);
   if constexpr (F::kWords && kGathersNeighbours) {
     const hn::RebindToSigned<D> di;
-    if (HWY_LIKELY(texture.channels == 4 && hn::AllTrue(di, hn::Eq(x.i1, hn::Add(x.i0, hn::Set(di, 1)))))) {
-      GatherNeighbours(d, texture.texels.data(), top, bottom, x.i0, &quad.t00, &quad.t10, &quad.t01, &quad.t11);
+    const uint8_t* texels = TexelsOf(d, texture, top);  // a lane's four lie on one level
+    if (HWY_LIKELY(texels && texture.channels == 4 && hn::AllTrue(di, hn::Eq(x.i1, hn::Add(x.i0, hn::Set(di, 1)))))) {
+      GatherNeighbours(d, texels, top, bottom, x.i0, &quad.t00, &quad.t10, &quad.t01, &quad.t11);
       return quad;
     }
   }

@@ -53,7 +53,8 @@ struct Word {
 
   template <class D>
   static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
-    const uint8_t* texels = texture.texels.data();
+    const uint8_t* texels = TexelsOf(d, texture, index);
+    if (HWY_UNLIKELY(!texels)) return GatherApart(d, texture, index, 0);
     switch (texture.channels) {
       case 1: return GatherBytes(d, texels, index);
       case 2: return GatherBytes(d, texels, hn::ShiftLeft<1>(index));
@@ -100,7 +101,11 @@ struct Words2 {
 
   template <class D>
   static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
-    const uint8_t* texels = texture.texels.data();
+    const uint8_t* texels = TexelsOf(d, texture, index);
+    if (HWY_UNLIKELY(!texels)) {
+      const auto rg = GatherApart(d, texture, index, 0);
+      return {rg, texture.channels == 4 ? GatherApart(d, texture, index, 4) : rg};
+    }
     if (texture.channels == 1) {
       const auto word = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       return {word, word};
@@ -170,20 +175,23 @@ struct Float32 {
   template <class D>
   struct Texel {
     const float* first;
-    Ints<D> index;
+    Ints<D> index;         // of floats
+    const Texture* apart;  // null, or the texture where the texels lie in two places; the index is then one of texels
   };
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D, const Texture& texture, Ints<D> index) {
-    const auto* first = reinterpret_cast<const float*>(texture.texels.data());
+  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
+    const auto* first = reinterpret_cast<const float*>(TexelsOf(d, texture, index));
+    if (HWY_UNLIKELY(!first)) return {first, index, &texture};
     switch (texture.channels) {
-      case 1: return {first, index};
-      case 2: return {first, hn::ShiftLeft<1>(index)};
-      default: return {first, hn::ShiftLeft<2>(index)};
+      case 1: return {first, index, nullptr};
+      case 2: return {first, hn::ShiftLeft<1>(index), nullptr};
+      default: return {first, hn::ShiftLeft<2>(index), nullptr};
     }
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
+    if (HWY_UNLIKELY(texel.apart)) return hn::BitCast(d, GatherApart(d, *texel.apart, texel.index, 4 * C));
     return hn::GatherIndex(d, texel.first + C, texel.index);
   }
   template <size_t C, class D>

@@ -14,8 +14,11 @@
 #define SHD_TEXTURE_GATHER_INL_H_
 #endif
 
+#include <cstring>
+
 #include <hwy/highway.h>
 
+#include "texture/storage.h"
 #include "texture/wrap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,6 +38,29 @@ HWY_INLINE Ints<D> GatherBytes(D d, const uint8_t* texels, Ints<D> offset) {
   const hn::RebindToSigned<D> di;
   (void)d;
   return hn::GatherOffset(di, reinterpret_cast<const int32_t*>(texels), offset);
+}
+
+/// What the texels at indices are indexed from: all in one block, or null where some are borrowed and some are not.
+template <class D>
+HWY_INLINE const uint8_t* TexelsOf(D, const Texture& texture, Ints<D> index) {
+  if (HWY_LIKELY(!texture.borrowed)) return texture.origin;
+  const hn::RebindToSigned<D> di;
+  const auto borrowed = hn::Lt(index, hn::Set(di, static_cast<int32_t>(texture.borrowed_texels)));
+  if (hn::AllTrue(di, borrowed)) return texture.borrowed;
+  return hn::AllFalse(di, borrowed) ? texture.origin : nullptr;
+}
+
+/// Words `byte` bytes into texels that are not all in one block. Few vectors have lanes on level 0 and on others.
+template <class D>
+HWY_NOINLINE Ints<D> GatherApart(D, const Texture& texture, Ints<D> index, size_t byte) {
+  const hn::RebindToSigned<D> di;
+  alignas(64) int32_t word[hn::MaxLanes(di)];
+  hn::Store(index, di, word);
+  for (size_t k = 0; k < hn::Lanes(di); ++k) {
+    const uint8_t* texel = texel_at(texture, static_cast<uint32_t>(word[k])) + byte;
+    std::memcpy(&word[k], texel, sizeof word[k]);
+  }
+  return hn::Load(di, word);
 }
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL

@@ -8,12 +8,16 @@
 // a level texel i covers [i w, (i + 1) w), a base texel x [x w', (x + 1) w'), where w and w' are the sizes of base and
 // level.
 //
+// The same goes for a rectangle of the base, given the unrounded averages of the rest of its layer: a change of
+// 64 x 64 texels costs a few tiles a round. Levels after an uneven step read all of the base that their texels cover.
+//
 // Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
 // gives constant levels: c n with n <= 2^28 and a c of 24 bits is exact.
 #include <cstring>
 
-#include "core/executor.h"
 #include "texture/mip_sums.h"
+#include "texture/rows.h"
+#include "texture/span.h"
 #include "texture/storage.h"
 
 namespace shd::texture {
@@ -22,8 +26,11 @@ namespace {
 constexpr uint32_t kTileSteps = 5;
 constexpr uint32_t kTile = 1u << kTileSteps;
 
-/// Unrounded values of one level, rows packed.
-using Plane = core::Array<double>;
+/// The texels of a level over a rectangle of the base.
+Region level_region(const Texture& texture, const Region& region, uint32_t level) {
+  return {level_range(region.x, texture.width, level_size(texture.width, level)),
+          level_range(region.y, texture.height, level_size(texture.height, level))};
+}
 
 /// Averages the pairs (or the one column) of two rows, `down` doubles apart; 0 where there is only one row.
 template <size_t kChannels>
@@ -68,11 +75,11 @@ struct Round {
   uint32_t from, steps;
   uint32_t layer;
 
-  void run(const core::Context& context) const {
-    const uint32_t rows = level_size(texture.height, from + steps);
-    core::parallel_for(context, rows, [this](uint32_t row, uint32_t) {
+  void run(const core::Context& context, const Region& region) const {
+    const Region tiles = level_region(texture, region, from + steps);
+    for_rows(context, tiles.y, [&](uint32_t row, uint32_t) {
       const uint32_t columns = level_size(texture.width, from + steps);
-      for (uint32_t column = 0; column < columns; ++column) run_tile(column, row, columns);
+      for (uint32_t column = tiles.x.first; column < tiles.x.end; ++column) run_tile(column, row, columns);
     });
   }
 
@@ -131,11 +138,13 @@ struct FirstRound {
   uint32_t steps;
   uint32_t layer;
 
-  void run(const core::Context& context) const {
+  void run(const core::Context& context, const Region& region) const {
     const Sums<Code> sums;
-    core::parallel_for(context, texture.height >> steps, [&](uint32_t band, uint32_t) {
-      for (uint32_t x = 0; x < texture.width; x += kColumns) {
-        run_tile(sums, x, texture.width - x < kColumns ? texture.width - x : kColumns, band << steps);
+    const Region tiles = level_region(texture, region, steps);
+    const uint32_t end = tiles.x.end << steps;
+    for_rows(context, tiles.y, [&](uint32_t band, uint32_t) {
+      for (uint32_t x = tiles.x.first << steps; x < end; x += kColumns) {
+        run_tile(sums, x, end - x < kColumns ? end - x : kColumns, band << steps);
       }
     });
   }
@@ -174,25 +183,9 @@ struct FirstRound {
   }
 };
 
-/// Base texels under one level texel along an axis, with their weights; the inner ones weigh `full`.
-struct Span {
-  uint32_t first, last;  // inclusive
-  double head, full, tail;
-
-  Span(uint32_t index, uint32_t base, uint32_t level) {
-    const uint64_t begin = uint64_t{index} * base, end = begin + base;
-    first = static_cast<uint32_t>(begin / level);
-    last = static_cast<uint32_t>((end - 1) / level);
-    full = level;
-    head = static_cast<double>((uint64_t{first} + 1) * level - begin);
-    tail = static_cast<double>(end - uint64_t{last} * level);
-    if (first == last) head = static_cast<double>(base);
-  }
-};
-
 /// Weighted sum of the texels of `span` in one stored row.
 template <class Code>
-void add_row(const uint8_t* row, const Span& span, double weight, double* sum) {
+void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* sum) {
   double value[Code::kChannels], total[Code::kChannels] = {};
   if (span.last > span.first + 1) {
     Code::add(row + (size_t{span.first} + 1) * Code::kSize, span.last - span.first - 1, total);
@@ -209,18 +202,18 @@ void add_row(const uint8_t* row, const Span& span, double weight, double* sum) {
 
 /// One level from the base.
 template <class Code>
-void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level) {
+void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
   const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
   const double area = static_cast<double>(texture.width) * texture.height;
-  core::parallel_for(context, height, [&](uint32_t y, uint32_t) {
-    const Span down(y, texture.height, height);
-    uint8_t* texel = row_of(texture, layer, level, y);
-    for (uint32_t x = 0; x < width; ++x, texel += Code::kSize) {
-      const Span across(x, texture.width, width);
+  const Region texels = level_region(texture, region, level);
+  for_rows(context, texels.y, [&](uint32_t y, uint32_t) {
+    const AxisSpan down(y, texture.height, height);
+    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * Code::kSize;
+    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Code::kSize) {
+      const AxisSpan across(x, texture.width, width);
       double sum[Code::kChannels] = {};
       for (uint32_t row = down.first; row <= down.last; ++row) {
-        const double weight = row == down.first ? down.head : row == down.last ? down.tail : down.full;
-        add_row<Code>(row_of(texture, layer, 0, row), across, weight, sum);
+        add_row<Code>(row_of(texture, layer, 0, row), across, down.weight(row), sum);
       }
       for (size_t c = 0; c < Code::kChannels; ++c) sum[c] /= area;
       Code::store(sum, texel);
@@ -246,58 +239,77 @@ uint32_t square_steps(const Texture& texture) {
   return steps;
 }
 
-/// Unrounded values of `level`, none if it is the last of them.
-Plane make_plane(const core::Context& context, const Texture& texture, uint32_t level, uint32_t end) {
-  if (level == end) return Plane();
-  const size_t texels = size_t{level_size(texture.width, level)} * level_size(texture.height, level);
-  return Plane(context.allocator, core::checked_mul(texels, texture.channels));
+bool has_integer_sums(image::Component component) {
+  return component == image::Component::kUnorm8 || component == image::Component::kSrgb8 ||
+         component == image::Component::kUnorm16;
+}
+
+/// Steps of the round that begins at level `from` of `even`.
+uint32_t round_steps(const Texture& texture, uint32_t from, uint32_t even) {
+  const uint32_t square = from == 0 && has_integer_sums(texture.component) ? square_steps(texture) : 0;
+  if (square > 0) return square;
+  return even - from < kTileSteps ? even - from : kTileSteps;
+}
+
+/// Unrounded averages of one level.
+size_t plane_size(const Texture& texture, uint32_t level) {
+  return size_t{level_size(texture.width, level)} * level_size(texture.height, level) * texture.channels;
 }
 
 template <class Code>
-void build_layer(const core::Context& context, Texture& texture, uint32_t layer) {
+void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region, double* sums) {
   const uint32_t even = even_steps(texture);
-  Plane source;
-  uint32_t from = 0;
-  if constexpr (Sums<Code>::kExact) {
-    from = square_steps(texture);
-    if (from > 0) {
-      source = make_plane(context, texture, from, even);
-      FirstRound<Code>{texture, source.data(), from, layer}.run(context);
+  const double* source = nullptr;
+  for (uint32_t from = 0, steps; from < even; from += steps) {
+    steps = round_steps(texture, from, even);
+    double* last = from + steps < even ? sums : nullptr;
+    if constexpr (Sums<Code>::kExact) {
+      if (from == 0 && square_steps(texture) > 0) {
+        FirstRound<Code>{texture, last, steps, layer}.run(context, region);
+      } else {
+        Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
+      }
+    } else {
+      Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
     }
+    source = last;
+    if (last) sums += plane_size(texture, from + steps);
   }
-  while (from < even) {
-    const uint32_t steps = even - from < kTileSteps ? even - from : kTileSteps;
-    Plane last = make_plane(context, texture, from + steps, even);
-    Round<Code>{texture, source.data(), last.data(), from, steps, layer}.run(context);
-    source = static_cast<Plane&&>(last);
-    from += steps;
+  for (uint32_t level = even + 1; level < texture.level_count; ++level) {
+    sum_level<Code>(context, texture, layer, level, region);
   }
-  for (uint32_t level = even + 1; level < texture.level_count; ++level) sum_level<Code>(context, texture, layer, level);
-}
-
-template <class Code>
-void build_layers(const core::Context& context, Texture& texture) {
-  for (uint32_t layer = 0; layer < texture.layers; ++layer) build_layer<Code>(context, texture, layer);
 }
 
 template <template <size_t> class Code>
-void build_channels(const core::Context& context, Texture& texture) {
+void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
+                    double* sums) {
   switch (texture.channels) {
-    case 1: return build_layers<Code<1>>(context, texture);
-    case 2: return build_layers<Code<2>>(context, texture);
-    default: return build_layers<Code<4>>(context, texture);
+    case 1: return build_layer<Code<1>>(context, texture, layer, region, sums);
+    case 2: return build_layer<Code<2>>(context, texture, layer, region, sums);
+    default: return build_layer<Code<4>>(context, texture, layer, region, sums);
   }
 }
 
 }  // namespace
 
-void build_mip_levels(const core::Context& context, Texture* texture) {
+size_t mip_sums_size(const Texture& texture) {
+  const uint32_t even = even_steps(texture);
+  size_t size = 0;
+  for (uint32_t level = 0; level < even;) {
+    level += round_steps(texture, level, even);
+    if (level < even) size += plane_size(texture, level);
+  }
+  return size;
+}
+
+void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
+                      double* sums) {
   switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture);
-    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture);
-    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture);
-    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture);
-    default: return build_channels<CodeFloat32>(context, *texture);
+    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture, layer, region, sums);
+    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture, layer, region, sums);
+    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture, layer, region, sums);
+    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture, layer, region, sums);
+    default: return build_channels<CodeFloat32>(context, *texture, layer, region, sums);
   }
 }
 

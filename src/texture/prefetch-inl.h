@@ -52,8 +52,11 @@ struct PrefetchQuads {
     alignas(64) int32_t index[kMaxLanes];
     hn::Store(texel, di, index);
     const size_t size = texel_size(texture);
-    const uint8_t* texels = texture.texels.data();
-    for (size_t k = 0; k < hn::Lanes(di); ++k) __builtin_prefetch(texels + static_cast<uint32_t>(index[k]) * size);
+    const uint8_t *own = texture.origin, *borrowed = texture.borrowed;
+    for (size_t k = 0; k < hn::Lanes(di); ++k) {
+      const auto i = static_cast<uint32_t>(index[k]);
+      __builtin_prefetch((i < texture.borrowed_texels ? borrowed : own) + i * size);
+    }
   }
 };
 

@@ -8,8 +8,8 @@
 // others; a constant base gives constant levels, as c n is exact for n <= 2^26 and a c of 24 bits.
 #include <cstring>
 
-#include "core/executor.h"
 #include "texture/codes.h"
+#include "texture/rows.h"
 #include "texture/span.h"
 #include "texture/storage.h"
 
@@ -52,9 +52,10 @@ class Row {
  public:
   static constexpr size_t kChannels = Code::kChannels;
 
-  /// `scratch` has room for two rows of the base.
-  Row(Texture& texture, uint32_t layer, uint32_t j, uint32_t y, double* scratch)
+  /// Of texels over `columns` of the base; `scratch` has room for two rows of it.
+  Row(Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y, double* scratch)
       : texture_(texture),
+        columns_(columns),
         layer_(layer),
         j_(j),
         y_(y),
@@ -87,17 +88,21 @@ class Row {
 
   /// Sums of 2^i texels across.
   void store(uint32_t i, const double* sum) {
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_);
-    const uint32_t width = level_size(texture_.width, i);
+    const AxisRange range = level_range(columns_, texture_.width, level_size(texture_.width, i));
+    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Code::kSize;
     const double area = static_cast<double>(texture_.height) * (1u << i);
-    for (uint32_t x = 0; x < width; ++x, texel += Code::kSize, sum += kChannels) store_texel(sum, area, texel);
+    sum += size_t{range.first} * kChannels;
+    for (uint32_t x = range.first; x < range.end; ++x, texel += Code::kSize, sum += kChannels) {
+      store_texel(sum, area, texel);
+    }
   }
 
   void store_spans(uint32_t i) {
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_);
     const uint32_t width = level_size(texture_.width, i);
+    const AxisRange range = level_range(columns_, texture_.width, width);
+    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Code::kSize;
     const double area = static_cast<double>(texture_.width) * texture_.height;
-    for (uint32_t x = 0; x < width; ++x, texel += Code::kSize) {
+    for (uint32_t x = range.first; x < range.end; ++x, texel += Code::kSize) {
       double sum[kChannels];
       add_span<kChannels>(whole_, x, texture_.width, width, sum);
       store_texel(sum, area, texel);
@@ -111,41 +116,48 @@ class Row {
   }
 
   Texture& texture_;
+  const AxisRange columns_;
   const uint32_t layer_, j_, y_;
   double *whole_, *halved_;
 };
 
 template <class Code>
-void build_layers(const core::Context& context, Texture& texture) {
-  const size_t row = core::checked_mul(texture.width, Code::kChannels);
-  core::Array<double> scratch(context.allocator, core::checked_mul(2 * row, context.executor.worker_count));
-  for (uint32_t layer = 0; layer < texture.layers; ++layer) {
-    for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
-      core::parallel_for(context, level_size(texture.height, j), [&](uint32_t y, uint32_t worker) {
-        Row<Code>(texture, layer, j, y, scratch.data() + worker * 2 * row).run();
-      });
-    }
+void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
+                 double* scratch) {
+  const size_t rows = size_t{2} * texture.width * Code::kChannels;
+  for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
+    const AxisRange range = level_range(region.y, texture.height, level_size(texture.height, j));
+    for_rows(context, range, [&](uint32_t y, uint32_t worker) {
+      Row<Code>(texture, layer, region.x, j, y, scratch + worker * rows).run();
+    });
   }
 }
 
 template <template <size_t> class Code>
-void build_channels(const core::Context& context, Texture& texture) {
+void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
+                    double* scratch) {
   switch (texture.channels) {
-    case 1: return build_layers<Code<1>>(context, texture);
-    case 2: return build_layers<Code<2>>(context, texture);
-    default: return build_layers<Code<4>>(context, texture);
+    case 1: return build_layer<Code<1>>(context, texture, layer, region, scratch);
+    case 2: return build_layer<Code<2>>(context, texture, layer, region, scratch);
+    default: return build_layer<Code<4>>(context, texture, layer, region, scratch);
   }
 }
 
 }  // namespace
 
-void build_ripmap_levels(const core::Context& context, Texture* texture) {
+size_t ripmap_scratch_size(const core::Context& context, const Texture& texture) {
+  const size_t rows = core::checked_mul(size_t{2} * texture.width, texture.channels);
+  return core::checked_mul(rows, context.executor.worker_count);
+}
+
+void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
+                         double* scratch) {
   switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture);
-    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture);
-    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture);
-    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture);
-    default: return build_channels<CodeFloat32>(context, *texture);
+    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture, layer, region, scratch);
+    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture, layer, region, scratch);
+    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture, layer, region, scratch);
+    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture, layer, region, scratch);
+    default: return build_channels<CodeFloat32>(context, *texture, layer, region, scratch);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "texture/texture.h"
+#include "texture/storage.h"
 
 namespace shd::texture {
 
@@ -13,7 +13,8 @@ namespace shd::texture {
 inline bool is_scattered(const Texture& texture, const Lookups& block, const float* lod) {
   constexpr size_t kPairs = 8, kNear = size_t{1} << 20;
   constexpr float kApart = 16.0f;  // texels of the level
-  if (texture.texels.size() <= kNear || block.count <= kPairs) return false;
+  if (texture.texels.size() + texture.borrowed_texels * texel_size(texture) <= kNear || block.count <= kPairs)
+    return false;
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   size_t apart = 0;
   for (size_t k = 0; k < kPairs; ++k) {

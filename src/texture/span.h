@@ -25,4 +25,22 @@ struct AxisSpan {
   double weight(uint32_t x) const { return x == first ? head : x == last ? tail : full; }
 };
 
+/// Texels of one axis.
+struct AxisRange {
+  uint32_t first, end;
+
+  uint32_t size() const { return end - first; }
+};
+
+/// Texels, of an axis of `level` of them, of which a part lies over `range` of an axis of `base`.
+inline AxisRange level_range(AxisRange range, uint32_t base, uint32_t level) {
+  return {static_cast<uint32_t>(uint64_t{range.first} * level / base),
+          static_cast<uint32_t>((uint64_t{range.end} * level + base - 1) / base)};
+}
+
+/// A rectangle of texels.
+struct Region {
+  AxisRange x, y;
+};
+
 }  // namespace shd::texture

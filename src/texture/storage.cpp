@@ -28,6 +28,7 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
   const image::FormatInfo given = image::format_info(desc.format);
   texture->format = stored_format(desc.format);
   texture->component = given.component;
+  texture->given_format = desc.format;
   texture->channels = static_cast<uint32_t>(image::format_info(texture->format).channels);
   for (uint32_t c = 0; c < 4; ++c) {
     uint32_t source = c;
@@ -62,6 +63,7 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->layers = desc.layers;
   texture->tables = desc.tables;
   texture->level_count = desc.level_count + 1;
+  texture->levels_given = desc.level_count > 0;
   if (desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP) {
     texture->level_count = full_level_count(desc.width, desc.height);
   }
@@ -84,26 +86,6 @@ void expand_row(const uint8_t* from, size_t channel_size, uint32_t width, uint8_
   }
 }
 
-/// One level of one layer in the caller's memory.
-struct Given {
-  uint32_t layer, level;
-  const uint8_t* texels;
-  size_t stride;
-};
-
-void copy_rows(const Given& given, const image::FormatInfo& format, uint32_t first, uint32_t end, Texture* texture) {
-  const uint32_t width = level_size(texture->width, given.level);
-  for (uint32_t y = first; y < end; ++y) {
-    const uint8_t* from = given.texels + y * given.stride;
-    uint8_t* to = row_of(*texture, given.layer, given.level, y);
-    if (format.channels == 3) {
-      expand_row(from, format.channel_size, width, to);
-    } else {
-      std::memcpy(to, from, width * format.pixel_size);
-    }
-  }
-}
-
 void copy_base(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   const image::FormatInfo format = image::format_info(desc.format);
   const size_t stride = desc.row_stride ? desc.row_stride : desc.width * format.pixel_size;
@@ -114,7 +96,7 @@ void copy_base(const core::Context& context, const shd_texture_desc& desc, Textu
     const uint32_t layer = task / tasks_per_layer;
     const uint32_t first = task % tasks_per_layer * kRowsPerTask;
     const uint32_t end = first + kRowsPerTask < desc.height ? first + kRowsPerTask : desc.height;
-    copy_rows({layer, 0, source + layer * layer_stride, stride}, format, first, end, texture);
+    copy_rows({source + layer * layer_stride, stride, format}, layer, 0, whole(*texture), {first, end}, texture);
   });
 }
 
@@ -123,13 +105,55 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
   const image::FormatInfo format = image::format_info(desc.format);
   core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
     const shd_image image = image_at(desc.levels, task);
-    const Given given = {task / desc.level_count, task % desc.level_count + 1,
-                         static_cast<const uint8_t*>(image.pixels), image.row_stride};
-    copy_rows(given, format, 0, image.height, texture);
+    const GivenTexels given = {static_cast<const uint8_t*>(image.pixels), image.row_stride, format};
+    const Region region = {{0, image.width}, {0, image.height}};
+    copy_rows(given, task / desc.level_count, task % desc.level_count + 1, region, region.y, texture);
   });
 }
 
+/// Room for `texels` texels in all, less those that are borrowed.
+void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
+  if (desc.borrow) {
+    texture->borrowed = static_cast<const uint8_t*>(desc.texels);
+    texture->borrowed_texels = desc.width * desc.height;
+  }
+  const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
+  texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
+  std::memset(texture->texels.data() + size, 0, kPadding);
+  const auto first = reinterpret_cast<uintptr_t>(texture->texels.data());
+  texture->origin = reinterpret_cast<const uint8_t*>(first - texture->borrowed_texels * texel_size(*texture));
+}
+
+void build_tables(const core::Context& context, Texture* texture) {
+  if (has_built_levels(*texture)) {
+    core::Array<double> sums(context.allocator, mip_sums_size(*texture));
+    for (uint32_t layer = 0; layer < texture->layers; ++layer) {
+      build_mip_levels(context, texture, layer, whole(*texture), sums.data());
+    }
+  }
+  if (texture->tables & SHD_TABLE_RIPMAP) {
+    core::Array<double> scratch(context.allocator, ripmap_scratch_size(context, *texture));
+    for (uint32_t layer = 0; layer < texture->layers; ++layer) {
+      build_ripmap_levels(context, texture, layer, whole(*texture), scratch.data());
+    }
+  }
+}
+
 }  // namespace
+
+void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const Region& region, AxisRange rows,
+               Texture* texture) {
+  const size_t first = region.x.first * texel_size(*texture);
+  for (uint32_t y = rows.first; y < rows.end; ++y) {
+    const uint8_t* from = given.texels + size_t{y - region.y.first} * given.stride;
+    uint8_t* to = row_of(*texture, layer, level, y) + first;
+    if (given.format.channels == 3) {
+      expand_row(from, given.format.channel_size, region.x.size(), to);
+    } else {
+      std::memcpy(to, from, region.x.size() * given.format.pixel_size);
+    }
+  }
+}
 
 uint32_t full_level_count(uint32_t width, uint32_t height) {
   uint32_t count = 1;
@@ -138,18 +162,13 @@ uint32_t full_level_count(uint32_t width, uint32_t height) {
 }
 
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
-  Texture texture;
+  Texture texture = {};
   set_format(desc, &texture);
-  const size_t size = core::checked_mul(lay_out(desc, &texture), texel_size(texture));
-  texture.texels = core::Array<uint8_t>(context.allocator, size + kPadding);
-  std::memset(texture.texels.data() + size, 0, kPadding);
-  copy_base(context, desc, &texture);
-  if (desc.level_count > 0) {
-    copy_levels(context, desc, &texture);
-  } else if (desc.tables & SHD_TABLE_MIPMAP) {
-    build_mip_levels(context, &texture);
-  }
-  if (desc.tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, &texture);
+  const size_t texels = lay_out(desc, &texture);
+  allocate(context, desc, texels, &texture);
+  if (!texture.borrowed) copy_base(context, desc, &texture);
+  if (desc.level_count > 0) copy_levels(context, desc, &texture);
+  build_tables(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }
 

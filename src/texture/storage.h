@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "texture/span.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
 
 /// Bytes after the last texel that a kernel may read: two vectors of 64 bytes.
-constexpr size_t kPadding = 128;
+constexpr size_t kPadding = SHD_TEXTURE_PADDING;
 
 /// Width or height of a level from that of the base.
 inline uint32_t level_size(uint32_t base, uint32_t level) {
@@ -25,9 +26,14 @@ inline size_t texel_size(const Texture& texture) {
   return image::format_info(texture.format).pixel_size;
 }
 
-/// Bytes of all tables.
+/// Bytes of all tables that are not borrowed, and of the sums that updates keep.
 inline size_t byte_size(const Texture& texture) {
-  return texture.texels.size() - kPadding;
+  return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double);
+}
+
+/// All texels of the base.
+inline Region whole(const Texture& texture) {
+  return {{0, texture.width}, {0, texture.height}};
 }
 
 /// Whether texels outside the image read the border colour on some axis.
@@ -35,20 +41,40 @@ inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
 
+/// First byte of a texel, wherever it is kept.
+inline const uint8_t* texel_at(const Texture& texture, size_t index) {
+  return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
+}
+/// Of a texel that is not borrowed, where it is written.
+inline uint8_t* texel_at(Texture& texture, size_t index) {
+  return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
+}
+
 /// First byte of row y of a level of a layer; rows are packed.
 inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   const size_t first =
       size_t{layer} * texture.layer_texels + texture.offset[level] + size_t{y} * level_size(texture.width, level);
-  return texture.texels.data() + first * texel_size(texture);
+  return texel_at(texture, first);
 }
 inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   return row_of(const_cast<Texture&>(texture), layer, level, y);
 }
 
-/// Fills levels 1.. of every layer of a texture whose levels 0 are there (mip.cpp).
+/// Whether shd built the mip levels; otherwise there are none or the caller gave them.
+inline bool has_built_levels(const Texture& texture) {
+  return texture.tables & SHD_TABLE_MIPMAP && !texture.levels_given;
+}
+
+/// Doubles that build_mip_levels keeps of one layer.
+size_t mip_sums_size(const Texture& texture);
+
+/// Fills levels 1.. of a layer, whose level 0 is there, over a region of the base (mip.cpp).
 /// Every texel is the average of the base level over its area, in linear light, rounded once to what the format
 /// stores: unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
-void build_mip_levels(const core::Context& context, Texture* texture);
+/// `sums`, mip_sums_size() of them, hold unrounded averages: those over the region are written, those over the rest of
+/// the layer are read, as they were left by a call for the same layer.
+void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
+                      double* sums);
 
 /// Whether ripmap level (i, j) is the base or, where there is a mipmap, level max(i, j) of it.
 inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
@@ -61,14 +87,29 @@ inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
 inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   const size_t first = size_t{layer} * texture.layer_texels + texture.ripmap_offset[j * kMaxLevels + i] +
                        size_t{y} * level_size(texture.width, i);
-  return texture.texels.data() + first * texel_size(texture);
+  return texel_at(texture, first);
 }
 inline const uint8_t* ripmap_row(const Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   return ripmap_row(const_cast<Texture&>(texture), layer, i, j, y);
 }
 
-/// Fills the ripmap levels of every layer of a texture whose levels 0 are there (ripmap.cpp): averages as those of
-/// build_mip_levels.
-void build_ripmap_levels(const core::Context& context, Texture* texture);
+/// Doubles that build_ripmap_levels needs as scratch.
+size_t ripmap_scratch_size(const core::Context& context, const Texture& texture);
+
+/// Fills the ripmap levels of a layer, whose level 0 is there, over a region of the base (ripmap.cpp): averages as
+/// those of build_mip_levels. Reads all columns of the base in the rows that the texels cover.
+void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
+                         double* scratch);
+
+/// Texels in the caller's memory, of the format that the texture was made from.
+struct GivenTexels {
+  const uint8_t* texels;  // of the first texel of the region
+  size_t stride;          // bytes between rows
+  image::FormatInfo format;
+};
+
+/// Writes rows [first, end) of a region of a level.
+void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const Region& region, AxisRange rows,
+               Texture* texture);
 
 }  // namespace shd::texture

@@ -6,14 +6,17 @@
 /// Output:     columns of filtered linear values.
 /// Units:      coordinates normalised, (0, 0) at the outer corner of texel (0, 0) of row 0, v downwards;
 ///             levels of detail in log2 base texels.
-/// Invariants: a Texture never changes once built; finite texels give finite values for any input bits; a lane
+/// Invariants: a Texture only changes by update(), while nothing else uses it; finite texels give finite values for any
+/// input bits; a lane
 ///             depends on its own inputs only.
 ///
 /// | file                    | what                                                                        |
 /// |-------------------------|-----------------------------------------------------------------------------|
 /// | storage.h               | layout of levels; the copy of the base                                      |
+/// | update.cpp              | a rectangle of the base written anew, with what depends on it               |
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
 /// | mip_sums.h              | their first steps as sums of integers                                       |
+/// | rows.h                  | rows of a level on the executor                                             |
 /// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
@@ -66,11 +69,14 @@ namespace shd::texture {
 
 constexpr uint32_t kMaxLevels = 17;  // 65536 = 2^16 and the base
 
+constexpr uint32_t kMaxLayers = 2048;
+
 constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
 
-/// Texels of every level of every layer in one block.
+/// Texels of every level of every layer in one block, but for a base level that is borrowed.
 struct Texture {
   shd_format format;                     // as stored: of one, two or four channels
+  shd_format given_format;               // of the texels that it was made from
   image::Component component;            // of that format
   uint32_t channels;                     // of that format
   uint32_t channel_source[4];            // stored channel of an output, or kFill
@@ -84,7 +90,14 @@ struct Texture {
   uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
                                          // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
-  core::Array<uint8_t> texels;  // rows packed, levels and then layers in order, padded at the end for whole gathers
+  bool levels_given;                                // mip levels are the caller's
+  core::Array<uint8_t> texels;   // rows packed, levels and then layers in order, padded at the end for whole gathers;
+                                 // without the base where that is borrowed
+  const uint8_t* borrowed;       // the caller's base level, or null
+  const uint8_t* origin;         // where texel 0 lies, or would lie if the base were not borrowed
+  uint32_t borrowed_texels;      // how many: texel indices below are there
+  core::Array<double> mip_sums;  // [layers] unrounded averages, from the first update on
+  uint32_t mip_sums_ready[kMaxLayers / 32];  // which layers have them
 };
 
 /// A checked sampler desc; lod_min <= lod_max.
@@ -147,9 +160,15 @@ struct Texels {
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
 };
 
-/// Copies the texels of a checked desc and builds its tables on the context's executor.
+/// Copies or borrows the texels of a checked desc and builds its tables on the context's executor.
 /// Throws std::bad_alloc; then nothing was kept.
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
+
+/// Writes texels, of the format that the texture has or was made from, at (x, y) of the base of a layer, unless that is
+/// borrowed and they have been written, and rebuilds what depends on them, but for levels that the caller gave: the
+/// bits are those of a texture built from the changed base. Throws std::bad_alloc before anything is written.
+void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
+            Texture* texture);
 
 /// Filters on the calling thread; any count. The texture has the tables that the filter needs. Returns how many
 /// lookups had a coordinate or derivative that is not finite.

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Borrowed base levels against copied ones: the same bits by every filter, format and target, from texels that end
+// just as far before memory that cannot be read as they may.
+#include "points.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace fixture;
+
+struct size_case {
+  const char* name;
+  uint32_t width, height;
+};
+const size_case k_sizes[] = {
+    {"1x1", 1, 1}, {"1x7", 1, 7}, {"5x3", 5, 3}, {"64x64", 64, 64}, {"1023x511", 1023, 511}, {"4096x1", 4096, 1},
+};
+
+constexpr uint32_t kTables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP;
+
+Batch t_batch, t_copied;
+float t_gradient[2][2][4][kMaxPoints];  // of copied and borrowed, du and dv
+
+/// Memory whose last byte but SHD_TEXTURE_PADDING stands before a page that faults.
+struct Guarded {
+  uint8_t* pages;
+  size_t mapped;
+  uint8_t* texels;
+};
+
+Guarded make_guarded(size_t size) {
+  const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
+  const size_t used = (size + SHD_TEXTURE_PADDING + page - 1) / page * page;
+  void* pages = mmap(nullptr, used + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  assert_true(pages != MAP_FAILED);
+  auto* bytes = static_cast<uint8_t*>(pages);
+  assert_int_equal(mprotect(bytes + used, page, PROT_NONE), 0);
+  memset(bytes, 0x5a, used);
+  return {bytes, used + page, bytes + used - SHD_TEXTURE_PADDING - size};
+}
+void free_guarded(const Guarded& guarded) {
+  munmap(guarded.pages, guarded.mapped);
+}
+
+Texture* build_texture(shd_format format, uint32_t width, uint32_t height, const uint8_t* texels, uint32_t borrow) {
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = format;
+  desc.width = width;
+  desc.height = height;
+  desc.texels = texels;
+  desc.tables = kTables;
+  desc.borrow = borrow;
+  auto* texture = shd::core::create<Texture>(context()->allocator);
+  shd::texture::build(*context(), desc, texture);
+  return texture;
+}
+
+/// Points that read the last texels of the base, levels of the caller's and of shd's in one vector.
+void make_corner_points() {
+  make_points(&t_batch);
+  for (size_t i = 64; i < 96; ++i) {
+    t_batch.u[i] = 1.0f - 1e-6f * static_cast<float>(i % 4);
+    t_batch.v[i] = 1.0f - 1e-6f * static_cast<float>(i % 3);
+    t_batch.lod[i] = i % 2 ? 0.0f : static_cast<float>(i % 5) * 0.5f;
+    if (i % 2) t_batch.dudx[i] = t_batch.dvdx[i] = t_batch.dudy[i] = t_batch.dvdy[i] = 0;
+  }
+}
+
+void run_gradient(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups, int which) {
+  memset(t_gradient[which], 0, sizeof t_gradient[which]);
+  Texels out = {};
+  for (size_t c = 0; c < 4; ++c) {
+    out.du[c] = t_gradient[which][0][c];
+    out.dv[c] = t_gradient[which][1][c];
+  }
+  shd::texture::sample(texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
+}
+
+void check_sampler(const Texture& copied, const Texture& borrowed, const shd_sampler_desc& desc, bool lod) {
+  const Sampler sampler = make_sampler(desc);
+  const Lookups lookups = t_batch.lookups(!lod, lod);
+  for_each_target([&](int64_t target) {
+    run(copied, sampler, target, lookups, &t_batch);
+    memcpy(t_copied.out, t_batch.out, sizeof t_batch.out);
+    run(borrowed, sampler, target, lookups, &t_batch);
+    if (memcmp(t_copied.out, t_batch.out, sizeof t_batch.out) != 0) {
+      fail_msg("filter %d format %d wraps %d %d lod %d", desc.filter, copied.format, desc.wrap_u, desc.wrap_v, lod);
+    }
+    if (!shd::texture::has_gradient(desc.filter)) return;
+    run_gradient(copied, sampler, target, lookups, 0);
+    run_gradient(borrowed, sampler, target, lookups, 1);
+    assert_memory_equal(t_gradient[0], t_gradient[1], sizeof t_gradient[0]);
+  });
+}
+
+/// With and without a border, and several wraps.
+void check_filter(const Texture& copied, const Texture& borrowed, shd_sampler_desc desc) {
+  desc.cubic = desc.filter == SHD_FILTER_STOCHASTIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
+  const shd_wrap pairs[][2] = {
+      {SHD_WRAP_REPEAT, SHD_WRAP_REPEAT}, {SHD_WRAP_CLAMP, SHD_WRAP_MIRROR}, {SHD_WRAP_BORDER, SHD_WRAP_CLAMP}};
+  // The exact filter takes its time, and does not fetch by kernels.
+  const size_t count = desc.filter == SHD_FILTER_EXACT ? 1 : 3;
+  for (size_t k = 0; k < count; ++k) {
+    desc.wrap_u = pairs[k][0];
+    desc.wrap_v = pairs[k][1];
+    check_sampler(copied, borrowed, desc, false);
+    if (k == 0 && desc.filter != SHD_FILTER_EXACT) check_sampler(copied, borrowed, desc, true);
+  }
+}
+
+void test_filters(void** state) {
+  const auto& c = *static_cast<const size_case*>(*state);
+  make_corner_points();
+  for (const shd_format format : kFormats) {
+    const size_t count = size_t{c.width} * c.height, size = count * shd_format_size(format);
+    const Guarded guarded = make_guarded(size);
+    random_texels(format, count, c.width * 31 + c.height, guarded.texels);
+    Texture* copied = build_texture(format, c.width, c.height, guarded.texels, 0);
+    Texture* borrowed = build_texture(format, c.width, c.height, guarded.texels, 1);
+    assert_int_equal(shd::texture::byte_size(*copied) - shd::texture::byte_size(*borrowed), size);
+    for (uint32_t filter = SHD_FILTER_TRILINEAR; filter <= SHD_FILTER_EXACT; ++filter) {
+      shd_sampler_desc desc = shd_sampler_desc_default();
+      desc.filter = static_cast<shd_filter>(filter);
+      if (filter == SHD_FILTER_SUMMED_AREA) continue;  // reads its table alone
+      if (filter == SHD_FILTER_STOCHASTIC) {
+        for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_ANISOTROPIC}) {
+          desc.expectation = expectation;
+          check_filter(*copied, *borrowed, desc);
+        }
+        desc.expectation = SHD_FILTER_TRILINEAR;
+      }
+      if (shd::texture::has_kernel(desc)) check_filter(*copied, *borrowed, desc);
+    }
+    free_texture(copied);
+    free_texture(borrowed);
+    free_guarded(guarded);
+  }
+}
+
+/// Texels changed in place, and an update that says where.
+void test_update(void** state) {
+  const auto& c = *static_cast<const size_case*>(*state);
+  for (const shd_format format : kFormats) {
+    const size_t count = size_t{c.width} * c.height, texel = shd_format_size(format);
+    const Guarded guarded = make_guarded(count * texel);
+    random_texels(format, count, 3, guarded.texels);
+    Texture* borrowed = build_texture(format, c.width, c.height, guarded.texels, 1);
+    shd_image image = shd_image_default();
+    image.format = format;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t x = k * c.width / 3, y = k * c.height / 4;
+      image.width = (c.width - x + 1) / 2;
+      image.height = (c.height - y + 1) / 2;
+      for (uint32_t j = 0; j < image.height; ++j) {
+        random_texels(format, image.width, 100 * k + j, guarded.texels + (size_t{y + j} * c.width + x) * texel);
+      }
+      shd::texture::update(*context(), 0, x, y, image, borrowed);
+    }
+    Texture* want = build_texture(format, c.width, c.height, guarded.texels, 1);
+    assert_int_equal(borrowed->texels.size(), want->texels.size());
+    assert_memory_equal(borrowed->texels.data(), want->texels.data(), want->texels.size());
+    free_texture(want);
+    free_texture(borrowed);
+    free_guarded(guarded);
+  }
+}
+
+}  // namespace
+
+int main() {
+  static char names[2][16][32];
+  CMUnitTest tests[32];
+  size_t n = 0, i = 0;
+  for (const size_case& c : k_sizes) {
+    snprintf(names[0][i], sizeof names[0][i], "filters/%s", c.name);
+    snprintf(names[1][i], sizeof names[1][i], "update/%s", c.name);
+    tests[n++] = {names[0][i], test_filters, nullptr, nullptr, const_cast<size_case*>(&c)};
+    tests[n++] = {names[1][i++], test_update, nullptr, nullptr, const_cast<size_case*>(&c)};
+  }
+  return _cmocka_run_group_tests("unit.texture.borrowed", tests, n, nullptr, nullptr);
+}
