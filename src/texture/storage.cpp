@@ -6,6 +6,7 @@
 #include "core/executor.h"
 #include "image/format.h"
 #include "texture/image_list.h"
+#include "texture/summed_area.h"
 
 namespace shd::texture {
 namespace {
@@ -150,6 +151,7 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
     build_mip_levels(context, &texture);
   }
   if (desc.tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, &texture);
+  if (desc.tables & SHD_TABLE_SUMMED_AREA) build_summed_area(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }
 

@@ -27,7 +27,8 @@ inline size_t texel_size(const Texture& texture) {
 
 /// Bytes of all tables.
 inline size_t byte_size(const Texture& texture) {
-  return texture.texels.size() - kPadding;
+  return texture.texels.size() - kPadding + texture.sums.size() + texture.nonfinite_sums.size() * sizeof(uint32_t) +
+         texture.sum_origins.size() * sizeof(double);
 }
 
 /// Whether texels outside the image read the border colour on some axis.

@@ -15,6 +15,7 @@
 /// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
 /// | mip_sums.h              | their first steps as sums of integers                                       |
 /// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
+/// | summed_area.h           | sums over rectangles at the origin                                          |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
 /// | image_list.h            | images of the caller's in an array                                          |
@@ -29,6 +30,8 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
+/// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
 /// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
 /// | exact_footprint.h       | its level and its parallelogram                                             |
 /// | parallelogram.h         | pieces of a parallelogram in the cells of a lattice, and their moments      |
@@ -84,6 +87,9 @@ struct Texture {
                                          // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
   core::Array<uint8_t> texels;  // rows packed, levels and then layers in order, padded at the end for whole gathers
+  core::Array<uint8_t> sums;    // summed-area tables (summed_area.h), uint32_t or double, layers in order
+  core::Array<uint32_t> nonfinite_sums;  // of texels that are not finite; empty where there are none
+  core::Array<double> sum_origins;       // by layer and stored channel, linear: what sums of doubles are counted from
 };
 
 /// A checked sampler desc; lod_min <= lod_max.
