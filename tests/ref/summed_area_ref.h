@@ -10,6 +10,7 @@ namespace ref {
 struct Texels {
   const double* values;  // [height][width][4]
   int64_t width, height;
+  int channels;  // beyond these there is no border either
   const shd_sampler_desc* sampler;
 };
 
@@ -52,7 +53,8 @@ inline void add_box(const Texels& t, const Box& box, double* lengths_u, double* 
       const bool border = x == t.width || y == t.height;
       out->area += area;
       for (int c = 0; c < 4; ++c) {
-        out->sum[c] += area * (border ? static_cast<double>(s.border[c]) : t.values[(y * t.width + x) * 4 + c]);
+        const double outside = c < t.channels ? static_cast<double>(s.border[c]) : missing(c);
+        out->sum[c] += area * (border ? outside : t.values[(y * t.width + x) * 4 + c]);
       }
     }
   }

@@ -61,7 +61,7 @@ size_t choices(const ref::Jacobian& j, const shd_sampler_desc& s, bool lod, ref:
 
 void check_points(const Texture& texture, const double* values, const shd_sampler_desc& desc, bool lod) {
   const double m = fmax(magnitude(texture.format), 2);
-  const ref::Texels t = {values, texture.width, texture.height, &desc};
+  const ref::Texels t = {values, texture.width, texture.height, ref::layout(texture.format).channels, &desc};
   for (size_t i = 0; i < t_batch.count; ++i) {
     ref::Jacobian sides[4];
     int counts[4];
@@ -91,6 +91,7 @@ void check_points(const Texture& texture, const double* values, const shd_sample
 /// Runs the batch on every target, which all give the same bits, and leaves the results in t_batch.
 void run_everywhere(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups) {
   bool first = true;
+  t_other.count = lookups.count;
   for_each_target([&](int64_t target) {
     run(texture, make_sampler(desc), target, lookups, first ? &t_batch : &t_other);
     if (!first) assert_memory_equal(t_other.out, t_batch.out, sizeof t_batch.out);
