@@ -5,6 +5,8 @@
 #include "texture/sample.h"
 
 #include "core/simd_target.h"
+#include "texture/block.h"
+#include "texture/scatter.h"
 #include "texture/summed_area.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -168,6 +170,7 @@ struct SummedArea {
   float most_parts;
   bool lod_given;
   BoxScale<kChannels> scale;
+  bool scattered;  // ask for the lines of a vector's boxes before they are summed
 
   template <class S>
   HWY_INLINE S sums_of(const typename S::Entry* tables, size_t layer, size_t channel) const {
@@ -191,6 +194,18 @@ struct SummedArea {
     totals->area[lane] += (width + static_cast<double>(us.outside[lane])) *
                           (height + static_cast<double>(vs.outside[lane]));
     if (HWY_UNLIKELY(texture.nonfinite_sums.size() > 0)) count(u, v, lane, layer, totals);
+  }
+
+  HWY_NOINLINE void prefetch(const BoxSpans& us, const BoxSpans& vs, size_t lane, size_t layer) const {
+    const auto* tables = reinterpret_cast<const typename Sums::Entry*>(texture.sums.data());
+    const Sums sums = sums_of<Sums>(tables, layer, 0);
+    for (size_t end = 0; end < 2; ++end) {
+      for (const int32_t y : {vs.inner[end][lane], vs.outer[end][lane]}) {
+        const auto* row = sums.row(y);
+        __builtin_prefetch(row + static_cast<size_t>(us.inner[0][lane]) * kChannels);
+        __builtin_prefetch(row + static_cast<size_t>(us.inner[1][lane]) * kChannels);
+      }
+    }
   }
 
   HWY_NOINLINE void count(const BoxSpan& u, const BoxSpan& v, size_t lane, size_t layer, Totals* totals) const {
@@ -260,6 +275,7 @@ struct SummedArea {
       const auto rising_v = WrapBox(d, sampler.wrap_v, v, boxes.half_v, height, &vs);
       uint8_t rising[8] = {};
       hn::StoreMaskBits(d, hn::And(rising_u, rising_v), rising);
+      for (size_t lane = 0; scattered && lane < hn::Lanes(d); ++lane) prefetch(us, vs, lane, layer_of(lane));
       for (size_t lane = 0; lane < hn::Lanes(d); ++lane) {
         if (part >= count[lane]) continue;
         add(us, vs, lane, layer_of(lane), rising[lane / 8] >> lane % 8 & 1, &totals);
@@ -272,13 +288,20 @@ struct SummedArea {
 template <template <class> class Entries, size_t kChannels>
 size_t SummedAreaOf(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
   const auto most = static_cast<float>(static_cast<int>(sampler.max_anisotropy));
-  const SummedArea<Entries, kChannels> filter = {texture,
-                                                 sampler,
-                                                 box_range(sampler),
-                                                 sampler.box == SHD_BOX_ORIENTED ? most : 1.0f,
-                                                 in.lod != nullptr,
-                                                 BoxScale<kChannels>(texture, sampler)};
-  return ForEachVector(texture, filter, in, out);
+  SummedArea<Entries, kChannels> filter = {texture,
+                                           sampler,
+                                           box_range(sampler),
+                                           sampler.box == SHD_BOX_ORIENTED ? most : 1.0f,
+                                           in.lod != nullptr,
+                                           BoxScale<kChannels>(texture, sampler),
+                                           false};
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < in.count; first += kBlock) {
+    const Lookups block = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+    filter.scattered = is_scattered(texture, block, nullptr);
+    nonfinite += ForEachVector(texture, filter, block, part_of(out, first));
+  }
+  return nonfinite;
 }
 
 template <template <class> class Entries>
