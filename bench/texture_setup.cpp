@@ -47,6 +47,7 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = filter.filter;
   sampler.expectation = filter.expectation;
+  sampler.box = filter.box;
   if (!works(shd_sampler_create(context_, &sampler, &sampler_), &missing)) return;
   const std::vector<uint8_t> converted = convert(texels, format);
   shd_texture_desc texture = shd_texture_desc_default();

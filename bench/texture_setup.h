@@ -19,6 +19,7 @@ struct Filter {
   uint32_t every;       // one lookup of so many of the workload, to keep slow filters short
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
   shd_filter expectation = SHD_FILTER_TRILINEAR;
+  shd_box box = SHD_BOX_BOUNDING;
 };
 
 constexpr Filter kFilters[] = {
@@ -31,6 +32,8 @@ constexpr Filter kFilters[] = {
     {"trilinear", SHD_FILTER_TRILINEAR, SHD_TABLE_MIPMAP, true, "trilinear", PeerFilter::kTrilinear, 1, true},
     {"ripmap", SHD_FILTER_RIPMAP, SHD_TABLE_RIPMAP, true, "", PeerFilter::kNone, 1, false},
     {"summed_area", SHD_FILTER_SUMMED_AREA, SHD_TABLE_SUMMED_AREA, true, "", PeerFilter::kNone, 1, false},
+    {"summed_area_oriented", SHD_FILTER_SUMMED_AREA, SHD_TABLE_SUMMED_AREA, true, "", PeerFilter::kNone, 1, false,
+     SHD_FILTER_TRILINEAR, SHD_BOX_ORIENTED},
     {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, true},
     {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},

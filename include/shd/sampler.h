@@ -33,7 +33,12 @@ typedef enum shd_filter {
     SHD_FILTER_BILINEAR_MIP = 5, /**< bilinear on the nearest mip level */
     /** Bilinear on the four nearest ripmap levels, which halve each axis on its own. Needs SHD_TABLE_RIPMAP. */
     SHD_FILTER_RIPMAP = 6,
-    /** Average over the footprint's box, from sums over rectangles (Crow 1984). Not built yet: UNSUPPORTED. */
+    /**
+     * The average of the texels over `box`, each texel a square of its value, from sums over rectangles (Crow 1984).
+     * Needs SHD_TABLE_SUMMED_AREA. Sides of a box are at least 1 texel, which makes magnification bilinear, and at
+     * most 2^22; log2 of a side takes the place of the level of detail in its bias and clamps, and `lod` is a square
+     * of 2^lod texels. A box that touches a texel that is not finite reads NaN in its channel.
+     */
     SHD_FILTER_SUMMED_AREA = 7,
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
     SHD_FILTER_ANISOTROPIC = 8,
@@ -76,9 +81,13 @@ typedef enum shd_probe_weights {
 
 /** What SHD_FILTER_SUMMED_AREA averages. */
 typedef enum shd_box {
-    SHD_BOX_BOUNDING = 0, /**< the bounding rectangle of the footprint's parallelogram */
-    SHD_BOX_ORIENTED = 1, /**< the bounding rectangles of equal parts of it along its longer side, at most
-                               max_anisotropy of them */
+    /** The bounding rectangle of the footprint's parallelogram: |dudx| + |dudy| by |dvdx| + |dvdy|. */
+    SHD_BOX_BOUNDING = 0,
+    /**
+     * The average over the bounding rectangles of N equal parts of it along its longer side a, with b the other in
+     * texels: N = ceil(|a| / max(|b|, 1)), at most max_anisotropy.
+     */
+    SHD_BOX_ORIENTED = 1,
     SHD_BOX_MAX_ENUM = 0x7fffffff
 } shd_box;
 

@@ -29,8 +29,10 @@ typedef enum shd_table {
      */
     SHD_TABLE_RIPMAP = 2,
     /**
-     * Sums over all rectangles at the origin (Crow 1984). Not built yet: SHD_ERROR_UNSUPPORTED. The number is kept
-     * for SHD_FILTER_SUMMED_AREA.
+     * Sums over all rectangles at the origin (Crow 1984), (width + 1) x (height + 1) of them for every stored channel
+     * and layer: 4 bytes each for 8-bit unorm of up to 2^24 texels a layer, else 8; 4 more where a binary16 or
+     * binary32 texel is not finite. Exact for unorm; for sRGB and floats with magnitudes up to m, within
+     * 2^-51 width height m.
      */
     SHD_TABLE_SUMMED_AREA = 4,
     SHD_TABLE_MAX_ENUM = 0x7fffffff

@@ -103,7 +103,7 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
   SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
   SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
-  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP));
+  SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
   SHD_TRY(check_count("texture.width * texture.height * texture.layers",
                       uint64_t{desc.width} * desc.height * desc.layers, 1,
                       desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels));

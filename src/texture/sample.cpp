@@ -22,6 +22,7 @@ size_t sample_values(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
     case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_SUMMED_AREA: return sample_summed_area(texture, sampler, simd, lookups, out);
     case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_STOCHASTIC: return sample_stochastic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_EXACT: return sample_exact(texture, sampler, simd, lookups, out);
@@ -98,6 +99,7 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_NEAREST_MIP:
     case SHD_FILTER_BILINEAR_MIP:
     case SHD_FILTER_RIPMAP:
+    case SHD_FILTER_SUMMED_AREA:
     case SHD_FILTER_TRILINEAR:
     case SHD_FILTER_ANISOTROPIC:
     case SHD_FILTER_EXACT: return true;

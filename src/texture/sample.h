@@ -14,6 +14,8 @@ namespace shd::texture {
 ///   bicubic    m (3e-6 + 4e-6 (w + h)): the kernels' slopes and lobes are at most 5 times those of bilinear
 ///   mip        those of nearest and bilinear on the level ceil(lod + 1/2) - 1, for a lod within 2e-6
 ///   ripmap     that of bilinear, and m 8e-6 for the levels of detail
+///   summed-area m (5e-7 + 2e-6 (w + h)) for the places of the edges, each over the length of its side in texels;
+///              where sums are doubles m 2^-50 w h / (area of the box in texels) more (summed_area.h)
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
 ///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h); a texel of weight 0 is
 ///              never drawn
@@ -45,6 +47,8 @@ size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const co
                         const Lookups& lookups, const Texels& out);
 size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out);
+size_t sample_summed_area(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                          const Lookups& lookups, const Texels& out);
 
 /// Derivatives of the wanted channels in u and v, of filters that have_gradient(): exact derivatives of the blends, in
 /// float.

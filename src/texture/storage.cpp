@@ -6,6 +6,7 @@
 #include "core/executor.h"
 #include "image/format.h"
 #include "texture/image_list.h"
+#include "texture/summed_area.h"
 
 namespace shd::texture {
 namespace {

@@ -28,7 +28,8 @@ inline size_t texel_size(const Texture& texture) {
 
 /// Bytes of all tables that are not borrowed, and of the sums that updates keep.
 inline size_t byte_size(const Texture& texture) {
-  return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double);
+  return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double) + texture.sums.size() +
+         texture.nonfinite_sums.size() * sizeof(uint32_t) + texture.sum_origins.size() * sizeof(double);
 }
 
 /// All texels of the base.

@@ -18,6 +18,7 @@
 /// | mip_sums.h              | their first steps as sums of integers                                       |
 /// | rows.h                  | rows of a level on the executor                                             |
 /// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
+/// | summed_area.h           | sums over rectangles at the origin                                          |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
 /// | image_list.h            | images of the caller's in an array                                          |
@@ -32,6 +33,8 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
+/// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
 /// | profile.h, profile-inl.h | levels of detail and probes of other texture units                         |
 /// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
 /// | exact_footprint.h       | its level and its parallelogram                                             |
@@ -98,6 +101,9 @@ struct Texture {
   uint32_t borrowed_texels;      // how many: texel indices below are there
   core::Array<double> mip_sums;  // [layers] unrounded averages, from the first update on
   uint32_t mip_sums_ready[kMaxLayers / 32];  // which layers have them
+  core::Array<uint8_t> sums;    // summed-area tables (summed_area.h), uint32_t or double, layers in order
+  core::Array<uint32_t> nonfinite_sums;  // of texels that are not finite; empty where there are none
+  core::Array<double> sum_origins;       // by layer and stored channel, linear: what sums of doubles are counted from
 };
 
 /// A checked sampler desc; lod_min <= lod_max.

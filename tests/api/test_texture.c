@@ -214,6 +214,10 @@ static const struct info_case k_info[] = {
     {"info/8x8_mipmap_ripmap", SHD_FORMAT_RGBA8, 8, 8, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP, 4, 4 * 15 * 15},
     {"info/5x3_ripmap", SHD_FORMAT_RGBA16F, 5, 3, SHD_TABLE_RIPMAP, 1, 8 * (5 + 2 + 1) * (3 + 1)},
     {"info/1x7_mipmap_ripmap", SHD_FORMAT_R16, 1, 7, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP, 3, 2 * (7 + 3 + 1)},
+    {"info/8x8_sums", SHD_FORMAT_RGBA8, 8, 8, SHD_TABLE_SUMMED_AREA, 1, 4 * 64 + 4 * 4 * 81 + 8 * 4},
+    {"info/5x3_sums", SHD_FORMAT_R16, 5, 3, SHD_TABLE_SUMMED_AREA, 1, 2 * 15 + 8 * 6 * 4 + 8},
+    {"info/5x3_srgb_sums", SHD_FORMAT_RG8_SRGB, 5, 3, SHD_TABLE_SUMMED_AREA, 1, 2 * 15 + 8 * 2 * 6 * 4 + 8 * 2},
+    {"info/1x7_float_sums", SHD_FORMAT_RGBA32F, 1, 7, SHD_TABLE_SUMMED_AREA, 1, 16 * 7 + 8 * 4 * 2 * 8 + 8 * 4},
     {"info/65536x1_mipmap", SHD_FORMAT_R8, 65536, 1, SHD_TABLE_MIPMAP, 17, 131071},
 };
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Textures with summed-area tables, samplers of every wrap pair, and the oracle's view of both.
+#pragma once
+
+#include "points.h"
+
+#include "ref/summed_area_ref.h"
+
+namespace fixture {
+
+struct TableSize {
+  const char* name;
+  uint32_t width, height;
+};
+constexpr TableSize kTableSizes[] = {
+    {"1x1", 1, 1},       {"1x7", 1, 7},           {"5x3", 5, 3},       {"64x64", 64, 64},
+    {"128x32", 128, 32}, {"1023x511", 1023, 511}, {"4096x1", 4096, 1},
+};
+constexpr size_t kMaxTexels = size_t{1023} * 511;
+
+inline Texture* build_summed(const shd::core::Context& made_by, shd_format format, uint32_t width, uint32_t height,
+                             uint32_t layers, const void* texels) {
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = format;
+  desc.width = width;
+  desc.height = height;
+  desc.layers = layers;
+  desc.texels = texels;
+  desc.tables = SHD_TABLE_SUMMED_AREA;
+  auto* texture = shd::core::create<Texture>(made_by.allocator);
+  shd::texture::build(made_by, desc, texture);
+  return texture;
+}
+
+inline Texture* random_summed(shd_format format, uint32_t width, uint32_t height, uint32_t layers) {
+  const size_t count = size_t{width} * height * layers;
+  auto* texels = static_cast<uint8_t*>(malloc(count * 16));
+  random_texels(format, count, width * 31 + height, texels);
+  Texture* texture = build_summed(*context(), format, width, height, layers, texels);
+  free(texels);
+  return texture;
+}
+
+/// Wrap pair 0..24 and both boxes.
+inline shd_sampler_desc summed_desc(uint32_t pair, shd_box box) {
+  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = SHD_FILTER_SUMMED_AREA;
+  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
+  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  desc.box = box;
+  memcpy(desc.border, border, sizeof border);
+  return desc;
+}
+
+/// A layer of a texture as the oracle reads it, in static storage.
+inline const double* oracle_values(const Texture& texture, uint32_t layer) {
+  static double values[kMaxTexels * 4];
+  const size_t size = shd::texture::texel_size(texture);
+  const uint8_t* texels = shd::texture::row_of(texture, layer, 0, 0);
+  for (size_t i = 0; i < size_t{texture.width} * texture.height; ++i) {
+    for (int c = 0; c < 4; ++c) values[4 * i + static_cast<size_t>(c)] = ref::decode(texture.format, texels + i * size, c);
+  }
+  return values;
+}
+
+/// What the oracle says of a lookup, and the allowance for the places of the edges.
+struct Expected {
+  double value[4], edges;
+};
+
+inline Expected expected_parts(const ref::Texels& t, double u, double v, const ref::Jacobian& j, int count) {
+  static double lengths_u[4097], lengths_v[4097];
+  ref::BoxSum sum = {};
+  Expected out = {};
+  for (int k = 0; k < count; ++k) {
+    ref::Box box = ref::box_part(j, *t.sampler, k, count);
+    const double w = static_cast<double>(t.width), h = static_cast<double>(t.height);
+    out.edges = (w + fabs(j.ux)) / box.width + (h + fabs(j.vx)) / box.height;
+    box.x += ref::near_coordinate(t.sampler->wrap_u, u, box.width + fabs(j.ux), t.width);
+    box.y += ref::near_coordinate(t.sampler->wrap_v, v, box.height + fabs(j.vx), t.height);
+    ref::add_box(t, box, lengths_u, lengths_v, &sum);
+  }
+  for (int c = 0; c < 4; ++c) out.value[c] = sum.sum[c] / sum.area;
+  return out;
+}
+
+}  // namespace fixture
