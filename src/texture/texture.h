@@ -29,6 +29,8 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
+/// | walk-inl.h              | texels along an axis, one after the other                                   |
 /// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
 /// | exact_footprint.h       | its level and its parallelogram                                             |
 /// | parallelogram.h         | pieces of a parallelogram in the cells of a lattice, and their moments      |
