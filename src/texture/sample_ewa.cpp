@@ -24,13 +24,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The ellipse's half axes in those of the footprint, of which a pixel's square spans sqrt(1/3): nearest to the average
 /// over pixels on a receding floor, by 0.15 dB before 0.82 and 0.03 dB before 0.85.
 constexpr float kPixel = 0.84f;
-/// What the average over a texel of the base has of the reconstruction filter: the variance of a square, 1/12, over that
-/// of the weights within the unit circle, 0.136.
+/// What the average over a texel of the base has of the reconstruction filter: the variance of a square, 1/12, over
+/// that of the weights within the unit circle, 0.136.
 constexpr float kSquare = 0.6127f;
 
 /// Writes the ellipse of each lookup in texels of its level to four columns, as a stack of rows: with half axes a, b
-/// along a unit vector (u, v) and across it, r^2 = y^2 / high + (x - shift y)^2 / wide. This is the form of Cholesky, in
-/// which nothing cancels and which no rounding makes indefinite. Then the level plus half the share of bilinear.
+/// along a unit vector (u, v) and across it, r^2 = y^2 / high + (x - shift y)^2 / wide. This is the form of Cholesky,
+/// in which nothing cancels and which no rounding makes indefinite. Then the level plus half the share of bilinear.
 struct EllipseOf {
   const Texture& texture;
   const Sampler& sampler;
@@ -140,7 +140,8 @@ struct Ewa {
     average.total = average.total_u = average.total_v = zero;
     const auto only = hn::Eq(bilinear, one);
     if (!hn::AllTrue(d, only)) {
-      const V high = hn::IfThenElse(only, one, p.derivatives.dvdx), wide = hn::IfThenElse(only, one, p.derivatives.dudy);
+      const V high = hn::IfThenElse(only, one, p.derivatives.dvdx),
+              wide = hn::IfThenElse(only, one, p.derivatives.dudy);
       add_rows(d,
                Place<D>{level, PointOf(d, sampler.wrap_u, u, level.across.real),
                         PointOf(d, sampler.wrap_v, v, level.down.real), p.derivatives.dudx, high, wide,
@@ -236,8 +237,7 @@ struct Ewa {
   HWY_INLINE void join(D d, const Texels& out, MaskOf<D> first, const Tap& tap, const Weight<D>& share,
                        Average<D>* average) const {
     if (B::wanted(out, C)) {
-      average->value[C] =
-          B::join(d, first, average->value[C], tap.template of<C>(), share.value, share.u, share.v);
+      average->value[C] = B::join(d, first, average->value[C], tap.template of<C>(), share.value, share.u, share.v);
     }
     if constexpr (C < 3) join<C + 1>(d, out, first, tap, share, average);
   }

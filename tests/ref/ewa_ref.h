@@ -25,10 +25,12 @@ inline Ellipse2 ewa_axes(const Image& image, const Ellipse& e, int level) {
   return {0.84 * 0.84 * a * a + texel, 0.84 * 0.84 * b * b + texel};
 }
 
-/// A coordinate with the same texels around it, small enough for exact doubles: an ellipse is at most 256 texels long.
-inline double reduce_far(shd_wrap wrap, double u) {
+/// A coordinate in texels whose centres are whole numbers; no further outside than 512 where the wrap does not repeat,
+/// as an ellipse is at most 256 texels long.
+inline double ewa_centre(shd_wrap wrap, double u, double du, double size) {
   const bool periodic = wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR;
-  return periodic || !isfinite(u) ? reduce(wrap, u) : fmin(fmax(u, -300), 300);
+  if (periodic || !isfinite(u)) return (reduce(wrap, u) + du) * size - 0.5;
+  return fmin(fmax((u + du) * size - 0.5, -size - 512), size + 512);
 }
 
 /// The share of bilinear: 1 where the longer axis is at most a texel, 0 from two texels on.
@@ -43,8 +45,8 @@ inline void ewa(const Image& image, const Ellipse& e, int level, double u, doubl
   const Level& l = image.levels[level];
   const Ellipse2 axes = ewa_axes(image, e, level);
   const double share = ewa_bilinear_share(image, e);
-  const double x0 = (reduce_far(image.sampler->wrap_u, u) + du) * static_cast<double>(l.width) - 0.5;
-  const double y0 = (reduce_far(image.sampler->wrap_v, v) + dv) * static_cast<double>(l.height) - 0.5;
+  const double x0 = ewa_centre(image.sampler->wrap_u, u, du, static_cast<double>(l.width));
+  const double y0 = ewa_centre(image.sampler->wrap_v, v, dv, static_cast<double>(l.height));
   const double wide = sqrt(axes.aa * e.u * e.u + axes.bb * e.v * e.v);
   const double high = sqrt(axes.aa * e.v * e.v + axes.bb * e.u * e.u);
   double sum[4] = {0, 0, 0, 0}, total = 0;
@@ -61,8 +63,8 @@ inline void ewa(const Image& image, const Ellipse& e, int level, double u, doubl
   }
   for (int c = 0; c < 4; ++c) {
     const double average = share < 1 ? sum[c] / total : 0;
-    const double point = share > 0 ? bilinear(image, level, reduce_far(image.sampler->wrap_u, u) + du,
-                                              reduce_far(image.sampler->wrap_v, v) + dv, c)
+    const double point = share > 0 ? bilinear(image, level, reduce(image.sampler->wrap_u, u) + du,
+                                              reduce(image.sampler->wrap_v, v) + dv, c)
                                    : 0;
     out[c] = mix(average, point, share);
   }

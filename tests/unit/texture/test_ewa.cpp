@@ -15,9 +15,8 @@ struct size_case {
   uint32_t width, height;
 };
 const size_case k_sizes[] = {
-    {"ewa/1x1", 1, 1},       {"ewa/1x7", 1, 7},       {"ewa/5x3", 5, 3},
-    {"ewa/64x64", 64, 64},   {"ewa/128x32", 128, 32}, {"ewa/1023x511", 1023, 511},
-    {"ewa/4096x1", 4096, 1},
+    {"ewa/1x1", 1, 1},       {"ewa/1x7", 1, 7},           {"ewa/5x3", 5, 3},       {"ewa/64x64", 64, 64},
+    {"ewa/128x32", 128, 32}, {"ewa/1023x511", 1023, 511}, {"ewa/4096x1", 4096, 1},
 };
 
 Batch t_batch, t_first;
@@ -183,8 +182,8 @@ void test_infinite(void**) {
   free_texture(texture);
 }
 
-/// Texels that are not finite never count with weight 0, neither beside the ellipse nor past the last tap of a lane, and
-/// do count inside.
+/// Texels that are not finite never count with weight 0, neither beside the ellipse nor past the last tap of a lane,
+/// and do count inside.
 void test_nonfinite_texels(void**) {
   float texels[16 * 16 * 4];
   for (size_t i = 0; i < 256; ++i) {
@@ -308,7 +307,8 @@ void test_taps(void**) {
       shd_sampler_desc desc = ewa_desc(0);
       desc.max_anisotropy = limit;
       const Sampler sampler = make_sampler(desc);
-      const float angle = random.real(0, 7), longer = exp2f(random.real(-1, 9)), shorter = longer * random.real(0, 1.2f) / limit;
+      const float angle = random.real(0, 7), longer = exp2f(random.real(-1, 9)),
+                  shorter = longer * random.real(0, 1.2f) / limit;
       const float u = random.real(0, 1), v = random.real(0, 1);
       const float dudx = longer * cosf(angle) / 256, dvdx = longer * sinf(angle) / 128;
       const float dudy = -shorter * sinf(angle) / 256, dvdy = shorter * cosf(angle) / 128;
