@@ -84,6 +84,10 @@ HWY_INLINE V WeightAt(D d, V x) {
   return hn::Mul(hn::Sub(hn::Set(d, 1.0f), x), q);
 }
 
+/// Scattered lookups ask for memory so many rows ahead.
+constexpr float kAhead = 3.0f;
+constexpr size_t kNear = size_t{1} << 20;
+
 /// The lookups of a second pass: what the first wrote stands in the columns of derivatives.
 template <class F, bool kBorder>
 struct Ewa {
@@ -165,7 +169,15 @@ struct Ewa {
     const V last = hn::IfThenElse(p.any, hn::Sub(bottom, top), hn::Set(d, -1.0f));
     const float most = hn::GetLane(hn::MaxOfLanes(d, last));
     Walk<D> down(d, sampler.wrap_v, top, p.level.down);
-    for (float r = 0.0f; r <= most; r += 1.0f) {
+    Walk<D> ahead = down;
+    const bool scattered = is_scattered_now(d, p, down);
+    for (float r = -kAhead; r <= most; r += 1.0f) {
+      if (scattered && r + kAhead <= most) {
+        prefetch_row(d, p, ahead,
+                     hn::Add(p.x.x, hn::Mul(p.shift, hn::Sub(hn::Add(top, hn::Set(d, r + kAhead)), p.y.x))));
+        ahead.step(d);
+      }
+      if (r < 0.0f) continue;
       Row<D> row;
       row.dy = hn::Sub(hn::Add(top, hn::Set(d, r)), p.y.x);
       row.height = hn::Mul(hn::Mul(row.dy, row.dy), p.per_high);
@@ -178,6 +190,34 @@ struct Ewa {
       row.first_texel = RowIndex(d, p.level, down.index(d, &row.in));
       add_row(d, p, row, out, average);
       down.step(d);
+    }
+  }
+
+  /// Whether the lanes read memory so far apart that they wait for it.
+  template <class D>
+  HWY_INLINE bool is_scattered_now(D d, const Place<D>& p, const Walk<D>& down) const {
+    if (texture.texels.size() <= kNear) return false;
+    MaskOf<D> in;
+    const auto row = hn::ConvertTo(d, RowIndex(d, p.level, down.index(d, &in)));
+    const float first = hn::GetLane(row);
+    const auto far = hn::Gt(hn::Abs(hn::Sub(row, hn::Set(d, first))), hn::Mul(hn::Set(d, 64.0f), p.level.across.real));
+    return 2 * hn::CountTrue(d, far) > hn::Lanes(d);
+  }
+
+  /// Asks for the lines of a row around its middle.
+  template <class D>
+  HWY_INLINE void prefetch_row(D d, const Place<D>& p, const Walk<D>& down, hn::Vec<D> middle) const {
+    const hn::RebindToSigned<D> di;
+    MaskOf<D> in;
+    alignas(64) int32_t index[kMaxLanes];
+    const Walk<D> across(d, sampler.wrap_u, hn::Floor(middle), p.level.across);
+    hn::Store(hn::Add(RowIndex(d, p.level, down.index(d, &in)), across.index(d, &in)), di, index);
+    const size_t size = texel_size(texture);
+    const uint8_t* texels = texture.texels.data();
+    for (size_t k = 0; k < hn::Lanes(d); ++k) {
+      const uint8_t* at = texels + static_cast<uint32_t>(index[k]) * size;
+      __builtin_prefetch(at - 4 * size);
+      __builtin_prefetch(at + 4 * size);
     }
   }
 
