@@ -60,8 +60,9 @@ typedef struct shd_texels {
     shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; unwanted ones NULL */
     /**
      * d/du and d/dv of the channels, u and v normalised and the footprint held constant; unwanted ones NULL. For
-     * BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP and ANISOTROPIC (and a magnification among them); other
-     * filters answer SHD_ERROR_UNSUPPORTED. At a texel centre, where BILINEAR has a kink, the one to the right.
+     * BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA (and a magnification among them);
+     * other filters answer SHD_ERROR_UNSUPPORTED. At a texel centre, where BILINEAR has a kink, the one to the right;
+     * those of EWA, which has one where a texel enters the ellipse, follow its weights.
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];

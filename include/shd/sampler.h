@@ -42,7 +42,13 @@ typedef enum shd_filter {
     SHD_FILTER_SUMMED_AREA = 7,
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
     SHD_FILTER_ANISOTROPIC = 8,
-    /** The footprint's ellipse under a Gaussian (Greene and Heckbert 1986). Not built yet: UNSUPPORTED. */
+    /**
+     * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on its
+     * edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2 texels,
+     * b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and likewise b in texels of level l, c = 1 - 0.6127 (1 -
+     * 4^-l): Heckbert's reconstruction filter without what averaging to that level did. Bilinear where a is at most a
+     * texel of level 0, blended up to two. `lod` is a circle. At most 16 (max_anisotropy + 1) texels a lookup.
+     */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random so that its expectation is the filter `expectation`. */
     SHD_FILTER_STOCHASTIC = 10,

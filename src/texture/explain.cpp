@@ -133,6 +133,7 @@ void record(const Texture& texture, const Sampler& sampler, const Lookups& looku
     case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
     case SHD_FILTER_RIPMAP: return record_ripmap(texture, sampler, lookups);
     case SHD_FILTER_ANISOTROPIC: return record_anisotropic(texture, sampler, lookups);
+    case SHD_FILTER_EWA: return record_ewa(texture, sampler, lookups);
     case SHD_FILTER_STOCHASTIC: return record_stochastic(texture, sampler, lookups);
     default: return record_trilinear(texture, sampler, lookups);
   }

@@ -123,6 +123,12 @@ struct Blend {
     return blend(d, a, b, s);
   }
 
+  /// b in the lanes of `first`, else a blend with ds/du = rate_u and ds/dv = rate_v.
+  template <class D>
+  static HWY_INLINE Value<D> join(D d, MaskOf<D> first, Value<D> a, Value<D> b, hn::Vec<D> s, hn::Vec<D>, hn::Vec<D>) {
+    return hn::IfThenElse(first, b, blend(d, a, b, s));
+  }
+
   /// The result; one NaN for all, whatever the target makes of several.
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {

@@ -57,6 +57,16 @@ struct Blend<Gradient<F>, kBorder> {
     return blended;
   }
 
+  template <class D>
+  static HWY_INLINE Value<D> join(D d, MaskOf<D> first, const Value<D>& a, const Value<D>& b, hn::Vec<D> s,
+                                  hn::Vec<D> rate_u, hn::Vec<D> rate_v) {
+    const Value<D> blended = blend(d, a, b, s);
+    const auto du = hn::Add(blended.du, Slope(d, a.value, b.value, rate_u));
+    const auto dv = hn::Add(blended.dv, Slope(d, a.value, b.value, rate_v));
+    return {hn::IfThenElse(first, b.value, blended.value), hn::IfThenElse(first, b.du, du),
+            hn::IfThenElse(first, b.dv, dv)};
+  }
+
   /// rate (b - a); 0 for a rate of 0, whatever the values.
   template <class D, class V>
   static HWY_INLINE V Slope(D d, V a, V b, V rate) {

@@ -52,6 +52,10 @@ struct Blend<Recorded, kBorder> {
   static HWY_INLINE Node blend_v(D d, Node a, Node b, hn::Vec<D> s, hn::Vec<D>) {
     return blend(d, a, b, s);
   }
+  template <class D>
+  static HWY_INLINE Node join(D d, MaskOf<D> first, Node a, Node b, hn::Vec<D> s, hn::Vec<D>, hn::Vec<D>) {
+    return hn::AllTrue(d, first) ? b : blend(d, a, b, s);
+  }
   template <size_t C, class D>
   static HWY_INLINE void store(D, Node value, const Texels&, size_t) {
     t_recording->root = value.id;

@@ -62,5 +62,6 @@ void record_stochastic(const Texture& texture, const Sampler& sampler, const Loo
 void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_ripmap(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
+void record_ewa(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
 
 }  // namespace shd::texture

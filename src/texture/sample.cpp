@@ -24,6 +24,7 @@ size_t sample_values(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
     case SHD_FILTER_SUMMED_AREA: return sample_summed_area(texture, sampler, simd, lookups, out);
     case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_EWA: return sample_ewa(texture, sampler, simd, lookups, out);
     case SHD_FILTER_STOCHASTIC: return sample_stochastic(texture, sampler, simd, lookups, out);
     case SHD_FILTER_EXACT: return sample_exact(texture, sampler, simd, lookups, out);
     default: return sample_trilinear(texture, sampler, simd, lookups, out);
@@ -38,6 +39,7 @@ void sample_gradient(const Texture& texture, const Sampler& sampler, const core:
     case SHD_FILTER_BILINEAR_MIP: return gradient_mip(texture, sampler, simd, lookups, out);
     case SHD_FILTER_RIPMAP: return gradient_ripmap(texture, sampler, simd, lookups, out);
     case SHD_FILTER_ANISOTROPIC: return gradient_anisotropic(texture, sampler, simd, lookups, out);
+    case SHD_FILTER_EWA: return gradient_ewa(texture, sampler, simd, lookups, out);
     default: return gradient_trilinear(texture, sampler, simd, lookups, out);
   }
 }
@@ -80,6 +82,7 @@ bool has_gradient(shd_filter filter) {
     case SHD_FILTER_BILINEAR_MIP:
     case SHD_FILTER_RIPMAP:
     case SHD_FILTER_ANISOTROPIC:
+    case SHD_FILTER_EWA:
     case SHD_FILTER_TRILINEAR: return true;
     default: return false;
   }
@@ -102,6 +105,7 @@ bool has_kernel(const shd_sampler_desc& desc) {
     case SHD_FILTER_SUMMED_AREA:
     case SHD_FILTER_TRILINEAR:
     case SHD_FILTER_ANISOTROPIC:
+    case SHD_FILTER_EWA:
     case SHD_FILTER_EXACT: return true;
     case SHD_FILTER_STOCHASTIC:
       return desc.expectation == SHD_FILTER_TRILINEAR || desc.expectation == SHD_FILTER_BILINEAR ||

@@ -17,6 +17,8 @@ namespace shd::texture {
 ///   summed-area m (5e-7 + 2e-6 (w + h)) for the places of the edges, each over the length of its side in texels;
 ///              where sums are doubles m 2^-50 w h / (area of the box in texels) more (summed_area.h)
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
+///   ewa        m (3e-6 + 4e-6 (w + h) + 4e-6 max_anisotropy); a level of detail within 2e-6 of a whole one may take
+///              either level
 ///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h); a texel of weight 0 is
 ///              never drawn
 ///   exact      m 1e-6 where level 0 serves, i.e. where cell_bound() (parallelogram.h) of the footprint's sides is at
@@ -27,6 +29,13 @@ namespace shd::texture {
 /// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
 /// at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N), k = 0..N - 1; Gaussian weights are
 /// exp(-2 x^2), x = 2 t. N = 1 with r = 1 has the bits of trilinear.
+///
+/// EWA: on the level l = floor(log2(a / r) + bias), clamped, in its texels: a' = a 2^(bias - l) and b' = a' / r, where
+/// the clamp raised l: b' = 1 and a' >= 1. The sum of w t over the sum of w, w = exp(-2 r^2) - exp(-2), over the texels
+/// t at a distance of r < 1 in the norm of the ellipse with half axes sqrt(0.84^2 a'^2 + c), sqrt(0.84^2 b'^2 + c)
+/// along and across the longer axis, c = 1 - 0.6127 (1 - 4^-l); blended with bilinear on l by 2 - clamp(a 2^(bias -
+/// lod_min), 1, 2). With the area of that ellipse below 10.4 max_anisotropy + 8 and a row more along its edge it holds
+/// at most 16 (max_anisotropy + 1) texels, and at least two.
 ///
 /// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
 /// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
@@ -66,6 +75,11 @@ void gradient_trilinear(const Texture& texture, const Sampler& sampler, const co
                         const Lookups& lookups, const Texels& out);
 size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                           const Lookups& lookups, const Texels& out);
+
+size_t sample_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out);
+void gradient_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out);
 
 /// The one of these that sampler.filter names; its magnification does not count.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

@@ -33,6 +33,8 @@
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
+/// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
+/// | walk-inl.h              | texels along an axis, one after the other                                   |
 /// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
 /// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
 /// | profile.h, profile-inl.h | levels of detail and probes of other texture units                         |

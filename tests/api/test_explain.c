@@ -25,6 +25,7 @@ static const struct {
                  {"trilinear", SHD_FILTER_TRILINEAR, SHD_FILTER_TRILINEAR},
                  {"ripmap", SHD_FILTER_RIPMAP, SHD_FILTER_TRILINEAR},
                  {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_FILTER_TRILINEAR},
+                 {"ewa", SHD_FILTER_EWA, SHD_FILTER_TRILINEAR},
                  {"stochastic_bicubic", SHD_FILTER_STOCHASTIC, SHD_FILTER_BICUBIC},
                  {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };

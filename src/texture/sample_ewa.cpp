@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// Elliptical weighted average: the texels inside the footprint's ellipse on one level, under a Gaussian (Greene and
+// Heckbert, "Creating Raster Omnimax Images from Multiple Perspective Views Using the Elliptical Weighted Average
+// Filter", 1986; Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5).
+#include "texture/sample.h"
+
+#include "core/simd_target.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/sample_ewa.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/block.h"
+#include "texture/filter-inl.h"
+#include "texture/footprint-inl.h"
+#include "texture/kernel-inl.h"
+#include "texture/walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The ellipse's half axes in those of the footprint, of which a pixel's square spans sqrt(1/3): nearest to the average
+/// over pixels on a receding floor, by 0.15 dB before 0.82 and 0.03 dB before 0.85.
+constexpr float kPixel = 0.84f;
+/// What the average over a texel of the base has of the reconstruction filter: the variance of a square, 1/12, over
+/// that of the weights within the unit circle, 0.136.
+constexpr float kSquare = 0.6127f;
+
+/// Writes the ellipse of each lookup in texels of its level to four columns, as a stack of rows: with half axes a, b
+/// along a unit vector (u, v) and across it, r^2 = y^2 / high + (x - shift y)^2 / wide. This is the form of Cholesky,
+/// in which nothing cancels and which no rounding makes indefinite. Then the level plus half the share of bilinear.
+struct EllipseOf {
+  const Texture& texture;
+  const Sampler& sampler;
+  LodRange range;
+  bool lod_given;
+
+  template <class D>
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
+    using V = hn::Vec<D>;
+    using simd::HWY_NAMESPACE::Exp2;
+    const hn::RebindToSigned<D> di;
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    const Footprint<D> f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+    const V ratio = hn::Div(one, hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy)));
+    const V longer = hn::Add(f.lambda, hn::Set(d, sampler.lod_bias));
+    const V shorter = hn::Sub(f.lambda, simd::HWY_NAMESPACE::Log2(d, ratio));
+    const V lod = ClampLod(d, shorter, sampler.lod_bias, range);
+    const V level = hn::Floor(lod);
+    // In texels of the level: 1 <= b < 2, b <= a <= ratio b.
+    const V b = Exp2(d, hn::Sub(lod, level));
+    const V free = Exp2(d, hn::Min(hn::Max(hn::Sub(longer, level), zero), hn::Set(d, 8.0f)));
+    const V a = hn::Max(hn::Min(free, hn::Mul(ratio, b)), b);
+
+    const V area = hn::Set(d, kPixel * kPixel);
+    const auto base_area = PowerOfTwo(d, hn::ConvertTo(di, hn::Mul(level, hn::Set(d, -2.0f))));
+    const V texel = hn::Sub(one, hn::Mul(hn::Set(d, kSquare), hn::Sub(one, base_area)));
+    const V aa = hn::Add(hn::Mul(area, hn::Mul(a, a)), texel);
+    const V bb = hn::Add(hn::Mul(area, hn::Mul(b, b)), texel);
+    const V high = hn::Add(hn::Mul(aa, hn::Mul(f.v, f.v)), hn::Mul(bb, hn::Mul(f.u, f.u)));
+    hn::StoreU(hn::Div(hn::Mul(hn::Sub(aa, bb), hn::Mul(f.u, f.v)), high), d, out.channel[0] + i);
+    hn::StoreU(high, d, out.channel[1] + i);
+    hn::StoreU(hn::Div(hn::Mul(aa, bb), high), d, out.channel[2] + i);
+    const V length = Exp2(d, hn::Min(hn::Max(hn::Sub(longer, hn::Set(d, range.low)), zero), two));
+    const V share = hn::Sub(two, hn::Min(length, two));
+    hn::StoreU(hn::Add(level, hn::Mul(share, hn::Set(d, 0.5f))), d, out.channel[3] + i);
+  }
+};
+
+/// (1 - x) (c0 + c1 x + ... + c6 x^6): exp(-2 x) - exp(-2) within 3e-7 for x in [0, 1], by interpolation at Chebyshev's
+/// points.
+template <class D, class V>
+HWY_INLINE V WeightAt(D d, V x) {
+  V q = hn::Set(d, 0.00853181087f);
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, -0.0550815788f));
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, 0.189496407f));
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, -0.465842145f));
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, 0.864209385f));
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, -1.1353075f));
+  q = hn::Add(hn::Mul(q, x), hn::Set(d, 0.864664438f));
+  return hn::Mul(hn::Sub(hn::Set(d, 1.0f), x), q);
+}
+
+/// Scattered lookups ask for memory so many rows ahead.
+constexpr float kAhead = 3.0f;
+constexpr size_t kNear = size_t{1} << 20;
+
+/// The lookups of a second pass: what the first wrote stands in the columns of derivatives.
+template <class F, bool kBorder>
+struct Ewa {
+  const Texture& texture;
+  const Sampler& sampler;
+  using B = Blend<F, kBorder>;
+
+  /// Running averages of the wanted channels, and the sum of the weights with its derivatives.
+  template <class D>
+  struct Average {
+    using Value = typename B::template Value<D>;
+    Value value[4];
+    hn::Vec<D> total, total_u, total_v;
+
+    template <size_t C>
+    HWY_INLINE Value of() const {
+      return value[C];
+    }
+  };
+
+  /// A weight and its derivatives in u and v.
+  template <class D>
+  struct Weight {
+    hn::Vec<D> value, u, v;
+  };
+
+  /// Where an ellipse lies on its level; `any` is false where bilinear takes over.
+  template <class D>
+  struct Place {
+    const Level<D>& level;
+    TexelPoint<D> x, y;
+    hn::Vec<D> shift, high, wide, per_high, per_wide;
+    MaskOf<D> any;
+  };
+
+  /// The texels of one row, -1 <= last columns of which lie inside.
+  template <class D>
+  struct Row {
+    hn::Vec<D> dy, height, left, dx, last;
+    Ints<D> first_texel;
+    MaskOf<D> in;
+  };
+
+  template <class D>
+  HWY_INLINE void operator()(D d, const Points<D>& p, const Texels& out, size_t i) const {
+    using V = hn::Vec<D>;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V floor = hn::Floor(p.derivatives.dvdy);
+    const V doubled = hn::Sub(p.derivatives.dvdy, floor);
+    const V bilinear = hn::Add(doubled, doubled);
+    const Level<D> level = LevelAt(d, texture, p.first_texel, floor);
+    const V u = ReduceCoordinate(d, sampler.wrap_u, p.u), v = ReduceCoordinate(d, sampler.wrap_v, p.v);
+    Average<D> average = {};
+    average.total = average.total_u = average.total_v = zero;
+    const auto only = hn::Eq(bilinear, one);
+    if (!hn::AllTrue(d, only)) {
+      const V high = hn::IfThenElse(only, one, p.derivatives.dvdx),
+              wide = hn::IfThenElse(only, one, p.derivatives.dudy);
+      add_rows(d,
+               Place<D>{level, PointOf(d, sampler.wrap_u, u, level.across.real),
+                        PointOf(d, sampler.wrap_v, v, level.down.real), p.derivatives.dudx, high, wide,
+                        hn::Div(one, high), hn::Div(one, wide), hn::Not(only)},
+               out, &average);
+    }
+    if (!hn::AllTrue(d, hn::Eq(bilinear, zero))) {
+      const Quad<F, D> quad = FetchQuad<F>(d, texture, sampler, level, u, v);
+      join<0>(d, out, only, QuadValue<F, kBorder, D>{quad, sampler}, Weight<D>{bilinear, zero, zero}, &average);
+    }
+    StoreChannels<F, kBorder>(d, average, out, i);
+  }
+
+  template <class D>
+  HWY_INLINE void add_rows(D d, const Place<D>& p, const Texels& out, Average<D>* average) const {
+    using V = hn::Vec<D>;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V half_height = hn::Sqrt(p.high);
+    const V top = hn::Ceil(hn::Sub(p.y.x, half_height));
+    const V bottom = hn::Floor(hn::Add(p.y.x, half_height));
+    const V last = hn::IfThenElse(p.any, hn::Sub(bottom, top), hn::Set(d, -1.0f));
+    const float most = hn::GetLane(hn::MaxOfLanes(d, last));
+    Walk<D> down(d, sampler.wrap_v, top, p.level.down);
+    Walk<D> ahead = down;
+    const bool scattered = is_scattered_now(d, p, down);
+    for (float r = -kAhead; r <= most; r += 1.0f) {
+      if (scattered && r + kAhead <= most) {
+        prefetch_row(d, p, ahead,
+                     hn::Add(p.x.x, hn::Mul(p.shift, hn::Sub(hn::Add(top, hn::Set(d, r + kAhead)), p.y.x))));
+        ahead.step(d);
+      }
+      if (r < 0.0f) continue;
+      Row<D> row;
+      row.dy = hn::Sub(hn::Add(top, hn::Set(d, r)), p.y.x);
+      row.height = hn::Mul(hn::Mul(row.dy, row.dy), p.per_high);
+      const V middle = hn::Add(p.x.x, hn::Mul(p.shift, row.dy));
+      const V half_width = hn::Sqrt(hn::Mul(hn::Max(hn::Sub(one, row.height), zero), p.wide));
+      row.left = hn::Ceil(hn::Sub(middle, half_width));
+      row.dx = hn::Sub(row.left, middle);
+      const V right = hn::Floor(hn::Add(middle, half_width));
+      row.last = hn::IfThenElse(hn::Ge(last, hn::Set(d, r)), hn::Sub(right, row.left), hn::Set(d, -1.0f));
+      row.first_texel = RowIndex(d, p.level, down.index(d, &row.in));
+      add_row(d, p, row, out, average);
+      down.step(d);
+    }
+  }
+
+  /// Whether the lanes read memory so far apart that they wait for it.
+  template <class D>
+  HWY_INLINE bool is_scattered_now(D d, const Place<D>& p, const Walk<D>& down) const {
+    if (texture.texels.size() <= kNear) return false;
+    MaskOf<D> in;
+    const auto row = hn::ConvertTo(d, RowIndex(d, p.level, down.index(d, &in)));
+    const float first = hn::GetLane(row);
+    const auto far = hn::Gt(hn::Abs(hn::Sub(row, hn::Set(d, first))), hn::Mul(hn::Set(d, 64.0f), p.level.across.real));
+    return 2 * hn::CountTrue(d, far) > hn::Lanes(d);
+  }
+
+  /// Asks for the lines of a row around its middle.
+  template <class D>
+  HWY_INLINE void prefetch_row(D d, const Place<D>& p, const Walk<D>& down, hn::Vec<D> middle) const {
+    const hn::RebindToSigned<D> di;
+    MaskOf<D> in;
+    alignas(64) int32_t index[kMaxLanes];
+    const Walk<D> across(d, sampler.wrap_u, hn::Floor(middle), p.level.across);
+    hn::Store(hn::Add(RowIndex(d, p.level, down.index(d, &in)), across.index(d, &in)), di, index);
+    const size_t size = texel_size(texture);
+    const uint8_t* texels = texture.texels.data();
+    for (size_t k = 0; k < hn::Lanes(d); ++k) {
+      const uint8_t* at = texels + static_cast<uint32_t>(index[k]) * size;
+      __builtin_prefetch(at - 4 * size);
+      __builtin_prefetch(at + 4 * size);
+    }
+  }
+
+  template <class D>
+  SHD_KERNEL_PART void add_row(D d, const Place<D>& p, const Row<D>& row, const Texels& out,
+                               Average<D>* average) const {
+    using V = hn::Vec<D>;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const float most = hn::GetLane(hn::MaxOfLanes(d, row.last));
+    Walk<D> across(d, sampler.wrap_u, row.left, p.level.across);
+    V dx = row.dx;
+    for (float c = 0.0f; c <= most; c += 1.0f) {
+      const V x = hn::Add(row.height, hn::Mul(hn::Mul(dx, dx), p.per_wide));
+      const auto active = hn::And(hn::Ge(row.last, hn::Set(d, c)), hn::Lt(x, one));
+      if (!hn::AllFalse(d, active)) {
+        const V weight = hn::IfThenElseZero(active, WeightAt(d, x));
+        const auto first = hn::And(active, hn::Eq(average->total, zero));
+        const Weight<D> share = share_of(d, p, row, dx, weight, active, average);
+        MaskOf<D> in_x;
+        const auto texel = F::fetch(d, texture, hn::Add(row.first_texel, across.index(d, &in_x)));
+        join<0>(d, out, first, TapValue<F, kBorder, D>{texel, hn::And(in_x, row.in), sampler}, share, average);
+      }
+      across.step(d);
+      dx = hn::Add(dx, one);
+    }
+  }
+
+  /// Adds a weight; its share in the sum. With w' = -2 (w + exp(-2)) r^2' the share has the derivative
+  /// (w' - share total') / total.
+  template <class D>
+  HWY_INLINE Weight<D> share_of(D d, const Place<D>& p, const Row<D>& row, hn::Vec<D> dx, hn::Vec<D> weight,
+                                MaskOf<D> active, Average<D>* average) const {
+    using V = hn::Vec<D>;
+    average->total = hn::Add(average->total, weight);
+    Weight<D> share;
+    share.value = hn::IfThenElseZero(active, hn::Div(weight, average->total));
+    share.u = share.v = hn::Zero(d);
+    if constexpr (kIsGradient<F>) {
+      const V four = hn::IfThenElseZero(active, hn::Set(d, 4.0f));
+      const V slope = hn::Mul(four, hn::Add(weight, hn::Set(d, 0.135335283f)));
+      const V along_x = hn::Mul(dx, p.per_wide);
+      const V along_y = hn::Sub(hn::Mul(row.dy, p.per_high), hn::Mul(p.shift, along_x));
+      const V weight_u = hn::Mul(hn::Mul(slope, along_x), p.x.rate);
+      const V weight_v = hn::Mul(hn::Mul(slope, along_y), p.y.rate);
+      average->total_u = hn::Add(average->total_u, weight_u);
+      average->total_v = hn::Add(average->total_v, weight_v);
+      const V rest_u = hn::Sub(weight_u, hn::Mul(share.value, average->total_u));
+      const V rest_v = hn::Sub(weight_v, hn::Mul(share.value, average->total_v));
+      share.u = hn::IfThenElseZero(active, hn::Div(rest_u, average->total));
+      share.v = hn::IfThenElseZero(active, hn::Div(rest_v, average->total));
+    }
+    return share;
+  }
+
+  /// Blends a tap into the wanted channels from C on.
+  template <size_t C, class D, class Tap>
+  HWY_INLINE void join(D d, const Texels& out, MaskOf<D> first, const Tap& tap, const Weight<D>& share,
+                       Average<D>* average) const {
+    if (B::wanted(out, C)) {
+      average->value[C] = B::join(d, first, average->value[C], tap.template of<C>(), share.value, share.u, share.v);
+    }
+    if constexpr (C < 3) join<C + 1>(d, out, first, tap, share, average);
+  }
+};
+
+struct EwaKernel {
+  template <class F>
+  static size_t run(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+    const EllipseOf ellipse = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
+    Sampler unwidened = sampler;
+    unwidened.width_x = unwidened.width_y = 1.0f;
+    unwidened.blur_u = unwidened.blur_v = 0.0f;
+    alignas(64) float columns[4][kBlock];
+    size_t nonfinite = 0;
+    for (size_t first = 0; first < in.count; first += kBlock) {
+      const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
+      const Lookups given = part_of(in, first, count);
+      nonfinite += ForEachVector(texture, ellipse, given, {{columns[0], columns[1], columns[2], columns[3]}, {}, {}});
+      const Lookups block = {count,      given.u,    given.v, columns[0],  columns[1],
+                             columns[2], columns[3], nullptr, given.layer, nullptr};
+      ForEachPoint<Ewa, F>(texture, unwidened, block, part_of(out, first));
+    }
+    return nonfinite;
+  }
+};
+
+size_t EwaBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunValues<EwaKernel>(texture, sampler, in, out);
+}
+size_t EwaGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  return RunGradient<EwaKernel>(texture, sampler, in, out);
+}
+#if HWY_TARGET == HWY_STATIC_TARGET
+void RecordEwa(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+  EwaKernel::run<Recorded>(texture, sampler, in, out);
+}
+#endif
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(EwaBatch);
+HWY_EXPORT(EwaGradient);
+}  // namespace
+
+size_t sample_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out) {
+  return SHD_DISPATCH(EwaBatch, simd)(texture, sampler, lookups, out);
+}
+
+void gradient_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out) {
+  SHD_DISPATCH(EwaGradient, simd)(texture, sampler, lookups, out);
+}
+
+void record_ewa(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
+  float unused[1];
+  HWY_STATIC_DISPATCH(RecordEwa)(texture, sampler, lookups, {{unused}, {}, {}});
+}
+
+}  // namespace shd::texture
+#endif
