@@ -93,8 +93,8 @@ static inline shd_texture_desc shd_texture_desc_default(void)
 }
 
 /**
- * Copy texels, or borrow them, and build the tables. Mip levels that are not given are area averages of the base level, exact for any
- * size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
+ * Copy texels, or borrow them, and build the tables. Mip levels that are not given are area averages of the base
+ * level, exact for any size, taken in linear light; sRGB levels are stored encoded again, rounded to nearest.
  * @param context      retained
  * @param desc         borrowed for the call, its texels until release where it says so
  * @param out_texture  owned; NULL on failure
@@ -144,7 +144,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * The first update of a layer whose size halves evenly several times rebuilds all its mip levels, to keep unrounded
  * averages of every 16 x 16 texels (of 32 x 32 of floats), 1/32 of the memory of RGBA8 texels; other updates touch the
  * texels over their rectangle. Levels that follow an odd width or height, and ripmap levels, read all of the base that
- * these cover, ripmap levels in whole rows.
+ * these cover, ripmap levels in whole rows; a summed-area table is summed anew for the layer.
  *
  * Texels of a borrowed base level are the caller's to write, before this call and while no other uses the texture; its
  * `texels` then have the size of the rectangle and NULL for pixels.

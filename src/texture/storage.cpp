@@ -138,6 +138,7 @@ void build_tables(const core::Context& context, Texture* texture) {
       build_ripmap_levels(context, texture, layer, whole(*texture), scratch.data());
     }
   }
+  if (texture->tables & SHD_TABLE_SUMMED_AREA) build_summed_area(context, texture);
 }
 
 }  // namespace

@@ -125,19 +125,21 @@ void build_sums(const core::Context& context, Texture& texture, uint32_t layer) 
   });
 }
 
+bool may_be_nonfinite(const Texture& texture) {
+  return texture.component == image::Component::kFloat16 || texture.component == image::Component::kFloat32;
+}
+
 template <class Code>
-bool has_nonfinite(const core::Context& context, const Texture& texture) {
-  if (texture.component != image::Component::kFloat16 && texture.component != image::Component::kFloat32) return false;
+bool has_nonfinite(const core::Context& context, const Texture& texture, uint32_t layer) {
+  if (!may_be_nonfinite(texture)) return false;
   std::atomic<bool> found{false};
   core::parallel_for(context, texture.height, [&](uint32_t y, uint32_t) {
     bool in_row = false;
-    for (uint32_t layer = 0; layer < texture.layers; ++layer) {
-      const uint8_t* row = row_of(texture, layer, 0, y);
-      for (uint32_t x = 0; x < texture.width; ++x) {
-        double value[Code::kChannels];
-        Code::load(row + size_t{x} * Code::kSize, value);
-        for (const double channel : value) in_row = in_row || !std::isfinite(channel);
-      }
+    const uint8_t* row = row_of(texture, layer, 0, y);
+    for (uint32_t x = 0; x < texture.width; ++x) {
+      double value[Code::kChannels];
+      Code::load(row + size_t{x} * Code::kSize, value);
+      for (const double channel : value) in_row = in_row || !std::isfinite(channel);
     }
     if (in_row) found.store(true, std::memory_order_relaxed);
   });
@@ -145,31 +147,46 @@ bool has_nonfinite(const core::Context& context, const Texture& texture) {
 }
 
 template <class Code>
-void build_nonfinite(const core::Context& context, Texture& texture) {
+void build_nonfinite(const core::Context& context, Texture& texture, uint32_t layer) {
   constexpr size_t kChannels = Code::kChannels;
-  if (!has_nonfinite<Code>(context, texture)) return;
-  texture.nonfinite_sums =
-      core::Array<uint32_t>(context.allocator, core::checked_mul(sum_count(texture), texture.layers));
-  for (uint32_t layer = 0; layer < texture.layers; ++layer) {
-    uint32_t* first = texture.nonfinite_sums.data() + layer * sum_count(texture);
-    Table<uint32_t, kChannels>(texture, first).build(context, [&](uint32_t x, uint32_t y, uint32_t* value) {
-      double linear[kChannels];
-      Code::load(row_of(texture, layer, 0, y) + size_t{x} * Code::kSize, linear);
-      for (size_t c = 0; c < kChannels; ++c) value[c] = !std::isfinite(linear[c]);
-    });
+  uint32_t* first = texture.nonfinite_sums.data() + layer * sum_count(texture);
+  Table<uint32_t, kChannels>(texture, first).build(context, [&](uint32_t x, uint32_t y, uint32_t* value) {
+    double linear[kChannels];
+    Code::load(row_of(texture, layer, 0, y) + size_t{x} * Code::kSize, linear);
+    for (size_t c = 0; c < kChannels; ++c) value[c] = !std::isfinite(linear[c]);
+  });
+}
+
+template <class Code>
+void build_layer(const core::Context& context, Texture& texture, uint32_t layer) {
+  if (has_integer_sums(texture)) {
+    build_sums<Code, uint32_t>(context, texture, layer);
+  } else {
+    build_sums<Code, double>(context, texture, layer);
   }
 }
 
 template <class Code>
 void build_layers(const core::Context& context, Texture& texture) {
+  bool nonfinite = false;
   for (uint32_t layer = 0; layer < texture.layers; ++layer) {
-    if (has_integer_sums(texture)) {
-      build_sums<Code, uint32_t>(context, texture, layer);
-    } else {
-      build_sums<Code, double>(context, texture, layer);
-    }
+    build_layer<Code>(context, texture, layer);
+    nonfinite = nonfinite || has_nonfinite<Code>(context, texture, layer);
   }
-  build_nonfinite<Code>(context, texture);
+  if (!nonfinite) return;
+  texture.nonfinite_sums = core::Array<uint32_t>(context.allocator, sum_count(texture) * texture.layers);
+  for (uint32_t layer = 0; layer < texture.layers; ++layer) build_nonfinite<Code>(context, texture, layer);
+}
+
+template <class Code>
+void update_layer(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture& texture) {
+  build_layer<Code>(context, texture, layer);
+  if (texture.nonfinite_sums.size() == 0) {
+    if (!has_nonfinite<Code>(context, texture, layer)) return;
+    texture.nonfinite_sums = static_cast<core::Array<uint32_t>&&>(*spare);
+    std::memset(texture.nonfinite_sums.data(), 0, texture.nonfinite_sums.size() * sizeof(uint32_t));
+  }
+  build_nonfinite<Code>(context, texture, layer);
 }
 
 }  // namespace
@@ -181,6 +198,15 @@ void build_summed_area(const core::Context& context, Texture* texture) {
   texture->sum_origins = core::Array<double>(context.allocator, size_t{texture->layers} * texture->channels);
   visit_code(texture->component, texture->channels,
              [&](auto code) { build_layers<decltype(code)>(context, *texture); });
+}
+
+size_t spare_sums_size(const Texture& texture) {
+  return may_be_nonfinite(texture) && texture.nonfinite_sums.size() == 0 ? sum_count(texture) * texture.layers : 0;
+}
+
+void update_summed_area(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture* texture) {
+  visit_code(texture->component, texture->channels,
+             [&](auto code) { update_layer<decltype(code)>(context, layer, spare, *texture); });
 }
 
 }  // namespace shd::texture

@@ -41,4 +41,10 @@ inline size_t sum_count(const Texture& texture) {
 /// workers.
 void build_summed_area(const core::Context& context, Texture* texture);
 
+/// Entries of the table of texels that are not finite that an update may have to take on.
+size_t spare_sums_size(const Texture& texture);
+
+/// Builds the tables of one layer again; `spare` has spare_sums_size() entries.
+void update_summed_area(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture* texture);
+
 }  // namespace shd::texture

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/rows.h"
 #include "texture/storage.h"
+#include "texture/summed_area.h"
 
 namespace shd::texture {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 struct Scratch {
   core::Array<double> mip_sums;  // to become the texture's
   core::Array<double> ripmap;
+  core::Array<uint32_t> nonfinite_sums;
 };
 
 Scratch make_scratch(const core::Context& context, const Texture& texture) {
@@ -19,6 +21,9 @@ Scratch make_scratch(const core::Context& context, const Texture& texture) {
   }
   if (texture.tables & SHD_TABLE_RIPMAP) {
     scratch.ripmap = core::Array<double>(context.allocator, ripmap_scratch_size(context, texture));
+  }
+  if (texture.tables & SHD_TABLE_SUMMED_AREA && spare_sums_size(texture) > 0) {
+    scratch.nonfinite_sums = core::Array<uint32_t>(context.allocator, spare_sums_size(texture));
   }
   return scratch;
 }
@@ -37,10 +42,10 @@ void update_mip_levels(const core::Context& context, uint32_t layer, const Regio
 }
 
 /// What depends on a region of the base.
-void rebuild(const core::Context& context, uint32_t layer, const Region& region, double* ripmap_scratch,
-             Texture* texture) {
+void rebuild(const core::Context& context, uint32_t layer, const Region& region, Scratch* scratch, Texture* texture) {
   if (has_built_levels(*texture)) update_mip_levels(context, layer, region, texture);
-  if (texture->tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, texture, layer, region, ripmap_scratch);
+  if (texture->tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, texture, layer, region, scratch->ripmap.data());
+  if (texture->tables & SHD_TABLE_SUMMED_AREA) update_summed_area(context, layer, &scratch->nonfinite_sums, texture);
 }
 
 }  // namespace
@@ -50,13 +55,13 @@ void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y
   Scratch scratch = make_scratch(context, *texture);
   if (scratch.mip_sums.size() > 0) texture->mip_sums = static_cast<core::Array<double>&&>(scratch.mip_sums);
   const Region region = {{x, x + texels.width}, {y, y + texels.height}};
-  if (texture->borrowed) return rebuild(context, layer, region, scratch.ripmap.data(), texture);
+  if (texture->borrowed) return rebuild(context, layer, region, &scratch, texture);
   const GivenTexels given = {static_cast<const uint8_t*>(texels.pixels), texels.row_stride,
                              image::format_info(texels.format)};
   for_rows(context, region.y, [&](uint32_t row, uint32_t) {
     copy_rows(given, layer, 0, region, {row, row + 1}, texture);
   });
-  rebuild(context, layer, region, scratch.ripmap.data(), texture);
+  rebuild(context, layer, region, &scratch, texture);
 }
 
 }  // namespace shd::texture

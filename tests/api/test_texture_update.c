@@ -20,7 +20,7 @@ static shd_texture_desc base_desc(void)
     desc.width = WIDTH;
     desc.height = HEIGHT;
     desc.layers = LAYERS;
-    desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP;
+    desc.tables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
     desc.texels = g_base;
     return desc;
 }

@@ -21,7 +21,7 @@ const size_case k_sizes[] = {
 /// A base of more than two rounds for every format.
 const size_case k_large[] = {{"large/1024x2048", 1024, 2048, 6}, {"large/1000x1025", 1000, 1025, 2}};
 
-constexpr uint32_t kAll = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP;
+constexpr uint32_t kAll = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
 constexpr uint32_t kLayers = 2;
 
 Texture* build_texture(shd_format format, uint32_t width, uint32_t height, uint32_t tables, const uint8_t* texels) {
@@ -74,7 +74,21 @@ void change(shd_format format, const Rectangle& r, uint32_t seed, uint32_t width
   free(patch);
 }
 
+/// The table of texels that are not finite may be there though all are.
+void check_sums(const Texture& got, const Texture& want) {
+  assert_int_equal(got.sums.size(), want.sums.size());
+  if (want.sums.size() == 0) return;
+  assert_memory_equal(got.sums.data(), want.sums.data(), want.sums.size());
+  assert_memory_equal(got.sum_origins.data(), want.sum_origins.data(), want.sum_origins.size() * sizeof(double));
+  const size_t count = got.nonfinite_sums.size();
+  assert_true(count >= want.nonfinite_sums.size());
+  for (size_t i = 0; i < count; ++i) {
+    assert_int_equal(got.nonfinite_sums[i], want.nonfinite_sums.size() ? want.nonfinite_sums[i] : 0);
+  }
+}
+
 void check_same(const char* what, uint32_t index, const Texture& got, const Texture& want) {
+  check_sums(got, want);
   const size_t size = want.texels.size();
   assert_int_equal(got.texels.size(), size);
   if (memcmp(got.texels.data(), want.texels.data(), size) == 0) return;
@@ -103,8 +117,8 @@ void check_updates(const size_case& c, shd_format format, uint32_t tables) {
 void test_size(void** state) {
   const auto& c = *static_cast<const size_case*>(*state);
   for (uint32_t format = kFirstFormat; format <= kLastFormat; ++format) {
-    for (const uint32_t tables :
-         {uint32_t{SHD_TABLE_NONE}, uint32_t{SHD_TABLE_MIPMAP}, uint32_t{SHD_TABLE_RIPMAP}, kAll}) {
+    for (const uint32_t tables : {uint32_t{SHD_TABLE_NONE}, uint32_t{SHD_TABLE_MIPMAP}, uint32_t{SHD_TABLE_RIPMAP},
+                                  uint32_t{SHD_TABLE_SUMMED_AREA}, kAll}) {
       check_updates(c, static_cast<shd_format>(format), tables);
     }
   }
@@ -147,6 +161,30 @@ void test_given_levels(void**) {
   assert_int_equal(shd::texture::row_of(*texture, 0, 1, 2)[1], 77);
   assert_int_equal(texture->mip_sums.size(), 0);
   free_texture(want);
+  free_texture(texture);
+}
+
+/// NaN that comes and goes in one layer: the table of such texels comes and stays.
+void test_nonfinite(void**) {
+  float base[kLayers * 12];
+  for (size_t i = 0; i < kLayers * 12; ++i) base[i] = static_cast<float>(i);
+  const auto* bytes = reinterpret_cast<const uint8_t*>(base);
+  Texture* texture = build_texture(SHD_FORMAT_R32F, 4, 3, SHD_TABLE_SUMMED_AREA, bytes);
+  assert_int_equal(texture->nonfinite_sums.size(), 0);
+  for (const float value : {NAN, INFINITY, 5.0f}) {
+    shd_image image = shd_image_default();
+    image.format = SHD_FORMAT_R32F;
+    image.width = image.height = 1;
+    image.row_stride = sizeof value;
+    float patch = value;
+    image.pixels = &patch;
+    shd::texture::update(*context(), 1, 2, 1, image, texture);
+    base[12 + 4 + 2] = value;
+    Texture* want = build_texture(SHD_FORMAT_R32F, 4, 3, SHD_TABLE_SUMMED_AREA, bytes);
+    assert_int_equal(want->nonfinite_sums.size() > 0, !isfinite(value));
+    check_sums(*texture, *want);
+    free_texture(want);
+  }
   free_texture(texture);
 }
 
@@ -194,6 +232,7 @@ int main() {
   for (const size_case& c : k_sizes) tests[n++] = {c.name, test_size, nullptr, nullptr, const_cast<size_case*>(&c)};
   for (const size_case& c : k_large) tests[n++] = {c.name, test_large, nullptr, nullptr, const_cast<size_case*>(&c)};
   tests[n++] = {"given_levels", test_given_levels, nullptr, nullptr, nullptr};
+  tests[n++] = {"nonfinite", test_nonfinite, nullptr, nullptr, nullptr};
   tests[n++] = {"four_channels_for_three", test_four_for_three, nullptr, nullptr, nullptr};
   tests[n++] = {"memory", test_memory, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.update", tests, n, nullptr, nullptr);
