@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // quality/<filter>/<shd or peer>/<picture>: how near one 512 x 512 frame of the floor comes to 24 x 24 samples a pixel
-// (psnr_db), and for the exact filter to 64 x 64 (psnr64_db). The bits of shd are those of every target.
+// (psnr_db), and for the exact filter to 64 x 64 (psnr64_db). The bits of shd are those of every target. <picture>_45
+// has the texture turned by 45 degrees, where filters that go by its axes blur.
 #include <fstream>
 #include <map>
 #include <memory>
@@ -16,6 +17,7 @@ constexpr uint32_t kQualityTexture = 2048;
 [[maybe_unused]] constexpr char kPhotograph[] = "/usr/share/xplanet/images/earth.jpg";
 /// Two and a half texels a pixel in front, fifty across at the horizon: most of the frame is minified.
 constexpr Floor kFloor = {20.0f, 1.25f, kQualityFrame};
+constexpr Floor kTurnedFloor = {20.0f, 1.25f, kQualityFrame, true};
 
 /// The photograph, or noise where that file or its reader is missing.
 std::string photograph_name() {
@@ -37,22 +39,24 @@ const Picture& picture_of(const std::string& name) {
   return picture;
 }
 
-const std::vector<float>& truth(const Picture& picture, int samples) {
+const std::vector<float>& truth(const Floor& floor, const Picture& picture, int samples) {
   static std::map<std::string, std::vector<float>> cache;
-  std::vector<float>& image = cache[picture.name + std::to_string(samples)];
+  const std::string name = picture.name + (floor.turned ? "_45" : "") + "-truth" + std::to_string(samples);
+  std::vector<float>& image = cache[name];
   if (image.empty()) {
-    image = supersample(kFloor, picture, samples);
-    maybe_write("quality-" + picture.name + "-truth" + std::to_string(samples), image);
+    image = supersample(floor, picture, samples);
+    maybe_write("quality-" + name, image);
   }
   return image;
 }
 
-std::vector<float> image_of(const Filter& filter, const std::string& who, const Picture& picture) {
-  static const Lookups lookups = floor_lookups(kFloor);
+std::vector<float> image_of(const Filter& filter, const std::string& who, const Floor& floor, const Picture& picture) {
+  static const Lookups straight = floor_lookups(kFloor), turned = floor_lookups(kTurnedFloor);
+  const Lookups& lookups = floor.turned ? turned : straight;
   if (who == "shd") return filtered_image(filter, lookups, picture.edge, picture.rgba);
   std::unique_ptr<Peer> pass;
 #ifdef SHD_BENCH_OSMESA
-  if (who == "llvmpipe") pass = make_llvmpipe_floor(kFloor, picture.edge, picture.rgba, filter.peer);
+  if (who == "llvmpipe") pass = make_llvmpipe_floor(floor, picture.edge, picture.rgba, filter.peer);
 #endif
 #ifdef SHD_BENCH_OIIO
   if (who == "openimageio") pass = make_openimageio(lookups, picture.edge, picture.rgba, filter.peer);
@@ -61,22 +65,30 @@ std::vector<float> image_of(const Filter& filter, const std::string& who, const 
   return pass->image();
 }
 
-void run(benchmark::State& state, const Filter& filter, const std::string& who, const std::string& name) {
+void run(benchmark::State& state, const Filter& filter, const std::string& who, const Floor& floor,
+         const std::string& name) {
   const Picture& picture = picture_of(name);
   if (picture.rgba.empty()) return state.SkipWithError("the picture cannot be read");
   std::vector<float> image;
-  for (auto _ : state) image = image_of(filter, who, picture);
+  for (auto _ : state) image = image_of(filter, who, floor, picture);
   if (image.empty()) return state.SkipWithError("not built yet");
-  maybe_write("quality-" + name + "-" + filter.name + "-" + who, image);
-  state.counters["psnr_db"] = psnr(image, truth(picture, 24));
-  if (filter.filter == SHD_FILTER_EXACT) state.counters["psnr64_db"] = psnr(image, truth(picture, 64));
+  maybe_write("quality-" + name + (floor.turned ? "_45-" : "-") + filter.name + "-" + who, image);
+  state.counters["psnr_db"] = psnr(image, truth(floor, picture, 24));
+  if (filter.filter == SHD_FILTER_EXACT) state.counters["psnr64_db"] = psnr(image, truth(floor, picture, 64));
 }
 
-void add(const Filter& filter, const std::string& who, const std::string& picture) {
-  benchmark::RegisterBenchmark((std::string("quality/") + filter.name + "/" + who + "/" + picture).c_str(),
-                               [=](benchmark::State& state) { run(state, filter, who, picture); })
+void add(const Filter& filter, const std::string& who, const Floor& floor, const std::string& picture) {
+  const std::string name = std::string("quality/") + filter.name + "/" + who + "/" + picture;
+  benchmark::RegisterBenchmark((floor.turned ? name + "_45" : name).c_str(),
+                               [=](benchmark::State& state) { run(state, filter, who, floor, picture); })
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
+}
+
+/// Filters that go by the axes of the texture, and one that does not.
+bool is_turned(const Filter& filter) {
+  return filter.filter == SHD_FILTER_RIPMAP || filter.filter == SHD_FILTER_SUMMED_AREA ||
+         filter.filter == SHD_FILTER_ANISOTROPIC;
 }
 
 }  // namespace
@@ -84,13 +96,14 @@ void add(const Filter& filter, const std::string& who, const std::string& pictur
 void register_quality() {
   for (const std::string& picture : {std::string("checker"), photograph_name()}) {
     for (const Filter& filter : kFilters) {
-      add(filter, "shd", picture);
+      add(filter, "shd", kFloor, picture);
+      if (is_turned(filter) && picture == "checker") add(filter, "shd", kTurnedFloor, picture);
       if (!has_own_peers(filter)) continue;
 #ifdef SHD_BENCH_OSMESA
-      add(filter, "llvmpipe", picture);
+      add(filter, "llvmpipe", kFloor, picture);
 #endif
 #ifdef SHD_BENCH_OIIO
-      add(filter, "openimageio", picture);
+      add(filter, "openimageio", kFloor, picture);
 #endif
     }
   }

@@ -72,6 +72,7 @@ Picture make_noise(uint32_t edge) {
 
 std::vector<float> supersample(const Floor& floor, const Picture& picture, int samples) {
   const double far = static_cast<double>(floor.far), scale = static_cast<double>(floor.scale), edge = floor.frame;
+  const double cosine = floor.turned ? std::sqrt(0.5) : 1.0, sine = floor.turned ? std::sqrt(0.5) : 0.0;
   std::vector<float> image(size_t{floor.frame} * floor.frame * 4);
   std::vector<double> sums(size_t{floor.frame} * 3);
   for (uint32_t y = 0; y < floor.frame; ++y) {
@@ -79,11 +80,13 @@ std::vector<float> supersample(const Floor& floor, const Picture& picture, int s
     for (int sub_y = 0; sub_y < samples; ++sub_y) {
       const double row = y + (sub_y + 0.5) / samples;
       const double z = 1.0 / (1.0 / far + (1.0 - 1.0 / far) * row / edge);
-      const Taps v(scale * z, picture.edge);
+      const double v = scale * z;
       for (uint32_t x = 0; x < floor.frame; ++x) {
         for (int sub_x = 0; sub_x < samples; ++sub_x) {
           const double column = x + (sub_x + 0.5) / samples;
-          add_bilinear(picture, Taps(scale * (column / edge - 0.5) * z, picture.edge), v, &sums[size_t{x} * 3]);
+          const double u = scale * (column / edge - 0.5) * z;
+          add_bilinear(picture, Taps(cosine * u - sine * v, picture.edge), Taps(sine * u + cosine * v, picture.edge),
+                       &sums[size_t{x} * 3]);
         }
       }
     }

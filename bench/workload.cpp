@@ -33,6 +33,14 @@ void append_quad(Spheres& s, uint32_t slice, uint32_t stack) {
   if (stack + 1 < s.stacks) s.indices.insert(s.indices.end(), {a + 1, b, b + 1});
 }
 
+/// By 45 degrees.
+void turn(float* u, float* v) {
+  constexpr float kRoot = 0.70710678f;
+  const float x = *u, y = *v;
+  *u = kRoot * (x - y);
+  *v = kRoot * (x + y);
+}
+
 }  // namespace
 
 std::vector<uint8_t> make_rgba8(uint32_t edge) {
@@ -69,6 +77,10 @@ Lookups floor_lookups(const Floor& floor) {
       q.dvdx[i] = 0.0f;
       q.dudy[i] = floor.u(static_cast<float>(x) + 0.5f, dzdy);
       q.dvdy[i] = floor.scale * dzdy;
+      if (!floor.turned) continue;
+      turn(&q.u[i], &q.v[i]);
+      turn(&q.dudx[i], &q.dvdx[i]);
+      turn(&q.dudy[i], &q.dvdy[i]);
     }
   }
   return q;

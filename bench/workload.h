@@ -20,10 +20,12 @@ std::vector<uint8_t> make_rgba8(uint32_t edge);
 
 /// A plane that recedes to `far` times the distance of its nearest row, seen over a frame of frame x frame pixels. At
 /// (x, y) pixels from the top left: 1/z = 1/far + (1 - 1/far) y / frame, u = scale (x / frame - 1/2) z, v = scale z.
+/// A turned floor has (u, v) turned by 45 degrees.
 struct Floor {
   float far = 20.0f;
   float scale = 0.25f;
   uint32_t frame = kFrameEdge;
+  bool turned = false;
 
   /// The same footprint in texels for any size: half a texel across the nearest pixel.
   static Floor of_texture(uint32_t edge) { return {20.0f, 512.0f / static_cast<float>(edge)}; }

@@ -55,7 +55,13 @@ typedef struct shd_explanation {
     float scale_low[4];      /**< written */
     /** Written: the stored channel that r, g, b, a of the result are; 4 = the texture's `fill`. */
     uint32_t channel_source[4];
-    uint32_t reserved; /**< 0 */
+    /**
+     * Written: longer half axis of the footprint's ellipse, u and v in base-level texels, width and blur included;
+     * (2^lod, 0) where the lookup has a level of detail. At most 2^100 long.
+     */
+    float longer_axis[2];
+    float shorter_axis[2]; /**< written: the shorter one, before any limit of their ratio */
+    uint32_t reserved;     /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_explanation;
 

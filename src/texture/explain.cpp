@@ -187,6 +187,9 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   float lod[1];
   sample_lod(texture, sampler, lod_range(texture, sampler), context.simd, lookups, lod);
   out->lod = lod[0];
+  const Texels axes = {
+      {&out->longer_axis[0], &out->longer_axis[1], &out->shorter_axis[0], &out->shorter_axis[1]}, {}, {}};
+  sample_axes(texture, sampler, context.simd, lookups, axes);
 }
 
 }  // namespace shd::texture

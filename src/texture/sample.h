@@ -89,4 +89,9 @@ size_t sample_filter(const Texture& texture, const Sampler& sampler, const core:
 size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
                   const Lookups& lookups, float* out);
 
+/// Half axes of the footprints of packed lookups in base texels, width and blur included: u and v of the longer one to
+/// the first two channels, of the shorter one to the others.
+void sample_axes(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                 const Texels& out);
+
 }  // namespace shd::texture

@@ -191,8 +191,8 @@ struct SummedArea {
     }
     const double width = us.inside(lane), height = vs.inside(lane);
     totals->inside[lane] += width * height;
-    totals->area[lane] += (width + static_cast<double>(us.outside[lane])) *
-                          (height + static_cast<double>(vs.outside[lane]));
+    totals->area[lane] +=
+        (width + static_cast<double>(us.outside[lane])) * (height + static_cast<double>(vs.outside[lane]));
     if (HWY_UNLIKELY(texture.nonfinite_sums.size() > 0)) count(u, v, lane, layer, totals);
   }
 

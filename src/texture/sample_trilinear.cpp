@@ -2,7 +2,6 @@
 #include "texture/sample.h"
 
 #include "core/simd_target.h"
-#include "texture/profile.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/sample_trilinear.cpp"
@@ -83,11 +82,6 @@ size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Look
 size_t TrilinearGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
   return RunGradient<TrilinearKernel>(texture, sampler, in, out);
 }
-size_t LodBatch(const Texture& texture, const Sampler& sampler, const LodRange& range, const Lookups& in,
-                const Texels& out) {
-  return ForEachVector(texture, LevelOfDetail{texture, sampler, range, in.lod != nullptr}, in, out);
-}
-
 #if HWY_TARGET == HWY_STATIC_TARGET
 void RecordTrilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
   TrilinearKernel::run<Recorded>(texture, sampler, in, out);
@@ -102,20 +96,11 @@ namespace shd::texture {
 namespace {
 HWY_EXPORT(TrilinearBatch);
 HWY_EXPORT(TrilinearGradient);
-HWY_EXPORT(LodBatch);
 }  // namespace
 
 size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out) {
   return SHD_DISPATCH(TrilinearBatch, simd)(texture, sampler, lookups, out);
-}
-
-size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
-                  const Lookups& lookups, float* out) {
-  if (sampler.profile != SHD_PROFILE_EXACT) {
-    return profile_lod(texture, sampler, range, ProfileLod::kLongerAxis, simd, lookups, out);
-  }
-  return SHD_DISPATCH(LodBatch, simd)(texture, sampler, range, lookups, {{out}, {}, {}});
 }
 
 void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sums along the rows, and then down the columns. Doubles are summed with compensation (Neumaier, "Rundungsfehleranalyse
-// einiger Verfahren zur Summation endlicher Summen", 1974), which leaves one rounding per entry and pass.
+// Sums along the rows, and then down the columns. Doubles are summed with compensation (Neumaier,
+// "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", 1974), which leaves one rounding per entry
+// and pass.
 #include "texture/summed_area.h"
 
 #include <atomic>

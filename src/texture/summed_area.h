@@ -18,8 +18,8 @@ namespace shd::texture {
 
 /// Whether the entries are 32-bit integers.
 inline bool has_integer_sums(const Texture& texture) {
-  return texture.component == image::Component::kUnorm8 &&
-         uint64_t{texture.width} * texture.height <= uint64_t{1} << 24;
+  return texture.component == image::Component::kUnorm8 && uint64_t{texture.width} * texture.height <= uint64_t{1}
+                                                                                                           << 24;
 }
 
 /// The number that makes 1 in the table: 255 or 65535 codes, or 1.

@@ -32,6 +32,7 @@
 /// | sample_stochastic.cpp, random-inl.h | kernels: one texel drawn at random x format                    |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
+/// | sample_lod.cpp          | levels of detail and axes of footprints                                     |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
 /// | walk-inl.h              | texels along an axis, one after the other                                   |
@@ -103,9 +104,9 @@ struct Texture {
   uint32_t borrowed_texels;      // how many: texel indices below are there
   core::Array<double> mip_sums;  // [layers] unrounded averages, from the first update on
   uint32_t mip_sums_ready[kMaxLayers / 32];  // which layers have them
-  core::Array<uint8_t> sums;    // summed-area tables (summed_area.h), uint32_t or double, layers in order
-  core::Array<uint32_t> nonfinite_sums;  // of texels that are not finite; empty where there are none
-  core::Array<double> sum_origins;       // by layer and stored channel, linear: what sums of doubles are counted from
+  core::Array<uint8_t> sums;                 // summed-area tables (summed_area.h), uint32_t or double, layers in order
+  core::Array<uint32_t> nonfinite_sums;      // of texels that are not finite; empty where there are none
+  core::Array<double> sum_origins;  // by layer and stored channel, linear: what sums of doubles are counted from
 };
 
 /// A checked sampler desc; lod_min <= lod_max.

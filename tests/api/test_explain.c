@@ -254,6 +254,44 @@ static void test_bilinear_by_hand(void **state)
     shd_texture_release(texture);
 }
 
+/** Ellipses by hand: turned by 30 degrees, half axes 8 and 2 texels, and the same doubled by the sampler's widths. */
+static void test_axes(void **state)
+{
+    shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
+    const float u = 0.5f, v = 0.5f, c = 0.8660254f, s = 0.5f;
+    const float dudx = 8 * c / WIDTH, dvdx = 8 * s / HEIGHT, dudy = -2 * s / WIDTH, dvdy = 2 * c / HEIGHT, lod = 1.5f;
+    float width;
+    (void)state;
+    for (width = 1; width <= 2; width += 1) {
+        shd_sampler_desc desc = shd_sampler_desc_default();
+        shd_explanation e = shd_explanation_default();
+        shd_lookups lookups = shd_lookups_default();
+        shd_sampler *sampler = NULL;
+        desc.width_x = desc.width_y = width;
+        shd_assert_ok(shd_sampler_create(g_context, &desc, &sampler));
+        lookups.count = 1;
+        lookups.u.data = &u;
+        lookups.v.data = &v;
+        lookups.dudx.data = &dudx;
+        lookups.dvdx.data = &dvdx;
+        lookups.dudy.data = &dudy;
+        lookups.dvdy.data = &dvdy;
+        shd_assert_ok(shd_texture_explain(texture, sampler, &lookups, 0, &e));
+        shd_assert_close("longer u", 0, fabs((double)e.longer_axis[0]), 8.0 * (double)(c * width), 1e-4, 0);
+        shd_assert_close("longer v", 0, fabs((double)e.longer_axis[1]), 8.0 * (double)(s * width), 1e-4, 0);
+        shd_assert_close("shorter u", 0, fabs((double)e.shorter_axis[0]), 2.0 * (double)(s * width), 1e-4, 0);
+        shd_assert_close("shorter v", 0, fabs((double)e.shorter_axis[1]), 2.0 * (double)(c * width), 1e-4, 0);
+        assert_true(e.longer_axis[0] * e.longer_axis[1] > 0 && e.shorter_axis[0] * e.shorter_axis[1] < 0);
+        lookups.lod.data = &lod;
+        shd_assert_ok(shd_texture_explain(texture, sampler, &lookups, 0, &e));
+        shd_assert_close("round", 0, (double)e.longer_axis[0], sqrt(8), 1e-5, 0);
+        shd_assert_close("round", 1, (double)e.shorter_axis[1], sqrt(8), 1e-5, 0);
+        assert_true(e.longer_axis[1] == 0 && e.shorter_axis[0] == 0);
+        shd_sampler_release(sampler);
+    }
+    shd_texture_release(texture);
+}
+
 static void test_arguments(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
@@ -311,6 +349,7 @@ int main(void)
         tests[n++] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};
     }
     tests[n++] = (struct CMUnitTest){"bilinear_by_hand", test_bilinear_by_hand, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"axes", test_axes, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"arguments", test_arguments, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.explain", tests, n, setup, teardown);
 }

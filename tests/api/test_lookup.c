@@ -353,6 +353,40 @@ static void test_other_context(void **state)
     shd_context_release(other);
 }
 
+/* Summed-area lookups need their table, and have neither derivatives nor an explanation. */
+static void test_summed_area(void **state)
+{
+    shd_context *context = make_context(1, SHD_SIMD_BEST);
+    shd_sampler_desc sd = shd_sampler_desc_default();
+    shd_texture_desc td = shd_texture_desc_default();
+    shd_explanation explanation = shd_explanation_default();
+    shd_sampler *sampler = NULL;
+    shd_texture *texture = NULL;
+    shd_lookups lookups = make_lookups(0, 20);
+    shd_texels texels = make_texels(0);
+    (void)state;
+    sd.filter = SHD_FILTER_SUMMED_AREA;
+    td.format = SHD_FORMAT_RGBA8;
+    td.width = td.height = SIZE;
+    td.texels = g_texels;
+    td.tables = SHD_TABLE_SUMMED_AREA;
+    shd_assert_ok(shd_sampler_create(context, &sd, &sampler));
+    shd_assert_ok(shd_texture_create(context, &td, &texture));
+    shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &texels));
+    shd_assert_result("no table", shd_texture_sample(g_texture, sampler, &lookups, &texels), SHD_ERROR_INVALID_ARGUMENT,
+                      "no SHD_TABLE_SUMMED_AREA");
+    shd_assert_result("explain", shd_texture_explain(texture, sampler, &lookups, 0, &explanation),
+                      SHD_ERROR_UNSUPPORTED, "not a tree of blends");
+    texels.struct_size = sizeof texels;
+    texels.du[0].data = g_out[0];
+    texels.channel[0].data = NULL;
+    shd_assert_result("derivatives", shd_texture_sample(texture, sampler, &lookups, &texels), SHD_ERROR_UNSUPPORTED,
+                      "has no derivatives");
+    shd_sampler_release(sampler);
+    shd_texture_release(texture);
+    shd_context_release(context);
+}
+
 static void test_batch_splits(void **state)
 {
     static const size_t k_steps[] = {1, 3, 17, 511, 512, 16383, 16384, 16385};
@@ -490,6 +524,7 @@ int main(void)
         tests[n++] = (struct CMUnitTest){k_arguments[i].name, test_arguments, NULL, NULL, (void *)&k_arguments[i]};
     }
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null_arguments, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"summed_area", test_summed_area, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"other_context", test_other_context, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"batch_splits", test_batch_splits, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"strides", test_strides, NULL, NULL, NULL};

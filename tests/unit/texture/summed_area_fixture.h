@@ -59,7 +59,8 @@ inline const double* oracle_values(const Texture& texture, uint32_t layer) {
   const size_t size = shd::texture::texel_size(texture);
   const uint8_t* texels = shd::texture::row_of(texture, layer, 0, 0);
   for (size_t i = 0; i < size_t{texture.width} * texture.height; ++i) {
-    for (int c = 0; c < 4; ++c) values[4 * i + static_cast<size_t>(c)] = ref::decode(texture.format, texels + i * size, c);
+    for (int c = 0; c < 4; ++c)
+      values[4 * i + static_cast<size_t>(c)] = ref::decode(texture.format, texels + i * size, c);
   }
   return values;
 }

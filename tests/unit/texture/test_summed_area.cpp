@@ -70,8 +70,8 @@ void check_points(const Texture& texture, const double* values, const shd_sample
     bool ok = false;
     Expected want = {};
     for (size_t k = 0; k < n && !ok; ++k) {
-      want = expected_parts(t, static_cast<double>(t_batch.u[i]), static_cast<double>(t_batch.v[i]), sides[k],
-                            counts[k]);
+      want =
+          expected_parts(t, static_cast<double>(t_batch.u[i]), static_cast<double>(t_batch.v[i]), sides[k], counts[k]);
       ok = true;
       for (int c = 0; c < 4; ++c) {
         const double got = static_cast<double>(t_batch.out[c][i]);
@@ -79,12 +79,13 @@ void check_points(const Texture& texture, const double* values, const shd_sample
       }
     }
     if (ok) continue;
-    fail_msg("%ux%u format %d wraps %d %d box %d point %zu (%.9g, %.9g): got %.9g %.9g %.9g %.9g, want %.9g %.9g %.9g %.9g",
-             texture.width, texture.height, static_cast<int>(texture.format), static_cast<int>(desc.wrap_u),
-             static_cast<int>(desc.wrap_v), static_cast<int>(desc.box), i, static_cast<double>(t_batch.u[i]),
-             static_cast<double>(t_batch.v[i]), static_cast<double>(t_batch.out[0][i]),
-             static_cast<double>(t_batch.out[1][i]), static_cast<double>(t_batch.out[2][i]),
-             static_cast<double>(t_batch.out[3][i]), want.value[0], want.value[1], want.value[2], want.value[3]);
+    fail_msg(
+        "%ux%u format %d wraps %d %d box %d point %zu (%.9g, %.9g): got %.9g %.9g %.9g %.9g, want %.9g %.9g %.9g %.9g",
+        texture.width, texture.height, static_cast<int>(texture.format), static_cast<int>(desc.wrap_u),
+        static_cast<int>(desc.wrap_v), static_cast<int>(desc.box), i, static_cast<double>(t_batch.u[i]),
+        static_cast<double>(t_batch.v[i]), static_cast<double>(t_batch.out[0][i]),
+        static_cast<double>(t_batch.out[1][i]), static_cast<double>(t_batch.out[2][i]),
+        static_cast<double>(t_batch.out[3][i]), want.value[0], want.value[1], want.value[2], want.value[3]);
   }
 }
 
