@@ -24,10 +24,10 @@ struct Kind {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr Kind kKinds[] = {
-    {"point", 0.0f, 0.0f},         {"texel", 1.0f, 1.0f},       {"round_100", 100.0f, 100.0f},
-    {"long_16", 16.0f, 1.0f},      {"long_30", 30.0f, 1.9f},    {"long_1000", 1000.0f, 60.0f},
-    {"needle", 1000.0f, 1e-3f},    {"thin_4", 4.0f, 1e-6f},     {"denormal", 1e-40f, 1e-42f},
-    {"huge", 1e30f, 1e10f},        {"huge_round", 1e30f, 1e30f}, {"infinite", kInfinity, kInfinity},
+    {"point", 0.0f, 0.0f},           {"texel", 1.0f, 1.0f},        {"round_100", 100.0f, 100.0f},
+    {"long_16", 16.0f, 1.0f},        {"long_30", 30.0f, 1.9f},     {"long_1000", 1000.0f, 60.0f},
+    {"needle", 1000.0f, 1e-3f},      {"thin_4", 4.0f, 1e-6f},      {"denormal", 1e-40f, 1e-42f},
+    {"huge", 1e30f, 1e10f},          {"huge_round", 1e30f, 1e30f}, {"infinite", kInfinity, kInfinity},
     {"half_infinite", kInfinity, 0}, {"nan", kNaN, kNaN},
 };
 
