@@ -84,7 +84,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, 
 /** Where levels of detail go; unwanted ones NULL. */
 typedef struct shd_levels {
     shd_f32_out lod;   /**< continuous: log2 of the footprint's longer axis or the profile's, after bias and clamps */
-    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1; in SHD_PROFILE_OIIO ceil(lod) */
+    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1, or as the profile has it */
 } shd_levels;
 
 /**

@@ -113,10 +113,10 @@ typedef enum shd_profile {
      */
     SHD_PROFILE_VULKAN = 1,
     /**
-     * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(max(|x|, |y|)). ANISOTROPIC: m is the
-     * major axis of J's ellipse (for parallel x and y the longer of both), r = min(m^2 / |det J|, a), lambda =
-     * log2(m / r), ceil(min(r, max(m, 1))) probes along m, where and weighted as in SHD_PROFILE_VULKAN, which that
-     * specification leaves open. Fractions and weights as there.
+     * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
+     * ellipse, for parallel x and y the longer of both. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m / r),
+     * ceil(min(r, max(m, 1))) probes along m, where and weighted as in SHD_PROFILE_VULKAN, which that specification
+     * leaves open. Fractions and weights as there; the nearest level is floor(lod + 1/2) with 8 bits too.
      */
     SHD_PROFILE_D3D11 = 2,
     /**

@@ -7,6 +7,7 @@
 #include "abi/lookup_columns.h"
 #include "core/executor.h"
 #include "data/column.h"
+#include "texture/profile.h"
 #include "texture/sample.h"
 
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -20,11 +18,6 @@ inline LodRange lod_range(uint32_t level_count, const Sampler& sampler) {
 
 inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
   return lod_range(texture.level_count, sampler);
-}
-
-/// The mip level that a level of detail >= 0 stands for.
-inline uint32_t nearest_level(const Sampler& sampler, float lod) {
-  return static_cast<uint32_t>(sampler.profile == SHD_PROFILE_OIIO ? std::ceil(lod) : std::ceil(lod + 0.5f) - 1.0f);
 }
 
 }  // namespace shd::texture

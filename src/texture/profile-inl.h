@@ -67,6 +67,13 @@ SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float 
   return hn::Mul(hn::Set(d, 0.5f), simd::HWY_NAMESPACE::Log2(d, bounded));
 }
 
+/// A level of detail to the nearest multiple of 1 / steps.
+template <class D, class V>
+HWY_INLINE V RoundLevel(D d, V lod, float steps) {
+  const V count = hn::Set(d, steps);
+  return hn::Div(hn::Floor(hn::Add(hn::Mul(lod, count), hn::Set(d, 0.5f))), count);
+}
+
 template <class D, class V>
 HWY_INLINE V ClampStep(D d, V step) {
   const V limit = hn::Set(d, 0x1p60f);
@@ -120,40 +127,54 @@ struct D3d11Profile {
   const Texture& texture;
   const Sampler& sampler;
 
+  template <class D>
+  struct Major {
+    hn::Vec<D> length, lambda;
+  };
+
+  /// Of the axes, or of the derivatives where they are parallel.
+  template <class D>
+  SHD_KERNEL_PART Major<D> MajorOf(D d, const Derivatives<D>& j, const Footprint<D>& f) const {
+    const hn::RebindToSigned<D> di;
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    const Lengths<D> l = LengthsOf(d, j, width, height);
+    const auto parallel = hn::Eq(f.roundness, hn::Zero(d));
+    const auto longer = hn::Mul(hn::Max(l.x, l.y), PowerOfTwo(d, hn::Min(l.exponent, hn::Set(di, 98))));
+    return {hn::IfThenElse(parallel, longer, f.length),
+            hn::IfThenElse(parallel, LongerLambda(d, j, width, height), f.lambda)};
+  }
+
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V Lambda(D d, const Derivatives<D>& j) const {
-    return LongerLambda(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    return MajorOf(d, j, FootprintOf(d, j, width, height)).lambda;
   }
 
   template <class D>
   SHD_KERNEL_PART Probes<D> ProbesOf(D d, const Derivatives<D>& j) const {
     using V = hn::Vec<D>;
-    const hn::RebindToSigned<D> di;
     const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
     const V one = hn::Set(d, 1.0f);
     const Footprint<D> f = FootprintOf(d, j, width, height);
-    const Lengths<D> l = LengthsOf(d, j, width, height);
-    const auto parallel = hn::Eq(f.roundness, hn::Zero(d));
-    const V longer = hn::Mul(hn::Max(l.x, l.y), PowerOfTwo(d, hn::Min(l.exponent, hn::Set(di, 98))));
-    const V major = hn::IfThenElse(parallel, longer, f.length);
-    const V lambda = hn::IfThenElse(parallel, Lambda(d, j), f.lambda);
-    // major^2 / |det| is the inverse of the roundness.
+    const Major<D> major = MajorOf(d, j, f);
+    // length^2 / |det| is the inverse of the roundness.
     const V ratio = hn::Div(one, hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy)));
     Probes<D> probes;
-    probes.lambda = hn::Sub(lambda, simd::HWY_NAMESPACE::Log2(d, ratio));
+    probes.lambda = hn::Sub(major.lambda, simd::HWY_NAMESPACE::Log2(d, ratio));
     // A minor axis below one texel: no more probes than the major axis has texels.
-    probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major, one)));
+    probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major.length, one)));
     const V parts = hn::Add(hn::Add(probes.count, probes.count), hn::Set(d, 2.0f));
-    const V step = hn::Div(major, parts);
+    const V step = hn::Div(major.length, parts);
     probes.step_u = ClampStep(d, hn::Div(hn::Mul(step, f.u), hn::Set(d, width)));
     probes.step_v = ClampStep(d, hn::Div(hn::Mul(step, f.v), hn::Set(d, height)));
     probes.reach = probes.count;
     return probes;
   }
 
+  /// floor(lod + 1/2) of the fixed-point level of detail.
   template <class D, class V>
-  HWY_INLINE V NearestLevel(D, V lod) const {
-    return lod;
+  HWY_INLINE V NearestLevel(D d, V lod) const {
+    return hn::Floor(hn::Add(RoundLevel(d, lod, kLevelSteps), hn::Set(d, 0.5f)));
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/profile.h"
 
+#include <cmath>
 #include <cstring>
 
 #include "core/simd_target.h"
@@ -29,8 +30,7 @@ struct LodPass {
     const V lod = ClampLod(d, lambda, profile.sampler.lod_bias, range);
     if (finish == ProfileFinish::kNearest) return profile.NearestLevel(d, lod);
     if (finish == ProfileFinish::kNone || Profile::kLevelSteps == 0.0f) return lod;
-    const V count = hn::Set(d, Profile::kLevelSteps);
-    return hn::Div(hn::Floor(hn::Add(hn::Mul(lod, count), hn::Set(d, 0.5f))), count);
+    return RoundLevel(d, lod, Profile::kLevelSteps);
   }
 
   /// To the first column.
@@ -108,6 +108,14 @@ bool is_profiled(const Sampler& sampler) {
   if (sampler.profile == SHD_PROFILE_EXACT) return false;
   return sampler.filter == SHD_FILTER_NEAREST_MIP || sampler.filter == SHD_FILTER_BILINEAR_MIP ||
          sampler.filter == SHD_FILTER_TRILINEAR || sampler.filter == SHD_FILTER_ANISOTROPIC;
+}
+
+uint32_t nearest_level(const Sampler& sampler, float lod) {
+  switch (sampler.profile) {
+    case SHD_PROFILE_D3D11: return static_cast<uint32_t>(std::floor(lod * 256.0f + 0.5f) / 256.0f + 0.5f);
+    case SHD_PROFILE_OIIO: return static_cast<uint32_t>(std::ceil(lod));
+    default: return static_cast<uint32_t>(std::ceil(lod + 0.5f) - 1.0f);
+  }
 }
 
 bool has_rounded_weights(const shd_sampler_desc& desc) {

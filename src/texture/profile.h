@@ -13,6 +13,9 @@ namespace shd::texture {
 /// Whether the profile of a sampler changes its filter.
 bool is_profiled(const Sampler& sampler);
 
+/// The mip level of a level of detail >= 0, of any profile.
+uint32_t nearest_level(const Sampler& sampler, float lod);
+
 /// Whether the weights of its bilinear lookups have 8 bits.
 bool has_rounded_weights(const shd_sampler_desc& desc);
 

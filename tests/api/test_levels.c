@@ -102,12 +102,13 @@ static double oiio_lambda(int i)
 
 static double lambda_of(shd_profile profile, int i)
 {
-    if (profile == SHD_PROFILE_EXACT) return log2(longer_axis(i));
-    return profile == SHD_PROFILE_OIIO ? oiio_lambda(i) : log2(longer_derivative(i));
+    if (profile == SHD_PROFILE_VULKAN) return log2(longer_derivative(i));
+    return profile == SHD_PROFILE_OIIO ? oiio_lambda(i) : log2(longer_axis(i));
 }
 
 static double level_of(shd_profile profile, float lod)
 {
+    if (profile == SHD_PROFILE_D3D11) return floor(floor((double)lod * 256 + 0.5) / 256 + 0.5);
     return profile == SHD_PROFILE_OIIO ? ceil((double)lod) : ceil((double)lod + 0.5) - 1;
 }
 

@@ -123,7 +123,10 @@ inline double profile_lambda(const Image& image, const Jacobian& derivatives, bo
   const shd_sampler_desc& s = *image.sampler;
   const Jacobian j = widened(derivatives, s);
   if (s.profile == SHD_PROFILE_OIIO) return oiio_lambda(image, oiio_width(j, s), one_level);
-  return longer_lambda(j, static_cast<double>(image.levels[0].width), static_cast<double>(image.levels[0].height));
+  const double w = static_cast<double>(image.levels[0].width), h = static_cast<double>(image.levels[0].height);
+  const bool parallel = j.ux * j.vy == j.uy * j.vx;
+  if (s.profile == SHD_PROFILE_VULKAN || parallel) return longer_lambda(j, w, h);
+  return log2(ellipse(Jacobian{j.ux * w, j.vx * h, j.uy * w, j.vy * h}).a);
 }
 
 inline Line profile_line(const Image& image, const Jacobian& derivatives, double slack) {
@@ -143,7 +146,9 @@ inline double profile_lod(const Image& image, double lambda) {
 /// The level of NEAREST_MIP and BILINEAR_MIP.
 inline int profile_level(const Image& image, double lambda) {
   const double lod = clamp_lod(image, lambda);
-  return static_cast<int>(fmax(image.sampler->profile == SHD_PROFILE_OIIO ? ceil(lod) : ceil(lod + 0.5) - 1, 0));
+  if (image.sampler->profile == SHD_PROFILE_OIIO) return static_cast<int>(ceil(lod));
+  if (image.sampler->profile == SHD_PROFILE_D3D11) return static_cast<int>(floor(profile_lod(image, lambda) + 0.5));
+  return static_cast<int>(fmax(ceil(lod + 0.5) - 1, 0));
 }
 
 /// Trilinear at a level of detail that is final.
