@@ -123,12 +123,10 @@ struct Ewa {
     MaskOf<D> any;
   };
 
-  /// The texels of one row, -1 <= last columns of which lie inside.
+  /// The texels of one row that lie inside: `last` + 1 of them from `left` on, the first `dx` from the row's middle.
   template <class D>
   struct Row {
     hn::Vec<D> dy, height, left, dx, last;
-    Ints<D> first_texel;
-    MaskOf<D> in;
   };
 
   template <class D>
@@ -159,38 +157,115 @@ struct Ewa {
     StoreChannels<F, kBorder>(d, average, out, i);
   }
 
+  /// The rows from the lowest of each lane to its highest.
   template <class D>
   HWY_INLINE void add_rows(D d, const Place<D>& p, const Texels& out, Average<D>* average) const {
     using V = hn::Vec<D>;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
     const V half_height = hn::Sqrt(p.high);
     const V top = hn::Ceil(hn::Sub(p.y.x, half_height));
     const V bottom = hn::Floor(hn::Add(p.y.x, half_height));
     const V last = hn::IfThenElse(p.any, hn::Sub(bottom, top), hn::Set(d, -1.0f));
-    const float most = hn::GetLane(hn::MaxOfLanes(d, last));
+    if constexpr (!kIsGradient<F> && !std::is_same<F, Recorded>::value) {
+      if (are_unlike(d, p)) return add_apart(d, p, top, last, out, average);
+    }
+    add_together(d, p, top, last, out, average);
+  }
+
+  /// Whether the lanes' ellipses fill little of the rectangle around all of them.
+  template <class D>
+  HWY_INLINE bool are_unlike(D d, const Place<D>& p) const {
+    const float high = hn::GetLane(hn::MaxOfLanes(d, p.high)), wide = hn::GetLane(hn::MaxOfLanes(d, p.wide));
+    return high * wide > 4.0f * hn::GetLane(hn::MaxOfLanes(d, hn::Mul(p.high, p.wide)));
+  }
+
+  /// Row r of every lane; those beyond `last` are empty.
+  template <class D>
+  HWY_INLINE Row<D> row_at(D d, const Place<D>& p, hn::Vec<D> top, hn::Vec<D> last, hn::Vec<D> r) const {
+    using V = hn::Vec<D>;
+    Row<D> row;
+    row.dy = hn::Sub(hn::Add(top, r), p.y.x);
+    row.height = hn::Mul(hn::Mul(row.dy, row.dy), p.per_high);
+    const V middle = hn::Add(p.x.x, hn::Mul(p.shift, row.dy));
+    const V rest = hn::Max(hn::Sub(hn::Set(d, 1.0f), row.height), hn::Zero(d));
+    const V half_width = hn::Sqrt(hn::Mul(rest, p.wide));
+    row.left = hn::Ceil(hn::Sub(middle, half_width));
+    row.dx = hn::Sub(row.left, middle);
+    const V right = hn::Floor(hn::Add(middle, half_width));
+    row.last = hn::IfThenElse(hn::Ge(last, r), hn::Sub(right, row.left), hn::Set(d, -1.0f));
+    return row;
+  }
+
+  /// Lanes in step, row by row: the shortest way for ellipses that are alike.
+  template <class D>
+  HWY_INLINE void add_together(D d, const Place<D>& p, hn::Vec<D> top, hn::Vec<D> last, const Texels& out,
+                               Average<D>* average) const {
+    const float most_rows = hn::GetLane(hn::MaxOfLanes(d, last));
     Walk<D> down(d, sampler.wrap_v, top, p.level.down);
     Walk<D> ahead = down;
     const bool scattered = is_scattered_now(d, p, down);
-    for (float r = -kAhead; r <= most; r += 1.0f) {
-      if (scattered && r + kAhead <= most) {
-        prefetch_row(d, p, ahead,
-                     hn::Add(p.x.x, hn::Mul(p.shift, hn::Sub(hn::Add(top, hn::Set(d, r + kAhead)), p.y.x))));
+    for (float r = -kAhead; r <= most_rows; r += 1.0f) {
+      if (scattered && r + kAhead <= most_rows) {
+        prefetch(d, p, row_at(d, p, top, last, hn::Set(d, r + kAhead)).left, ahead, p.any);
         ahead.step(d);
       }
       if (r < 0.0f) continue;
-      Row<D> row;
-      row.dy = hn::Sub(hn::Add(top, hn::Set(d, r)), p.y.x);
-      row.height = hn::Mul(hn::Mul(row.dy, row.dy), p.per_high);
-      const V middle = hn::Add(p.x.x, hn::Mul(p.shift, row.dy));
-      const V half_width = hn::Sqrt(hn::Mul(hn::Max(hn::Sub(one, row.height), zero), p.wide));
-      row.left = hn::Ceil(hn::Sub(middle, half_width));
-      row.dx = hn::Sub(row.left, middle);
-      const V right = hn::Floor(hn::Add(middle, half_width));
-      row.last = hn::IfThenElse(hn::Ge(last, hn::Set(d, r)), hn::Sub(right, row.left), hn::Set(d, -1.0f));
-      row.first_texel = RowIndex(d, p.level, down.index(d, &row.in));
-      add_row(d, p, row, out, average);
+      const Row<D> row = row_at(d, p, top, last, hn::Set(d, r));
+      const float most_columns = hn::GetLane(hn::MaxOfLanes(d, row.last));
+      Walk<D> across(d, sampler.wrap_u, row.left, p.level.across);
+      for (float c = 0.0f; c <= most_columns; c += 1.0f) {
+        add_tap(d, p, row, hn::Set(d, c), down, across, out, average);
+        across.step(d);
+      }
       down.step(d);
     }
+  }
+
+  /// Every lane at its own pace, for ellipses that lie across each other.
+  template <class D>
+  HWY_INLINE void add_apart(D d, const Place<D>& p, hn::Vec<D> top, hn::Vec<D> last, const Texels& out,
+                            Average<D>* average) const {
+    using V = hn::Vec<D>;
+    const V one = hn::Set(d, 1.0f);
+    V r = hn::Neg(one), column = hn::Neg(one);
+    Walk<D> down(d, sampler.wrap_v, hn::Sub(top, one), p.level.down), ahead(d, sampler.wrap_v, top, p.level.down);
+    Walk<D> across(d, sampler.wrap_u, p.x.x, p.level.across);
+    Row<D> row = row_at(d, p, top, last, r);
+    row.last = r;
+    for (size_t k = 0; k < static_cast<size_t>(kAhead); ++k) {
+      prefetch(d, p, row_at(d, p, top, last, hn::Set(d, static_cast<float>(k))).left, ahead, p.any);
+      ahead.step(d);
+    }
+    for (;;) {
+      column = hn::Add(column, one);
+      across.step(d);
+      const auto done = hn::Gt(column, row.last);
+      if (!hn::AllFalse(d, done)) {
+        if (hn::AllTrue(d, hn::And(done, hn::Ge(r, last)))) return;
+        r = hn::Add(r, hn::IfThenElseZero(done, one));
+        row = row_at(d, p, top, last, r);
+        down.step_if(d, done);
+        across.restart_if(d, done, row.left);
+        column = hn::IfThenZeroElse(done, column);
+      }
+      add_tap(d, p, row, column, down, across, out, average);
+    }
+  }
+
+  template <class D>
+  SHD_KERNEL_PART void add_tap(D d, const Place<D>& p, const Row<D>& row, hn::Vec<D> column, const Walk<D>& down,
+                               const Walk<D>& across, const Texels& out, Average<D>* average) const {
+    using V = hn::Vec<D>;
+    const V dx = hn::Add(row.dx, column);
+    const V x = hn::Add(row.height, hn::Mul(hn::Mul(dx, dx), p.per_wide));
+    const auto active = hn::And(hn::Ge(row.last, column), hn::Lt(x, hn::Set(d, 1.0f)));
+    if (hn::AllFalse(d, active)) return;
+    const V weight = hn::IfThenElseZero(active, WeightAt(d, x));
+    const auto first = hn::And(active, hn::Eq(average->total, hn::Zero(d)));
+    const Weight<D> share = share_of(d, p, row, dx, weight, active, average);
+    MaskOf<D> in_x, in_y;
+    const auto y = down.index(d, &in_y);
+    const auto texel = F::fetch(d, texture, hn::Add(RowIndex(d, p.level, y), across.index(d, &in_x)));
+    join<0>(d, out, first, TapValue<F, kBorder, D>{texel, hn::And(in_x, in_y), sampler}, share, average);
   }
 
   /// Whether the lanes read memory so far apart that they wait for it.
@@ -199,49 +274,26 @@ struct Ewa {
     if (texture.texels.size() <= kNear) return false;
     MaskOf<D> in;
     const auto row = hn::ConvertTo(d, RowIndex(d, p.level, down.index(d, &in)));
-    const float first = hn::GetLane(row);
-    const auto far = hn::Gt(hn::Abs(hn::Sub(row, hn::Set(d, first))), hn::Mul(hn::Set(d, 64.0f), p.level.across.real));
+    const auto distance = hn::Abs(hn::Sub(row, hn::Set(d, hn::GetLane(row))));
+    const auto far = hn::Gt(distance, hn::Mul(hn::Set(d, 64.0f), p.level.across.real));
     return 2 * hn::CountTrue(d, far) > hn::Lanes(d);
   }
 
-  /// Asks for the lines of a row around its middle.
+  /// Asks for the lines of eight texels from `left` on in some lanes.
   template <class D>
-  HWY_INLINE void prefetch_row(D d, const Place<D>& p, const Walk<D>& down, hn::Vec<D> middle) const {
+  HWY_INLINE void prefetch(D d, const Place<D>& p, hn::Vec<D> left, const Walk<D>& down, MaskOf<D> lanes) const {
     const hn::RebindToSigned<D> di;
     MaskOf<D> in;
     alignas(64) int32_t index[kMaxLanes];
-    const Walk<D> across(d, sampler.wrap_u, hn::Floor(middle), p.level.across);
-    hn::Store(hn::Add(RowIndex(d, p.level, down.index(d, &in)), across.index(d, &in)), di, index);
+    const Walk<D> across(d, sampler.wrap_u, left, p.level.across);
+    const auto at = hn::Add(RowIndex(d, p.level, down.index(d, &in)), across.index(d, &in));
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, lanes), at, hn::Set(di, -1)), di, index);
     const size_t size = texel_size(texture);
     const uint8_t* texels = texture.texels.data();
     for (size_t k = 0; k < hn::Lanes(d); ++k) {
-      const uint8_t* at = texels + static_cast<uint32_t>(index[k]) * size;
-      __builtin_prefetch(at - 4 * size);
-      __builtin_prefetch(at + 4 * size);
-    }
-  }
-
-  template <class D>
-  SHD_KERNEL_PART void add_row(D d, const Place<D>& p, const Row<D>& row, const Texels& out,
-                               Average<D>* average) const {
-    using V = hn::Vec<D>;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    const float most = hn::GetLane(hn::MaxOfLanes(d, row.last));
-    Walk<D> across(d, sampler.wrap_u, row.left, p.level.across);
-    V dx = row.dx;
-    for (float c = 0.0f; c <= most; c += 1.0f) {
-      const V x = hn::Add(row.height, hn::Mul(hn::Mul(dx, dx), p.per_wide));
-      const auto active = hn::And(hn::Ge(row.last, hn::Set(d, c)), hn::Lt(x, one));
-      if (!hn::AllFalse(d, active)) {
-        const V weight = hn::IfThenElseZero(active, WeightAt(d, x));
-        const auto first = hn::And(active, hn::Eq(average->total, zero));
-        const Weight<D> share = share_of(d, p, row, dx, weight, active, average);
-        MaskOf<D> in_x;
-        const auto texel = F::fetch(d, texture, hn::Add(row.first_texel, across.index(d, &in_x)));
-        join<0>(d, out, first, TapValue<F, kBorder, D>{texel, hn::And(in_x, row.in), sampler}, share, average);
-      }
-      across.step(d);
-      dx = hn::Add(dx, one);
+      if (index[k] < 0) continue;
+      __builtin_prefetch(texels + static_cast<uint32_t>(index[k]) * size);
+      __builtin_prefetch(texels + static_cast<uint32_t>(index[k] + 7) * size);
     }
   }
 

@@ -40,19 +40,25 @@ HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec
 template <class D>
 class Walk {
  public:
-  HWY_INLINE Walk(D, shd_wrap wrap, hn::Vec<D> start, const AxisSize<D>& size) : wrap_(wrap), size_(size.whole) {
-    const hn::RebindToSigned<D> di;
+  HWY_INLINE Walk(D d, shd_wrap wrap, hn::Vec<D> start, const AxisSize<D>& size) : wrap_(wrap), size_(size.whole) {
     end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size_, size_) : size_;
-    if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) {
-      const auto period = wrap == SHD_WRAP_MIRROR ? hn::Add(size.real, size.real) : size.real;
-      start = hn::Sub(start, hn::Mul(hn::Floor(hn::Div(start, period)), period));
-    }
-    at_ = hn::ConvertTo(di, start);
+    real_end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size.real, size.real) : size.real;
+    at_ = wrapped(d, start);
   }
   HWY_INLINE void step(D) {
     const hn::RebindToSigned<D> di;
     at_ = hn::Add(at_, hn::Set(di, 1));
-    if (wrap_ == SHD_WRAP_REPEAT || wrap_ == SHD_WRAP_MIRROR) at_ = hn::IfThenZeroElse(hn::Eq(at_, end_), at_);
+    if (is_periodic()) at_ = hn::IfThenZeroElse(hn::Eq(at_, end_), at_);
+  }
+  /// In some lanes.
+  HWY_INLINE void step_if(D d, MaskOf<D> lanes) {
+    const Ints<D> before = at_;
+    step(d);
+    at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), at_, before);
+  }
+  /// Goes elsewhere in some lanes.
+  HWY_INLINE void restart_if(D d, MaskOf<D> lanes, hn::Vec<D> start) {
+    at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), wrapped(d, start), at_);
   }
   /// Index in 0..size - 1; `in` is false on the border of SHD_WRAP_BORDER alone.
   HWY_INLINE Ints<D> index(D d, MaskOf<D>* in) const {
@@ -68,7 +74,15 @@ class Walk {
   }
 
  private:
+  HWY_INLINE bool is_periodic() const { return wrap_ == SHD_WRAP_REPEAT || wrap_ == SHD_WRAP_MIRROR; }
+  HWY_INLINE Ints<D> wrapped(D, hn::Vec<D> start) const {
+    const hn::RebindToSigned<D> di;
+    if (is_periodic()) start = hn::Sub(start, hn::Mul(hn::Floor(hn::Div(start, real_end_)), real_end_));
+    return hn::ConvertTo(di, start);
+  }
+
   shd_wrap wrap_;
+  hn::Vec<D> real_end_;
   Ints<D> size_, end_, at_;
 };
 
