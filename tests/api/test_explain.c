@@ -326,7 +326,7 @@ static void test_arguments(void **state)
 int main(void)
 {
     static struct replay_case cases[FILTERS * FORMATS * 5 + FILTERS * PROFILES];
-    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + FILTERS * PROFILES + 2];
+    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + FILTERS * PROFILES + 3];
     size_t n = 0, k;
     for (; n < FILTERS * FORMATS * 5; ++n) {
         struct replay_case *c = &cases[n];
