@@ -27,8 +27,8 @@ struct Target {
 };
 std::vector<Target> targets();
 
-/// A context on the calling thread alone.
-shd_context* make_context(shd_simd simd);
+/// A context on the calling thread alone, or with workers.
+shd_context* make_context(shd_simd simd, uint32_t workers = 1);
 
 /// Rate of the loop of a benchmark by the processor time of the whole process, so that ratios between rows do not
 /// depend on what else the machine does and a peer's extra threads would count.
@@ -48,6 +48,7 @@ void register_frame_peers();
 void register_texture();
 void register_texture_create();
 void register_texture_worst();
+void register_scaling();
 void register_quality();
 void register_frame();
 

@@ -20,9 +20,9 @@ std::vector<Target> targets() {
   return found;
 }
 
-shd_context* make_context(shd_simd simd) {
+shd_context* make_context(shd_simd simd, uint32_t workers) {
   shd_context_desc desc = shd_context_desc_default();
-  desc.worker_count = 1;
+  desc.worker_count = workers;
   desc.simd = simd;
   shd_context* context = nullptr;
   check(shd_context_create(&desc, &context));
@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
   shd::bench::register_texture();
   shd::bench::register_texture_create();
   shd::bench::register_texture_worst();
+  shd::bench::register_scaling();
   shd::bench::register_quality();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -13,16 +13,6 @@ uint16_t to_half(float value) {
   return value == 0.0f ? 0 : static_cast<uint16_t>((bits - (112u << 23) + 0x1000u) >> 13);
 }
 
-/// Whether the call worked; leaves the text of SHD_ERROR_UNSUPPORTED in `missing`.
-bool works(shd_result result, std::string* missing) {
-  if (result == SHD_ERROR_UNSUPPORTED) {
-    *missing = shd_last_error();
-    return false;
-  }
-  check(result);
-  return true;
-}
-
 }  // namespace
 
 std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format) {
@@ -42,20 +32,21 @@ std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& for
 }
 
 Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, uint32_t edge,
-                   const std::vector<uint8_t>& texels)
-    : context_(make_context(simd)) {
+                   const std::vector<uint8_t>& texels, uint32_t workers)
+    : context_(make_context(simd, workers)) {
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = filter.filter;
   sampler.expectation = filter.expectation;
   sampler.box = filter.box;
-  if (!works(shd_sampler_create(context_, &sampler, &sampler_), &missing)) return;
+  sampler.profile = filter.profile;
+  check(shd_sampler_create(context_, &sampler, &sampler_));
   const std::vector<uint8_t> converted = convert(texels, format);
   shd_texture_desc texture = shd_texture_desc_default();
   texture.format = format.format;
   texture.width = texture.height = edge;
   texture.texels = converted.data();
   texture.tables = filter.tables;
-  works(shd_texture_create(context_, &texture, &texture_), &missing);
+  check(shd_texture_create(context_, &texture, &texture_));
 }
 
 Sampling::~Sampling() {
@@ -85,7 +76,6 @@ shd_lookups columns_of(const Lookups& q, const Filter& filter) {
 std::vector<float> filtered_image(const Filter& filter, const Lookups& lookups, uint32_t edge,
                                   const std::vector<uint8_t>& texels) {
   const Sampling sampling(SHD_SIMD_BEST, filter, kRgba8, edge, texels);
-  if (!sampling.missing.empty()) return {};
   Filter all = filter;
   all.every = 1;
   std::vector<float> image(lookups.count() * 4);

@@ -20,6 +20,7 @@ struct Filter {
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
   shd_filter expectation = SHD_FILTER_TRILINEAR;
   shd_box box = SHD_BOX_BOUNDING;
+  shd_profile profile = SHD_PROFILE_EXACT;
 };
 
 constexpr Filter kFilters[] = {
@@ -35,6 +36,16 @@ constexpr Filter kFilters[] = {
     {"summed_area_oriented", SHD_FILTER_SUMMED_AREA, SHD_TABLE_SUMMED_AREA, true, "", PeerFilter::kNone, 1, false,
      SHD_FILTER_TRILINEAR, SHD_BOX_ORIENTED},
     {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, true},
+    {"trilinear_vulkan", SHD_FILTER_TRILINEAR, SHD_TABLE_MIPMAP, true, "trilinear", PeerFilter::kTrilinear, 1, false,
+     SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_VULKAN},
+    {"trilinear_oiio", SHD_FILTER_TRILINEAR, SHD_TABLE_MIPMAP, true, "trilinear", PeerFilter::kTrilinear, 1, false,
+     SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_OIIO},
+    {"anisotropic_vulkan", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1,
+     false, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_VULKAN},
+    {"anisotropic_d3d11", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1,
+     false, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_D3D11},
+    {"anisotropic_oiio", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1,
+     false, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_OIIO},
     {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
     {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,
@@ -63,20 +74,17 @@ constexpr Format kRgba8 = kFormats[1];
 /// RGBA8 texels as another format; its channels are the first ones.
 std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format);
 
-/// A context with a texture and a sampler for `filter`. Where shd has no such filter or table yet, the objects are
-/// NULL and `missing` says why; any other failure ends the program.
+/// A context with a texture and a sampler for `filter`.
 class Sampling {
  public:
-  Sampling(shd_simd simd, const Filter& filter, const Format& format, uint32_t edge,
-           const std::vector<uint8_t>& texels);
+  Sampling(shd_simd simd, const Filter& filter, const Format& format, uint32_t edge, const std::vector<uint8_t>& texels,
+           uint32_t workers = 1);
   ~Sampling();
   Sampling(const Sampling&) = delete;
   Sampling& operator=(const Sampling&) = delete;
 
   /// Filters `columns` into `out`.
   void run(const shd_lookups& columns, shd_texels* out) const;
-
-  std::string missing;
 
  private:
   shd_context* context_ = nullptr;
@@ -87,7 +95,7 @@ class Sampling {
 /// The columns that `filter` reads, one lookup of filter.every.
 shd_lookups columns_of(const Lookups& lookups, const Filter& filter);
 
-/// Every lookup as RGBA; empty if shd has no such filter yet.
+/// Every lookup as RGBA.
 std::vector<float> filtered_image(const Filter& filter, const Lookups& lookups, uint32_t edge,
                                   const std::vector<uint8_t>& texels);
 
