@@ -89,7 +89,7 @@ typedef struct shd_context_desc {
                                  core, 1 = calling thread */
     shd_simd simd;           /**< default SHD_SIMD_BEST; one that cannot run here is SHD_ERROR_UNSUPPORTED */
     uint32_t reserved;       /**< 0 */
-    shd_allocator allocator; /**< default malloc/free */
+    shd_allocator allocator; /**< default malloc/free, huge pages asked for from 8 MiB on */
     shd_executor executor;   /**< default built-in */
     shd_log log;             /**< default none */
     /* ---- end of 0.1; append below ---- */
