@@ -10,7 +10,6 @@
 
 #include <hwy/highway.h>
 
-#include "core/status.h"
 #include "texture/draw-inl.h"
 #include "texture/ellipse-inl.h"
 #include "texture/random-inl.h"
@@ -27,8 +26,6 @@ template <class D>
 class EllipseLines {
  public:
   using V = hn::Vec<D>;
-  /// The longer half axis is at most sqrt(0.84^2 (2 max_anisotropy)^2 + 1) = 107.6.
-  static constexpr size_t kMost = 216;
 
   /// With the middle at (x, y) in texels whose centres are whole numbers.
   HWY_INLINE EllipseLines(D d, V x, V y, V shift, V high, V wide) {
@@ -87,37 +84,48 @@ class EllipseLines {
   V along_, across_, shift_, per_long_, per_short_, half_width_, first_, lines_, texels_;
 };
 
+/// Running sums are kept for so many groups of lines, to find the texel without walking all of them again. The largest
+/// ellipse has 216 lines, more than the stack should hold.
+constexpr size_t kGroups = 56;
+
 /// Coordinates of the first texel with the running sum of weights above x times their sum: as that is below the sum,
 /// there is one, and its weight is not 0.
 template <class D>
 HWY_INLINE void DrawInEllipse(D d, const EllipseLines<D>& lines, hn::Vec<D> random, hn::Vec<D>* x, hn::Vec<D>* y) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const size_t lanes = hn::Lanes(d), count = lines.lines(d);
+  const size_t lanes = hn::Lanes(d), count = lines.lines(d), in_group = (count + kGroups - 1) / kGroups;
   const float texels = lines.texels(d);
-  SHD_ASSERT(count <= EllipseLines<D>::kMost);
-  alignas(64) float sums[EllipseLines<D>::kMost * kMaxLanes];  // up to the end of each line
+  alignas(64) float sums[kGroups * hn::MaxLanes(D())];
   V total = zero, k = zero;
-  for (size_t n = 0; n < count; ++n) {
-    const auto line = lines.line(d, k);
-    for (float t = 0.0f; t < texels; t += 1.0f) total = hn::Add(total, lines.weight(d, line, t));
-    hn::Store(total, d, sums + n * lanes);
-    k = hn::Add(k, one);
+  size_t groups = 0;
+  for (size_t n = 0; n < count; n += in_group) {
+    for (size_t i = 0; i < in_group; ++i) {
+      const auto line = lines.line(d, k);
+      for (float t = 0.0f; t < texels; t += 1.0f) total = hn::Add(total, lines.weight(d, line, t));
+      k = hn::Add(k, one);
+    }
+    hn::Store(total, d, sums + lanes * groups++);
   }
-  const V wanted = hn::Mul(random, total);
-  V sum = zero;
+
+  const V wanted = hn::Mul(random, total), group = hn::Set(d, static_cast<float>(in_group));
+  V sum = zero, texel = zero;
   k = zero;
-  for (size_t n = 0; n < count; ++n) {
-    const V end = hn::Load(d, sums + n * lanes);
+  for (size_t n = 0; n < groups; ++n) {
+    const V end = hn::Load(d, sums + lanes * n);
     const auto passed = hn::Ge(wanted, end);
     sum = hn::IfThenElse(passed, end, sum);
-    k = hn::Add(k, hn::IfThenElseZero(passed, one));
+    k = hn::Add(k, hn::IfThenElseZero(passed, group));
   }
-  const auto line = lines.line(d, k);
-  V texel = zero;
-  for (float t = 0.0f; t < texels; t += 1.0f) {
-    sum = hn::Add(sum, lines.weight(d, line, t));
-    texel = hn::Add(texel, hn::IfThenElseZero(hn::Ge(wanted, sum), one));
+  for (size_t i = 0; i < in_group; ++i) {
+    const auto line = lines.line(d, k);
+    for (float t = 0.0f; t < texels; t += 1.0f) {
+      sum = hn::Add(sum, lines.weight(d, line, t));
+      texel = hn::Add(texel, hn::IfThenElseZero(hn::Ge(wanted, sum), one));
+    }
+    const auto passed = hn::Ge(wanted, sum);
+    k = hn::Add(k, hn::IfThenElseZero(passed, one));
+    texel = hn::IfThenZeroElse(passed, texel);
   }
   lines.locate(d, k, texel, x, y);
 }
