@@ -50,6 +50,7 @@ constexpr Filter kFilters[] = {
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
     {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,
      SHD_FILTER_ANISOTROPIC},
+    {"stochastic_ewa", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false, SHD_FILTER_EWA},
     {"exact", SHD_FILTER_EXACT, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 61, false},
 };
 

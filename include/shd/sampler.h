@@ -153,7 +153,7 @@ typedef struct shd_sampler_desc {
     shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
     shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
     /**
-     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC;
+     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC, EWA;
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter expectation;

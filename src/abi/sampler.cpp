@@ -59,12 +59,7 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
   SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_EXACT, SHD_PROFILE_OIIO));
   SHD_TRY(check_expectation(desc.expectation));
-  SHD_TRY(check_drawn_cubic(desc));
-  if (texture::has_kernel(desc)) return SHD_OK;
-  if (desc.filter == SHD_FILTER_STOCHASTIC) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.expectation: %u is not built yet", enum_bits(desc.expectation));
-  }
-  return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %u is not built yet", enum_bits(desc.filter));
+  return check_drawn_cubic(desc);
 }
 
 }  // namespace

@@ -94,26 +94,6 @@ size_t sample_filter(const Texture& texture, const Sampler& sampler, const core:
                               : sample_given(texture, sampler, simd, lookups, out);
 }
 
-bool has_kernel(const shd_sampler_desc& desc) {
-  switch (desc.filter) {
-    case SHD_FILTER_NEAREST:
-    case SHD_FILTER_BILINEAR:
-    case SHD_FILTER_BICUBIC:
-    case SHD_FILTER_NEAREST_MIP:
-    case SHD_FILTER_BILINEAR_MIP:
-    case SHD_FILTER_RIPMAP:
-    case SHD_FILTER_SUMMED_AREA:
-    case SHD_FILTER_TRILINEAR:
-    case SHD_FILTER_ANISOTROPIC:
-    case SHD_FILTER_EWA:
-    case SHD_FILTER_EXACT: return true;
-    case SHD_FILTER_STOCHASTIC:
-      return desc.expectation == SHD_FILTER_TRILINEAR || desc.expectation == SHD_FILTER_BILINEAR ||
-             desc.expectation == SHD_FILTER_BICUBIC || desc.expectation == SHD_FILTER_ANISOTROPIC;
-    default: return false;
-  }
-}
-
 Sampler make_sampler(const shd_sampler_desc& desc) {
   Sampler sampler = {};
   sampler.filter = desc.filter;

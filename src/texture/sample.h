@@ -19,8 +19,8 @@ namespace shd::texture {
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
 ///   ewa        m (3e-6 + 4e-6 (w + h) + 4e-6 max_anisotropy); a level of detail within 2e-6 of a whole one may take
 ///              either level
-///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h); a texel of weight 0 is
-///              never drawn
+///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h), of EWA within that
+///              filter's bound for m = 1; a texel of weight 0 is never drawn
 ///   exact      m 1e-6 where level 0 serves, i.e. where cell_bound() (parallelogram.h) of the footprint's sides is at
 ///              most 16 / tolerance^2 (2^10..2^24 cells); else the integral of the finest level that does, or of a
 ///              footprint shortened to that many cells of the coarsest

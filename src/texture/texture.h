@@ -29,12 +29,13 @@
 /// | sample_ripmap.cpp       | kernels: ripmap x format                                                    |
 /// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
-/// | sample_stochastic.cpp, random-inl.h | kernels: one texel drawn at random x format                    |
+/// | sample_stochastic.cpp, draw-inl.h, draw_ellipse-inl.h, random-inl.h | kernels: one texel at random x format |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
 /// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
 /// | sample_lod.cpp          | levels of detail and axes of footprints                                     |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
+/// | ellipse-inl.h           | its ellipse and weights, for a block of lookups                              |
 /// | walk-inl.h              | texels along an axis, one after the other                                   |
 /// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
 /// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
@@ -136,9 +137,6 @@ inline Sampler unwidened(const Sampler& sampler) {
   plain.blur_u = plain.blur_v = 0.0f;
   return plain;
 }
-
-/// Whether this build filters so.
-bool has_kernel(const shd_sampler_desc& desc);
 
 /// Whether a filter has derivatives: those that are continuous trees of blends.
 bool has_gradient(shd_filter filter);

@@ -27,7 +27,8 @@ static const struct {
                  {"anisotropic", SHD_FILTER_ANISOTROPIC, SHD_FILTER_TRILINEAR},
                  {"ewa", SHD_FILTER_EWA, SHD_FILTER_TRILINEAR},
                  {"stochastic_bicubic", SHD_FILTER_STOCHASTIC, SHD_FILTER_BICUBIC},
-                 {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC}};
+                 {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_FILTER_ANISOTROPIC},
+                 {"stochastic_ewa", SHD_FILTER_STOCHASTIC, SHD_FILTER_EWA}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
 /* With a profile, each of them on one format and wrap. */

@@ -352,6 +352,7 @@ struct deep {
     void (*run)(struct deep *self);
     shd_context *context;
     shd_scene *scene;
+    const shd_sampler *sampler;
     const shd_lookups *lookups;
     shd_texels *texels;
     shd_result result;
@@ -368,7 +369,7 @@ static void deep_nothing(struct deep *self) { self->result = SHD_OK; }
 static void deep_render(struct deep *self) { self->result = shd_render(self->context, &self->scene->desc); }
 static void deep_sample(struct deep *self)
 {
-    self->result = shd_texture_sample(self->scene->texture[0], self->scene->sampler[0], self->lookups, self->texels);
+    self->result = shd_texture_sample(self->scene->texture[0], self->sampler, self->lookups, self->texels);
 }
 
 static size_t stack_used(struct deep *self, size_t size)
@@ -403,9 +404,10 @@ static void test_small_stack(void **state)
     shd_lookups lookups = shd_lookups_default();
     shd_texels texels;
     shd_context_desc desc = shd_context_desc_default();
+    shd_sampler_desc drawn = shd_sampler_desc_default();
     struct deep deep;
     shd_scene s;
-    size_t base, render, sample;
+    size_t base, render, sample, draw, i;
     int simd;
     (void)state;
 #if defined(__SANITIZE_THREAD__)
@@ -418,14 +420,21 @@ static void test_small_stack(void **state)
     lookups.u.data = lookups.v.data = lookups.dudx.data = columns[0];
     lookups.u.stride = lookups.v.stride = lookups.dudx.stride = 8; /* copied through the stack */
     texels.channel[0].data = columns[1];
+    for (i = 0; i < 5000; ++i) columns[0][2 * i] = (float)(i % 3) / 50.0f; /* some are magnified */
+    lookups.dvdy = lookups.dudx;
+    drawn.filter = SHD_FILTER_STOCHASTIC;
+    drawn.expectation = SHD_FILTER_EWA;
+    drawn.magnification = SHD_MAGNIFICATION_BICUBIC;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_AVX512; ++simd) {
         shd_context *context = NULL;
+        shd_sampler *sampler = NULL;
         desc.worker_count = 1;
         desc.simd = (shd_simd)simd;
         if (shd_context_create(&desc, &context) != SHD_OK) continue;
         shd_scene_open(&s, SHD_SCENE_MIXED, context);
         deep.context = context;
         deep.scene = &s;
+        deep.sampler = s.sampler[0];
         deep.lookups = &lookups;
         deep.texels = &texels;
         deep.run = deep_nothing;
@@ -434,8 +443,12 @@ static void test_small_stack(void **state)
         render = stack_used(&deep, size);
         deep.run = deep_sample;
         sample = stack_used(&deep, size);
-        print_message("%s: shd_render %zu, shd_texture_sample %zu, of a thread %zu bytes of stack\n",
-                      shd_simd_target(context), render - base, sample - base, base);
+        shd_assert_ok(shd_sampler_create(context, &drawn, &sampler));
+        deep.sampler = sampler;
+        draw = stack_used(&deep, size);
+        print_message("%s: shd_render %zu, shd_texture_sample %zu and %zu, of a thread %zu bytes of stack\n",
+                      shd_simd_target(context), render - base, sample - base, draw - base, base);
+        shd_sampler_release(sampler);
         shd_scene_close(&s);
         shd_context_release(context);
     }

@@ -3,7 +3,7 @@
 // ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single draws promise.
 #include "points.h"
 
-#include "ref/footprint_ref.h"
+#include "ref/ewa_ref.h"
 
 namespace {
 
@@ -31,9 +31,15 @@ const stochastic_case k_cases[] = {
     {"anisotropic/64x64", SHD_FILTER_ANISOTROPIC, 64, 64},
     {"anisotropic/1023x511", SHD_FILTER_ANISOTROPIC, 1023, 511},
     {"anisotropic/4096x1", SHD_FILTER_ANISOTROPIC, 4096, 1},
+    {"ewa/1x1", SHD_FILTER_EWA, 1, 1},
+    {"ewa/1x7", SHD_FILTER_EWA, 1, 7},
+    {"ewa/5x3", SHD_FILTER_EWA, 5, 3},
+    {"ewa/64x64", SHD_FILTER_EWA, 64, 64},
+    {"ewa/1023x511", SHD_FILTER_EWA, 1023, 511},
+    {"ewa/4096x1", SHD_FILTER_EWA, 4096, 1},
 };
 constexpr shd_filter kExpectations[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
-                                        SHD_FILTER_ANISOTROPIC};
+                                        SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA};
 constexpr size_t kRounds = 8;  // of kMaxPoints draws
 
 Batch t_batch, t_first;
@@ -47,12 +53,14 @@ shd_sampler_desc make_desc(shd_filter expectation, uint32_t pair) {
   desc.cubic = SHD_CUBIC_B_SPLINE;
   desc.wrap_u = static_cast<shd_wrap>(pair % 5);
   desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  const float limits[] = {16, 1, 3.5f, 64, 2};
+  if (expectation == SHD_FILTER_EWA) desc.max_anisotropy = limits[(pair + pair / 5) % 5];
   desc.probe_weights = pair % 2 ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
   memcpy(desc.border, border, sizeof border);
   return desc;
 }
 
-/// Where to draw: a level of detail, or for anisotropic filtering a footprint of that longer axis.
+/// Where to draw: a level of detail, or for anisotropic filters a footprint of that longer axis.
 struct Place {
   float u, v, lod;
   float aspect, angle;
@@ -90,6 +98,18 @@ void make_draws(float u, float v, float lod, uint32_t first) {
   make_draws({u, v, lod, 1, 0}, {0, 0, 0, 0}, first);
 }
 
+/// The footprint in base texels.
+ref::Ellipse ellipse_of(const ref::Image& image, const ref::Jacobian& j) {
+  const double w = image.levels[0].width, h = image.levels[0].height;
+  return ref::ellipse(ref::Jacobian{j.ux * w, j.vx * h, j.uy * w, j.vy * h});
+}
+
+/// Whether rounding decides between two levels.
+bool is_between_levels(const ref::Image& image, const ref::Jacobian& j) {
+  const double lod = ref::ewa_lod(image, ellipse_of(image, j));
+  return lod > 1e-3 && lod < image.level_count - 1 && floor(lod - 1e-4) != floor(lod + 1e-4);
+}
+
 double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j, int channel) {
   const double u = static_cast<double>(at.u), v = static_cast<double>(at.v);
   switch (image.sampler->expectation) {
@@ -98,8 +118,12 @@ double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j
     case SHD_FILTER_TRILINEAR: return ref::trilinear(image, u, v, static_cast<double>(at.lod), channel);
     default: break;
   }
-  const double w = image.levels[0].width, h = image.levels[0].height;
-  const ref::Ellipse e = ref::ellipse(ref::Jacobian{j.ux * w, j.vx * h, j.uy * w, j.vy * h});
+  const ref::Ellipse e = ellipse_of(image, j);
+  if (image.sampler->expectation == SHD_FILTER_EWA) {
+    double texel[4];
+    ref::ewa(image, e, static_cast<int>(ref::ewa_lod(image, e)), u, v, 0, 0, texel);
+    return texel[channel];
+  }
   const double ratio = ref::aspect(e, static_cast<double>(image.sampler->max_anisotropy));
   return ref::anisotropic(image, e, static_cast<int>(ceil(ratio - 0.125)), u, v, channel);
 }
@@ -114,7 +138,9 @@ void check_mean(const stochastic_case& c, const Texture& texture, const shd_samp
   const ref::Image image = oracle_image(texture, desc, levels);
   const Sampler sampler = make_sampler(desc);
   const ref::Jacobian j = jacobian(at, static_cast<float>(c.width), static_cast<float>(c.height));
-  const bool footprints = desc.expectation == SHD_FILTER_ANISOTROPIC;
+  const bool ellipses = desc.expectation == SHD_FILTER_EWA;
+  const bool footprints = desc.expectation == SHD_FILTER_ANISOTROPIC || (ellipses && at.aspect > 1);
+  if (ellipses && is_between_levels(image, j)) return;
   double sum[4] = {0, 0, 0, 0};
   for (size_t round = 0; round < kRounds; ++round) {
     make_draws(at, j, static_cast<uint32_t>(round * kMaxPoints));
@@ -145,6 +171,7 @@ void test_mean(void** state) {
         at.lod = random.real(-1, 8);
         at.angle = random.real(-3, 3);
         at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from where the number of probes changes
+        if (c.expectation == SHD_FILTER_EWA && pair % 6 == 0) at.aspect = 1;  // by level of detail
         check_mean(c, *texture, make_desc(c.expectation, pair), at);
       }
     }
@@ -180,6 +207,61 @@ void test_weights(void**) {
     }
     free_texture(texture);
   }
+}
+
+struct ellipse_case {
+  const char* name;
+  Place at;
+};
+const ellipse_case k_ellipses[] = {
+    {"ellipse/round", {0.47f, 0.53f, 1.3f, 1, 0}},           {"ellipse/wide", {0.47f, 0.53f, 2.5f, 3, 0.2f}},
+    {"ellipse/high", {0.4f, 0.6f, 2.5f, 3, 1.5f}},           {"ellipse/slanted", {0.5f, 0.5f, 2.7f, 4, 2.2f}},
+    {"ellipse/beside_bilinear", {0.47f, 0.53f, 0.4f, 2, 1}},
+};
+
+/// Every texel of an ellipse on its own: the share of 2^20 draws against the oracle on a picture of that texel alone.
+void test_ellipse(void** state) {
+  const auto& c = *static_cast<const ellipse_case*>(*state);
+  constexpr uint32_t kDraws = 1u << 20, kEdge = 16, kCount = kEdge * kEdge;
+  uint8_t texels[kCount];
+  for (uint32_t i = 0; i < kCount; ++i) texels[i] = static_cast<uint8_t>(i);
+  Texture* texture = make_texture(SHD_FORMAT_R8, kEdge, kEdge, texels, false);
+  const shd_sampler_desc desc = make_desc(SHD_FILTER_EWA, 0);
+  const ref::Jacobian j = jacobian(c.at, kEdge, kEdge);
+  static uint32_t hits[kCount];
+  memset(hits, 0, sizeof hits);
+  for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
+    make_draws(c.at, j, first);
+    run(*texture, make_sampler(desc), hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+    for (size_t i = 0; i < kMaxPoints; ++i) ++hits[lroundf(t_batch.out[0][i] * 255)];
+  }
+  ref::Level levels[shd::texture::kMaxLevels];
+  const ref::Image image = oracle_image(*texture, desc, levels);
+  for (uint32_t i = 0; i < kCount; ++i) {
+    memset(shd::texture::row_of(*texture, 0, 0, 0), 0, kCount);
+    shd::texture::row_of(*texture, 0, 0, 0)[i] = 255;
+    const double want = expected(image, c.at, j, 0);
+    shd_assert_close(c.name, i, hits[i] / static_cast<double>(kDraws), want, hoeffding(1, kDraws) + 1e-4, 0);
+    if (want == 0) assert_int_equal(hits[i], 0);
+  }
+  free_texture(texture);
+}
+
+/// A texel beside the ellipse is never drawn, however the lanes of a vector differ.
+void test_outside(void**) {
+  float texels[256];
+  for (size_t i = 0; i < 256; ++i) texels[i] = i % 16 >= 6 && i % 16 <= 8 ? 1.0f : NAN;
+  Texture* texture = make_texture(SHD_FORMAT_R32F, 16, 16, reinterpret_cast<uint8_t*>(texels), false);
+  for_each_target([&](int64_t target) {
+    make_draws({7.5f / 16, 0.5f, 0, 1, 0}, {1.0 / 16, 0, 0, 8.0 / 16}, 0);  // 2.6 texels wide
+    for (size_t i = 0; i < kMaxPoints; ++i) {
+      t_batch.dvdy[i] = static_cast<float>(i % 13) / 16;
+      if (i % 5 == 0) t_batch.dudx[i] = 0;
+    }
+    run(*texture, make_sampler(make_desc(SHD_FILTER_EWA, 0)), target, drawn(t_batch, true), &t_batch);
+    for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 1.0f);
+  });
+  free_texture(texture);
 }
 
 /// The same bits on every target, for every tail, with and without random words; finite whatever the coordinates.
@@ -248,7 +330,7 @@ void test_weight_zero(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i == 20 ? 5.0f : NAN;
   Texture* texture = make_texture(SHD_FORMAT_R32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
-  for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+  for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_EWA}) {
     for_each_target([&](int64_t target) {
       make_draws(20.5f / 64, 0.5f, 0, 0);
       run(*texture, make_sampler(make_desc(expectation, 0)), target, drawn(t_batch, false), &t_batch);
@@ -281,12 +363,16 @@ void test_constant(void**) {
 }  // namespace
 
 int main() {
-  CMUnitTest tests[32];
+  CMUnitTest tests[48];
   size_t n = 0;
   for (const stochastic_case& c : k_cases) {
     tests[n++] = {c.name, test_mean, nullptr, nullptr, const_cast<stochastic_case*>(&c)};
   }
   tests[n++] = {"weights", test_weights, nullptr, nullptr, nullptr};
+  for (const ellipse_case& c : k_ellipses) {
+    tests[n++] = {c.name, test_ellipse, nullptr, nullptr, const_cast<ellipse_case*>(&c)};
+  }
+  tests[n++] = {"outside", test_outside, nullptr, nullptr, nullptr};
   tests[n++] = {"targets_and_tails", test_targets_and_tails, nullptr, nullptr, nullptr};
   tests[n++] = {"seeds", test_seeds, nullptr, nullptr, nullptr};
   tests[n++] = {"weight_zero", test_weight_zero, nullptr, nullptr, nullptr};
