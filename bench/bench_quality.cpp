@@ -84,10 +84,10 @@ void add(const Filter& filter, const std::string& who, const Floor& floor, const
       ->Unit(benchmark::kMillisecond);
 }
 
-/// Filters that go by the axes of the texture, and one that does not.
+/// Filters that go by the axes of the texture, and two that do not.
 bool is_turned(const Filter& filter) {
   return filter.filter == SHD_FILTER_RIPMAP || filter.filter == SHD_FILTER_SUMMED_AREA ||
-         filter.filter == SHD_FILTER_ANISOTROPIC;
+         filter.filter == SHD_FILTER_ANISOTROPIC || filter.filter == SHD_FILTER_EWA;
 }
 
 }  // namespace
