@@ -43,6 +43,10 @@ SimdTarget simd_target_from_bit(int64_t bit) {
   return target;
 }
 
+SimdTarget baseline_target() {
+  return simd_target_from_bit(HWY_STATIC_TARGET);
+}
+
 shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
   const int64_t available = available_targets();
   int64_t wanted = available;

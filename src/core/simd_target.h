@@ -21,6 +21,9 @@ struct SimdTarget {
 /// Resolves a choice; SHD_ERROR_UNSUPPORTED names what can run here.
 shd_result find_simd_target(shd_simd choice, SimdTarget* out);
 
+/// The one that the compiler's options ask for, which runs wherever the library does.
+SimdTarget baseline_target();
+
 /// The same for one Highway target bit, for tests that loop over hwy::SupportedAndGeneratedTargets().
 SimdTarget simd_target_from_bit(int64_t bit);
 

@@ -125,18 +125,8 @@ core::Array<float> weights(const core::Allocator& allocator, const Recording& re
 }
 
 void record(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  switch (sampler.filter) {
-    case SHD_FILTER_NEAREST: return record_nearest(texture, sampler, lookups);
-    case SHD_FILTER_BILINEAR: return record_bilinear(texture, sampler, lookups);
-    case SHD_FILTER_BICUBIC: return record_bicubic(texture, sampler, lookups);
-    case SHD_FILTER_NEAREST_MIP:
-    case SHD_FILTER_BILINEAR_MIP: return record_mip(texture, sampler, lookups);
-    case SHD_FILTER_RIPMAP: return record_ripmap(texture, sampler, lookups);
-    case SHD_FILTER_ANISOTROPIC: return record_anisotropic(texture, sampler, lookups);
-    case SHD_FILTER_EWA: return record_ewa(texture, sampler, lookups);
-    case SHD_FILTER_STOCHASTIC: return record_stochastic(texture, sampler, lookups);
-    default: return record_trilinear(texture, sampler, lookups);
-  }
+  float unused[1];
+  kernels_of(sampler.filter, core::baseline_target()).record(texture, sampler, lookups, {{unused}, {}, {}});
 }
 
 void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,

@@ -19,6 +19,7 @@
 #include "texture/batch-inl.h"
 #include "texture/gradient-inl.h"
 #include "texture/record-inl.h"
+#include "texture/sample.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -77,12 +78,22 @@ struct GradientOfTexture {
 };
 
 template <class Kernel>
-HWY_INLINE size_t RunValues(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+size_t RunValues(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
   return ForFormat(texture, OfTexture<Kernel>{texture, sampler, in, out});
 }
 template <class Kernel>
-HWY_INLINE size_t RunGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
+size_t RunGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
   return ForFormat(texture, GradientOfTexture<Kernel>{texture, sampler, in, out});
+}
+
+template <class Kernel, bool kGradient>
+FilterKernels KernelsOf() {
+  FilterKernels kernels = {RunValues<Kernel>, nullptr, nullptr};
+  if constexpr (kGradient) kernels.gradient = RunGradient<Kernel>;
+#if HWY_TARGET == HWY_STATIC_TARGET
+  kernels.record = Kernel::template run<Recorded>;
+#endif
+  return kernels;
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -53,15 +53,4 @@ struct Recording {
 /// Where the kernels of this thread record.
 extern thread_local Recording* t_recording;
 
-/// The kernels of sample.h on the one lookup of `lookups`, recorded; one for each filter that is a tree of blends.
-void record_nearest(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_bilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_bicubic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_mip(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_stochastic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_ripmap(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-void record_ewa(const Texture& texture, const Sampler& sampler, const Lookups& lookups);
-
 }  // namespace shd::texture

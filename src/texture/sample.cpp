@@ -13,37 +13,6 @@ void fill(float* column, size_t count, float value) {
   for (size_t i = 0; i < count; ++i) column[i] = value;
 }
 
-size_t sample_values(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out) {
-  switch (sampler.filter) {
-    case SHD_FILTER_NEAREST: return sample_nearest(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_BILINEAR: return sample_bilinear(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_BICUBIC: return sample_bicubic(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_NEAREST_MIP:
-    case SHD_FILTER_BILINEAR_MIP: return sample_mip(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_RIPMAP: return sample_ripmap(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_SUMMED_AREA: return sample_summed_area(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_ANISOTROPIC: return sample_anisotropic(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_EWA: return sample_ewa(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_STOCHASTIC: return sample_stochastic(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_EXACT: return sample_exact(texture, sampler, simd, lookups, out);
-    default: return sample_trilinear(texture, sampler, simd, lookups, out);
-  }
-}
-
-void sample_gradient(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out) {
-  switch (sampler.filter) {
-    case SHD_FILTER_BILINEAR: return gradient_bilinear(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_BICUBIC: return gradient_bicubic(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_BILINEAR_MIP: return gradient_mip(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_RIPMAP: return gradient_ripmap(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_ANISOTROPIC: return gradient_anisotropic(texture, sampler, simd, lookups, out);
-    case SHD_FILTER_EWA: return gradient_ewa(texture, sampler, simd, lookups, out);
-    default: return gradient_trilinear(texture, sampler, simd, lookups, out);
-  }
-}
-
 /// Derivatives and values, each by its own kernels.
 size_t sample_given(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                     const Lookups& lookups, const Texels& out) {
@@ -55,8 +24,10 @@ size_t sample_given(const Texture& texture, const Sampler& sampler, const core::
     gradient.dv[c] = out.dv[c];
     derivatives = derivatives || out.du[c] || out.dv[c];
   }
-  if (derivatives) sample_gradient(texture, sampler, simd, lookups, gradient);
-  return sample_values(texture, sampler, simd, lookups, values);
+  if (sampler.filter == SHD_FILTER_EXACT) return sample_exact(texture, sampler, simd, lookups, values);
+  const FilterKernels kernels = kernels_of(sampler.filter, simd);
+  if (derivatives) kernels.gradient(texture, sampler, lookups, gradient);
+  return kernels.values(texture, sampler, lookups, values);
 }
 
 /// Block by block, what the profile finds and then the kernels on that.
@@ -74,6 +45,22 @@ size_t sample_profiled(const Texture& texture, const Sampler& sampler, const cor
 }
 
 }  // namespace
+
+FilterKernels kernels_of(shd_filter filter, const core::SimdTarget& simd) {
+  switch (filter) {
+    case SHD_FILTER_NEAREST: return nearest_kernels(simd);
+    case SHD_FILTER_BILINEAR: return bilinear_kernels(simd);
+    case SHD_FILTER_BICUBIC: return bicubic_kernels(simd);
+    case SHD_FILTER_NEAREST_MIP:
+    case SHD_FILTER_BILINEAR_MIP: return mip_kernels(simd);
+    case SHD_FILTER_RIPMAP: return ripmap_kernels(simd);
+    case SHD_FILTER_SUMMED_AREA: return summed_area_kernels(simd);
+    case SHD_FILTER_ANISOTROPIC: return anisotropic_kernels(simd);
+    case SHD_FILTER_EWA: return ewa_kernels(simd);
+    case SHD_FILTER_STOCHASTIC: return stochastic_kernels(simd);
+    default: return trilinear_kernels(simd);
+  }
+}
 
 bool has_gradient(shd_filter filter) {
   switch (filter) {

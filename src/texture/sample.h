@@ -39,49 +39,35 @@ namespace shd::texture {
 ///
 /// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
 /// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
-size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out);
-size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                       const Lookups& lookups, const Texels& out);
-size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out);
+using FilterKernel = size_t (*)(const Texture& texture, const Sampler& sampler, const Lookups& lookups,
+                                const Texels& out);
+
+/// What a filter is compiled to for one SIMD target. Kernels return how many lookups had something that is not finite.
+struct FilterKernels {
+  FilterKernel values;    ///< the wanted channels
+  FilterKernel gradient;  ///< their derivatives in u and v: exact ones of the blends, in float; null of some filters
+  FilterKernel record;    ///< one lookup, to this thread's recording (record.h); null but on the baseline target
+};
+FilterKernels nearest_kernels(const core::SimdTarget& simd);
+FilterKernels bilinear_kernels(const core::SimdTarget& simd);
+FilterKernels bicubic_kernels(const core::SimdTarget& simd);
 /// SHD_FILTER_NEAREST_MIP and SHD_FILTER_BILINEAR_MIP.
-size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out);
-size_t sample_stochastic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                         const Lookups& lookups, const Texels& out);
+FilterKernels mip_kernels(const core::SimdTarget& simd);
+FilterKernels trilinear_kernels(const core::SimdTarget& simd);
+FilterKernels ripmap_kernels(const core::SimdTarget& simd);
+/// Without a recorder: sums of integers are no tree of blends.
+FilterKernels summed_area_kernels(const core::SimdTarget& simd);
+FilterKernels anisotropic_kernels(const core::SimdTarget& simd);
+FilterKernels ewa_kernels(const core::SimdTarget& simd);
+FilterKernels stochastic_kernels(const core::SimdTarget& simd);
+
+/// The ones of a filter; not of SHD_FILTER_EXACT, which runs the bilinear ones point by point.
+FilterKernels kernels_of(shd_filter filter, const core::SimdTarget& simd);
+
 size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                     const Lookups& lookups, const Texels& out);
-size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                        const Lookups& lookups, const Texels& out);
-size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out);
-size_t sample_summed_area(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out);
 
-/// Derivatives of the wanted channels in u and v, of filters that have_gradient(): exact derivatives of the blends, in
-/// float.
-void gradient_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                       const Lookups& lookups, const Texels& out);
-void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out);
-void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out);
-void gradient_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out);
-void gradient_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out);
-void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                        const Lookups& lookups, const Texels& out);
-size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out);
-
-size_t sample_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out);
-void gradient_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out);
-
-/// The one of these that sampler.filter names; its magnification does not count.
+/// The filter that sampler.filter names; its magnification does not count.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out);
 

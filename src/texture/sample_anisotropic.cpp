@@ -127,17 +127,9 @@ struct AnisotropicKernel {
   }
 };
 
-size_t AnisotropicBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<AnisotropicKernel>(texture, sampler, in, out);
+FilterKernels AnisotropicKernels() {
+  return KernelsOf<AnisotropicKernel, true>();
 }
-size_t AnisotropicGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<AnisotropicKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordAnisotropic(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  AnisotropicKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -145,23 +137,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(AnisotropicBatch);
-HWY_EXPORT(AnisotropicGradient);
+HWY_EXPORT(AnisotropicKernels);
 }  // namespace
 
-size_t sample_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(AnisotropicBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_anisotropic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out) {
-  SHD_DISPATCH(AnisotropicGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_anisotropic(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordAnisotropic)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels anisotropic_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(AnisotropicKernels, simd)();
 }
 
 }  // namespace shd::texture

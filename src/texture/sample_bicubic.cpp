@@ -92,17 +92,9 @@ struct BicubicKernel {
   }
 };
 
-size_t BicubicBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<BicubicKernel>(texture, sampler, in, out);
+FilterKernels BicubicKernels() {
+  return KernelsOf<BicubicKernel, true>();
 }
-size_t BicubicGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<BicubicKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordBicubic(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  BicubicKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -110,23 +102,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(BicubicBatch);
-HWY_EXPORT(BicubicGradient);
+HWY_EXPORT(BicubicKernels);
 }  // namespace
 
-size_t sample_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(BicubicBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_bicubic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out) {
-  SHD_DISPATCH(BicubicGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_bicubic(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordBicubic)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels bicubic_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(BicubicKernels, simd)();
 }
 
 }  // namespace shd::texture

@@ -45,17 +45,9 @@ struct BilinearKernel {
   }
 };
 
-size_t BilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<BilinearKernel>(texture, sampler, in, out);
+FilterKernels BilinearKernels() {
+  return KernelsOf<BilinearKernel, true>();
 }
-size_t BilinearGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<BilinearKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordBilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  BilinearKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -63,23 +55,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(BilinearBatch);
-HWY_EXPORT(BilinearGradient);
+HWY_EXPORT(BilinearKernels);
 }  // namespace
 
-size_t sample_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                       const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(BilinearBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_bilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                       const Lookups& lookups, const Texels& out) {
-  SHD_DISPATCH(BilinearGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_bilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordBilinear)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels bilinear_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(BilinearKernels, simd)();
 }
 
 }  // namespace shd::texture

@@ -277,17 +277,9 @@ struct EwaKernel {
   }
 };
 
-size_t EwaBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<EwaKernel>(texture, sampler, in, out);
+FilterKernels EwaKernels() {
+  return KernelsOf<EwaKernel, true>();
 }
-size_t EwaGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<EwaKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordEwa(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  EwaKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -295,23 +287,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(EwaBatch);
-HWY_EXPORT(EwaGradient);
+HWY_EXPORT(EwaKernels);
 }  // namespace
 
-size_t sample_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out) {
-  return SHD_DISPATCH(EwaBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_ewa(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out) {
-  SHD_DISPATCH(EwaGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_ewa(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordEwa)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels ewa_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(EwaKernels, simd)();
 }
 
 }  // namespace shd::texture

@@ -129,7 +129,7 @@ size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::
     const ExactFootprint footprint = exact_footprint(texture, sampler, lookups, i);
     nonfinite += !footprint.finite;
     if (footprint.point) {
-      sample_bilinear(texture, sampler, simd, part_of(lookups, i, 1), part_of(out, i));
+      bilinear_kernels(simd).values(texture, sampler, part_of(lookups, i, 1), part_of(out, i));
     } else {
       integrate(texture, sampler, footprint, part_of(out, i));
     }

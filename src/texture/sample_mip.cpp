@@ -62,17 +62,9 @@ struct MipKernel {
   }
 };
 
-size_t MipBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<MipKernel>(texture, sampler, in, out);
+FilterKernels MipKernels() {
+  return KernelsOf<MipKernel, true>();
 }
-size_t MipGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<MipKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordMip(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  MipKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -80,23 +72,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(MipBatch);
-HWY_EXPORT(MipGradient);
+HWY_EXPORT(MipKernels);
 }  // namespace
 
-size_t sample_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out) {
-  return SHD_DISPATCH(MipBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_mip(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out) {
-  SHD_DISPATCH(MipGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_mip(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordMip)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels mip_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(MipKernels, simd)();
 }
 
 }  // namespace shd::texture

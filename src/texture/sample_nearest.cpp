@@ -33,14 +33,9 @@ struct NearestKernel {
   }
 };
 
-size_t NearestBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<NearestKernel>(texture, sampler, in, out);
+FilterKernels NearestKernels() {
+  return KernelsOf<NearestKernel, false>();
 }
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordNearest(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  NearestKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -48,17 +43,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(NearestBatch);
+HWY_EXPORT(NearestKernels);
 }  // namespace
 
-size_t sample_nearest(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                      const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(NearestBatch, simd)(texture, sampler, lookups, out);
-}
-
-void record_nearest(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordNearest)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels nearest_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(NearestKernels, simd)();
 }
 
 }  // namespace shd::texture

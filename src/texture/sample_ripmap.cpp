@@ -152,17 +152,9 @@ struct RipmapKernel {
   }
 };
 
-size_t RipmapBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<RipmapKernel>(texture, sampler, in, out);
+FilterKernels RipmapKernels() {
+  return KernelsOf<RipmapKernel, true>();
 }
-size_t RipmapGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<RipmapKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordRipmap(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  RipmapKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -170,23 +162,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(RipmapBatch);
-HWY_EXPORT(RipmapGradient);
+HWY_EXPORT(RipmapKernels);
 }  // namespace
 
-size_t sample_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(RipmapBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_ripmap(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out) {
-  SHD_DISPATCH(RipmapGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_ripmap(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordRipmap)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels ripmap_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(RipmapKernels, simd)();
 }
 
 }  // namespace shd::texture

@@ -150,14 +150,9 @@ struct StochasticKernel {
   }
 };
 
-size_t StochasticBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<StochasticKernel>(texture, sampler, in, out);
+FilterKernels StochasticKernels() {
+  return KernelsOf<StochasticKernel, false>();
 }
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordStochastic(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  StochasticKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -165,17 +160,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(StochasticBatch);
+HWY_EXPORT(StochasticKernels);
 }  // namespace
 
-size_t sample_stochastic(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                         const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(StochasticBatch, simd)(texture, sampler, lookups, out);
-}
-
-void record_stochastic(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordStochastic)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels stochastic_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(StochasticKernels, simd)();
 }
 
 }  // namespace shd::texture

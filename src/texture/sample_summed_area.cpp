@@ -318,18 +318,21 @@ size_t SummedAreaBatch(const Texture& texture, const Sampler& sampler, const Loo
                                    : SummedAreaOf<RealEntries>(texture, sampler, in, out);
 }
 
+FilterKernels SummedAreaKernels() {
+  return {SummedAreaBatch, nullptr, nullptr};
+}
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(SummedAreaBatch);
+HWY_EXPORT(SummedAreaKernels);
 }  // namespace
 
-size_t sample_summed_area(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                          const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(SummedAreaBatch, simd)(texture, sampler, lookups, out);
+FilterKernels summed_area_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(SummedAreaKernels, simd)();
 }
 
 }  // namespace shd::texture

@@ -76,17 +76,9 @@ struct TrilinearKernel {
   }
 };
 
-size_t TrilinearBatch(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunValues<TrilinearKernel>(texture, sampler, in, out);
+FilterKernels TrilinearKernels() {
+  return KernelsOf<TrilinearKernel, true>();
 }
-size_t TrilinearGradient(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  return RunGradient<TrilinearKernel>(texture, sampler, in, out);
-}
-#if HWY_TARGET == HWY_STATIC_TARGET
-void RecordTrilinear(const Texture& texture, const Sampler& sampler, const Lookups& in, const Texels& out) {
-  TrilinearKernel::run<Recorded>(texture, sampler, in, out);
-}
-#endif
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -94,23 +86,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(TrilinearBatch);
-HWY_EXPORT(TrilinearGradient);
+HWY_EXPORT(TrilinearKernels);
 }  // namespace
 
-size_t sample_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                        const Lookups& lookups, const Texels& out) {
-  return SHD_DISPATCH(TrilinearBatch, simd)(texture, sampler, lookups, out);
-}
-
-void gradient_trilinear(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                        const Lookups& lookups, const Texels& out) {
-  SHD_DISPATCH(TrilinearGradient, simd)(texture, sampler, lookups, out);
-}
-
-void record_trilinear(const Texture& texture, const Sampler& sampler, const Lookups& lookups) {
-  float unused[1];
-  HWY_STATIC_DISPATCH(RecordTrilinear)(texture, sampler, lookups, {{unused}, {}, {}});
+FilterKernels trilinear_kernels(const core::SimdTarget& simd) {
+  return SHD_DISPATCH(TrilinearKernels, simd)();
 }
 
 }  // namespace shd::texture
