@@ -19,11 +19,15 @@ SHD_BEGIN_DECLS
  * the latter two x, y, depth and the derivatives are 0.
  */
 typedef struct shd_fragments {
-    uint32_t struct_size;      /**< of the library's struct */
-    uint32_t draw;             /**< index into shd_render_desc.draws; the same for every row */
-    size_t count;              /**< rows */
-    const float *x;            /**< raster position of the pixel centre, pixels from the left edge */
-    const float *y;            /**< raster position, pixels from the top edge */
+    uint32_t struct_size; /**< of the library's struct */
+    uint32_t draw;        /**< index into shd_render_desc.draws; the same for every row */
+    size_t count;         /**< rows */
+    /**
+     * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle does
+     * not cover that, the mean of those that show it; with SHD_DRAW_SAMPLE_SHADING the sample
+     */
+    const float *x;
+    const float *y;            /**< the same from the top edge */
     const float *depth;        /**< depth-buffer value, 0 near .. 1 far */
     const float *px, *py, *pz; /**< position, world space */
     const float *nx, *ny, *nz; /**< shading normal, world space, unit */
@@ -39,6 +43,7 @@ typedef struct shd_radiance {
     uint32_t struct_size; /**< of the library's struct */
     uint32_t reserved;
     float *r, *g, *b, *a; /**< packed columns of `count` elements */
+    uint32_t *discard;    /**< starts as 0; anything else drops the row. NULL but with SHD_MATERIAL_DISCARDS */
 } shd_radiance;
 
 /** A fragment program: reads in->count rows, writes as many. */

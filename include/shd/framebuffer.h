@@ -3,7 +3,8 @@
  * @file
  * @brief Where a frame ends up: linear colour, depth and auxiliary planes.
  *
- * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row.
+ * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row. With several samples a pixel, planes hold
+ * what a frame leaves of them: colour is their plain average, the other planes are those of the first sample.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
@@ -51,7 +52,7 @@ typedef struct shd_framebuffer_desc {
     uint32_t struct_size; /**< set by shd_framebuffer_desc_default() */
     uint32_t width;       /**< pixels, 1..16384 */
     uint32_t height;      /**< pixels, 1..16384 */
-    uint32_t samples;     /**< per pixel; 1 (more is SHD_ERROR_UNSUPPORTED in this version); default 1 */
+    uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16; default 1 */
     uint32_t aovs;        /**< shd_aov bits; default none */
     uint32_t reserved;    /**< 0 */
     /* ---- end of 0.1; append below ---- */

@@ -33,6 +33,30 @@ typedef enum shd_model {
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
+/**
+ * How a fragment's colour c and opacity a meet the colour d and opacity A of a sample. Models give c = a L with the
+ * radiance L and a = opacity times the diffuse texture's alpha; L itself with STRAIGHT and OPAQUE.
+ */
+typedef enum shd_blend {
+    SHD_BLEND_OPAQUE = 0,        /**< c, and for A the a of a program or 1 of a model */
+    SHD_BLEND_PREMULTIPLIED = 1, /**< c + (1 - a) d, a + (1 - a) A: "over" (Porter and Duff 1984) */
+    SHD_BLEND_STRAIGHT = 2,      /**< a c + (1 - a) d, a + (1 - a) A */
+    SHD_BLEND_ADD = 3,           /**< c + d, A */
+    SHD_BLEND_MULTIPLY = 4,      /**< c d + (1 - a) d, A */
+    /**
+     * After all other draws, in any order: with R the product of 1 - a, w = max(0.01, 3000 (1 - depth)^3) and
+     * C = sum of w c / sum of w a, the result is (1 - R) C + R d, 1 - R + R A. An approximation (McGuire and Bavoil,
+     * "Weighted Blended Order-Independent Transparency", 2013, equation 10). Depth is tested, not written.
+     */
+    SHD_BLEND_WEIGHTED = 5,
+    /**
+     * After all other draws, PREMULTIPLIED from far to near for every sample, equal depths in the order of draws and
+     * triangles. Depth is tested, not written.
+     */
+    SHD_BLEND_SORTED = 6,
+    SHD_BLEND_MAX_ENUM = 0x7fffffff
+} shd_blend;
+
 /** Switches of a material; combine with |. */
 typedef enum shd_material_flag {
     SHD_MATERIAL_NONE = 0,
@@ -40,6 +64,10 @@ typedef enum shd_material_flag {
     SHD_SPECULAR_UNGATED = 1,
     /** Add the ambient term once per point or directional light instead of once. */
     SHD_AMBIENT_PER_LIGHT = 2,
+    /** The program may set shd_radiance.discard. */
+    SHD_MATERIAL_DISCARDS = 4,
+    /** Keep the first round(a samples) of a pixel's samples and drop the others. */
+    SHD_ALPHA_TO_COVERAGE = 8,
     SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
 } shd_material_flag;
 
@@ -62,6 +90,10 @@ typedef struct shd_material_desc {
     shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
     shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
     shd_material_program program; /**< for SHD_MODEL_PROGRAM */
+    shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
+    float opacity;                /**< of models, 0..1; default 1 */
+    float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
+    uint32_t reserved2;           /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 
@@ -77,6 +109,7 @@ static inline shd_material_desc shd_material_desc_default(void)
         desc.specular[c] = 0.5f;
     }
     desc.exponent = 64.0f;
+    desc.opacity = 1.0f;
     return desc;
 }
 

@@ -3,9 +3,10 @@
  * @file
  * @brief Whole frames: one call takes everything it needs.
  *
- * Triangles cover the pixels whose centre they contain, with 8 subpixel bits and the top-left rule; depth
- * passes when less; attributes are perspective-correct with analytic derivatives. The frame has the same
- * bits for any executor, worker count and SIMD target.
+ * Triangles cover the samples that they contain, with 8 subpixel bits and the top-left rule: the centre of a
+ * pixel, or the standard positions of 2, 4, 8 or 16 samples; attributes are perspective-correct with analytic
+ * derivatives. Draws take effect in their order, but for the order-independent blends, which come last. The
+ * frame has the same bits for any executor, worker count and SIMD target.
  *
  * Thread safety: one thread at a time per framebuffer; meshes, materials, lights and textures may be shared
  * between concurrent renders.
@@ -37,14 +38,39 @@ typedef enum shd_cull {
     SHD_CULL_MAX_ENUM = 0x7fffffff
 } shd_cull;
 
+/** Which depths z pass against the depth d that a sample has. NaN passes nowhere. */
+typedef enum shd_compare {
+    SHD_COMPARE_LESS = 0,          /**< z < d */
+    SHD_COMPARE_LESS_EQUAL = 1,    /**< z <= d */
+    SHD_COMPARE_EQUAL = 2,         /**< z = d */
+    SHD_COMPARE_GREATER_EQUAL = 3, /**< z >= d */
+    SHD_COMPARE_GREATER = 4,       /**< z > d, for depth that falls with the distance (clear_depth 0) */
+    SHD_COMPARE_NOT_EQUAL = 5,     /**< z != d */
+    SHD_COMPARE_ALWAYS = 6,        /**< every z */
+    SHD_COMPARE_NEVER = 7,         /**< none */
+    SHD_COMPARE_MAX_ENUM = 0x7fffffff
+} shd_compare;
+
+/** Switches of a draw; combine with |. */
+typedef enum shd_draw_flag {
+    SHD_DRAW_NONE = 0,
+    SHD_DRAW_KEEP_DEPTH = 1,     /**< test depth without writing it */
+    SHD_DRAW_SAMPLE_SHADING = 2, /**< shade every sample at its own place, not every pixel once */
+    SHD_DRAW_FLAG_MAX_ENUM = 0x7fffffff
+} shd_draw_flag;
+
 /** One mesh in the frame. */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
     shd_frequency frequency;      /**< default SHD_FREQUENCY_PHONG */
     const shd_mesh *mesh;         /**< required; borrowed for the call */
-    const shd_material *material; /**< required; borrowed for the call */
+    const shd_material *material; /**< borrowed for the call; NULL = depth alone */
     float object_to_world[16];    /**< affine, finite; default identity */
     shd_cull cull;                /**< default SHD_CULL_NONE */
+    shd_compare compare;          /**< default SHD_COMPARE_LESS */
+    uint32_t flags;               /**< shd_draw_flag bits */
+    float depth_bias;             /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
+    float depth_bias_slope;       /**< the same times the larger of |dz/dx| and |dz/dy| per pixel, finite; default 0 */
     uint32_t reserved;            /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
@@ -68,7 +94,7 @@ typedef struct shd_render_stats {
     uint64_t empty;               /**< dropped: between pixel centres */
     uint64_t rasterised;          /**< drawn, hidden or not */
     uint64_t clipped;             /**< of those outside, culled, empty and rasterised: cut by a clip plane */
-    uint64_t fragments;           /**< shaded; each pixel at most once */
+    uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows */
     uint64_t nonfinite_fragments; /**< of those: r, g, b or a was NaN or infinite (kept as written) */
 } shd_render_stats;
 

@@ -17,11 +17,11 @@ constexpr core::ObjectType kType = core::ObjectType::kFramebuffer;
 
 shd_result check_samples(uint32_t samples) {
   switch (samples) {
-    case 1: return SHD_OK;
+    case 1:
     case 2:
     case 4:
     case 8:
-    case 16: return core::fail(SHD_ERROR_UNSUPPORTED, "framebuffer.samples: %u; this version offers 1", samples);
+    case 16: return SHD_OK;
     default: return core::fail(SHD_ERROR_INVALID_ARGUMENT, "framebuffer.samples: %u is not 1, 2, 4, 8 or 16", samples);
   }
 }
@@ -87,7 +87,7 @@ shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_fram
     *out_info = {};
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
-    *out_info = {body->width, body->height, 1, body->aovs, film::byte_size(*body)};
+    *out_info = {body->width, body->height, body->samples, body->aovs, film::byte_size(*body)};
     return SHD_OK;
   });
 }

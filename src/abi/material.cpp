@@ -12,15 +12,25 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
+constexpr uint32_t kFlags =
+    SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE;
 
 shd_result check_material_desc(const shd_material_desc& desc) {
   SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
-  SHD_TRY(check_flags("material.flags", desc.flags, SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT));
+  SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.specular", desc.specular, 3, 0.0, 1e6));
   SHD_TRY(check_range("material.exponent", static_cast<double>(desc.exponent), 0.0, 1e6));
   SHD_TRY(check_zero("material.reserved", desc.reserved));
+  SHD_TRY(check_enum("material.blend", desc.blend, SHD_BLEND_OPAQUE, SHD_BLEND_SORTED));
+  SHD_TRY(check_range("material.opacity", static_cast<double>(desc.opacity), 0.0, 1.0));
+  SHD_TRY(check_range("material.alpha_cutoff", static_cast<double>(desc.alpha_cutoff), 0.0, 1.0));
+  SHD_TRY(check_zero("material.reserved2", desc.reserved2));
+  if (desc.model != SHD_MODEL_PROGRAM && desc.flags & SHD_MATERIAL_DISCARDS) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.flags: SHD_MATERIAL_DISCARDS, but the model is not SHD_MODEL_PROGRAM");
+  }
   if (desc.model == SHD_MODEL_PROGRAM && !desc.program.fragment) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM");

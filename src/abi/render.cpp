@@ -26,6 +26,10 @@ shd_result read_draw(const shd_draw* in, film::Draw* out) {
   SHD_TRY(read_desc("draw", in, false, &draw));
   SHD_TRY(check_enum("draw.frequency", draw.frequency, 0, SHD_FREQUENCY_FLAT));
   SHD_TRY(check_enum("draw.cull", draw.cull, 0, SHD_CULL_FRONT));
+  SHD_TRY(check_enum("draw.compare", draw.compare, 0, SHD_COMPARE_NEVER));
+  SHD_TRY(check_flags("draw.flags", draw.flags, SHD_DRAW_KEEP_DEPTH | SHD_DRAW_SAMPLE_SHADING));
+  SHD_TRY(check_range("draw.depth_bias", static_cast<double>(draw.depth_bias), -1.0, 1.0));
+  SHD_TRY(check_finite("draw.depth_bias_slope", &draw.depth_bias_slope, 1));
   SHD_TRY(check_zero("draw.reserved", draw.reserved));
   SHD_TRY(check_finite("draw.object_to_world", draw.object_to_world, 16));
   const float* m = draw.object_to_world;
@@ -33,9 +37,12 @@ shd_result read_draw(const shd_draw* in, film::Draw* out) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.object_to_world: the last row is not 0 0 0 1");
   }
   SHD_TRY(read_handle("draw.mesh", draw.mesh, core::ObjectType::kMesh, &out->mesh));
-  SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
+  out->material = nullptr;
+  if (draw.material) SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
   out->frequency = draw.frequency;
   out->cull = draw.cull;
+  out->depth = {draw.compare, !(draw.flags & SHD_DRAW_KEEP_DEPTH), draw.depth_bias, draw.depth_bias_slope};
+  out->sample_shading = (draw.flags & SHD_DRAW_SAMPLE_SHADING) != 0;
   std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);
   return SHD_OK;
 }

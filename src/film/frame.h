@@ -10,15 +10,18 @@
 #include "geometry/mesh.h"
 #include "light/light.h"
 #include "material/material.h"
+#include "raster/coverage.h"
 
 namespace shd::film {
 
 /// A checked shd_draw.
 struct Draw {
   const geometry::Mesh* mesh;
-  const material::Material* material;
+  const material::Material* material;  // null = depth alone
   shd_frequency frequency;
   shd_cull cull;
+  raster::DepthState depth;
+  bool sample_shading;
   float object_to_world[16];
 };
 

@@ -32,6 +32,7 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
   Framebuffer framebuffer{};
   framebuffer.width = desc.width;
   framebuffer.height = desc.height;
+  framebuffer.samples = desc.samples;
   framebuffer.aovs = desc.aovs;
   framebuffer.stride = (desc.width + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
   const size_t count = core::checked_mul(framebuffer.stride, desc.height);

@@ -17,6 +17,7 @@ constexpr uint32_t kFloatPlanes = 10;  // SHD_PLANE_R .. SHD_PLANE_NZ
 /// Planes of one size, row 0 on top; absent ones are empty.
 struct Framebuffer {
   uint32_t width, height;
+  uint32_t samples;                        // per pixel, while a frame is drawn
   uint32_t aovs;                           // shd_aov bits
   size_t stride;                           // elements between rows: width rounded up to a cache line
   core::Array<float> plane[kFloatPlanes];  // by shd_plane

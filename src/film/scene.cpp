@@ -70,8 +70,13 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
     for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
       const Part& part = parts[i];
       const Draw& draw = frame.draws[part.draw];
-      const geometry::Assembly assembly = {draw.mesh, &scene->vertices[part.draw], part.draw,
-                                           draw.cull, frame.framebuffer->width,    frame.framebuffer->height};
+      const geometry::Assembly assembly = {draw.mesh,
+                                           &scene->vertices[part.draw],
+                                           part.draw,
+                                           draw.cull,
+                                           frame.framebuffer->width,
+                                           frame.framebuffer->height,
+                                           raster::sample_pattern(frame.framebuffer->samples).extent};
       geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
     }
   });
@@ -100,7 +105,8 @@ void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd
   transform_all(context, frame, scene);
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
   raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()),
-                        frame.framebuffer->width, frame.framebuffer->height, &scene->bins);
+                        frame.framebuffer->width, frame.framebuffer->height,
+                        raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
 }
 
 }  // namespace shd::film

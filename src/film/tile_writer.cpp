@@ -41,35 +41,70 @@ void clear_tile(const TileArea& area, const float color[4], float depth, Framebu
   }
 }
 
+void clear_slots(raster::Tile* tile) {
+  std::fill(tile->slot.begin(), tile->slot.end(), raster::kNoSlot);
+}
+
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile) {
-  std::fill_n(tile->slot, raster::kTilePixels, raster::kNoSlot);
-  if (area.width < raster::kTile || area.height < raster::kTile) std::fill_n(tile->depth, raster::kTilePixels, -1.0f);
-  for (uint32_t y = 0; y < area.height; ++y) {
-    const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
-    std::memcpy(tile->depth + y * raster::kTile, depth, area.width * sizeof(float));
+  clear_slots(tile);
+  for (uint32_t s = 0; s < tile->samples; ++s) {
+    float* to = tile->depth.data() + s * raster::kTilePixels;
+    for (uint32_t y = 0; y < area.height; ++y, to += raster::kTile) {
+      const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
+      std::memcpy(to, depth, area.width * sizeof(float));
+    }
   }
 }
 
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer) {
   for (uint32_t y = 0; y < area.height; ++y) {
     float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
-    std::memcpy(depth, tile.depth + y * raster::kTile, area.width * sizeof(float));
+    std::memcpy(depth, tile.depth.data() + y * raster::kTile, area.width * sizeof(float));
   }
 }
 
-size_t write_fragments(const TileArea& area, const raster::Fragments& f, const shade::Radiance& radiance,
-                       Framebuffer* framebuffer) {
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const SampleColor* colors, uint32_t samples) {
+  for (uint32_t s = 0; s < samples; ++s) {
+    for (size_t c = 0; c < 4; ++c) {
+      for (uint32_t y = 0; y < area.height; ++y) {
+        const float* color = &framebuffer.plane[c][row_start(area, framebuffer, y)];
+        std::memcpy(colors[s].channel[c] + y * colors[s].stride, color, area.width * sizeof(float));
+      }
+    }
+  }
+}
+
+void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t samples, Framebuffer* framebuffer) {
+  const float share = 1.0f / static_cast<float>(samples);
+  for (size_t c = 0; c < 4; ++c) {
+    for (uint32_t y = 0; y < area.height; ++y) {
+      float* to = &framebuffer->plane[c][row_start(area, *framebuffer, y)];
+      float sum[raster::kTile] = {};
+      for (uint32_t s = 0; s < samples; ++s) {
+        const float* color = colors[s].channel[c] + y * colors[s].stride;
+        for (uint32_t x = 0; x < area.width; ++x) sum[x] += color[x];
+      }
+      for (uint32_t x = 0; x < area.width; ++x) to[x] = sum[x] * share;
+    }
+  }
+}
+
+size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radiance, const SampleColor* colors) {
   size_t nonfinite = 0;
   for (size_t i = 0; i < f.count; ++i) {
-    const size_t at = position(area, *framebuffer, f.pixel[i]);
     bool finite = true;
-    for (int c = 0; c < 4; ++c) {
-      const float value = radiance.channel[c][i];
-      framebuffer->plane[c][at] = value;
-      finite &= std::isfinite(value);
-    }
+    for (size_t c = 0; c < 4; ++c) finite &= std::isfinite(radiance.channel[c][i]);
     nonfinite += !finite;
+    for (uint32_t mask = f.mask[i]; mask; mask &= mask - 1) {
+      const SampleColor& color = colors[__builtin_ctz(mask)];
+      const size_t at = color.at(f.pixel[i]);
+      for (size_t c = 0; c < 4; ++c) color.channel[c][at] = radiance.channel[c][i];
+    }
   }
+  return nonfinite;
+}
+
+void write_aovs(const TileArea& area, const raster::Fragments& f, size_t first, size_t end, Framebuffer* framebuffer) {
   const struct {
     uint32_t aov;
     shd_plane plane;
@@ -81,16 +116,15 @@ size_t write_fragments(const TileArea& area, const raster::Fragments& f, const s
                  {SHD_AOV_NORMAL, SHD_PLANE_NZ, f.nz}};
   for (const auto& [aov, plane, column] : columns) {
     if (!(framebuffer->aovs & aov)) continue;
-    for (size_t i = 0; i < f.count; ++i) {
-      framebuffer->plane[plane][position(area, *framebuffer, f.pixel[i])] = column[i];
+    for (size_t i = first; i < end; ++i) {
+      if (f.mask[i] & 1) framebuffer->plane[plane][position(area, *framebuffer, f.pixel[i])] = column[i];
     }
   }
   if (framebuffer->aovs & SHD_AOV_TRIANGLE) {
-    for (size_t i = 0; i < f.count; ++i) {
-      framebuffer->triangle[position(area, *framebuffer, f.pixel[i])] = f.triangle[i];
+    for (size_t i = first; i < end; ++i) {
+      if (f.mask[i] & 1) framebuffer->triangle[position(area, *framebuffer, f.pixel[i])] = f.triangle[i];
     }
   }
-  return nonfinite;
 }
 
 }  // namespace shd::film

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "film/blend.h"
 #include "film/framebuffer.h"
 #include "raster/fragments.h"
 #include "raster/tile.h"
@@ -22,12 +23,23 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
 /// Colour and depth to the given values, AOVs to 0, triangles to kNoTriangle.
 void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
 
-/// Depth from the framebuffer, no triangles; outside the frame a depth that nothing passes.
+void clear_slots(raster::Tile* tile);
+
+/// Depth from the framebuffer for every sample, no triangles. Pixels outside the frame are left as they are.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
+/// That of the first sample.
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
 
-/// Colour and AOVs of a shaded batch. Returns how many rows have a colour that is not finite.
-size_t write_fragments(const TileArea& area, const raster::Fragments& fragments, const shade::Radiance& radiance,
-                       Framebuffer* framebuffer);
+/// Colour from the framebuffer for every one of several samples.
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const SampleColor* colors, uint32_t samples);
+/// Plain averages to the framebuffer.
+void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t samples, Framebuffer* framebuffer);
+
+/// Colour of a shaded batch to the samples that show it. Returns how many rows have one that is not finite.
+size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors);
+
+/// AOVs of fragments [first, end) that the first sample of their pixel shows.
+void write_aovs(const TileArea& area, const raster::Fragments& fragments, size_t first, size_t end,
+                Framebuffer* framebuffer);
 
 }  // namespace shd::film

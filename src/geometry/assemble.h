@@ -23,6 +23,11 @@ struct ScreenTriangle {
   uint32_t reserved;
 };
 
+/// Where in a pixel its samples lie, in 1 / kSubpixels from its top left corner, ends included.
+struct SampleExtent {
+  int32_t min_x, max_x, min_y, max_y;
+};
+
 /// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a viewport of
 /// width x height pixels. Throws std::bad_alloc.
 struct Assembly {
@@ -31,6 +36,7 @@ struct Assembly {
   uint32_t draw;
   shd_cull cull;
   uint32_t width, height;
+  SampleExtent samples;
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);
@@ -40,13 +46,13 @@ struct PixelBox {
   int32_t min_x, min_y, max_x, max_y;
 };
 
-/// Pixels whose centres lie in the bounding box of a triangle; pixel p has its centre at (p + 1/2) kSubpixels.
-inline PixelBox pixel_box(const ScreenTriangle& t) {
-  const int32_t half = kSubpixels / 2;
-  return {(std::min({t.x[0], t.x[1], t.x[2]}) + half - 1) >> kSubpixelBits,
-          (std::min({t.y[0], t.y[1], t.y[2]}) + half - 1) >> kSubpixelBits,
-          (std::max({t.x[0], t.x[1], t.x[2]}) - half) >> kSubpixelBits,
-          (std::max({t.y[0], t.y[1], t.y[2]}) - half) >> kSubpixelBits};
+/// Pixels that may have a sample in the bounding box of a triangle.
+inline PixelBox pixel_box(const ScreenTriangle& t, const SampleExtent& samples) {
+  const int32_t up = kSubpixels - 1;
+  return {(std::min({t.x[0], t.x[1], t.x[2]}) - samples.max_x + up) >> kSubpixelBits,
+          (std::min({t.y[0], t.y[1], t.y[2]}) - samples.max_y + up) >> kSubpixelBits,
+          (std::max({t.x[0], t.x[1], t.x[2]}) - samples.min_x) >> kSubpixelBits,
+          (std::max({t.y[0], t.y[1], t.y[2]}) - samples.min_y) >> kSubpixelBits};
 }
 
 inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {

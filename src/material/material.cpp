@@ -18,6 +18,9 @@ void build(const shd_material_desc& desc, const texture::Texture* diffuse_textur
   }
   out->exponent = desc.exponent;
   out->program = desc.program;
+  out->blend = desc.blend;
+  out->opacity = desc.opacity;
+  out->alpha_cutoff = desc.alpha_cutoff;
   out->default_sampler = texture::make_sampler(shd_sampler_desc_default());
   out->diffuse_texture = diffuse_texture;
   out->diffuse_sampler = diffuse_sampler ? diffuse_sampler : &out->default_sampler;

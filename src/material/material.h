@@ -25,6 +25,8 @@ struct Material {
   float specular[3];  // k_s
   float exponent;     // p
   shd_material_program program;
+  shd_blend blend;
+  float opacity, alpha_cutoff;
   const texture::Texture* diffuse_texture;  // null = none
   const texture::Sampler* diffuse_sampler;  // never null when there is a texture
   texture::Sampler default_sampler;         // what diffuse_sampler points at when the desc gave none
@@ -36,6 +38,21 @@ struct Material {
   Material& operator=(const Material&) = delete;
   ~Material();  // releases the two objects
 };
+
+/// Whether fragments must be shaded to know which samples they cover.
+inline bool drops_fragments(const Material& material) {
+  return material.alpha_cutoff > 0.0f || (material.flags & (SHD_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
+}
+
+/// Whether the opacity of a model counts.
+inline bool has_opacity(const Material& material) {
+  return material.blend != SHD_BLEND_OPAQUE || drops_fragments(material);
+}
+
+/// Whether the blend comes after all draws that have an order.
+inline bool is_unordered(const Material& material) {
+  return material.blend == SHD_BLEND_WEIGHTED || material.blend == SHD_BLEND_SORTED;
+}
 
 /// Takes a checked desc with what its handles stand for; the references in `out` are the caller's to set.
 void build(const shd_material_desc& desc, const texture::Texture* diffuse_texture,

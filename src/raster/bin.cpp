@@ -9,9 +9,9 @@ namespace {
 
 /// Calls visit(tile) for every tile that the bounding box of the triangle touches.
 template <class Visit>
-void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::PixelBox& viewport, uint32_t tiles_x,
-               Visit visit) {
-  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle), viewport);
+void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::SampleExtent& samples,
+               const geometry::PixelBox& viewport, uint32_t tiles_x, Visit visit) {
+  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, samples), viewport);
   for (int32_t y = box.min_y >> kTileBits; y <= box.max_y >> kTileBits; ++y) {
     for (int32_t x = box.min_x >> kTileBits; x <= box.max_x >> kTileBits; ++x) {
       visit(static_cast<size_t>(y) * tiles_x + static_cast<size_t>(x));
@@ -22,7 +22,7 @@ void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::PixelBo
 }  // namespace
 
 void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count, uint32_t width,
-                   uint32_t height, Bins* out) {
+                   uint32_t height, const geometry::SampleExtent& samples, Bins* out) {
   out->tiles_x = tile_count(width);
   out->tiles_y = tile_count(height);
   out->group_count = group_count;
@@ -35,7 +35,7 @@ void bin_triangles(const core::Context& context, const Group* groups, uint32_t g
 
   core::parallel_for(context, group_count, [&](uint32_t g, uint32_t) {
     for (size_t i = 0; i < groups[g].size(); ++i) {
-      for_tiles(groups[g][i], viewport, out->tiles_x, [&](size_t tile) { ++start[tile * group_count + g]; });
+      for_tiles(groups[g][i], samples, viewport, out->tiles_x, [&](size_t tile) { ++start[tile * group_count + g]; });
     }
   });
 
@@ -51,7 +51,7 @@ void bin_triangles(const core::Context& context, const Group* groups, uint32_t g
 
   core::parallel_for(context, group_count, [&](uint32_t g, uint32_t) {
     for (size_t i = 0; i < groups[g].size(); ++i) {
-      for_tiles(groups[g][i], viewport, out->tiles_x,
+      for_tiles(groups[g][i], samples, viewport, out->tiles_x,
                 [&](size_t tile) { out->entries[cursor[tile * group_count + g]++] = static_cast<uint32_t>(i); });
     }
   });

@@ -22,7 +22,7 @@ struct Bins {
 
 /// Sorts every triangle into the tiles of a width x height viewport, groups in parallel. Throws.
 void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count, uint32_t width,
-                   uint32_t height, Bins* out);
+                   uint32_t height, const geometry::SampleExtent& samples, Bins* out);
 
 /// Triangles of one tile in one group.
 struct BinSegment {

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "geometry/assemble.h"
+#include "raster/coverage.h"
+#include "raster/sample_pattern.h"
 #include "raster/tile.h"
 
 namespace shd::raster {
 
-/// Edge function of one edge over one tile, in whole pixels: the pixel (i, j) of the tile is on the inner side iff
-/// value + a * i + b * j >= 0. Exact: at pixel centres the function in 2^-16 pixel^2 moves in steps of 256 a and
-/// 256 b, so dividing it by 256 and rounding down keeps its sign.
+/// Edge function of one edge over one tile at one sample of each pixel, in whole pixels: that of pixel (i, j) of the
+/// tile is on the inner side iff value + a * i + b * j >= 0. Exact: from pixel to pixel the function in 2^-16 pixel^2
+/// moves in steps of 256 a and 256 b, so dividing it by 256 and rounding down keeps its sign.
 struct Edge {
   int64_t value, a, b;
 };
@@ -19,13 +22,14 @@ struct Edge {
 enum class EdgeSide { kOutside, kInside, kCrossing };
 
 /// The edge from vertex k to the next, with the top-left rule folded in, and how it lies to the tile.
-inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left, int32_t top, Edge* out) {
+inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left, int32_t top, SamplePoint sample,
+                          Edge* out) {
   const int next = k == 2 ? 0 : k + 1;
   const int64_t a = int64_t{t.y[k]} - t.y[next];
   const int64_t b = int64_t{t.x[next]} - t.x[k];
-  const int64_t centre_x = int64_t{left} * geometry::kSubpixels + geometry::kSubpixels / 2;
-  const int64_t centre_y = int64_t{top} * geometry::kSubpixels + geometry::kSubpixels / 2;
-  int64_t value = a * (centre_x - t.x[k]) + b * (centre_y - t.y[k]);
+  const int64_t x = int64_t{left} * geometry::kSubpixels + sample.x;
+  const int64_t y = int64_t{top} * geometry::kSubpixels + sample.y;
+  int64_t value = a * (x - t.x[k]) + b * (y - t.y[k]);
   const bool owns_boundary = a > 0 || (a == 0 && b > 0);  // left edge, or top edge
   if (!owns_boundary) --value;
   value >>= geometry::kSubpixelBits;
@@ -44,14 +48,14 @@ inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left
 /// Steps up to this size keep an edge that crosses a tile, and all its values there, inside int32.
 constexpr int64_t kNarrowStep = int64_t{1} << 23;
 
-/// Depth as a plane: base + dx * (x - x0) + dy * (y - y0) at pixel (x, y) of the frame, clamped to [low, high]. The
-/// origin is the pixel of vertex 0, so that the value does not depend on the tile.
+/// Depth as a plane: base + dx * (x - x0) + dy * (y - y0) at a sample of pixel (x, y) of the frame, clamped to
+/// [low, high]. The origin is the pixel of vertex 0, so that the value does not depend on the tile.
 struct DepthPlane {
   float base, dx, dy, low, high;
   int32_t x0, y0;
 };
 
-inline DepthPlane make_depth_plane(const geometry::ScreenTriangle& t) {
+inline DepthPlane make_depth_plane(const geometry::ScreenTriangle& t, SamplePoint sample, const DepthState& state) {
   const double x1 = static_cast<double>(t.x[1] - t.x[0]), y1 = static_cast<double>(t.y[1] - t.y[0]);
   const double x2 = static_cast<double>(t.x[2] - t.x[0]), y2 = static_cast<double>(t.y[2] - t.y[0]);
   const double z0 = static_cast<double>(t.z[0]);
@@ -62,14 +66,36 @@ inline DepthPlane make_depth_plane(const geometry::ScreenTriangle& t) {
   plane.x0 = t.x[0] >> geometry::kSubpixelBits;
   plane.y0 = t.y[0] >> geometry::kSubpixelBits;
   const double to_pixels = 1.0 / geometry::kSubpixels;
-  const double step_x = (plane.x0 * geometry::kSubpixels + geometry::kSubpixels / 2 - t.x[0]) * to_pixels;
-  const double step_y = (plane.y0 * geometry::kSubpixels + geometry::kSubpixels / 2 - t.y[0]) * to_pixels;
-  plane.base = static_cast<float>(z0 + dx * step_x + dy * step_y);
+  const double step_x = (plane.x0 * geometry::kSubpixels + sample.x - t.x[0]) * to_pixels;
+  const double step_y = (plane.y0 * geometry::kSubpixels + sample.y - t.y[0]) * to_pixels;
+  const double steepest = std::max(std::fabs(dx), std::fabs(dy));
+  const double bias = static_cast<double>(state.bias) + static_cast<double>(state.slope_bias) * steepest;
+  plane.base = static_cast<float>(z0 + dx * step_x + dy * step_y + bias);
   plane.dx = static_cast<float>(dx);
   plane.dy = static_cast<float>(dy);
-  plane.low = std::min({t.z[0], t.z[1], t.z[2]});
-  plane.high = std::max({t.z[0], t.z[1], t.z[2]});
+  const auto biased = [&](float z) {
+    return bias == 0 ? z : static_cast<float>(std::min(std::max(static_cast<double>(z) + bias, 0.0), 1.0));
+  };
+  plane.low = biased(std::min({t.z[0], t.z[1], t.z[2]}));
+  plane.high = biased(std::max({t.z[0], t.z[1], t.z[2]}));
   return plane;
+}
+
+/// Whether a triangle covers the centre of pixel (x, y) of the frame.
+inline bool covers_centre(const geometry::ScreenTriangle& t, int32_t x, int32_t y) {
+  const SamplePoint centre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+  for (int k = 0; k < 3; ++k) {
+    Edge edge;
+    if (make_edge(t, k, x, y, centre, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
+  }
+  return true;
+}
+
+/// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.
+inline float depth_at(const DepthPlane& plane, int32_t x, int32_t y) {
+  const float row = plane.base + plane.dy * static_cast<float>(y - plane.y0);
+  const float z = plane.dx * static_cast<float>(x - plane.x0) + row;
+  return z < plane.low ? plane.low : z > plane.high ? plane.high : z;
 }
 
 }  // namespace shd::raster

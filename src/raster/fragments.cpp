@@ -7,7 +7,7 @@ namespace {
 /// Every column of the table, once: what allocation needs to know.
 template <class Visit>
 void visit_columns(Fragments& f, Visit visit) {
-  for (uint32_t** column : {&f.pixel, &f.triangle, &f.vertex[0], &f.vertex[1], &f.vertex[2]}) {
+  for (uint32_t** column : {&f.pixel, &f.mask, &f.triangle, &f.vertex[0], &f.vertex[1], &f.vertex[2]}) {
     visit(reinterpret_cast<void**>(column));
   }
   for (float** column :
@@ -17,18 +17,46 @@ void visit_columns(Fragments& f, Visit visit) {
   }
 }
 
-/// Cuts the covered pixels of a tile into runs; returns how many.
-size_t find_runs(const Tile& tile, PixelRun* runs) {
-  size_t count = 0;
+/// The samples of a pixel that show what its sample k shows; 0 where an earlier one shows it too.
+uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
+  const uint32_t slot = tile.slot[k * kTilePixels + pixel];
+  uint32_t mask = 0;
+  for (uint32_t j = 0; j < tile.samples; ++j) {
+    if (tile.slot[j * kTilePixels + pixel] != slot) continue;
+    if (j < k) return 0;
+    mask |= 1u << j;
+  }
+  return mask;
+}
+
+bool is_uniform(const Tile& tile, size_t pixel) {
+  bool uniform = true;
+  for (uint32_t k = 1; k < tile.samples; ++k) {
+    uniform &= tile.slot[k * kTilePixels + pixel] == tile.slot[pixel];
+  }
+  return uniform;
+}
+
+/// Cuts the covered pixels of a tile into runs.
+void find_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
+  const uint32_t all = (1u << tile.samples) - 1;
+  runs->clear();
   for (size_t begin = 0; begin < kTilePixels;) {
+    if (!is_uniform(tile, begin)) {
+      for (uint32_t k = 0; k < tile.samples; ++k) {
+        const uint32_t slot = tile.slot[k * kTilePixels + begin];
+        const uint32_t mask = slot == kNoSlot ? 0 : samples_like(tile, begin, k);
+        if (mask) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), mask});
+      }
+      ++begin;
+      continue;
+    }
     const uint32_t slot = tile.slot[begin];
     size_t end = begin + 1;
-    while (end < kTilePixels && tile.slot[end] == slot) ++end;
-    runs[count] = {slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end)};
-    count += slot != kNoSlot;
+    while (end < kTilePixels && tile.slot[end] == slot && is_uniform(tile, end)) ++end;
+    if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), all});
     begin = end;
   }
-  return count;
 }
 
 }  // namespace
@@ -49,21 +77,25 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
 void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
-  const size_t runs = find_runs(tile, out->run);
-  for (size_t i = 0; i < runs; ++i) out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
+  find_runs(tile, &out->run);
+  for (size_t i = 0; i < out->run.size(); ++i) {
+    out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
+  }
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {
     const uint32_t count = out->start[slot];
     out->start[slot] = total;
     total += count;
   }
-  out->count = total;
+  out->pixel.resize(total);
   // Each cell runs to the start of the next slot while pixels are placed, and is set back afterwards.
-  for (size_t i = 0; i < runs; ++i) {
+  for (size_t i = 0; i < out->run.size(); ++i) {
     const PixelRun& run = out->run[i];
-    uint32_t* pixel = out->pixel + out->start[run.slot];
+    VisiblePixel* pixel = out->pixel.data() + out->start[run.slot];
     out->start[run.slot] += uint32_t{run.end} - run.begin;
-    for (uint32_t p = run.begin; p < run.end; ++p) *pixel++ = p;
+    for (uint32_t p = run.begin; p < run.end; ++p) {
+      *pixel++ = {static_cast<uint16_t>(p), static_cast<uint16_t>(run.mask)};
+    }
   }
   for (size_t slot = slot_count; slot > 0; --slot) out->start[slot] = out->start[slot - 1];
   out->start[0] = 0;

@@ -19,6 +19,7 @@ struct Fragments {
   core::Array<float> block;
 
   uint32_t* pixel;      // row-major position in the tile
+  uint32_t* mask;       // samples of the pixel, as bits
   uint32_t* triangle;   // index in its mesh
   uint32_t* vertex[3];  // rows of geometry::Vertices
   float *x, *y;         // raster position [pixels]
@@ -35,18 +36,24 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Neighbouring pixels of a tile, in row-major order, that show the same triangle.
+/// Neighbouring pixels of a tile, in row-major order, that show the same triangle at the same samples.
 struct PixelRun {
   uint32_t slot;
   uint16_t begin, end;
+  uint32_t mask;
 };
 
-/// Pixels of a tile in the order of their triangles.
+/// A pixel that shows a triangle.
+struct VisiblePixel {
+  uint16_t position;  // row-major in the tile
+  uint16_t mask;      // at which samples, as bits
+};
+
+/// Pixels of a tile in the order of their triangles; one that shows several is there for each of them.
 struct TileOrder {
-  PixelRun run[kTilePixels];     // scratch
-  size_t count;                  // covered pixels
-  core::Buffer<uint32_t> start;  // [slots + 1] first position of each slot
-  uint32_t pixel[kTilePixels];   // row-major position in the tile, sorted by slot, then by position
+  core::Buffer<PixelRun> run;        // scratch
+  core::Buffer<uint32_t> start;      // [slots + 1] first position of each slot
+  core::Buffer<VisiblePixel> pixel;  // sorted by slot, then by position
 };
 
 /// Counting sort of the covered pixels of a tile by slot. Throws std::bad_alloc.

@@ -4,21 +4,31 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/allocator.h"
+
 namespace shd::raster {
 
 /// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the frame: depth and triangle
-/// of a tile take 32 KB, and its fragment columns stay in L2.
+/// of a tile take 32 KB a sample, and its fragment columns stay in L2.
 constexpr int32_t kTileBits = 6;
 constexpr int32_t kTile = 1 << kTileBits;
 constexpr size_t kTilePixels = size_t{kTile} * kTile;
 
 constexpr uint32_t kNoSlot = 0xffffffffu;
 
-/// Depth and nearest triangle of the pixels of one tile, row by row.
+/// Depth and visible triangle of every sample of one tile: planes of kTilePixels, row by row.
 struct Tile {
-  alignas(64) float depth[kTilePixels];
-  alignas(64) uint32_t slot[kTilePixels];  // position in the tile's list of triangles, or kNoSlot
+  uint32_t samples = 0;
+  core::Array<float> depth;    // [samples][kTilePixels]
+  core::Array<uint32_t> slot;  // [samples][kTilePixels] position in the tile's list of triangles, or kNoSlot
 };
+
+/// Throws std::bad_alloc.
+inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* out) {
+  out->samples = samples;
+  out->depth = core::Array<float>(allocator, samples * kTilePixels);
+  out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
+}
 
 constexpr uint32_t tile_count(uint32_t pixels) {
   return (pixels + kTile - 1) / kTile;

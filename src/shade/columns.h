@@ -26,11 +26,13 @@ struct Columns {
   Lobes row_lobes;        // of corners or centroids
   Radiance row_radiance;  // of corners or centroids
   uint32_t* row;          // for each fragment, the first of its triangle's rows
+  uint32_t* discard;      // of the fragments: not 0 where a program dropped them
+  uint32_t* row_discard;  // of corners or centroids
 };
 
 /// Throws std::bad_alloc.
 inline void allocate(const core::Allocator& allocator, Columns* out) {
-  constexpr size_t kColumns = 6 + 4 + 4 + 6 + 4 + 1;
+  constexpr size_t kColumns = 6 + 4 + 4 + 6 + 4 + 1 + 2;
   out->block = core::Array<float>(allocator, kColumns * raster::kBatch);
   out->block.fill_zero();
   float* next = out->block.data();
@@ -48,6 +50,8 @@ inline void allocate(const core::Allocator& allocator, Columns* out) {
   }
   for (float*& column : out->texture) column = take();
   out->row = reinterpret_cast<uint32_t*>(take());
+  out->discard = reinterpret_cast<uint32_t*>(take());
+  out->row_discard = reinterpret_cast<uint32_t*>(take());
 }
 
 }  // namespace shd::shade

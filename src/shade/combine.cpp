@@ -24,7 +24,16 @@ void Combine(const material::Material& material, const float* ambient, const Lob
       hn::Store(sum, d, out.channel[c] + i);
     }
   }
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) hn::Store(hn::Set(d, 1.0f), d, out.channel[3] + i);
+  const auto opacity = hn::Set(d, has_opacity(material) ? material.opacity : 1.0f);
+  const bool textured = texture && has_opacity(material);
+  const bool premultiplied = material.blend != SHD_BLEND_OPAQUE && material.blend != SHD_BLEND_STRAIGHT;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto a = textured ? hn::Mul(opacity, hn::Load(d, texture[3] + i)) : opacity;
+    hn::Store(a, d, out.channel[3] + i);
+    for (int c = 0; premultiplied && c < 3; ++c) {
+      hn::Store(hn::Mul(a, hn::Load(d, out.channel[c] + i)), d, out.channel[c] + i);
+    }
+  }
 }
 
 void SpreadCorners(const raster::Fragments& fragments, const uint32_t* rows, const float* in, float* out) {
@@ -52,7 +61,7 @@ HWY_EXPORT(Combine);
 HWY_EXPORT(SpreadCorners);
 
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
-             const Lobes& lobes, const float* const texture[3], size_t count, Radiance* out) {
+             const Lobes& lobes, const float* const texture[4], size_t count, Radiance* out) {
   const float times = material.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<float>(lights.count) : 1.0f;
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = material.ambient[c] * lights.ambient[c] * times;

@@ -59,7 +59,7 @@ void spread(const core::SimdTarget& simd, const DrawShading& shading, const Work
   }
 }
 
-void run_program(const DrawShading& shading, const raster::Fragments& f, Radiance* radiance) {
+void run_program(const DrawShading& shading, const raster::Fragments& f, uint32_t* discard, Radiance* radiance) {
   for (int c = 0; c < 4; ++c) {
     for (size_t i = 0; i < f.count; ++i) radiance->channel[c][i] = c == 3 ? 1.0f : 0.0f;
   }
@@ -78,6 +78,10 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, Radianc
   out.struct_size = sizeof out;
   out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
   out.a = radiance->channel[3];
+  if (shading.material->flags & SHD_MATERIAL_DISCARDS) {
+    std::memset(discard, 0, f.count * sizeof(uint32_t));
+    out.discard = discard;
+  }
   shading.material->program.fragment(&in, &out, shading.material->program.user_data);
 }
 
@@ -86,8 +90,9 @@ const float* const* look_up(const core::SimdTarget& simd, const material::Materi
   if (!material.diffuse_texture) return nullptr;
   const raster::Fragments& f = w->fragments;
   const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
+  float* alpha = has_opacity(material) ? w->columns.texture[3] : nullptr;
   texture::sample(*material.diffuse_texture, *material.diffuse_sampler, simd, lookups,
-                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], nullptr}, {}, {}});
+                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], alpha}, {}, {}});
   return w->columns.texture;
 }
 
@@ -114,8 +119,12 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
   const raster::Fragments& rows = per_fragment ? w->fragments : w->rows;
 
   if (material.model == SHD_MODEL_PROGRAM) {
-    run_program(shading, rows, per_fragment ? &columns.radiance : &columns.row_radiance);
+    uint32_t* discard = per_fragment ? columns.discard : columns.row_discard;
+    run_program(shading, rows, discard, per_fragment ? &columns.radiance : &columns.row_radiance);
     if (per_fragment) return;
+    if (material.flags & SHD_MATERIAL_DISCARDS) {
+      for (size_t i = 0; i < w->fragments.count; ++i) columns.discard[i] = columns.row_discard[columns.row[i]];
+    }
     for (int c = 0; c < 4; ++c) {
       spread(simd, shading, *w, columns.row_radiance.channel[c], columns.radiance.channel[c]);
     }

@@ -59,7 +59,7 @@ void transform(bool perspective) {
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
   shd_render_stats stats = {};
-  const geometry::Assembly assembly = {&g->mesh, &g->vertices, 5, cull, kWidth, kHeight};
+  const geometry::Assembly assembly = {&g->mesh, &g->vertices, 5, cull, kWidth, kHeight, {128, 128, 128, 128}};
   geometry::assemble(assembly, begin, end, &g->out, &stats);
   return stats;
 }

@@ -6,6 +6,7 @@
 
 #include "core/context.h"
 #include "raster/bin.h"
+#include "raster/sample_pattern.h"
 #include "raster/tile.h"
 #include "support/random.h"
 
@@ -86,7 +87,8 @@ void make_triangles(const bin_case& c) {
     }
     t.primitive = static_cast<uint32_t>(i);
     // As assembly leaves them: those without a centre of the frame in their box are gone.
-    const PixelBox box = geometry::intersection(geometry::pixel_box(t), geometry::viewport_box(c.width, c.height));
+    const PixelBox box = geometry::intersection(geometry::pixel_box(t, raster::sample_pattern(1).extent),
+                                                geometry::viewport_box(c.width, c.height));
     if (geometry::is_empty(box)) continue;
     g->triangles.push_back(t);
   }
@@ -99,7 +101,8 @@ void test_bin(void** state) {
   const auto* c = static_cast<const bin_case*>(*state);
   g = new Fixture(c->groups);
   make_triangles(*c);
-  raster::bin_triangles(*g_context, g->groups.data(), c->groups, c->width, c->height, &g->bins);
+  raster::bin_triangles(*g_context, g->groups.data(), c->groups, c->width, c->height, raster::sample_pattern(1).extent,
+                        &g->bins);
   assert_int_equal(g->bins.tiles_x, (c->width + 63) / 64);
   assert_int_equal(g->bins.tiles_y, (c->height + 63) / 64);
   size_t entries = 0;

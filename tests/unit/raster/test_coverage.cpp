@@ -19,16 +19,31 @@ using raster::kTile;
 using raster::kTilePixels;
 using raster::Tile;
 
+const core::Allocator g_allocator = {core::default_allocator()};
 Tile g_tile, g_first;
 uint32_t g_hits[kTilePixels];
 constexpr int32_t kFarthest = 1 << 28;  // guard band in fixed point
 
 void clear(Tile* tile) {
-  for (size_t i = 0; i < kTilePixels; ++i) {
+  for (size_t i = 0; i < tile->samples * kTilePixels; ++i) {
     tile->depth[i] = 1.0f;
     tile->slot[i] = kNoSlot;
   }
 }
+void copy(const Tile& from, Tile* to) {
+  memcpy(to->depth.data(), from.depth.data(), from.samples * kTilePixels * sizeof(float));
+  memcpy(to->slot.data(), from.slot.data(), from.samples * kTilePixels * sizeof(uint32_t));
+}
+bool are_same(const Tile& a, const Tile& b) {
+  return memcmp(a.depth.data(), b.depth.data(), a.samples * kTilePixels * sizeof(float)) == 0 &&
+         memcmp(a.slot.data(), b.slot.data(), a.samples * kTilePixels * sizeof(uint32_t)) == 0;
+}
+
+/// A whole tile with one sample a pixel.
+raster::CoverArea area_at(int32_t left, int32_t top) {
+  return {raster::sample_pattern(1), left, top, {left, top, left + kTile - 1, top + kTile - 1}};
+}
+constexpr raster::DepthState kLess = {SHD_COMPARE_LESS, true, 0.0f, 0.0f};
 
 /// The triangle turned as assembly turns it; false if it has no area.
 bool turn(ScreenTriangle* t) {
@@ -44,7 +59,7 @@ bool turn(ScreenTriangle* t) {
 
 void cover_one(const core::SimdTarget& target, const ScreenTriangle& t, int32_t left, int32_t top, Tile* tile) {
   const uint32_t entry = 0;
-  raster::cover(target, &t, &entry, 1, 0, left, top, tile);
+  raster::cover(target, area_at(left, top), kLess, &t, &entry, 1, 0, tile);
 }
 
 /// Three vertices around a tile whose corner is at (left, top), in fixed point.
@@ -167,9 +182,9 @@ void test_shape(void** state) {
       cover_one(target, t, corner[0], corner[1], &g_tile);
       if (first) {
         check_triangle(target.name, t, corner[0], corner[1]);
-        g_first = g_tile;
+        copy(g_tile, &g_first);
       }
-      if (memcmp(&g_tile, &g_first, sizeof g_tile) != 0) fail_msg("%s differs, triangle %d", target.name, i);
+      if (!are_same(g_tile, g_first)) fail_msg("%s differs, triangle %d", target.name, i);
     });
   }
 }
@@ -345,7 +360,7 @@ void test_order(void** state) {
   const uint32_t entries[3] = {0, 1, 2};
   for_each_target([&](const core::SimdTarget& target, bool) {
     clear(&g_tile);
-    raster::cover(target, t, entries, 3, 10, 0, 0, &g_tile);
+    raster::cover(target, area_at(0, 0), kLess, t, entries, 3, 10, &g_tile);
     for (size_t i = 0; i < kTilePixels; ++i) assert_int_equal(g_tile.slot[i], c->slot);
   });
 }
@@ -366,6 +381,8 @@ void test_unreachable(void**) {
 
 int main() {
   using namespace shd::tests;
+  shd::raster::allocate(g_allocator, 1, &g_tile);
+  shd::raster::allocate(g_allocator, 1, &g_first);
   CMUnitTest tests[32];
   size_t n = 0;
   for (const shape_case& c : k_shapes) tests[n++] = {c.name, test_shape, nullptr, nullptr, const_cast<shape_case*>(&c)};

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: MIT
+// One tile: draws take effect in order. Opaque ones go to the visibility buffer, and what it shows is shaded before a
+// draw that must see colours, and at the end; the others are shaded triangle by triangle and blended. Blends without an
+// order follow.
+#include "film/tile_renderer.h"
+
+#include <cmath>
+
+#include "film/blend.h"
+#include "raster/edge.h"
+
+namespace shd::film {
+namespace {
+
+/// Neighbouring triangles of a tile's bin that belong to one draw.
+struct Run {
+  uint32_t draw;
+  const geometry::ScreenTriangle* triangles;
+  const uint32_t* entries;
+  size_t count;
+};
+
+bool passes(shd_compare compare, float z, float stored) {
+  switch (compare) {
+    case SHD_COMPARE_LESS: return z < stored;
+    case SHD_COMPARE_LESS_EQUAL: return z <= stored;
+    case SHD_COMPARE_EQUAL: return z == stored;
+    case SHD_COMPARE_GREATER_EQUAL: return z >= stored;
+    case SHD_COMPARE_GREATER: return z > stored;
+    case SHD_COMPARE_NOT_EQUAL: return z != stored;
+    case SHD_COMPARE_ALWAYS: return true;
+    default: return false;
+  }
+}
+
+/// A comparison that lets pass at least what this one will after depths have changed by it.
+shd_compare early_compare(shd_compare compare) {
+  return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
+}
+
+/// Draws one tile.
+class TilePass {
+ public:
+  TilePass(const TileRenderer& renderer, uint32_t index, Worker* worker)
+      : r_(renderer),
+        framebuffer_(*renderer.frame.framebuffer),
+        pattern_(raster::sample_pattern(framebuffer_.samples)),
+        index_(index),
+        area_(tile_area(framebuffer_, index, renderer.scene.bins.tiles_x)),
+        worker_(*worker) {
+    for (uint32_t s = 0; s < pattern_.count; ++s) colors_[s] = sample_color(s);
+  }
+
+  void run() {
+    if (!r_.frame.keep) clear_tile(area_, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
+    if (is_bare()) return;
+    load_depth(area_, framebuffer_, &worker_.tile);
+    if (pattern_.count > 1) load_color(area_, framebuffer_, colors_, pattern_.count);
+    worker_.slots.clear();
+    bool weighted = false, sorted = false;
+    for_each_run([&](const Run& run) {
+      const material::Material* material = draw_of(run).material;
+      if (material && material::is_unordered(*material)) {
+        (material->blend == SHD_BLEND_WEIGHTED ? weighted : sorted) = true;
+      } else if (!material || (material->blend == SHD_BLEND_OPAQUE && !material::drops_fragments(*material))) {
+        cover(run);
+      } else {
+        shade_visible();
+        draw_in_order(run);
+      }
+    });
+    shade_visible();
+    if (weighted) draw_weighted();
+    if (sorted) draw_sorted(tile_box());
+    if (pattern_.count > 1) resolve_color(area_, colors_, pattern_.count, &framebuffer_);
+    store_depth(area_, worker_.tile, &framebuffer_);
+  }
+
+ private:
+  const Draw& draw_of(const Run& run) const { return r_.frame.draws[run.draw]; }
+
+  SampleColor sample_color(uint32_t sample) {
+    SampleColor color;
+    for (size_t c = 0; c < 4; ++c) {
+      color.channel[c] = pattern_.count > 1 ? worker_.color.data() + (sample * 4 + c) * raster::kTilePixels
+                                            : framebuffer_.plane[c].data() + size_t{area_.top} * framebuffer_.stride +
+                                                  area_.left;
+    }
+    color.stride = pattern_.count > 1 ? raster::kTile : framebuffer_.stride;
+    return color;
+  }
+
+  geometry::PixelBox tile_box() const {
+    return {static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top),
+            static_cast<int32_t>(area_.left + area_.width) - 1, static_cast<int32_t>(area_.top + area_.height) - 1};
+  }
+  raster::CoverArea cover_area(const geometry::PixelBox& box) const {
+    return {pattern_, static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top), box};
+  }
+
+  bool is_bare() const {
+    for (uint32_t g = 0; g < r_.scene.bins.group_count; ++g) {
+      if (raster::segment(r_.scene.bins, index_, g).count) return false;
+    }
+    return true;
+  }
+
+  /// body(run) for the triangles of the tile, in order.
+  template <class Body>
+  void for_each_run(const Body& body) const {
+    for (uint32_t g = 0; g < r_.scene.bins.group_count; ++g) {
+      const raster::BinSegment segment = raster::segment(r_.scene.bins, index_, g);
+      const geometry::ScreenTriangle* triangles = r_.scene.groups[g].data();
+      for (size_t begin = 0; begin < segment.count;) {
+        const uint32_t draw = triangles[segment.entries[begin]].draw;
+        size_t end = begin + 1;
+        while (end < segment.count && triangles[segment.entries[end]].draw == draw) ++end;
+        body(Run{draw, triangles, segment.entries + begin, end - begin});
+        begin = end;
+      }
+    }
+  }
+
+  /// To the visibility buffer.
+  void cover(const Run& run) {
+    const Draw& draw = draw_of(run);
+    auto first_slot = raster::kNoSlot;
+    if (draw.material) {
+      first_slot = static_cast<uint32_t>(worker_.slots.size());
+      for (size_t i = 0; i < run.count; ++i) worker_.slots.push_back(run.triangles + run.entries[i]);
+    }
+    raster::cover(r_.context.simd, cover_area(tile_box()), draw.depth, run.triangles, run.entries, run.count,
+                  first_slot, &worker_.tile);
+  }
+
+  /// Where a triangle is shaded in a pixel of which it shows some samples.
+  void place(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples, float* x,
+             float* y) const {
+    const auto left = static_cast<int32_t>(area_.left + pixel % raster::kTile);
+    const auto top = static_cast<int32_t>(area_.top + pixel / raster::kTile);
+    const bool whole = mask == (1u << pattern_.count) - 1;
+    if (!at_samples && (whole || raster::covers_centre(triangle, left, top))) {
+      *x = static_cast<float>(left) + 0.5f;
+      *y = static_cast<float>(top) + 0.5f;
+      return;
+    }
+    int32_t sum_x = 0, sum_y = 0, count = 0;
+    for (uint32_t s = 0; s < pattern_.count; ++s) {
+      if (!(mask >> s & 1)) continue;
+      sum_x += pattern_.point[s].x;
+      sum_y += pattern_.point[s].y;
+      ++count;
+    }
+    const float scale = 1.0f / static_cast<float>(count * geometry::kSubpixels);
+    *x = static_cast<float>(left) + static_cast<float>(sum_x) * scale;
+    *y = static_cast<float>(top) + static_cast<float>(sum_y) * scale;
+  }
+
+  /// Starts a triangle; makes room for it.
+  template <class Done>
+  void begin_triangle(const geometry::ScreenTriangle& triangle, const Done& done) {
+    BatchTriangles& triangles = worker_.triangles;
+    if (triangles.count == shade::kBatchTriangles) flush(triangle.draw, done);
+    triangles.triangle[triangles.count++] = &triangle;
+  }
+
+  /// Adds a pixel of the latest triangle to the batch; done() sees batches that are full.
+  template <class Done>
+  void add(uint32_t pixel, uint32_t mask, bool at_samples, const Done& done) {
+    raster::Fragments& f = worker_.workspace.fragments;
+    BatchTriangles& triangles = worker_.triangles;
+    const geometry::ScreenTriangle& triangle = *triangles.triangle[triangles.count - 1];
+    if (f.count == raster::kBatch) {
+      flush(triangle.draw, done);
+      triangles.triangle[triangles.count++] = &triangle;
+    }
+    f.pixel[f.count] = pixel;
+    f.mask[f.count] = mask;
+    f.triangle[f.count] = triangle.primitive;
+    place(triangle, pixel, mask, at_samples, &f.x[f.count], &f.y[f.count]);
+    f.depth[f.count] = worker_.tile.depth[first_sample(mask) * raster::kTilePixels + pixel];
+    triangles.of[f.count] = static_cast<uint16_t>(triangles.count - 1);
+    ++f.count;
+  }
+
+  template <class Done>
+  void add_samples(uint32_t pixel, uint32_t mask, const Draw& draw, const Done& done) {
+    if (!draw.sample_shading || pattern_.count == 1) return add(pixel, mask, false, done);
+    for (; mask; mask &= mask - 1) add(pixel, mask & ~(mask - 1), true, done);
+  }
+
+  static uint32_t first_sample(uint32_t mask) { return static_cast<uint32_t>(__builtin_ctz(mask)); }
+
+  /// Shades the batch and empties it.
+  template <class Done>
+  void flush(uint32_t draw, const Done& done) {
+    shade::Workspace& workspace = worker_.workspace;
+    if (workspace.fragments.count) {
+      const Draw& d = r_.frame.draws[draw];
+      const shade::DrawShading shading = {
+          d.mesh, &r_.scene.vertices[draw], d.material, d.frequency, r_.scene.transforms[draw].orientation, draw};
+      shade::shade_batch(r_.context.simd, shading, r_.lights, r_.frame.view.eye, &workspace);
+      worker_.fragments += workspace.fragments.count;
+      done(d);
+    }
+    workspace.fragments.count = 0;
+    worker_.triangles.count = 0;
+  }
+
+  /// Shades what the visibility buffer shows, and empties it.
+  void shade_visible() {
+    if (worker_.slots.size() == 0) return;
+    raster::sort_pixels(worker_.tile, worker_.slots.size(), &worker_.order);
+    const auto done = [&](const Draw&) { write_visible(); };
+    uint32_t draw = 0;
+    for (size_t slot = 0; slot < worker_.slots.size(); ++slot) {
+      const size_t begin = worker_.order.start[slot], end = worker_.order.start[slot + 1];
+      if (begin == end) continue;
+      const geometry::ScreenTriangle& triangle = *worker_.slots[slot];
+      if (triangle.draw != draw) flush(draw, done);
+      draw = triangle.draw;
+      begin_triangle(triangle, done);
+      for (size_t i = begin; i < end; ++i) {
+        const raster::VisiblePixel& pixel = worker_.order.pixel[i];
+        add_samples(pixel.position, pixel.mask, r_.frame.draws[draw], done);
+      }
+    }
+    flush(draw, done);
+    worker_.slots.clear();
+    clear_slots(&worker_.tile);
+  }
+
+  void write_visible() {
+    const raster::Fragments& f = worker_.workspace.fragments;
+    worker_.nonfinite_fragments += write_fragments(f, worker_.workspace.columns.radiance, colors_);
+    write_aovs(area_, f, 0, f.count, &framebuffer_);
+  }
+
+  /// Shades the covered samples of every triangle of a run whose depth may pass; done() sees batches.
+  template <class Done>
+  void shade_run(const Run& run, const geometry::PixelBox& box, const Done& done) {
+    const Draw& draw = draw_of(run);
+    raster::DepthState state = draw.depth;
+    state.compare = early_compare(state.compare);
+    for (size_t i = 0; i < run.count; ++i) {
+      const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
+      raster::cover_mask(r_.context.simd, cover_area(box), state, triangle, worker_.tile, &worker_.mask);
+      bool begun = false;
+      for_each_masked([&](uint32_t pixel, uint32_t mask) {
+        if (!begun) begin_triangle(triangle, done);
+        begun = true;
+        add_samples(pixel, mask, draw, done);
+      });
+    }
+    flush(run.draw, done);
+  }
+
+  template <class Body>
+  void for_each_masked(const Body& body) const {
+    const raster::CoverMask& mask = worker_.mask;
+    for (int32_t y = mask.box.min_y; y <= mask.box.max_y; ++y) {
+      for (int32_t x = mask.box.min_x; x <= mask.box.max_x; ++x) {
+        const auto pixel = static_cast<uint32_t>(y * raster::kTile + x);
+        if (mask.bits[pixel]) body(pixel, mask.bits[pixel]);
+      }
+    }
+  }
+
+  /// body(fragment, sample, depth, color) for what remains of a batch, in order, where depth passes now.
+  template <class Body>
+  void for_each_sample(const Draw& draw, const Body& body) {
+    const raster::Fragments& f = worker_.workspace.fragments;
+    const shade::Columns& columns = worker_.workspace.columns;
+    const material::Material& material = *draw.material;
+    raster::DepthPlane plane[raster::kMaxSamples];
+    const geometry::ScreenTriangle* last = nullptr;
+    for (size_t i = 0; i < f.count; ++i) {
+      FragmentColor color;
+      for (size_t c = 0; c < 4; ++c) color.channel[c] = columns.radiance.channel[c][i];
+      worker_.nonfinite_fragments += !is_finite(color);
+      uint32_t mask = f.mask[i];
+      if (material.flags & SHD_MATERIAL_DISCARDS && columns.discard[i]) mask = 0;
+      if (color.channel[3] < material.alpha_cutoff) mask = 0;
+      if (material.flags & SHD_ALPHA_TO_COVERAGE) mask &= covered_by_alpha(color.channel[3]);
+      if (material.blend == SHD_BLEND_OPAQUE && material.model != SHD_MODEL_PROGRAM) color.channel[3] = 1.0f;
+      if (!mask) continue;
+      const geometry::ScreenTriangle* triangle = worker_.triangles.triangle[worker_.triangles.of[i]];
+      for (uint32_t s = 0; triangle != last && s < pattern_.count; ++s) {
+        plane[s] = raster::make_depth_plane(*triangle, pattern_.point[s], draw.depth);
+      }
+      last = triangle;
+      const auto x = static_cast<int32_t>(area_.left + f.pixel[i] % raster::kTile);
+      const auto y = static_cast<int32_t>(area_.top + f.pixel[i] / raster::kTile);
+      for (; mask; mask &= mask - 1) {
+        const uint32_t s = first_sample(mask);
+        const float depth = raster::depth_at(plane[s], x, y);
+        if (passes(draw.depth.compare, depth, *depth_of(s, f.pixel[i]))) body(i, s, depth, color);
+      }
+    }
+  }
+
+  float* depth_of(uint32_t sample, uint32_t pixel) {
+    return worker_.tile.depth.data() + sample * raster::kTilePixels + pixel;
+  }
+  uint32_t covered_by_alpha(float alpha) const {
+    const float kept = std::floor(alpha * static_cast<float>(pattern_.count) + 0.5f);
+    if (!(kept > 0.0f)) return 0;
+    return kept >= static_cast<float>(pattern_.count) ? ~0u : (1u << static_cast<uint32_t>(kept)) - 1;
+  }
+  static bool is_finite(const FragmentColor& color) {
+    bool finite = true;
+    for (const float c : color.channel) finite &= std::isfinite(c);
+    return finite;
+  }
+
+  /// Shades a run and blends it over the colours.
+  void draw_in_order(const Run& run) {
+    shade_run(run, tile_box(), [&](const Draw& draw) {
+      const raster::Fragments& f = worker_.workspace.fragments;
+      for_each_sample(draw, [&](size_t i, uint32_t s, float depth, const FragmentColor& color) {
+        const SampleColor& below = colors_[s];
+        const size_t at = below.at(f.pixel[i]);
+        float* const channels[4] = {below.channel[0] + at, below.channel[1] + at, below.channel[2] + at,
+                                    below.channel[3] + at};
+        blend(draw.material->blend, color, channels);
+        if (draw.depth.writes) *depth_of(s, f.pixel[i]) = depth;
+        if (s == 0 && draw.material->blend == SHD_BLEND_OPAQUE) write_aovs(area_, f, i, i + 1, &framebuffer_);
+      });
+    });
+  }
+
+  /// body(run) for the draws of one blend without order.
+  template <class Body>
+  void for_each_unordered(shd_blend blend, const Body& body) const {
+    for_each_run([&](const Run& run) {
+      const material::Material* material = draw_of(run).material;
+      if (material && material->blend == blend) body(run);
+    });
+  }
+
+  void draw_weighted() {
+    clear_weighted(r_.context.allocator, pattern_.count, &worker_.unordered);
+    for_each_unordered(SHD_BLEND_WEIGHTED, [&](const Run& run) {
+      shade_run(run, tile_box(), [&](const Draw& draw) {
+        const raster::Fragments& f = worker_.workspace.fragments;
+        for_each_sample(draw, [&](size_t i, uint32_t s, float depth, const FragmentColor& color) {
+          add_weighted(s, f.pixel[i], depth, color, &worker_.unordered);
+        });
+      });
+    });
+    blend_weighted(colors_, pattern_.count, worker_.unordered);
+  }
+
+  /// Samples that the sorted draws cover in a box.
+  size_t count_sorted(const geometry::PixelBox& box) {
+    size_t count = 0;
+    for_each_unordered(SHD_BLEND_SORTED, [&](const Run& run) {
+      for (size_t i = 0; i < run.count; ++i) {
+        raster::cover_mask(r_.context.simd, cover_area(box), draw_of(run).depth, run.triangles[run.entries[i]],
+                           worker_.tile, &worker_.mask);
+        for_each_masked([&](uint32_t, uint32_t mask) { count += static_cast<size_t>(__builtin_popcount(mask)); });
+      }
+    });
+    return count;
+  }
+
+  /// Halves boxes that hold more than the table may.
+  void draw_sorted(const geometry::PixelBox& box) {
+    const int32_t width = box.max_x - box.min_x + 1, height = box.max_y - box.min_y + 1;
+    if (width * height > 1 && count_sorted(box) > kMaxNodes) {
+      geometry::PixelBox first = box, second = box;
+      if (height >= width) {
+        first.max_y = box.min_y + height / 2 - 1;
+        second.min_y = first.max_y + 1;
+      } else {
+        first.max_x = box.min_x + width / 2 - 1;
+        second.min_x = first.max_x + 1;
+      }
+      draw_sorted(first);
+      return draw_sorted(second);
+    }
+    worker_.unordered.nodes.clear();
+    for_each_unordered(SHD_BLEND_SORTED, [&](const Run& run) {
+      const shd_compare compare = draw_of(run).depth.compare;
+      const bool reversed = compare == SHD_COMPARE_GREATER || compare == SHD_COMPARE_GREATER_EQUAL;
+      shade_run(run, box, [&](const Draw& draw) {
+        const raster::Fragments& f = worker_.workspace.fragments;
+        for_each_sample(draw, [&](size_t i, uint32_t s, float depth, const FragmentColor& color) {
+          const auto place = static_cast<uint32_t>(s * raster::kTilePixels + f.pixel[i]);
+          const auto order = static_cast<uint32_t>(worker_.unordered.nodes.size());
+          worker_.unordered.nodes.push_back({place, reversed ? -depth : depth, order, color});
+        });
+      });
+    });
+    blend_sorted(colors_, &worker_.unordered);
+  }
+
+  const TileRenderer& r_;
+  Framebuffer& framebuffer_;
+  const raster::SamplePattern& pattern_;
+  const uint32_t index_;
+  const TileArea area_;
+  Worker& worker_;
+  SampleColor colors_[raster::kMaxSamples];
+};
+
+}  // namespace
+
+void TileRenderer::render(uint32_t index, Worker* worker) const {
+  TilePass(*this, index, worker).run();
+}
+
+}  // namespace shd::film

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "film/frame.h"
+#include "film/scene.h"
+#include "film/worker.h"
+#include "shade/light_table.h"
+
+namespace shd::film {
+
+/// What the tiles of a frame are drawn from.
+struct TileRenderer {
+  const core::Context& context;
+  const Frame& frame;
+  const Scene& scene;
+  const shade::LightTable& lights;
+
+  /// Draws one tile. Throws Failure and std::bad_alloc.
+  void render(uint32_t index, Worker* worker) const;
+};
+
+}  // namespace shd::film

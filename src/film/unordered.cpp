@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "film/unordered.h"
+
+#include <algorithm>
+
+namespace shd::film {
+namespace {
+
+using raster::kTilePixels;
+
+/// Plane i of a sample's sums.
+float* sums_of(Unordered* unordered, uint32_t sample, size_t i) {
+  return unordered->sums.data() + (sample * kSums + i) * kTilePixels;
+}
+const float* sums_of(const Unordered& unordered, uint32_t sample, size_t i) {
+  return unordered.sums.data() + (sample * kSums + i) * kTilePixels;
+}
+
+/// McGuire and Bavoil (2013), equation 10, without its factor a, which premultiplied colours have.
+float weight_at(float depth) {
+  const float near = 1.0f - depth;
+  const float weight = 3000.0f * (near * near * near);
+  return weight > 0.01f ? weight : 0.01f;
+}
+
+/// Place, then from far to near, then as they came: no two are equal.
+bool comes_before(const SortedNode& a, const SortedNode& b) {
+  if (a.place != b.place) return a.place < b.place;
+  if (a.distance != b.distance) return a.distance > b.distance;
+  return a.order < b.order;
+}
+
+}  // namespace
+
+void clear_weighted(const core::Allocator& allocator, uint32_t samples, Unordered* unordered) {
+  if (unordered->sums.size() == 0) unordered->sums = core::Array<float>(allocator, samples * kSums * kTilePixels);
+  for (uint32_t s = 0; s < samples; ++s) {
+    for (size_t i = 0; i < kSums; ++i) {
+      std::fill_n(sums_of(unordered, s, i), kTilePixels, i + 1 == kSums ? 1.0f : 0.0f);
+    }
+  }
+}
+
+void add_weighted(uint32_t sample, uint32_t pixel, float depth, const FragmentColor& color, Unordered* unordered) {
+  const float weight = weight_at(depth);
+  for (size_t i = 0; i < 4; ++i) sums_of(unordered, sample, i)[pixel] += weight * color.channel[i];
+  sums_of(unordered, sample, 4)[pixel] *= 1.0f - color.channel[3];
+}
+
+void blend_weighted(const SampleColor* colors, uint32_t samples, const Unordered& unordered) {
+  for (uint32_t s = 0; s < samples; ++s) {
+    const float *weights = sums_of(unordered, s, 3), *rests = sums_of(unordered, s, 4);
+    for (uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
+      if (weights[pixel] == 0.0f) continue;
+      const float cover = 1.0f - rests[pixel], share = cover / weights[pixel];
+      const size_t at = colors[s].at(pixel);
+      for (size_t i = 0; i < 3; ++i) {
+        float& d = colors[s].channel[i][at];
+        d = share * sums_of(unordered, s, i)[pixel] + rests[pixel] * d;
+      }
+      float& a = colors[s].channel[3][at];
+      a = cover + rests[pixel] * a;
+    }
+  }
+}
+
+void blend_sorted(const SampleColor* colors, Unordered* unordered) {
+  SortedNode* nodes = unordered->nodes.data();
+  std::sort(nodes, nodes + unordered->nodes.size(), comes_before);
+  for (size_t i = 0; i < unordered->nodes.size(); ++i) {
+    const SampleColor& color = colors[nodes[i].place / kTilePixels];
+    const size_t at = color.at(nodes[i].place % kTilePixels);
+    float* const below[4] = {color.channel[0] + at, color.channel[1] + at, color.channel[2] + at,
+                             color.channel[3] + at};
+    blend(SHD_BLEND_PREMULTIPLIED, nodes[i].color, below);
+  }
+}
+
+}  // namespace shd::film

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/allocator.h"
+#include "film/blend.h"
+
+namespace shd::film {
+
+/// One sample of one fragment that waits for its turn.
+struct SortedNode {
+  uint32_t place;  // sample * kTilePixels + pixel
+  float distance;  // grows away from the eye
+  uint32_t order;  // in which the fragments came
+  FragmentColor color;
+};
+
+/// Fragments of a tile whose blend does not go by the order of draws.
+struct Unordered {
+  core::Array<float> sums;         // [samples][5][kTilePixels]: sums of w c (three), of w a, and the product of 1 - a
+  core::Buffer<SortedNode> nodes;  // at most kMaxNodes but for one pixel alone
+};
+constexpr size_t kMaxNodes = size_t{1} << 17;
+constexpr size_t kSums = 5;
+
+/// Sums of nothing, for every sample; allocates them on first use. Throws std::bad_alloc.
+void clear_weighted(const core::Allocator& allocator, uint32_t samples, Unordered* unordered);
+void add_weighted(uint32_t sample, uint32_t pixel, float depth, const FragmentColor& color, Unordered* unordered);
+/// Puts the sums over the colours of each sample.
+void blend_weighted(const SampleColor* colors, uint32_t samples, const Unordered& unordered);
+
+/// Sorts the nodes and puts them over the colours, far ones first.
+void blend_sorted(const SampleColor* colors, Unordered* unordered);
+
+}  // namespace shd::film

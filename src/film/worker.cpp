@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "film/worker.h"
+
+namespace shd::film {
+
+Workers::Workers(const core::Context& context, uint32_t samples)
+    : context_(context), samples_(samples), workers_(context.allocator, context.executor.worker_count) {
+  for (Worker*& worker : workers_) worker = nullptr;
+}
+
+Workers::~Workers() {
+  for (Worker* worker : workers_) core::destroy(context_.allocator, worker);
+}
+
+Worker& Workers::get(uint32_t index) {
+  if (!workers_[index]) {
+    const core::Allocator& allocator = context_.allocator;
+    Worker* worker = core::create<Worker>(allocator);
+    workers_[index] = worker;
+    raster::allocate(allocator, samples_, &worker->tile);
+    worker->order.run.attach(allocator);
+    worker->order.start.attach(allocator);
+    worker->order.pixel.attach(allocator);
+    worker->slots.attach(allocator);
+    worker->unordered.nodes.attach(allocator);
+    if (samples_ > 1) worker->color = core::Array<float>(allocator, samples_ * 4 * raster::kTilePixels);
+    shade::allocate(allocator, &worker->workspace);
+  }
+  return *workers_[index];
+}
+
+void Workers::count(shd_render_stats* stats) const {
+  for (size_t i = 0; i < workers_.size(); ++i) {
+    if (!workers_[i]) continue;
+    stats->fragments += workers_[i]->fragments;
+    stats->nonfinite_fragments += workers_[i]->nonfinite_fragments;
+  }
+}
+
+}  // namespace shd::film

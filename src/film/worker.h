@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include <shd/render.h>
+
+#include "core/context.h"
+#include "film/tile_writer.h"
+#include "film/unordered.h"
+#include "geometry/assemble.h"
+#include "raster/coverage.h"
+#include "raster/fragments.h"
+#include "shade/run.h"
+
+namespace shd::film {
+
+/// The triangles behind a batch of fragments.
+struct BatchTriangles {
+  size_t count = 0;
+  const geometry::ScreenTriangle* triangle[shade::kBatchTriangles];
+  uint16_t of[raster::kBatch];  // which of them a fragment belongs to
+};
+
+/// Everything one worker needs to draw tiles, made when it takes its first one.
+struct Worker {
+  raster::Tile tile;
+  raster::TileOrder order;
+  raster::CoverMask mask;
+  core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
+  core::Array<float> color;                             // [samples][4][kTilePixels]; empty with one sample
+  shade::Workspace workspace;
+  BatchTriangles triangles;
+  Unordered unordered;
+  uint64_t fragments = 0, nonfinite_fragments = 0;
+};
+
+/// Workers by index; owns them.
+class Workers {
+ public:
+  Workers(const core::Context& context, uint32_t samples);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Throws std::bad_alloc.
+  Worker& get(uint32_t index);
+  void count(shd_render_stats* stats) const;
+
+ private:
+  const core::Context& context_;
+  const uint32_t samples_;
+  core::Array<Worker*> workers_;
+};
+
+}  // namespace shd::film
