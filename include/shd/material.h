@@ -37,7 +37,7 @@ typedef enum shd_model {
  * How a fragment's colour c and opacity a meet the colour d and opacity A of a sample. Models give c = a L with the
  * radiance L and a = opacity times the diffuse texture's alpha; L itself with STRAIGHT and OPAQUE.
  */
-typedef enum shd_blend {
+typedef enum shd_blend_mode {
     SHD_BLEND_OPAQUE = 0,        /**< c, and for A the a of a program or 1 of a model */
     SHD_BLEND_PREMULTIPLIED = 1, /**< c + (1 - a) d, a + (1 - a) A: "over" (Porter and Duff 1984) */
     SHD_BLEND_STRAIGHT = 2,      /**< a c + (1 - a) d, a + (1 - a) A */
@@ -55,7 +55,7 @@ typedef enum shd_blend {
      */
     SHD_BLEND_SORTED = 6,
     SHD_BLEND_MAX_ENUM = 0x7fffffff
-} shd_blend;
+} shd_blend_mode;
 
 /** Switches of a material; combine with |. */
 typedef enum shd_material_flag {
@@ -90,7 +90,7 @@ typedef struct shd_material_desc {
     shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
     shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
     shd_material_program program; /**< for SHD_MODEL_PROGRAM */
-    shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
+    shd_blend_mode blend;         /**< default SHD_BLEND_OPAQUE */
     float opacity;                /**< of models, 0..1; default 1 */
     float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
     uint32_t reserved2;           /**< 0 */

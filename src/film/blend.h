@@ -21,7 +21,7 @@ struct FragmentColor {
 };
 
 /// Puts one colour over another, both channels r, g, b, a, by a blend that has an order.
-inline void blend(shd_blend mode, const FragmentColor& c, float* const below[4]) {
+inline void blend(shd_blend_mode mode, const FragmentColor& c, float* const below[4]) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {
     float& d = *below[i];

@@ -82,9 +82,9 @@ class TilePass {
   SampleColor sample_color(uint32_t sample) {
     SampleColor color;
     for (size_t c = 0; c < 4; ++c) {
-      color.channel[c] = pattern_.count > 1 ? worker_.color.data() + (sample * 4 + c) * raster::kTilePixels
-                                            : framebuffer_.plane[c].data() + size_t{area_.top} * framebuffer_.stride +
-                                                  area_.left;
+      color.channel[c] = pattern_.count > 1
+                             ? worker_.color.data() + (sample * 4 + c) * raster::kTilePixels
+                             : framebuffer_.plane[c].data() + size_t{area_.top} * framebuffer_.stride + area_.left;
     }
     color.stride = pattern_.count > 1 ? raster::kTile : framebuffer_.stride;
     return color;
@@ -331,7 +331,7 @@ class TilePass {
 
   /// body(run) for the draws of one blend without order.
   template <class Body>
-  void for_each_unordered(shd_blend blend, const Body& body) const {
+  void for_each_unordered(shd_blend_mode blend, const Body& body) const {
     for_each_run([&](const Run& run) {
       const material::Material* material = draw_of(run).material;
       if (material && material->blend == blend) body(run);

@@ -25,7 +25,7 @@ struct Material {
   float specular[3];  // k_s
   float exponent;     // p
   shd_material_program program;
-  shd_blend blend;
+  shd_blend_mode blend;
   float opacity, alpha_cutoff;
   const texture::Texture* diffuse_texture;  // null = none
   const texture::Sampler* diffuse_sampler;  // never null when there is a texture

@@ -30,27 +30,30 @@ inline int side(int64_t px, int64_t py, int64_t qx, int64_t qy, int64_t cx, int6
   return qx > px ? 1 : -1;
 }
 
-/// True if the centre of pixel (x, y) is inside the triangle, or on a left or top edge; either winding.
-inline bool covers(const geometry::ScreenTriangle& t, int64_t x, int64_t y) {
-  const int64_t cx = 256 * x + 128, cy = 256 * y + 128;
+/// True if a sample of pixel (x, y), by default its centre, is inside the triangle, or on a left or top edge; either
+/// winding.
+inline bool covers(const geometry::ScreenTriangle& t, int64_t x, int64_t y, int64_t sample_x = 128,
+                   int64_t sample_y = 128) {
+  const int64_t cx = 256 * x + sample_x, cy = 256 * y + sample_y;
   const int s = side(t.x[0], t.y[0], t.x[1], t.y[1], cx, cy);
   return s == side(t.x[1], t.y[1], t.x[2], t.y[2], cx, cy) && s == side(t.x[2], t.y[2], t.x[0], t.y[0], cx, cy);
 }
 
-/// Depth at a pixel centre on the plane through the three vertices, clamped to their range.
+/// Depth at a sample of a pixel on the plane through the three vertices, clamped to their range.
 struct Depth {
   double value;
   double scale;  // |base| + |dx (x - x0)| + |dy (y - y0)|: what rounding errors are proportional to
 };
-inline Depth depth_at(const geometry::ScreenTriangle& t, int64_t x, int64_t y) {
+inline Depth depth_at(const geometry::ScreenTriangle& t, int64_t x, int64_t y, int64_t sample_x = 128,
+                      int64_t sample_y = 128) {
   const Real x1 = t.x[1] - t.x[0], y1 = t.y[1] - t.y[0], x2 = t.x[2] - t.x[0], y2 = t.y[2] - t.y[0];
   const Real z0 = t.z[0], z1 = t.z[1] - z0, z2 = t.z[2] - z0;
   const Real area = x1 * y2 - x2 * y1;
   const Real dx = (z1 * y2 - z2 * y1) / area, dy = (z2 * x1 - z1 * x2) / area;
-  const Real along_x = dx * (256 * x + 128 - t.x[0]), along_y = dy * (256 * y + 128 - t.y[0]);
+  const Real along_x = dx * (256 * x + sample_x - t.x[0]), along_y = dy * (256 * y + sample_y - t.y[0]);
   const double value = static_cast<double>(z0 + along_x + along_y);
   const double low = std::min({t.z[0], t.z[1], t.z[2]}), high = std::max({t.z[0], t.z[1], t.z[2]});
-  const Real margin = 128 * (magnitude(dx) + magnitude(dy));  // the plane's origin is a pixel centre near vertex 0
+  const Real margin = 256 * (magnitude(dx) + magnitude(dy));  // the plane's origin is a sample near vertex 0
   return {std::min(std::max(value, low), high),
           static_cast<double>(magnitude(z0) + magnitude(along_x) + magnitude(along_y) + 2 * margin)};
 }

@@ -39,9 +39,13 @@ bool are_same(const Tile& a, const Tile& b) {
          memcmp(a.slot.data(), b.slot.data(), a.samples * kTilePixels * sizeof(uint32_t)) == 0;
 }
 
-/// A whole tile with one sample a pixel.
-raster::CoverArea area_at(int32_t left, int32_t top) {
-  return {raster::sample_pattern(1), left, top, {left, top, left + kTile - 1, top + kTile - 1}};
+/// A whole tile.
+raster::CoverArea area_at(int32_t left, int32_t top, uint32_t samples = 1) {
+  return {raster::sample_pattern(samples), left, top, {left, top, left + kTile - 1, top + kTile - 1}};
+}
+void set_samples(uint32_t samples) {
+  raster::allocate(g_allocator, samples, &g_tile);
+  raster::allocate(g_allocator, samples, &g_first);
 }
 constexpr raster::DepthState kLess = {SHD_COMPARE_LESS, true, 0.0f, 0.0f};
 
@@ -59,7 +63,7 @@ bool turn(ScreenTriangle* t) {
 
 void cover_one(const core::SimdTarget& target, const ScreenTriangle& t, int32_t left, int32_t top, Tile* tile) {
   const uint32_t entry = 0;
-  raster::cover(target, area_at(left, top), kLess, &t, &entry, 1, 0, tile);
+  raster::cover(target, area_at(left, top, tile->samples), kLess, &t, &entry, 1, 0, tile);
 }
 
 /// Three vertices around a tile whose corner is at (left, top), in fixed point.
@@ -155,10 +159,13 @@ const shape_case k_shapes[] = {
 constexpr int32_t kCorners[][2] = {{0, 0}, {64, 0}, {0, 64}, {1984, 1024}, {32768, 65472}, {65472, 65472}};
 
 void check_triangle(const char* target, const ScreenTriangle& t, int32_t left, int32_t top) {
-  for (int32_t i = 0; i < static_cast<int32_t>(kTilePixels); ++i) {
-    const int32_t x = left + i % kTile, y = top + i / kTile;
-    const bool want = ref::covers(t, x, y);
-    const ref::Depth depth = want ? ref::depth_at(t, x, y) : ref::Depth{1.0, 0.0};
+  const raster::SamplePattern& pattern = raster::sample_pattern(g_tile.samples);
+  for (size_t i = 0; i < pattern.count * kTilePixels; ++i) {
+    const raster::SamplePoint sample = pattern.point[i / kTilePixels];
+    const auto pixel = static_cast<int32_t>(i % kTilePixels);
+    const int32_t x = left + pixel % kTile, y = top + pixel / kTile;
+    const bool want = ref::covers(t, x, y, sample.x, sample.y);
+    const ref::Depth depth = want ? ref::depth_at(t, x, y, sample.x, sample.y) : ref::Depth{1.0, 0.0};
     if (want != (g_tile.slot[i] == 0) || (!want && g_tile.slot[i] != kNoSlot) ||
         !shd_is_close(g_tile.depth[i], depth.value, 3 * 0x1p-24 * depth.scale, 0.0)) {
       fail_msg("%s: (%d %d %g) (%d %d %g) (%d %d %g) pixel %d %d: slot %u depth %.9g, want %d %.9g", target, t.x[0],
@@ -168,13 +175,13 @@ void check_triangle(const char* target, const ScreenTriangle& t, int32_t left, i
   }
 }
 
-void test_shape(void** state) {
-  const auto* c = static_cast<const shape_case*>(*state);
-  Random random = {static_cast<uint64_t>(c - k_shapes) + 100};
-  for (int i = 0; i < c->count; ++i) {
+void check_shape(const shape_case& c, uint32_t samples) {
+  Random random = {static_cast<uint64_t>(&c - k_shapes) + 100};
+  set_samples(samples);
+  for (int i = 0; i < c.count / static_cast<int>(samples); ++i) {
     const int32_t* corner = kCorners[i % 6];
     ScreenTriangle t = {};
-    c->shape(&random, corner[0], corner[1], &t);
+    c.shape(&random, corner[0], corner[1], &t);
     for (float& z : t.z) z = random.real(0.0, 0.99);
     if (!turn(&t)) continue;
     for_each_target([&](const core::SimdTarget& target, bool first) {
@@ -187,6 +194,10 @@ void test_shape(void** state) {
       if (!are_same(g_tile, g_first)) fail_msg("%s differs, triangle %d", target.name, i);
     });
   }
+}
+
+void test_shape(void** state) {
+  for (const uint32_t samples : {16u, 8u, 4u, 2u, 1u}) check_shape(*static_cast<const shape_case*>(*state), samples);
 }
 
 /// Counts the pixels of a triangle in rows [begin, end) and leaves the tile as it was.
@@ -365,6 +376,121 @@ void test_order(void** state) {
   });
 }
 
+struct compare_case {
+  const char* name;
+  shd_compare compare;
+  bool less, equal, greater;  // whether a depth of that kind passes
+};
+const compare_case k_compares[] = {
+    {"compare/less", SHD_COMPARE_LESS, true, false, false},
+    {"compare/less_equal", SHD_COMPARE_LESS_EQUAL, true, true, false},
+    {"compare/equal", SHD_COMPARE_EQUAL, false, true, false},
+    {"compare/greater_equal", SHD_COMPARE_GREATER_EQUAL, false, true, true},
+    {"compare/greater", SHD_COMPARE_GREATER, false, false, true},
+    {"compare/not_equal", SHD_COMPARE_NOT_EQUAL, true, false, true},
+    {"compare/always", SHD_COMPARE_ALWAYS, true, true, true},
+    {"compare/never", SHD_COMPARE_NEVER, false, false, false},
+};
+const ScreenTriangle kEverywhere = {{-20000, 100000, -20000}, {-20000, -20000, 100000}, {0.5f, 0.5f, 0.5f}, 0, 0, 0};
+
+/// Depths 0.75, 0.5 and 0.25 in turn, met by 0.5: by the kernels that write and by those that make masks.
+void test_compare(void** state) {
+  const auto* c = static_cast<const compare_case*>(*state);
+  static raster::CoverMask mask;
+  const uint32_t entry = 0;
+  const float before[3] = {0.75f, 0.5f, 0.25f};
+  const bool want[3] = {c->less, c->equal, c->greater};
+  for (const bool writes : {true, false}) {
+    const raster::DepthState depth = {c->compare, writes, 0.0f, 0.0f};
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      clear(&g_tile);
+      for (size_t i = 0; i < kTilePixels; ++i) g_tile.depth[i] = before[i % 3];
+      raster::cover_mask(target, area_at(0, 0), depth, kEverywhere, g_tile, &mask);
+      raster::cover(target, area_at(0, 0), depth, &kEverywhere, &entry, 1, 7, &g_tile);
+      for (size_t i = 0; i < kTilePixels; ++i) {
+        const bool pass = want[i % 3];
+        assert_int_equal(mask.bits[i], pass);
+        assert_int_equal(g_tile.slot[i], pass ? 7 : kNoSlot);
+        assert_true(g_tile.depth[i] == (pass && writes ? 0.5f : before[i % 3]));
+      }
+    });
+  }
+}
+
+/// Without slots depth alone changes; masks are what the slots of a cleared tile show.
+void test_masks(void**) {
+  static raster::CoverMask mask;
+  const uint32_t entry = 0;
+  Random random = {19};
+  for (const uint32_t samples : {1u, 2u, 4u, 8u, 16u}) {
+    set_samples(samples);
+    for (int n = 0; n < 100; ++n) {
+      ScreenTriangle t = {};
+      k_shapes[n % 8].shape(&random, 0, 0, &t);
+      for (float& z : t.z) z = random.real(0.0, 0.99);
+      if (!turn(&t)) continue;
+      for_each_target([&](const core::SimdTarget& target, bool) {
+        clear(&g_tile);
+        clear(&g_first);
+        raster::cover_mask(target, area_at(0, 0, samples), kLess, t, g_tile, &mask);
+        cover_one(target, t, 0, 0, &g_tile);
+        raster::cover(target, area_at(0, 0, samples), kLess, &t, &entry, 1, kNoSlot, &g_first);
+        for (size_t i = 0; i < samples * kTilePixels; ++i) {
+          const auto pixel = static_cast<int32_t>(i % kTilePixels);
+          const bool in_box = pixel % kTile >= mask.box.min_x && pixel % kTile <= mask.box.max_x &&
+                              pixel / kTile >= mask.box.min_y && pixel / kTile <= mask.box.max_y;
+          const bool got = in_box && (mask.bits[pixel] >> i / kTilePixels & 1);
+          assert_int_equal(got, g_tile.slot[i] == 0);
+          assert_int_equal(g_first.slot[i], kNoSlot);
+          assert_true(g_first.depth[i] == g_tile.depth[i]);
+        }
+      });
+    }
+  }
+  set_samples(1);
+}
+
+/// Pixels outside the box stay as they are, whatever their depth.
+void test_box(void**) {
+  const uint32_t entry = 0;
+  const raster::DepthState always = {SHD_COMPARE_ALWAYS, true, 0.0f, 0.0f};
+  const raster::CoverArea area = {raster::sample_pattern(1), 64, 128, {64 + 5, 128 + 9, 64 + 41, 128 + 50}};
+  ScreenTriangle t = kEverywhere;
+  for (int k = 0; k < 3; ++k) t.x[k] += 64 * 256, t.y[k] += 128 * 256;
+  for_each_target([&](const core::SimdTarget& target, bool) {
+    clear(&g_tile);
+    raster::cover(target, area, always, &t, &entry, 1, 3, &g_tile);
+    for (size_t i = 0; i < kTilePixels; ++i) {
+      const size_t x = i % kTile, y = i / kTile;
+      assert_int_equal(g_tile.slot[i], x >= 5 && x <= 41 && y >= 9 && y <= 50 ? 3 : kNoSlot);
+    }
+  });
+}
+
+/// Bias moves depth by a constant and by the steeper slope, and stops at 0 and 1.
+void test_bias(void**) {
+  const uint32_t entry = 0;
+  ScreenTriangle t = {{0, 128 * 256, 0}, {0, 0, 128 * 256}, {0.25f, 0.75f, 0.375f}, 0, 0, 0};  // 1/256 and 1/1024
+  const struct {
+    float bias, slope;
+    double want;
+  } cases[] = {{0.125f, 0, 0.125}, {-0.0625f, 0, -0.0625},
+               {0, 2, 2.0 / 256},  {0.125f, -4, 0.125 - 4.0 / 256},
+               {1, 0, 1},          {-1, 0, -1}};
+  for (const auto& c : cases) {
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      clear(&g_tile);
+      const raster::DepthState state = {SHD_COMPARE_LESS_EQUAL, true, c.bias, c.slope};
+      raster::cover(target, area_at(0, 0), state, &t, &entry, 1, 0, &g_tile);
+      for (size_t i = 0; i < kTilePixels; ++i) {
+        const double x = static_cast<double>(i % kTile) + 0.5, y = static_cast<double>(i / kTile) + 0.5;
+        const double want = std::clamp(0.25 + x / 256 + y / 1024 + c.want, 0.0, 1.0);
+        shd_assert_close("bias", i, static_cast<double>(g_tile.depth[i]), want, 1e-6, 0.0);
+      }
+    });
+  }
+}
+
 /// Depth that nothing passes, as outside the frame, stays.
 void test_unreachable(void**) {
   const ScreenTriangle t = {{-20000, 100000, -20000}, {-20000, -20000, 100000}, {0.0f, 0.0f, 0.0f}, 0, 0, 0};
@@ -381,12 +507,17 @@ void test_unreachable(void**) {
 
 int main() {
   using namespace shd::tests;
-  shd::raster::allocate(g_allocator, 1, &g_tile);
-  shd::raster::allocate(g_allocator, 1, &g_first);
-  CMUnitTest tests[32];
+  set_samples(1);
+  CMUnitTest tests[40];
   size_t n = 0;
   for (const shape_case& c : k_shapes) tests[n++] = {c.name, test_shape, nullptr, nullptr, const_cast<shape_case*>(&c)};
   for (const order_case& c : k_orders) tests[n++] = {c.name, test_order, nullptr, nullptr, const_cast<order_case*>(&c)};
+  for (const compare_case& c : k_compares) {
+    tests[n++] = {c.name, test_compare, nullptr, nullptr, const_cast<compare_case*>(&c)};
+  }
+  tests[n++] = {"masks", test_masks, nullptr, nullptr, nullptr};
+  tests[n++] = {"box", test_box, nullptr, nullptr, nullptr};
+  tests[n++] = {"depth/bias", test_bias, nullptr, nullptr, nullptr};
   tests[n++] = {"fans/10^6_triangles", test_fans, nullptr, nullptr, nullptr};
   tests[n++] = {"mesh/shared_edges", test_mesh, nullptr, nullptr, nullptr};
   tests[n++] = {"depth/same_through_any_tile", test_depth_across_tiles, nullptr, nullptr, nullptr};
