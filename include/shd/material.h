@@ -86,14 +86,12 @@ typedef struct shd_material_desc {
     float diffuse[3];             /**< k_d, 0..1e6; default 0.8 */
     float specular[3];            /**< k_s, 0..1e6; default 0.5 */
     float exponent;               /**< p, 0..1e6; default 64 */
-    uint32_t reserved;            /**< 0 */
+    float opacity;                /**< of models, 0..1; default 1 */
     shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
     shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
     shd_material_program program; /**< for SHD_MODEL_PROGRAM */
     shd_blend_mode blend;         /**< default SHD_BLEND_OPAQUE */
-    float opacity;                /**< of models, 0..1; default 1 */
     float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
-    uint32_t reserved2;           /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 

@@ -22,11 +22,9 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.specular", desc.specular, 3, 0.0, 1e6));
   SHD_TRY(check_range("material.exponent", static_cast<double>(desc.exponent), 0.0, 1e6));
-  SHD_TRY(check_zero("material.reserved", desc.reserved));
   SHD_TRY(check_enum("material.blend", desc.blend, SHD_BLEND_OPAQUE, SHD_BLEND_SORTED));
   SHD_TRY(check_range("material.opacity", static_cast<double>(desc.opacity), 0.0, 1.0));
   SHD_TRY(check_range("material.alpha_cutoff", static_cast<double>(desc.alpha_cutoff), 0.0, 1.0));
-  SHD_TRY(check_zero("material.reserved2", desc.reserved2));
   if (desc.model != SHD_MODEL_PROGRAM && desc.flags & SHD_MATERIAL_DISCARDS) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "material.flags: SHD_MATERIAL_DISCARDS, but the model is not SHD_MODEL_PROGRAM");

@@ -28,7 +28,7 @@ static void edit_program_unused(shd_material_desc *d) { d->program.fragment = pr
 static void edit_model(shd_material_desc *d) { d->model = (shd_model)3; }
 static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
 static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
-static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 8; }
+static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 16; }
 static void edit_black(shd_material_desc *d)
 {
     memset(d->ambient, 0, sizeof d->ambient);
@@ -46,7 +46,18 @@ static void edit_specular_minus_inf(shd_material_desc *d) { d->specular[1] = -IN
 static void edit_exponent_negative(shd_material_desc *d) { d->exponent = -0.5f; }
 static void edit_exponent_nan(shd_material_desc *d) { d->exponent = (float)NAN; }
 static void edit_exponent_above(shd_material_desc *d) { d->exponent = 2e6f; }
-static void edit_reserved(shd_material_desc *d) { d->reserved = 1; }
+static void edit_opacity(shd_material_desc *d) { d->opacity = 1.5f; }
+static void edit_opacity_nan(shd_material_desc *d) { d->opacity = NAN; }
+static void edit_blend(shd_material_desc *d) { d->blend = (shd_blend_mode)7; }
+static void edit_blends(shd_material_desc *d)
+{
+    d->blend = SHD_BLEND_SORTED;
+    d->opacity = 0;
+    d->alpha_cutoff = 1;
+    d->flags = SHD_ALPHA_TO_COVERAGE;
+}
+static void edit_cutoff(shd_material_desc *d) { d->alpha_cutoff = -0.5f; }
+static void edit_discards(shd_material_desc *d) { d->flags = SHD_MATERIAL_DISCARDS; }
 static void edit_light_as_texture(shd_material_desc *d) { d->diffuse_texture = (shd_texture *)(void *)g_light; }
 static void edit_light_as_sampler(shd_material_desc *d) { d->diffuse_sampler = (shd_sampler *)(void *)g_light; }
 
@@ -72,7 +83,7 @@ static const struct create_case k_create[] = {
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},
     {"create/fragment_without_program", edit_program_unused, BAD,
      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM"},
-    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x8 "},
+    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x10 "},
     {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[0]: -1 is not in 0..1e+06"},
     {"create/ambient_nan", edit_ambient_nan, BAD, "material.ambient[2]: "},
     {"create/diffuse_1.5e6", edit_diffuse_above, BAD, "material.diffuse[1]: 1.5e+06"},
@@ -82,7 +93,12 @@ static const struct create_case k_create[] = {
     {"create/exponent_negative", edit_exponent_negative, BAD, "material.exponent: -0.5"},
     {"create/exponent_nan", edit_exponent_nan, BAD, "material.exponent: "},
     {"create/exponent_2e6", edit_exponent_above, BAD, "material.exponent: 2e+06 is not in 0..1e+06"},
-    {"create/reserved_1", edit_reserved, BAD, "material.reserved: 1 is not 0"},
+    {"create/opacity_1.5", edit_opacity, BAD, "material.opacity: 1.5 is not in 0..1"},
+    {"create/opacity_nan", edit_opacity_nan, BAD, "material.opacity: nan"},
+    {"create/blend_7", edit_blend, BAD, "material.blend: 7 is not in 0..6"},
+    {"create/sorted", edit_blends, SHD_OK, ""},
+    {"create/alpha_cutoff_negative", edit_cutoff, BAD, "material.alpha_cutoff: -0.5"},
+    {"create/discards_without_program", edit_discards, BAD, "material.flags: SHD_MATERIAL_DISCARDS, but"},
     {"create/light_as_texture", edit_light_as_texture, BAD, "material.diffuse_texture: not a live handle of its type"},
     {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.diffuse_sampler: not a live handle of its type"},
 };

@@ -107,6 +107,10 @@ static void draw_1_size_0(struct frame *f) { f->draws[1].struct_size = 0; }
 static void draw_0_frequency(struct frame *f) { f->draws[0].frequency = (shd_frequency)3; }
 static void draw_1_frequency(struct frame *f) { f->draws[1].frequency = SHD_FREQUENCY_MAX_ENUM; }
 static void draw_1_cull(struct frame *f) { f->draws[1].cull = (shd_cull)-1; }
+static void draw_1_compare(struct frame *f) { f->draws[1].compare = (shd_compare)8; }
+static void draw_1_flags(struct frame *f) { f->draws[1].flags = SHD_DRAW_SAMPLE_SHADING | 4; }
+static void draw_1_bias(struct frame *f) { f->draws[1].depth_bias = NAN; }
+static void draw_1_slope(struct frame *f) { f->draws[1].depth_bias_slope = INFINITY; }
 static void draw_1_reserved(struct frame *f) { f->draws[1].reserved = 1; }
 static void draw_1_matrix_nan(struct frame *f) { f->draws[1].object_to_world[13] = NAN; }
 static void draw_1_matrix_inf(struct frame *f) { f->draws[1].object_to_world[0] = INFINITY; }
@@ -168,11 +172,15 @@ static const struct edit_case k_edits[] = {
     {"lights[2]/beyond_count", third_light_bad_but_unused, SHD_OK, ""},
     {"draws[0].struct_size/0", draw_0_size_0, REFUSED, "render.draws[0]: draw.struct_size: 0"},
     {"draws[0].struct_size/5", draw_0_size_5, REFUSED, "render.draws[0]: draw.struct_size: 5"},
-    {"draws[1].struct_size/differs", draw_1_size, REFUSED, "render.draws[1].struct_size: 104 differs"},
+    {"draws[1].struct_size/differs", draw_1_size, REFUSED, "render.draws[1].struct_size: 120 differs"},
     {"draws[1].struct_size/0", draw_1_size_0, REFUSED, "render.draws[1].struct_size: 0 differs"},
     {"draws[0].frequency/3", draw_0_frequency, REFUSED, "render.draws[0]: draw.frequency: 3"},
     {"draws[1].frequency/max", draw_1_frequency, REFUSED, "render.draws[1]: draw.frequency: 2147483647"},
     {"draws[1].cull/-1", draw_1_cull, REFUSED, "render.draws[1]: draw.cull: 4294967295 is not in 0..2"},
+    {"draws[1].compare/8", draw_1_compare, REFUSED, "render.draws[1]: draw.compare: 8 is not in 0..7"},
+    {"draws[1].flags/4", draw_1_flags, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw.flags: bits 0x4 "},
+    {"draws[1].depth_bias/nan", draw_1_bias, REFUSED, "render.draws[1]: draw.depth_bias: nan"},
+    {"draws[1].depth_bias_slope/inf", draw_1_slope, REFUSED, "render.draws[1]: draw.depth_bias_slope"},
     {"draws[1].reserved/1", draw_1_reserved, REFUSED, "render.draws[1]: draw.reserved: 1"},
     {"draws[1].object_to_world/nan", draw_1_matrix_nan, REFUSED, "render.draws[1]: draw.object_to_world[13]: nan"},
     {"draws[1].object_to_world/inf", draw_1_matrix_inf, REFUSED, "render.draws[1]: draw.object_to_world[0]: inf"},
@@ -182,12 +190,12 @@ static const struct edit_case k_edits[] = {
     {"draws[1].mesh/null", draw_1_mesh_null, REFUSED, "render.draws[1]: draw.mesh: NULL"},
     {"draws[1].mesh/released", draw_1_mesh_dead, REFUSED, "render.draws[1]: draw.mesh: not a live handle"},
     {"draws[1].mesh/light", draw_1_mesh_light, REFUSED, "render.draws[1]: draw.mesh: not a live handle of its type"},
-    {"draws[0].material/null", draw_0_material_null, REFUSED, "render.draws[0]: draw.material: NULL"},
+    {"draws[0].material/null", draw_0_material_null, SHD_OK, ""},
     {"draws[1].material/texture", draw_1_material_texture, REFUSED, "render.draws[1]: draw.material: not a live"},
     {"draws[2]/beyond_count", third_draw_bad_but_unused, SHD_OK, ""},
     {"newer_draws/zero_tail", newer_draws, SHD_OK, ""},
-    {"newer_draws/tail_of_0_set", newer_draw_0_set, SHD_ERROR_UNSUPPORTED, "render.draws[0]: draw: byte 96 is set"},
-    {"newer_draws/tail_of_1_set", newer_draw_1_set, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw: byte 96 is set"},
+    {"newer_draws/tail_of_0_set", newer_draw_0_set, SHD_ERROR_UNSUPPORTED, "render.draws[0]: draw: byte 112 is set"},
+    {"newer_draws/tail_of_1_set", newer_draw_1_set, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw: byte 112 is set"},
     {"newer_draws/odd_size", newer_draws_odd, REFUSED, "render.draws[1]: draw: not aligned"},
 };
 

@@ -27,7 +27,7 @@ typedef struct shd_frame {
     uint32_t *triangle;
 } shd_frame;
 
-static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
+static inline void shd_frame_open_samples(shd_frame *f, uint32_t width, uint32_t height, uint32_t samples)
 {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     int plane;
@@ -35,6 +35,7 @@ static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
     shd_assert_ok(shd_context_create(NULL, &f->context));
     f->width = desc.width = width;
     f->height = desc.height = height;
+    desc.samples = samples;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
     shd_assert_ok(shd_framebuffer_create(f->context, &desc, &f->framebuffer));
     for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) {
@@ -48,6 +49,11 @@ static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
     f->desc.draws = f->draw;
     f->desc.lights = (const shd_light *const *)f->light;
     f->desc.stats = &f->stats;
+}
+
+static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
+{
+    shd_frame_open_samples(f, width, height, 1);
 }
 
 static inline void shd_frame_close(shd_frame *f)
