@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // frame/spheres/<triangles>/<target or peer>: 1024 x 1024 pixels, one thread, a mipmapped RGBA8 texture with trilinear
 // lookups, two point lights, Blinn-Phong per fragment, back faces culled. Items are triangles.
+// frame/<variant>/<triangles>/<target>: the same with several samples, depth alone, or spheres that are half
+// transparent; over_spheres is its time by that of the plain frame.
 #include <algorithm>
 #include <memory>
 
@@ -18,8 +20,21 @@ const std::vector<Spheres>& frames() {
   return all;
 }
 
-std::string row_name(const Spheres& spheres, const std::string& who) {
-  return "frame/spheres/" + spheres.name + "/" + who;
+/// How a frame differs from the plain one.
+struct Variant {
+  const char* name;
+  uint32_t samples;
+  bool shaded;
+  shd_blend_mode blend;
+};
+constexpr Variant kPlain = {"spheres", 1, true, SHD_BLEND_OPAQUE};
+constexpr Variant kVariants[] = {
+    {"msaa4", 4, true, SHD_BLEND_OPAQUE},      {"msaa16", 16, true, SHD_BLEND_OPAQUE},
+    {"depth", 1, false, SHD_BLEND_OPAQUE},     {"blended", 1, true, SHD_BLEND_PREMULTIPLIED},
+    {"weighted", 1, true, SHD_BLEND_WEIGHTED}, {"sorted", 1, true, SHD_BLEND_SORTED}};
+
+std::string row_name(const Spheres& spheres, const std::string& who, const Variant& variant = kPlain) {
+  return std::string("frame/") + variant.name + "/" + spheres.name + "/" + who;
 }
 
 const std::vector<uint8_t>& texels() {
@@ -30,18 +45,19 @@ const std::vector<uint8_t>& texels() {
 /// A scene in the library's objects, and its frame.
 class Scene {
  public:
-  Scene(const Spheres& spheres, shd_simd simd) : context_(make_context(simd)) {
+  Scene(const Spheres& spheres, shd_simd simd, const Variant& variant = kPlain) : context_(make_context(simd)) {
     make_texture();
     make_mesh(spheres);
-    make_material();
+    make_material(variant);
     make_lights();
     shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
     framebuffer.width = framebuffer.height = kFrameEdge;
+    framebuffer.samples = variant.samples;
     check(shd_framebuffer_create(context_, &framebuffer, &framebuffer_));
     for (size_t i = 0; i < spheres.sphere_count(); ++i) {
       shd_draw draw = shd_draw_default();
       draw.mesh = mesh_;
-      draw.material = material_;
+      draw.material = variant.shaded ? material_ : nullptr;
       draw.cull = SHD_CULL_BACK;
       std::copy_n(&spheres.object_to_world[16 * i], 16, draw.object_to_world);
       draws_.push_back(draw);
@@ -96,8 +112,10 @@ class Scene {
     desc.index_count = spheres.indices.size();
     check(shd_mesh_create(context_, &desc, &mesh_));
   }
-  void make_material() {
+  void make_material(const Variant& variant) {
     shd_material_desc desc = shd_material_desc_default();
+    desc.blend = variant.blend;
+    desc.opacity = 0.5f;
     desc.model = SHD_MODEL_BLINN_PHONG;
     for (int c = 0; c < 3; ++c) {
       desc.ambient[c] = 0.0f;
@@ -133,15 +151,18 @@ void finish(benchmark::State& state, const Spheres& spheres) {
   state.counters["triangles"] = static_cast<double>(spheres.triangle_count());
 }
 
-void run_shd(benchmark::State& state, const Spheres& spheres, const Target& target) {
-  Scene scene(spheres, target.simd);
+void run_shd(benchmark::State& state, const Spheres& spheres, const Target& target, const Variant& variant) {
+  Scene scene(spheres, target.simd, variant);
   scene.render();
   const Stopwatch watch;
   for (auto _ : state) scene.render();
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()));
   finish(state, spheres);
   state.counters["fragments"] = static_cast<double>(scene.stats().fragments);
-  const double other = recorded_rate(row_name(spheres, "llvmpipe"));
+  record_rate(row_name(spheres, target.name, variant), rate);
+  const double plain = recorded_rate(row_name(spheres, target.name));
+  if (variant.name != kPlain.name && plain > 0.0) state.counters["over_spheres"] = plain / rate;
+  const double other = recorded_rate(row_name(spheres, "llvmpipe", variant));
   if (other > 0.0) state.counters["ratio_llvmpipe"] = rate / other;
 }
 
@@ -183,7 +204,13 @@ void register_frame() {
   for (const Spheres& spheres : frames()) {
     for (const Target& target : targets()) {
       add(row_name(spheres, target.name),
-          [&spheres, target](benchmark::State& state) { run_shd(state, spheres, target); });
+          [&spheres, target](benchmark::State& state) { run_shd(state, spheres, target, kPlain); });
+    }
+    for (const Variant& variant : kVariants) {
+      for (const Target& target : targets()) {
+        add(row_name(spheres, target.name, variant),
+            [&spheres, target, &variant](benchmark::State& state) { run_shd(state, spheres, target, variant); });
+      }
     }
   }
 }

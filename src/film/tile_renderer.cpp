@@ -4,6 +4,7 @@
 // order follow.
 #include "film/tile_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "film/blend.h"
@@ -138,8 +139,7 @@ class TilePass {
              float* y) const {
     const auto left = static_cast<int32_t>(area_.left + pixel % raster::kTile);
     const auto top = static_cast<int32_t>(area_.top + pixel / raster::kTile);
-    const bool whole = mask == (1u << pattern_.count) - 1;
-    if (!at_samples && (whole || raster::covers_centre(triangle, left, top))) {
+    if (!at_samples && (mask == all_samples() || raster::covers_centre(triangle, left, top))) {
       *x = static_cast<float>(left) + 0.5f;
       *y = static_cast<float>(top) + 0.5f;
       return;
@@ -164,31 +164,56 @@ class TilePass {
     triangles.triangle[triangles.count++] = &triangle;
   }
 
-  /// Adds a pixel of the latest triangle to the batch; done() sees batches that are full.
+  /// Makes room for fragments of the latest triangle; done() sees batches that are full. Returns for how many.
   template <class Done>
-  void add(uint32_t pixel, uint32_t mask, bool at_samples, const Done& done) {
-    raster::Fragments& f = worker_.workspace.fragments;
+  size_t make_room(const Done& done) {
+    const raster::Fragments& f = worker_.workspace.fragments;
     BatchTriangles& triangles = worker_.triangles;
-    const geometry::ScreenTriangle& triangle = *triangles.triangle[triangles.count - 1];
     if (f.count == raster::kBatch) {
-      flush(triangle.draw, done);
-      triangles.triangle[triangles.count++] = &triangle;
+      const geometry::ScreenTriangle* triangle = triangles.triangle[triangles.count - 1];
+      flush(triangle->draw, done);
+      triangles.triangle[triangles.count++] = triangle;
     }
-    f.pixel[f.count] = pixel;
-    f.mask[f.count] = mask;
-    f.triangle[f.count] = triangle.primitive;
-    place(triangle, pixel, mask, at_samples, &f.x[f.count], &f.y[f.count]);
-    f.depth[f.count] = worker_.tile.depth[first_sample(mask) * raster::kTilePixels + pixel];
-    triangles.of[f.count] = static_cast<uint16_t>(triangles.count - 1);
-    ++f.count;
+    return raster::kBatch - f.count;
   }
 
+  /// Adds a pixel of the latest triangle to a batch that has room for it.
+  void add(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples) {
+    raster::Fragments& f = worker_.workspace.fragments;
+    const size_t i = f.count++;
+    f.pixel[i] = pixel;
+    f.mask[i] = mask;
+    f.triangle[i] = triangle.primitive;
+    if (mask == all_samples() && !at_samples) {
+      f.x[i] = static_cast<float>(area_.left + pixel % raster::kTile) + 0.5f;
+      f.y[i] = static_cast<float>(area_.top + pixel / raster::kTile) + 0.5f;
+      f.depth[i] = worker_.tile.depth[pixel];
+    } else {
+      place(triangle, pixel, mask, at_samples, &f.x[i], &f.y[i]);
+      f.depth[i] = worker_.tile.depth[first_sample(mask) * raster::kTilePixels + pixel];
+    }
+    worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
+  }
+
+  /// Adds pixels of one triangle, one fragment for each or for each of its samples.
   template <class Done>
-  void add_samples(uint32_t pixel, uint32_t mask, const Draw& draw, const Done& done) {
-    if (!draw.sample_shading || pattern_.count == 1) return add(pixel, mask, false, done);
-    for (; mask; mask &= mask - 1) add(pixel, mask & ~(mask - 1), true, done);
+  void add_pixels(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
+                  const Done& done) {
+    begin_triangle(triangle, done);
+    const bool at_samples = r_.frame.draws[triangle.draw].sample_shading && pattern_.count > 1;
+    for (size_t i = 0; i < count && at_samples; ++i) {
+      for (uint32_t mask = pixels[i].mask; mask; mask &= mask - 1) {
+        make_room(done);
+        add(triangle, pixels[i].position, mask & ~(mask - 1), true);
+      }
+    }
+    for (size_t i = 0; i < count && !at_samples;) {
+      const size_t end = std::min(count, i + make_room(done));
+      for (; i < end; ++i) add(triangle, pixels[i].position, pixels[i].mask, false);
+    }
   }
 
+  uint32_t all_samples() const { return (1u << pattern_.count) - 1; }
   static uint32_t first_sample(uint32_t mask) { return static_cast<uint32_t>(__builtin_ctz(mask)); }
 
   /// Shades the batch and empties it.
@@ -219,11 +244,7 @@ class TilePass {
       const geometry::ScreenTriangle& triangle = *worker_.slots[slot];
       if (triangle.draw != draw) flush(draw, done);
       draw = triangle.draw;
-      begin_triangle(triangle, done);
-      for (size_t i = begin; i < end; ++i) {
-        const raster::VisiblePixel& pixel = worker_.order.pixel[i];
-        add_samples(pixel.position, pixel.mask, r_.frame.draws[draw], done);
-      }
+      add_pixels(triangle, worker_.order.pixel.data() + begin, end - begin, done);
     }
     flush(draw, done);
     worker_.slots.clear();
@@ -232,7 +253,7 @@ class TilePass {
 
   void write_visible() {
     const raster::Fragments& f = worker_.workspace.fragments;
-    worker_.nonfinite_fragments += write_fragments(f, worker_.workspace.columns.radiance, colors_);
+    worker_.nonfinite_fragments += write_fragments(f, worker_.workspace.columns.radiance, colors_, pattern_.count);
     write_aovs(area_, f, 0, f.count, &framebuffer_);
   }
 
@@ -245,12 +266,11 @@ class TilePass {
     for (size_t i = 0; i < run.count; ++i) {
       const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
       raster::cover_mask(r_.context.simd, cover_area(box), state, triangle, worker_.tile, &worker_.mask);
-      bool begun = false;
+      worker_.covered.clear();
       for_each_masked([&](uint32_t pixel, uint32_t mask) {
-        if (!begun) begin_triangle(triangle, done);
-        begun = true;
-        add_samples(pixel, mask, draw, done);
+        worker_.covered.push_back({static_cast<uint16_t>(pixel), static_cast<uint16_t>(mask)});
       });
+      if (worker_.covered.size()) add_pixels(triangle, worker_.covered.data(), worker_.covered.size(), done);
     }
     flush(run.draw, done);
   }
@@ -285,8 +305,9 @@ class TilePass {
       if (material.blend == SHD_BLEND_OPAQUE && material.model != SHD_MODEL_PROGRAM) color.channel[3] = 1.0f;
       if (!mask) continue;
       const geometry::ScreenTriangle* triangle = worker_.triangles.triangle[worker_.triangles.of[i]];
-      for (uint32_t s = 0; triangle != last && s < pattern_.count; ++s) {
-        plane[s] = raster::make_depth_plane(*triangle, pattern_.point[s], draw.depth);
+      if (triangle != last) {
+        const raster::DepthSlope slope = raster::make_depth_slope(*triangle, draw.depth);
+        for (uint32_t s = 0; s < pattern_.count; ++s) plane[s] = raster::plane_at(slope, pattern_.point[s]);
       }
       last = triangle;
       const auto x = static_cast<int32_t>(area_.left + f.pixel[i] % raster::kTile);

@@ -89,17 +89,21 @@ void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t sam
   }
 }
 
-size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radiance, const SampleColor* colors) {
+size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radiance, const SampleColor* colors,
+                       uint32_t samples) {
   size_t nonfinite = 0;
   for (size_t i = 0; i < f.count; ++i) {
     bool finite = true;
     for (size_t c = 0; c < 4; ++c) finite &= std::isfinite(radiance.channel[c][i]);
     nonfinite += !finite;
-    for (uint32_t mask = f.mask[i]; mask; mask &= mask - 1) {
-      const SampleColor& color = colors[__builtin_ctz(mask)];
-      const size_t at = color.at(f.pixel[i]);
-      for (size_t c = 0; c < 4; ++c) color.channel[c][at] = radiance.channel[c][i];
-    }
+  }
+  const auto write = [&](const SampleColor& color, size_t i) {
+    const size_t at = color.at(f.pixel[i]);
+    for (size_t c = 0; c < 4; ++c) color.channel[c][at] = radiance.channel[c][i];
+  };
+  for (size_t i = 0; i < f.count && samples == 1; ++i) write(colors[0], i);
+  for (size_t i = 0; i < f.count && samples > 1; ++i) {
+    for (uint32_t mask = f.mask[i]; mask; mask &= mask - 1) write(colors[__builtin_ctz(mask)], i);
   }
   return nonfinite;
 }

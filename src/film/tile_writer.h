@@ -36,7 +36,8 @@ void load_color(const TileArea& area, const Framebuffer& framebuffer, const Samp
 void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t samples, Framebuffer* framebuffer);
 
 /// Colour of a shaded batch to the samples that show it. Returns how many rows have one that is not finite.
-size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors);
+size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors,
+                       uint32_t samples);
 
 /// AOVs of fragments [first, end) that the first sample of their pixel shows.
 void write_aovs(const TileArea& area, const raster::Fragments& fragments, size_t first, size_t end,

@@ -21,6 +21,7 @@ Worker& Workers::get(uint32_t index) {
     worker->order.run.attach(allocator);
     worker->order.start.attach(allocator);
     worker->order.pixel.attach(allocator);
+    worker->covered.attach(allocator);
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
     if (samples_ > 1) worker->color = core::Array<float>(allocator, samples_ * 4 * raster::kTilePixels);

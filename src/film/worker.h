@@ -27,6 +27,7 @@ struct Worker {
   raster::Tile tile;
   raster::TileOrder order;
   raster::CoverMask mask;
+  core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
   core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
   core::Array<float> color;                             // [samples][4][kTilePixels]; empty with one sample
   shade::Workspace workspace;

@@ -43,8 +43,9 @@ struct Span {
   int32_t left, top;       // of the tile in the frame
 };
 
-/// Lets `body(at, inside, z)` see every vector with a covered sample: edges that fit int32 over the tile.
-template <class Body>
+/// Lets `body(at, inside, z)` see every vector with a covered sample: edges that fit int32 over the tile. Without
+/// kClipped nothing that the edges let in lies outside the box.
+template <bool kClipped, class Body>
 HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
   const Tag d;
   const hn::RebindToSigned<Tag> di;
@@ -71,9 +72,9 @@ HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
       const auto e1 = hn::Add(hn::Set(di, value[1] + a[1] * x + b[1] * y), step1);
       const auto e2 = hn::Add(hn::Set(di, value[2] + a[2] * x + b[2] * y), step2);
       const auto column = hn::Add(iota, hn::Set(di, x));
-      const auto in_box = hn::And(hn::Gt(column, before), hn::Gt(behind, column));
-      const auto positive = hn::Gt(hn::Or(hn::Or(e0, e1), e2), hn::Set(di, -1));
-      const auto inside = hn::RebindMask(d, hn::And(positive, in_box));
+      auto in = hn::Gt(hn::Or(hn::Or(e0, e1), e2), hn::Set(di, -1));
+      if (kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
+      const auto inside = hn::RebindMask(d, in);
       if (hn::AllFalse(d, inside)) continue;
       const auto from_origin = hn::ConvertTo(d, hn::Add(column, hn::Set(di, s.left - s.plane.x0)));
       const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
@@ -106,24 +107,47 @@ HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
   }
 }
 
+/// A triangle over a tile, whatever the sample.
+class Setup {
+ public:
+  Setup(const geometry::ScreenTriangle& t, const CoverArea& area)
+      : edge{make_edge_line(t, 0, area.left, area.top), make_edge_line(t, 1, area.left, area.top),
+             make_edge_line(t, 2, area.left, area.top)} {}
+
+  /// Found when a sample first needs it.
+  HWY_INLINE const DepthSlope& depth(const geometry::ScreenTriangle& triangle, const DepthState& state) {
+    if (!has_depth_) depth_ = make_depth_slope(triangle, state);
+    has_depth_ = true;
+    return depth_;
+  }
+
+  const EdgeLine edge[3];
+
+ private:
+  bool has_depth_ = false;
+  DepthSlope depth_;
+};
+
 /// body(at, inside, z) for every vector of pixels with a sample in the triangle.
 template <class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
-                               SamplePoint sample, const Body& body) {
+                               SamplePoint sample, Setup* setup, const Body& body) {
   Span s;
   bool narrow = true;
   for (int k = 0; k < 3; ++k) {
-    if (make_edge(triangle, k, area.left, area.top, sample, &s.edge[k]) == EdgeSide::kOutside) return;
+    if (edge_at(setup->edge[k], sample, &s.edge[k]) == EdgeSide::kOutside) return;
     narrow &= std::abs(s.edge[k].a) <= kNarrowStep && std::abs(s.edge[k].b) <= kNarrowStep;
   }
   const geometry::PixelBox box =
       geometry::intersection(geometry::pixel_box(triangle, {sample.x, sample.x, sample.y, sample.y}), area.box);
   if (geometry::is_empty(box)) return;
-  s.plane = make_depth_plane(triangle, sample, state);
+  s.plane = plane_at(setup->depth(triangle, state), sample);
   s.left = area.left;
   s.top = area.top;
   s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
-  narrow ? ForEachNarrow(s, body) : ForEachWide(s, body);
+  const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
+  if (!narrow) return ForEachWide(s, body);
+  clipped ? ForEachNarrow<true>(s, body) : ForEachNarrow<false>(s, body);
 }
 
 template <shd_compare kCompare>
@@ -133,11 +157,13 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   const hn::RebindToUnsigned<Tag> du;
   const bool has_slots = first_slot != kNoSlot;
   for (size_t i = 0; i < count; ++i) {
+    const geometry::ScreenTriangle& triangle = triangles[entries[i]];
+    Setup setup(triangle, area);
     const auto id = hn::Set(du, first_slot + static_cast<uint32_t>(i));
     for (uint32_t k = 0; k < area.pattern.count; ++k) {
       float* depth = tile.depth.data() + k * kTilePixels;
       uint32_t* slot = tile.slot.data() + k * kTilePixels;
-      ForEachCovered(triangles[entries[i]], area, state, area.pattern.point[k], [&](size_t at, MaskV inside, V z) {
+      ForEachCovered(triangle, area, state, area.pattern.point[k], &setup, [&](size_t at, MaskV inside, V z) {
         const auto stored = hn::Load(d, depth + at);
         const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
         if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
@@ -154,10 +180,11 @@ void MaskWith(const CoverArea& area, const DepthState& state, const geometry::Sc
               const Tile& tile, CoverMask& out) {
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
+  Setup setup(triangle, area);
   for (uint32_t k = 0; k < area.pattern.count; ++k) {
     const float* depth = tile.depth.data() + k * kTilePixels;
     const auto bit = hn::Set(du, 1u << k);
-    ForEachCovered(triangle, area, state, area.pattern.point[k], [&](size_t at, MaskV inside, V z) {
+    ForEachCovered(triangle, area, state, area.pattern.point[k], &setup, [&](size_t at, MaskV inside, V z) {
       const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
       const auto added = hn::IfThenElseZero(hn::RebindMask(du, pass), bit);
       hn::Store(hn::Or(hn::Load(du, out.bits + at), added), du, out.bits + at);

@@ -12,27 +12,34 @@
 
 namespace shd::raster {
 
-/// Edge function of one edge over one tile at one sample of each pixel, in whole pixels: that of pixel (i, j) of the
-/// tile is on the inner side iff value + a * i + b * j >= 0. Exact: from pixel to pixel the function in 2^-16 pixel^2
-/// moves in steps of 256 a and 256 b, so dividing it by 256 and rounding down keeps its sign.
+/// Edge function of the edge from vertex k of a triangle to the next, in 2^-16 pixel^2: value at the top left corner of
+/// a tile, with the top-left rule folded in; a and b per subpixel to the right and down.
+struct EdgeLine {
+  int64_t value, a, b;
+};
+
+inline EdgeLine make_edge_line(const geometry::ScreenTriangle& t, int k, int32_t left, int32_t top) {
+  const int next = k == 2 ? 0 : k + 1;
+  const int64_t a = int64_t{t.y[k]} - t.y[next];
+  const int64_t b = int64_t{t.x[next]} - t.x[k];
+  const int64_t x = int64_t{left} * geometry::kSubpixels, y = int64_t{top} * geometry::kSubpixels;
+  const bool owns_boundary = a > 0 || (a == 0 && b > 0);  // left edge, or top edge
+  return {a * (x - t.x[k]) + b * (y - t.y[k]) - (owns_boundary ? 0 : 1), a, b};
+}
+
+/// The same at one sample of each pixel, in whole pixels: that of pixel (i, j) of the tile is on the inner side iff
+/// value + a * i + b * j >= 0. Exact: from pixel to pixel the function moves in steps of 256 a and 256 b, so dividing
+/// it by 256 and rounding down keeps its sign.
 struct Edge {
   int64_t value, a, b;
 };
 
 enum class EdgeSide { kOutside, kInside, kCrossing };
 
-/// The edge from vertex k to the next, with the top-left rule folded in, and how it lies to the tile.
-inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left, int32_t top, SamplePoint sample,
-                          Edge* out) {
-  const int next = k == 2 ? 0 : k + 1;
-  const int64_t a = int64_t{t.y[k]} - t.y[next];
-  const int64_t b = int64_t{t.x[next]} - t.x[k];
-  const int64_t x = int64_t{left} * geometry::kSubpixels + sample.x;
-  const int64_t y = int64_t{top} * geometry::kSubpixels + sample.y;
-  int64_t value = a * (x - t.x[k]) + b * (y - t.y[k]);
-  const bool owns_boundary = a > 0 || (a == 0 && b > 0);  // left edge, or top edge
-  if (!owns_boundary) --value;
-  value >>= geometry::kSubpixelBits;
+/// Also tells how the edge lies to the tile.
+inline EdgeSide edge_at(const EdgeLine& line, SamplePoint sample, Edge* out) {
+  const int64_t a = line.a, b = line.b;
+  const int64_t value = (line.value + a * sample.x + b * sample.y) >> geometry::kSubpixelBits;
   const int64_t span = kTile - 1;
   const int64_t lowest = value + span * (std::min<int64_t>(a, 0) + std::min<int64_t>(b, 0));
   const int64_t highest = value + span * (std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0));
@@ -48,6 +55,29 @@ inline EdgeSide make_edge(const geometry::ScreenTriangle& t, int k, int32_t left
 /// Steps up to this size keep an edge that crosses a tile, and all its values there, inside int32.
 constexpr int64_t kNarrowStep = int64_t{1} << 23;
 
+/// Depth of a triangle: at vertex 0, per pixel, and its range, all with the bias.
+struct DepthSlope {
+  double z, dx, dy;
+  float low, high;
+  int32_t x, y;  // vertex 0, fixed point
+};
+
+inline DepthSlope make_depth_slope(const geometry::ScreenTriangle& t, const DepthState& state) {
+  const double x1 = static_cast<double>(t.x[1] - t.x[0]), y1 = static_cast<double>(t.y[1] - t.y[0]);
+  const double x2 = static_cast<double>(t.x[2] - t.x[0]), y2 = static_cast<double>(t.y[2] - t.y[0]);
+  const double z0 = static_cast<double>(t.z[0]);
+  const double z1 = static_cast<double>(t.z[1]) - z0, z2 = static_cast<double>(t.z[2]) - z0;
+  const double scale = geometry::kSubpixels / (x1 * y2 - x2 * y1);  // per pixel; the area is not 0
+  const double dx = (z1 * y2 - z2 * y1) * scale, dy = (z2 * x1 - z1 * x2) * scale;
+  const double steepest = std::max(std::fabs(dx), std::fabs(dy));
+  const double bias = static_cast<double>(state.bias) + static_cast<double>(state.slope_bias) * steepest;
+  const auto biased = [&](float z) {
+    return bias == 0 ? z : static_cast<float>(std::min(std::max(static_cast<double>(z) + bias, 0.0), 1.0));
+  };
+  return {z0 + bias, dx,    dy, biased(std::min({t.z[0], t.z[1], t.z[2]})), biased(std::max({t.z[0], t.z[1], t.z[2]})),
+          t.x[0],    t.y[0]};
+}
+
 /// Depth as a plane: base + dx * (x - x0) + dy * (y - y0) at a sample of pixel (x, y) of the frame, clamped to
 /// [low, high]. The origin is the pixel of vertex 0, so that the value does not depend on the tile.
 struct DepthPlane {
@@ -55,30 +85,18 @@ struct DepthPlane {
   int32_t x0, y0;
 };
 
-inline DepthPlane make_depth_plane(const geometry::ScreenTriangle& t, SamplePoint sample, const DepthState& state) {
-  const double x1 = static_cast<double>(t.x[1] - t.x[0]), y1 = static_cast<double>(t.y[1] - t.y[0]);
-  const double x2 = static_cast<double>(t.x[2] - t.x[0]), y2 = static_cast<double>(t.y[2] - t.y[0]);
-  const double z0 = static_cast<double>(t.z[0]);
-  const double z1 = static_cast<double>(t.z[1]) - z0, z2 = static_cast<double>(t.z[2]) - z0;
-  const double scale = geometry::kSubpixels / (x1 * y2 - x2 * y1);  // per pixel; the area is not 0
-  const double dx = (z1 * y2 - z2 * y1) * scale, dy = (z2 * x1 - z1 * x2) * scale;
-  DepthPlane plane;
-  plane.x0 = t.x[0] >> geometry::kSubpixelBits;
-  plane.y0 = t.y[0] >> geometry::kSubpixelBits;
+inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
+  const int32_t x0 = slope.x >> geometry::kSubpixelBits, y0 = slope.y >> geometry::kSubpixelBits;
   const double to_pixels = 1.0 / geometry::kSubpixels;
-  const double step_x = (plane.x0 * geometry::kSubpixels + sample.x - t.x[0]) * to_pixels;
-  const double step_y = (plane.y0 * geometry::kSubpixels + sample.y - t.y[0]) * to_pixels;
-  const double steepest = std::max(std::fabs(dx), std::fabs(dy));
-  const double bias = static_cast<double>(state.bias) + static_cast<double>(state.slope_bias) * steepest;
-  plane.base = static_cast<float>(z0 + dx * step_x + dy * step_y + bias);
-  plane.dx = static_cast<float>(dx);
-  plane.dy = static_cast<float>(dy);
-  const auto biased = [&](float z) {
-    return bias == 0 ? z : static_cast<float>(std::min(std::max(static_cast<double>(z) + bias, 0.0), 1.0));
-  };
-  plane.low = biased(std::min({t.z[0], t.z[1], t.z[2]}));
-  plane.high = biased(std::max({t.z[0], t.z[1], t.z[2]}));
-  return plane;
+  const double step_x = (x0 * geometry::kSubpixels + sample.x - slope.x) * to_pixels;
+  const double step_y = (y0 * geometry::kSubpixels + sample.y - slope.y) * to_pixels;
+  return {static_cast<float>(slope.z + slope.dx * step_x + slope.dy * step_y),
+          static_cast<float>(slope.dx),
+          static_cast<float>(slope.dy),
+          slope.low,
+          slope.high,
+          x0,
+          y0};
 }
 
 /// Whether a triangle covers the centre of pixel (x, y) of the frame.
@@ -86,7 +104,7 @@ inline bool covers_centre(const geometry::ScreenTriangle& t, int32_t x, int32_t 
   const SamplePoint centre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
   for (int k = 0; k < 3; ++k) {
     Edge edge;
-    if (make_edge(t, k, x, y, centre, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
+    if (edge_at(make_edge_line(t, k, x, y), centre, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
   }
   return true;
 }

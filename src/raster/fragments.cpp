@@ -37,7 +37,20 @@ bool is_uniform(const Tile& tile, size_t pixel) {
   return uniform;
 }
 
-/// Cuts the covered pixels of a tile into runs.
+/// Cuts the covered pixels of a tile with one sample a pixel into runs.
+void find_single_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
+  const uint32_t* slots = tile.slot.data();
+  runs->clear();
+  for (size_t begin = 0; begin < kTilePixels;) {
+    const uint32_t slot = slots[begin];
+    size_t end = begin + 1;
+    while (end < kTilePixels && slots[end] == slot) ++end;
+    if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), 1});
+    begin = end;
+  }
+}
+
+/// The same with several.
 void find_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
   const uint32_t all = (1u << tile.samples) - 1;
   runs->clear();
@@ -77,7 +90,7 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
 void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
-  find_runs(tile, &out->run);
+  (tile.samples == 1 ? find_single_runs : find_runs)(tile, &out->run);
   for (size_t i = 0; i < out->run.size(); ++i) {
     out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
   }

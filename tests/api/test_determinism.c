@@ -4,7 +4,7 @@
 #include "support/pool.h"
 #include "support/scene.h"
 
-static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "small"};
+static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "glass", "small"};
 static const uint32_t k_workers[] = {1, 2, 3, 8, 16};
 enum { k_worker_counts = sizeof k_workers / sizeof k_workers[0], k_runs = 3 };
 
@@ -40,7 +40,7 @@ static int can_run(int simd)
 
 static void test_targets_and_workers(void **state)
 {
-    const uint64_t want = shd_scene_reference(SHD_SCENE_MIXED);
+    const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
     int simd, targets = 0;
     (void)state;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
@@ -51,7 +51,8 @@ static void test_targets_and_workers(void **state)
             shd_context_desc desc = shd_context_desc_default();
             desc.simd = (shd_simd)simd;
             desc.worker_count = k_workers[i];
-            expect_scene("built-in executor", &desc, SHD_SCENE_MIXED, want);
+            expect_scene("built-in executor", &desc, SHD_SCENE_MIXED, mixed);
+            expect_scene("built-in executor", &desc, SHD_SCENE_GLASS, glass);
         }
     }
     print_message("%d targets x %d worker counts x %d runs\n", targets, k_worker_counts, k_runs);
@@ -60,7 +61,7 @@ static void test_targets_and_workers(void **state)
 
 static void test_orders(void **state)
 {
-    const uint64_t want = shd_scene_reference(SHD_SCENE_MIXED);
+    const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
     int order;
     size_t i;
     (void)state;
@@ -72,7 +73,8 @@ static void test_orders(void **state)
             pool.order = (shd_pool_order)order;
             pool.seed = (uint32_t)i;
             desc = shd_pool_context_desc(&pool);
-            expect_scene("executor of the host", &desc, SHD_SCENE_MIXED, want);
+            expect_scene("executor of the host", &desc, SHD_SCENE_MIXED, mixed);
+            expect_scene("executor of the host", &desc, SHD_SCENE_GLASS, glass);
         }
     }
 }
@@ -361,7 +363,7 @@ struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},   {"lit", 0},
+static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},   {"lit", 0},     {"glass", 0},
                                        {"lookups", 0}, {"filters", 0}, {"profiles", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
@@ -369,7 +371,7 @@ static void measure_golden(void)
 {
     uint64_t filters[k_filter_cases];
     int kind;
-    for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_LIT; ++kind) {
+    for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
     k_golden[k_golden_count - 3].hash = lookups_on(NULL);

@@ -203,7 +203,7 @@ static void columns_of_alpha(const shd_fragments *in, shd_radiance *out, void *u
 
 static void render_columns(shd_frame *f, uint32_t flags, float cutoff, void *discards, uint32_t samples)
 {
-    static const float triangle[24] = {-1, -1, 0.5f, 0, 0, 1, 0, 1,  3,    -1, 0.5f, 0,
+    static const float triangle[24] = {-1, -1, 0.5f, 0, 0,  1, 0,    1, 3, -1, 0.5f, 0,
                                        0,  1,  2,    1, -1, 3, 0.5f, 0, 0, 1,  0,    -1};
     shd_material_desc desc = shd_material_desc_default();
     desc.model = SHD_MODEL_PROGRAM;

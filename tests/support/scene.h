@@ -17,8 +17,9 @@ typedef enum shd_scene_kind {
     SHD_SCENE_MIXED = 0, /* every model, frequency and filter, clipped at the near plane, NaN; 5k triangles */
     SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel */
     SHD_SCENE_LIT = 2,   /* lights of every kind on all three frequencies */
-    SHD_SCENE_SMALL = 3, /* as MIXED with few triangles: for tests that render hundreds of times */
-    SHD_SCENE_KINDS = 4
+    SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
+    SHD_SCENE_SMALL = 4, /* as GLASS with few triangles and two samples: for tests that render hundreds of times */
+    SHD_SCENE_KINDS = 5
 } shd_scene_kind;
 
 enum {
@@ -265,6 +266,12 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
     } else {
         desc.model = SHD_MODEL_LAMBERT;
     }
+    if (s->kind >= SHD_SCENE_GLASS) {
+        desc.blend = (shd_blend_mode)(which % (SHD_BLEND_SORTED + 1));
+        desc.opacity = 0.6f;
+        desc.alpha_cutoff = which == 1 ? 0.3f : 0.0f;
+        if (which == 4) desc.flags |= SHD_ALPHA_TO_COVERAGE;
+    }
     return shd_material_create(s->context, &desc, &s->material[which]);
 }
 
@@ -287,6 +294,7 @@ static inline shd_result shd_scene_framebuffer(shd_scene *s)
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     desc.width = s->kind == SHD_SCENE_SMALL ? 100 : 203;
     desc.height = s->kind == SHD_SCENE_SMALL ? 70 : 151;
+    desc.samples = s->kind == SHD_SCENE_SMALL ? 2 : s->kind == SHD_SCENE_GLASS ? 4 : 1;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
 }
@@ -358,6 +366,13 @@ static inline void shd_scene_compose(shd_scene *s)
     camera.aspect = 4.0f / 3.0f;
     shd_assert_ok(shd_view_from_camera(&camera, &s->desc.view));
     for (i = 0; i < count; ++i) shd_scene_place(s, is_lit ? &k_lit[i] : &k_mixed[i]);
+    if (s->kind >= SHD_SCENE_GLASS) {
+        s->draw[1].compare = SHD_COMPARE_LESS_EQUAL;
+        s->draw[2].depth_bias = -0.001f;
+        s->draw[3].depth_bias_slope = 0.5f;
+        s->draw[7].flags = SHD_DRAW_SAMPLE_SHADING;
+        s->draw[8].flags = SHD_DRAW_KEEP_DEPTH;
+    }
     s->desc.framebuffer = s->framebuffer;
     s->desc.draws = s->draw;
     s->desc.lights = (const shd_light *const *)s->light;
