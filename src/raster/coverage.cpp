@@ -125,7 +125,7 @@ class Setup {
 
  private:
   bool has_depth_ = false;
-  DepthSlope depth_;
+  DepthSlope depth_ = {};
 };
 
 /// body(at, inside, z) for every vector of pixels with a sample in the triangle.
