@@ -19,7 +19,7 @@ double entry(const Texture& texture, uint32_t layer, uint32_t x, uint32_t y, siz
 
 /// Every entry against the sum of its texels in long doubles, each less what the table takes off.
 void test_entries(void** state) {
-  const auto& size = *static_cast<const TableSize*>(*state);
+  const auto& size = *static_cast<const SizeCase*>(*state);
   static long double column[4096][4];
   for (const shd_format format : kFormats) {
     Texture* texture = random_summed(format, size.width, size.height, 2);
@@ -60,7 +60,7 @@ void test_entries(void** state) {
 
 /// 4 bytes a channel for 8-bit unorm, else 8; no table of texels that are not finite where there are none.
 void test_memory(void**) {
-  for (const TableSize& size : kTableSizes) {
+  for (const SizeCase& size : kSizes) {
     for (const shd_format format : kFormats) {
       Texture* texture = random_summed(format, size.width, size.height, 2);
       const size_t texels = size_t{2} * size.width * size.height;
@@ -170,8 +170,8 @@ void test_bright_texel(void**) {
 int main() {
   CMUnitTest tests[16];
   size_t n = 0;
-  for (const TableSize& c : kTableSizes) {
-    tests[n++] = {c.name, test_entries, nullptr, nullptr, const_cast<TableSize*>(&c)};
+  for (const SizeCase& c : kSizes) {
+    tests[n++] = {c.name, test_entries, nullptr, nullptr, const_cast<SizeCase*>(&c)};
   }
   tests[n++] = {"memory", test_memory, nullptr, nullptr, nullptr};
   tests[n++] = {"task_order", test_task_order, nullptr, nullptr, nullptr};
