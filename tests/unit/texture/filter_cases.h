@@ -121,6 +121,15 @@ inline void check_tails(const Texture& texture, const shd_sampler_desc& desc, bo
   });
 }
 
+/// check_tails for every format; with derivatives, there is a mipmap to use them.
+inline void check_tails_of_formats(const shd_sampler_desc& desc, bool derivatives) {
+  for (const shd_format format : kFormats) {
+    Texture* texture = random_texture(format, 64, 32, derivatives);
+    check_tails(*texture, desc, derivatives);
+    free_texture(texture);
+  }
+}
+
 /// A channel that is not wanted is not written, and the others do not change.
 inline void check_unwanted_channels(const Texture& texture, const shd_sampler_desc& desc) {
   static Batch all, one;

@@ -74,17 +74,8 @@ void test_memory(void**) {
   }
 }
 
-/// An executor that runs tasks backwards on one thread: the order must not show.
-shd_result run_backwards(void*, uint32_t count, shd_task_fn task, void* data) {
-  for (uint32_t i = count; i-- > 0;) task(data, i, 0);
-  return SHD_OK;
-}
-
 void test_task_order(void**) {
-  shd_context_desc desc = shd_context_desc_default();
-  desc.executor.parallel_for = run_backwards;
-  desc.executor.worker_count = 1;
-  shd::core::Context* backwards = shd::core::create_context(desc);
+  shd::core::Context* backwards = backwards_context();
   for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F, SHD_FORMAT_RG8_SRGB}) {
     auto* texels = static_cast<uint8_t*>(malloc(1023 * 511 * 16));
     random_texels(format, 1023 * 511, 5, texels);
