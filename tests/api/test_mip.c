@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* shd_mip_build's arguments, and textures made from the caller's own levels. */
-#define _POSIX_C_SOURCE 200112L
-#include "support/check.h"
-
-#include <stdlib.h>
+#include "support/fault_allocator.h"
 
 #include <shd/shd.h>
 
@@ -155,53 +152,27 @@ static void test_null(void **state)
     shd_context_release(context);
 }
 
-struct failing {
-    size_t countdown, live;
-};
-static void *failing_allocate(void *user_data, size_t size, size_t alignment)
-{
-    struct failing *f = (struct failing *)user_data;
-    void *memory = NULL;
-    if (f->countdown == 0) return NULL;
-    --f->countdown;
-    if (posix_memalign(&memory, alignment, size) != 0) return NULL;
-    ++f->live;
-    return memory;
-}
-static void failing_free(void *user_data, void *memory, size_t size, size_t alignment)
-{
-    struct failing *f = (struct failing *)user_data;
-    (void)size;
-    (void)alignment;
-    --f->live;
-    free(memory);
-}
-
 /** Every allocation may fail; nothing leaks and the next call works. */
 static void test_allocation_faults(void **state)
 {
     size_t n;
     (void)state;
     for (n = 0; n < 64; ++n) {
-        struct failing f = {(size_t)-1, 0};
+        shd_fault_allocator memory = {0};
         struct arguments a;
-        shd_context_desc cd = shd_context_desc_default();
+        shd_context_desc cd = shd_fault_context_desc(&memory);
         shd_context *context = NULL;
         shd_result result;
         set_up(&a);
         a.desc.kernel = SHD_MIP_KAISER;
         a.desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
-        cd.worker_count = 1;
-        cd.allocator.allocate = failing_allocate;
-        cd.allocator.free = failing_free;
-        cd.allocator.user_data = &f;
         shd_assert_ok(shd_context_create(&cd, &context));
-        f.countdown = n;
+        shd_fault_arm(&memory, n + 1, 1);
         result = shd_mip_build(context, &a.base, &a.desc, LEVELS, a.levels);
-        f.countdown = (size_t)-1;
+        shd_fault_arm(&memory, 0, 0);
         if (result != SHD_OK) shd_assert_result("fault", result, SHD_ERROR_OUT_OF_MEMORY, "out of memory");
         shd_context_release(context);
-        assert_int_equal(f.live, 0);
+        shd_assert_all_freed("allocation_faults", &memory);
         if (result == SHD_OK) break;
     }
     assert_true(n > 8 && n < 64);

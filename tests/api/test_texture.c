@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Texture: every field's range, what it turns out to be, reading levels back. */
-#define _POSIX_C_SOURCE 200112L
-#include "support/check.h"
+#include "support/fault_allocator.h"
 
 #include <stdlib.h>
 
@@ -312,61 +311,34 @@ static void test_stale_handle(void **state)
     shd_context_release(context);
 }
 
-/** Fails the n-th allocation of a context. */
-struct failing {
-    size_t countdown, live;
-};
-static void *failing_allocate(void *user_data, size_t size, size_t alignment)
-{
-    struct failing *f = (struct failing *)user_data;
-    void *memory = NULL;
-    if (f->countdown == 0) return NULL;
-    --f->countdown;
-    if (posix_memalign(&memory, alignment, size) != 0) return NULL;
-    ++f->live;
-    return memory;
-}
-static void failing_free(void *user_data, void *memory, size_t size, size_t alignment)
-{
-    struct failing *f = (struct failing *)user_data;
-    (void)size;
-    (void)alignment;
-    --f->live;
-    free(memory);
-}
-
 static void test_allocation_faults(void **state)
 {
     size_t n;
     void *texels = calloc(256 * 256, 4);
     (void)state;
     for (n = 0; n < 32; ++n) {
-        struct failing f = {(size_t)-1, 0};
-        shd_context_desc cd = shd_context_desc_default();
+        shd_fault_allocator memory = {0};
+        shd_context_desc cd = shd_fault_context_desc(&memory);
         shd_texture_desc desc = shd_texture_desc_default();
         shd_context *context = NULL;
-        shd_texture *texture = (shd_texture *)&f;
+        shd_texture *texture = (shd_texture *)&memory;
         shd_result result;
-        cd.worker_count = 1;
-        cd.allocator.allocate = failing_allocate;
-        cd.allocator.free = failing_free;
-        cd.allocator.user_data = &f;
         shd_assert_ok(shd_context_create(&cd, &context));
         desc.format = SHD_FORMAT_RGBA8;
         desc.width = 256;
         desc.height = 256;
         desc.texels = texels;
         desc.tables = SHD_TABLE_MIPMAP;
-        f.countdown = n;
+        shd_fault_arm(&memory, n + 1, 1);
         result = shd_texture_create(context, &desc, &texture);
-        f.countdown = (size_t)-1;
+        shd_fault_arm(&memory, 0, 0);
         if (result != SHD_OK) {
             shd_assert_result("fault", result, SHD_ERROR_OUT_OF_MEMORY, "out of memory");
             assert_null(texture);
         }
         shd_texture_release(texture);
         shd_context_release(context);
-        assert_int_equal(f.live, 0);
+        shd_assert_all_freed("allocation_faults", &memory);
         if (result == SHD_OK) break;
     }
     assert_true(n > 2 && n < 32);

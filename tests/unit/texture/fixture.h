@@ -96,6 +96,17 @@ inline void free_texture(Texture* texture) {
   shd::core::destroy(context()->allocator, texture);
 }
 
+/// A context whose executor runs tasks backwards on one thread: the order must not show.
+inline shd::core::Context* backwards_context() {
+  shd_context_desc desc = shd_context_desc_default();
+  desc.executor.worker_count = 1;
+  desc.executor.parallel_for = [](void*, uint32_t count, shd_task_fn task, void* data) -> shd_result {
+    for (uint32_t i = count; i-- > 0;) task(data, i, 0);
+    return SHD_OK;
+  };
+  return shd::core::create_context(desc);
+}
+
 /// The levels of a texture as the oracle reads them; `levels` has room for all.
 inline ref::Image oracle_image(const Texture& texture, const shd_sampler_desc& sampler, ref::Level* levels) {
   for (uint32_t l = 0; l < texture.level_count; ++l) {

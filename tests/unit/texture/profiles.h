@@ -2,7 +2,7 @@
 // What the tests of sampler profiles share.
 #pragma once
 
-#include "points.h"
+#include "filter_cases.h"
 
 namespace fixture {
 
@@ -12,14 +12,9 @@ constexpr shd_filter kFilters[] = {SHD_FILTER_NEAREST_MIP, SHD_FILTER_BILINEAR_M
 
 inline shd_sampler_desc make_desc(shd_profile profile, shd_filter filter, uint32_t pair) {
   const float limits[] = {16, 1, 3.5f, 64, 2};
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
+  shd_sampler_desc desc = wrap_desc(filter, pair);
   desc.profile = profile;
-  desc.filter = filter;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5 % 5);
   desc.max_anisotropy = limits[(pair + pair / 5) % 5];
-  memcpy(desc.border, border, sizeof border);
   return desc;
 }
 

@@ -2,20 +2,12 @@
 // Textures with summed-area tables, samplers of every wrap pair, and the oracle's view of both.
 #pragma once
 
-#include "points.h"
+#include "filter_cases.h"
 
 #include "ref/summed_area_ref.h"
 
 namespace fixture {
 
-struct TableSize {
-  const char* name;
-  uint32_t width, height;
-};
-constexpr TableSize kTableSizes[] = {
-    {"1x1", 1, 1},       {"1x7", 1, 7},           {"5x3", 5, 3},       {"64x64", 64, 64},
-    {"128x32", 128, 32}, {"1023x511", 1023, 511}, {"4096x1", 4096, 1},
-};
 constexpr size_t kMaxTexels = size_t{1023} * 511;
 
 inline Texture* build_summed(const shd::core::Context& made_by, shd_format format, uint32_t width, uint32_t height,
@@ -43,13 +35,8 @@ inline Texture* random_summed(shd_format format, uint32_t width, uint32_t height
 
 /// Wrap pair 0..24 and both boxes.
 inline shd_sampler_desc summed_desc(uint32_t pair, shd_box box) {
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = SHD_FILTER_SUMMED_AREA;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
+  shd_sampler_desc desc = wrap_desc(SHD_FILTER_SUMMED_AREA, pair);
   desc.box = box;
-  memcpy(desc.border, border, sizeof border);
   return desc;
 }
 

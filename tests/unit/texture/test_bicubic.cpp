@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bicubic: every kernel x format x wrap pair x size x target against the oracle, all tails, and what the kernels
 // promise.
-#include "points.h"
+#include "filter_cases.h"
 
 namespace {
 
@@ -28,16 +28,11 @@ const bicubic_case k_cases[] = {
 };
 constexpr shd_cubic kCubics[] = {SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_B_SPLINE, SHD_CUBIC_MITCHELL};
 
-Batch t_batch, t_first;
+Batch t_batch;
 
 shd_sampler_desc make_desc(shd_cubic cubic, uint32_t pair) {
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = SHD_FILTER_BICUBIC;
+  shd_sampler_desc desc = wrap_desc(SHD_FILTER_BICUBIC, pair);
   desc.cubic = cubic;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
-  memcpy(desc.border, border, sizeof border);
   return desc;
 }
 
@@ -46,72 +41,39 @@ double bound(const bicubic_case& c, shd_format format) {
   return fmax(magnitude(format), 2) * (3e-6 + 4e-6 * (c.width + c.height));
 }
 
+void check_point(const bicubic_case& c, const ref::Image& image, size_t i) {
+  const double u = static_cast<double>(t_batch.u[i]), v = static_cast<double>(t_batch.v[i]);
+  for (int channel = 0; channel < 4; ++channel) {
+    shd_assert_close(c.name, i, static_cast<double>(t_batch.out[channel][i]), ref::bicubic(image, u, v, channel),
+                     bound(c, image.format), 0);
+  }
+}
+
 void test_against_oracle(void** state) {
   const auto& c = *static_cast<const bicubic_case*>(*state);
   make_points(&t_batch);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, c.width, c.height, false);
     for (uint32_t pair = 0; pair < 25; ++pair) {
-      const shd_sampler_desc desc = make_desc(c.cubic, pair);
-      ref::Level levels[shd::texture::kMaxLevels];
-      const ref::Image image = oracle_image(*texture, desc, levels);
-      bool first = true;
-      for_each_target([&](int64_t target) {
-        const size_t nonfinite = run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
-        assert_int_equal(nonfinite, kNonfinitePoints);
-        if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-        first = false;
-        assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-      });
-      for (size_t i = 0; i < t_batch.count; ++i) {
-        const double u = static_cast<double>(t_batch.u[i]), v = static_cast<double>(t_batch.v[i]);
-        for (int channel = 0; channel < 4; ++channel) {
-          shd_assert_close(c.name, i, static_cast<double>(t_batch.out[channel][i]), ref::bicubic(image, u, v, channel),
-                           bound(c, format), 0);
-        }
-      }
+      check_against_oracle(*texture, make_desc(c.cubic, pair), t_batch.lookups(false, false), &t_batch,
+                           [&](const ref::Image& image, size_t i) { check_point(c, image, i); });
     }
     free_texture(texture);
   }
 }
 
 void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
-  for (const shd_format format : kFormats) {
-    Texture* texture = random_texture(format, 64, 32, false);
-    const Sampler sampler = make_sampler(make_desc(SHD_CUBIC_MITCHELL, 3));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_first.lookups(false, false), &t_first);
-      for (size_t count = 0; count <= 35; ++count) {
-        t_batch.count = count;
-        run(*texture, sampler, target, t_batch.lookups(false, false), &t_batch);
-        for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
-      }
-    });
-    free_texture(texture);
-  }
+  check_tails_of_formats(make_desc(SHD_CUBIC_MITCHELL, 3), false);
 }
 
-/// A constant texture gives exactly its value.
 void test_constant(void**) {
-  make_points(&t_batch);
   for (const shd_format format : kFormats) {
     uint8_t texels[8 * 8 * 16];
-    const size_t bytes = shd_format_size(format);
-    random_texels(format, 1, 4242, texels);
-    for (size_t i = 1; i < 64; ++i) memcpy(texels + i * bytes, texels, bytes);
+    constant_texels(format, 8 * 8, texels);
     Texture* texture = make_texture(format, 8, 8, texels, false);
     for (const shd_cubic cubic : kCubics) {
       for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_MIRROR_ONCE}) {
-        for_each_target([&](int64_t target) {
-          const shd_sampler_desc desc = make_desc(cubic, 6 * static_cast<uint32_t>(wrap));
-          run(*texture, make_sampler(desc), target, t_batch.lookups(false, false), &t_batch);
-          for (int c = 0; c < 4; ++c) {
-            const auto want = static_cast<float>(ref::decode(format, texels, c));
-            for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
-          }
-        });
+        check_constant(*texture, make_desc(cubic, 6 * static_cast<uint32_t>(wrap)), false);
       }
     }
     free_texture(texture);

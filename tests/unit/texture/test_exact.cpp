@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact filter: rectangles in closed form for every format x wrap pair x size, parallelograms against many samples,
 // what it promises for constants, ramps, points, hostile footprints and texels, and its quality on a floor.
-#include "points.h"
+#include "filter_cases.h"
 
 #include "ref/exact_ref.h"
 #include "texture/exact_footprint.h"
@@ -10,25 +10,10 @@ namespace {
 
 using namespace fixture;
 
-struct size_case {
-  const char* name;
-  uint32_t width, height;
-};
-const size_case k_sizes[] = {
-    {"exact/1x1", 1, 1},       {"exact/1x7", 1, 7},           {"exact/5x3", 5, 3},       {"exact/64x64", 64, 64},
-    {"exact/128x32", 128, 32}, {"exact/1023x511", 1023, 511}, {"exact/4096x1", 4096, 1},
-};
-
 Batch t_batch, t_other;
 
 shd_sampler_desc exact_desc(uint32_t pair) {
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = SHD_FILTER_EXACT;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
-  memcpy(desc.border, border, sizeof border);
-  return desc;
+  return wrap_desc(SHD_FILTER_EXACT, pair);
 }
 
 int64_t any_target() {
@@ -41,7 +26,7 @@ ref::Jacobian jacobian_of(const Batch& batch, size_t i) {
 }
 
 /// Sides along the axes, up to `texels` long, in either order and sign.
-void make_rectangles(Batch* batch, size_t count, float texels, const size_case& c) {
+void make_rectangles(Batch* batch, size_t count, float texels, const SizeCase& c) {
   Random random{c.width * 7 + c.height};
   batch->count = count;
   for (size_t i = 0; i < count; ++i) {
@@ -58,7 +43,7 @@ void make_rectangles(Batch* batch, size_t count, float texels, const size_case& 
 }
 
 void test_rectangles(void** state) {
-  const auto& c = *static_cast<const size_case*>(*state);
+  const auto& c = *static_cast<const SizeCase*>(*state);
   make_rectangles(&t_batch, 12, 5, c);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, c.width, c.height, true);
@@ -84,7 +69,7 @@ void test_rectangles(void** state) {
 
 /// A level of detail is a square; bias scales it, lod_min raises the level.
 void test_lod(void**) {
-  const size_case c = {"lod", 64, 32};
+  const SizeCase c = {"lod", 64, 32};
   make_rectangles(&t_batch, 64, 1, c);
   Texture* texture = random_texture(SHD_FORMAT_RGBA32F, c.width, c.height, true);
   for (uint32_t lowest = 0; lowest < 3; ++lowest) {
@@ -180,27 +165,12 @@ void test_points(void**) {
   }
 }
 
-/// Footprints that nobody should have: every mix of sizes from nothing to infinity.
+/// Hostile footprints, some of them without width.
 void make_hostile(Batch* batch) {
-  const float entries[] = {0,    1e-30f, 1e-10f, 1e-6f, 1e-3f,          0.1f,     1,         20,
-                           1e4f, 1e10f,  1e30f,  1e38f, 3.40282347e38f, INFINITY, -INFINITY, NAN};
-  Random random{11};
-  make_points(batch);
-  batch->count = kMaxPoints;
-  for (size_t i = 0; i < kMaxPoints; ++i) {
-    if (i >= kPoints) {
-      batch->u[i] = batch->u[i % kPoints];
-      batch->v[i] = batch->v[i % kPoints];
-    }
-    for (float* column : {batch->dudx, batch->dvdx, batch->dudy, batch->dvdy}) {
-      column[i] = entries[random.next() >> 28] * (random.next() >> 31 ? 1.0f : -0.75f);
-    }
-    if (i % 4 == 1) batch->dvdx[i] = batch->dudy[i] = 0;
-    if (i % 4 == 2) {
-      batch->dudy[i] = 2 * batch->dudx[i];
-      batch->dvdy[i] = 2 * batch->dvdx[i];
-    }
-    batch->lod[i] = entries[i % 16];
+  make_hostile_points(batch);
+  for (size_t i = 2; i < kMaxPoints; i += 4) {
+    batch->dudy[i] = 2 * batch->dudx[i];
+    batch->dvdy[i] = 2 * batch->dvdx[i];
   }
 }
 
@@ -222,9 +192,8 @@ void test_hostile(void**) {
   for (const bool constant : {false, true}) {
     uint8_t texels[8 * 8 * 16];
     for (const shd_format format : kFormats) {
-      const size_t bytes = shd_format_size(format);
       random_texels(format, 64, 4242, texels);
-      for (size_t i = 1; constant && i < 64; ++i) memcpy(texels + i * bytes, texels, bytes);
+      if (constant) constant_texels(format, 64, texels);
       Texture* texture = make_texture(format, 8, 8, texels, true);
       for (uint32_t pair = 0; pair < 25; ++pair) {
         shd_sampler_desc desc = hostile_desc(pair);
@@ -372,10 +341,7 @@ void test_floor(void**) {
 
 int main() {
   CMUnitTest tests[24];
-  size_t n = 0;
-  for (const size_case& c : k_sizes) {
-    tests[n++] = {c.name, test_rectangles, nullptr, nullptr, const_cast<size_case*>(&c)};
-  }
+  size_t n = add_sizes("exact", test_rectangles, tests);
   tests[n++] = {"lod", test_lod, nullptr, nullptr, nullptr};
   tests[n++] = {"parallelograms", test_parallelograms, nullptr, nullptr, nullptr};
   tests[n++] = {"ramp", test_ramp, nullptr, nullptr, nullptr};

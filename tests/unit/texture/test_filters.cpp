@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every filter x format x wrap pair x size x target against the oracle, all tails, and the bits of all targets.
-#include "points.h"
+#include "filter_cases.h"
 
 namespace {
 
@@ -80,20 +80,8 @@ void check_point(const ref::Image& image, const filter_case& c, const Batch& bat
 }
 
 void check_combination(const filter_case& c, const Texture& texture, const shd_sampler_desc& desc, bool lod) {
-  const Sampler sampler = make_sampler(desc);
-  ref::Level levels[shd::texture::kMaxLevels];
-  const ref::Image image = oracle_image(texture, desc, levels);
-  bool first = true;
-  for_each_target([&](int64_t target) {
-    const size_t nonfinite = run(texture, sampler, target, t_batch.lookups(!lod, lod), &t_batch);
-    assert_int_equal(nonfinite, kNonfinitePoints);
-    if (first) {
-      for (size_t i = 0; i < t_batch.count; ++i) check_point(image, c, t_batch, lod, i);
-      memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-      first = false;
-    }
-    assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-  });
+  check_against_oracle(texture, desc, t_batch.lookups(!lod, lod), &t_batch,
+                       [&](const ref::Image& image, size_t i) { check_point(image, c, t_batch, lod, i); });
 }
 
 void test_filter(void** state) {
@@ -102,12 +90,7 @@ void test_filter(void** state) {
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, c.width, c.height, c.filter == SHD_FILTER_TRILINEAR);
     for (uint32_t pair = 0; pair < 25; ++pair) {
-      shd_sampler_desc desc = shd_sampler_desc_default();
-      desc.filter = c.filter;
-      desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-      desc.wrap_v = static_cast<shd_wrap>(pair / 5);
-      const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-      memcpy(desc.border, border, sizeof border);
+      const shd_sampler_desc desc = wrap_desc(c.filter, pair);
       check_combination(c, *texture, desc, false);
       if (c.filter == SHD_FILTER_TRILINEAR) check_combination(c, *texture, desc, true);
     }
@@ -115,48 +98,18 @@ void test_filter(void** state) {
   }
 }
 
-/// Every tail length gives the bits of the whole batch and writes nothing after it.
 void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
-  for (const shd_format format : kFormats) {
-    Texture* texture = random_texture(format, 64, 32, true);
-    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
-      shd_sampler_desc desc = shd_sampler_desc_default();
-      desc.filter = filter;
-      const Sampler sampler = make_sampler(desc);
-      for_each_target([&](int64_t target) {
-        run(*texture, sampler, target, t_first.lookups(true, false), &t_first);
-        for (size_t count = 0; count <= 35; ++count) {
-          t_batch.count = count;
-          run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-          for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
-        }
-      });
-    }
-    free_texture(texture);
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+    shd_sampler_desc desc = shd_sampler_desc_default();
+    desc.filter = filter;
+    check_tails_of_formats(desc, true);
   }
 }
 
-/// A channel that is not wanted is not written, and the others do not change.
 void test_unwanted_channels(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 16, 16, true);
-    const Sampler sampler = make_sampler(shd_sampler_desc_default());
-    for_each_target([&](int64_t target) {
-      const Lookups lookups = t_batch.lookups(true, false);
-      run(*texture, sampler, target, lookups, &t_first);
-      for (size_t wanted = 0; wanted < 4; ++wanted) {
-        t_batch.set_canaries();
-        Texels out = {};
-        out.channel[wanted] = t_batch.out[wanted];
-        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target), lookups, out);
-        assert_memory_equal(t_batch.out[wanted], t_first.out[wanted], t_batch.count * sizeof(float));
-        assert_memory_equal(t_batch.out[(wanted + 1) % 4], &kCanary, sizeof kCanary);
-      }
-    });
+    check_unwanted_channels(*texture, shd_sampler_desc_default());
     free_texture(texture);
   }
 }
@@ -194,30 +147,15 @@ void test_rows(void**) {
   }
 }
 
-/// A constant texture gives exactly its value, whatever the coordinates.
 void test_constant(void**) {
-  make_points(&t_batch);
-  for (const shd_format format : kFormats) {
-    uint8_t texels[16 * 16 * 16];
-    const size_t bytes = shd_format_size(format);
-    random_texels(format, 1, 4242, texels);
-    for (size_t i = 1; i < 256; ++i) memcpy(texels + i * bytes, texels, bytes);
-    Texture* texture = make_texture(format, 16, 16, texels, true);
-    for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
-      for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR}) {
-        shd_sampler_desc desc = shd_sampler_desc_default();
-        desc.filter = filter;
-        desc.wrap_u = desc.wrap_v = wrap;
-        for_each_target([&](int64_t target) {
-          run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-          for (int c = 0; c < 4; ++c) {
-            const auto want = static_cast<float>(ref::decode(format, texels, c));
-            for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
-          }
-        });
-      }
-    }
-    free_texture(texture);
+  for (const shd_filter filter : {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR}) {
+    const shd_wrap wraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR};
+    check_constant_mipmap(3, [&](uint32_t k) {
+      shd_sampler_desc desc = shd_sampler_desc_default();
+      desc.filter = filter;
+      desc.wrap_u = desc.wrap_v = wraps[k];
+      return desc;
+    });
   }
 }
 

@@ -165,17 +165,8 @@ void test_strided_rows(void**) {
   free_texture(texture);
 }
 
-/// An executor that runs tasks backwards on one thread: the order must not show.
-shd_result run_backwards(void*, uint32_t count, shd_task_fn task, void* data) {
-  for (uint32_t i = count; i-- > 0;) task(data, i, 0);
-  return SHD_OK;
-}
-
 void test_task_order(void**) {
-  shd_context_desc desc = shd_context_desc_default();
-  desc.executor.parallel_for = run_backwards;
-  desc.executor.worker_count = 1;
-  shd::core::Context* backwards = shd::core::create_context(desc);
+  shd::core::Context* backwards = backwards_context();
   for (const size_case& size : k_sizes) {
     auto* texels = static_cast<uint8_t*>(malloc(size_t{size.width} * size.height * 16));
     random_texels(SHD_FORMAT_RGBA32F, size_t{size.width} * size.height, 5, texels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The filters of one mip level, and magnification: every format x wrap pair x size x target against the oracle.
-#include "points.h"
+#include "filter_cases.h"
 
 namespace {
 
@@ -26,17 +26,7 @@ const mip_case k_cases[] = {
     {"bilinear_mip/4096x1", SHD_FILTER_BILINEAR_MIP, 4096, 1},
 };
 
-Batch t_batch, t_first, t_near, t_far;
-
-shd_sampler_desc make_desc(shd_filter filter, uint32_t pair) {
-  const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = filter;
-  desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-  desc.wrap_v = static_cast<shd_wrap>(pair / 5);
-  memcpy(desc.border, border, sizeof border);
-  return desc;
-}
+Batch t_batch, t_near, t_far;
 
 double lambda_of(const mip_case& c, const Batch& batch, size_t i) {
   return ref::lambda(static_cast<double>(batch.dudx[i]), static_cast<double>(batch.dvdx[i]),
@@ -78,18 +68,8 @@ void test_against_oracle(void** state) {
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, c.width, c.height, true);
     for (uint32_t pair = 0; pair < 25; ++pair) {
-      const shd_sampler_desc desc = make_desc(c.filter, pair);
-      ref::Level levels[shd::texture::kMaxLevels];
-      const ref::Image image = oracle_image(*texture, desc, levels);
-      bool first = true;
-      for_each_target([&](int64_t target) {
-        const size_t nonfinite = run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-        assert_int_equal(nonfinite, kNonfinitePoints);
-        if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-        first = false;
-        assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-      });
-      for (size_t i = 0; i < t_batch.count; ++i) check_point(c, image, t_batch, i);
+      check_against_oracle(*texture, wrap_desc(c.filter, pair), t_batch.lookups(true, false), &t_batch,
+                           [&](const ref::Image& image, size_t i) { check_point(c, image, t_batch, i); });
     }
     free_texture(texture);
   }
@@ -110,7 +90,7 @@ void test_halfway(void**) {
     t_batch.lod[i] = lods[i];
   }
   for_each_target([&](int64_t target) {
-    const Sampler sampler = make_sampler(make_desc(SHD_FILTER_NEAREST_MIP, 6));
+    const Sampler sampler = make_sampler(wrap_desc(SHD_FILTER_NEAREST_MIP, 6));
     run(*texture, sampler, target, t_batch.lookups(false, true), &t_batch);
     for (size_t i = 0; i < 5; ++i) assert_true(t_batch.out[0][i] == 0.2f);
   });
@@ -151,7 +131,7 @@ void test_magnification(void** state) {
   t_batch.count = kMaxPoints;
   memcpy(&t_near, &t_batch, sizeof t_batch);
   memcpy(&t_far, &t_batch, sizeof t_batch);
-  shd_sampler_desc desc = make_desc(c.filter, 2);
+  shd_sampler_desc desc = wrap_desc(c.filter, 2);
   desc.lod_min = c.lod_min;
   shd_sampler_desc near = desc;
   near.filter = c.near;

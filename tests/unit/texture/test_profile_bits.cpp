@@ -113,93 +113,37 @@ void test_gradient(void**) {
   free_texture(texture);
 }
 
-/// A constant texture gives exactly its value.
 void test_constant(void**) {
-  make_points(&t_batch);
   uint8_t texels[16 * 16 * 4];
-  random_texels(SHD_FORMAT_RGBA8, 1, 4242, texels);
-  for (size_t i = 1; i < 256; ++i) memcpy(texels + 4 * i, texels, 4);
+  constant_texels(SHD_FORMAT_RGBA8, 16 * 16, texels);
   Texture* texture = make_texture(SHD_FORMAT_RGBA8, 16, 16, texels, true);
   for (uint32_t k = 0; k < 3 * 4 * 5; ++k) {
     const shd_sampler_desc desc = make_desc(kProfiles[k % 3], kFilters[k / 3 % 4], k / 12 * 6);
-    if (desc.wrap_u == SHD_WRAP_BORDER) continue;
-    for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-      for (int c = 0; c < 4; ++c) {
-        const auto want = static_cast<float>(ref::decode(SHD_FORMAT_RGBA8, texels, c));
-        for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
-      }
-    });
+    if (desc.wrap_u != SHD_WRAP_BORDER) check_constant(*texture, desc, true);
   }
   free_texture(texture);
 }
 
-/// Every tail length gives the bits of the whole batch and writes nothing after it.
 void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
   Texture* texture = random_texture(SHD_FORMAT_RGBA8, 64, 32, true);
-  for (uint32_t k = 0; k < 12; ++k) {
-    const Sampler sampler = make_sampler(make_desc(kProfiles[k % 3], kFilters[k / 3], 1));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_first.lookups(true, false), &t_first);
-      for (size_t count = 0; count <= 35; ++count) {
-        t_batch.count = count;
-        run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-        for (size_t c = 0; c < 4; ++c) assert_memory_equal(t_batch.out[c], t_first.out[c], count * sizeof(float));
-      }
-    });
-  }
+  for (uint32_t k = 0; k < 12; ++k) check_tails(*texture, make_desc(kProfiles[k % 3], kFilters[k / 3], 1), true);
   free_texture(texture);
 }
 
-/// Derivatives of any bits: finite texels give values between the least and the largest of them.
 void test_hostile(void**) {
   const float values[] = {0, -1e-45f, 1e-30f, -1e-8f, -1e-3f, 0.3f, 1e10f, -1e19f, -1e30f, 3.4e38f, INFINITY, NAN};
-  constexpr size_t kValues = sizeof values / sizeof values[0];
-  Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 61, 37, true);
-  Random random{99};
-  for (uint32_t round = 0; round < 120; ++round) {
-    make_points(&t_batch);
-    for (size_t i = 0; i < kPoints; ++i) {
-      for (float* column : {t_batch.dudx, t_batch.dvdx, t_batch.dudy, t_batch.dvdy})
-        column[i] = values[(random.next() >> 16) % kValues];
-    }
+  check_hostile_derivatives(values, 120, [](uint32_t round) {
     shd_sampler_desc desc = make_desc(kProfiles[round % 3], kFilters[round / 3 % 4], round);
     desc.lod_bias = round % 5 == 0 ? -15.0f : 0.0f;
     desc.width_x = round % 4 == 0 ? 64.0f : round % 7 == 0 ? 0.0f : 1.0f;
     desc.blur_v = round % 5 == 0 ? 0.5f : 0.0f;
     if (round % 2) desc.magnification = SHD_MAGNIFICATION_NEAREST;
-    bool first = true;
-    for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-      for (const auto& column : t_batch.out) {
-        for (size_t i = 0; i < kPoints; ++i) assert_true(column[i] >= -8.001f && column[i] <= 8.001f);
-      }
-      if (first) memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-      first = false;
-      assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-    });
-  }
-  free_texture(texture);
+    return desc;
+  });
 }
 
-/// An infinite derivative gives the coarsest level.
 void test_infinite(void**) {
-  Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 64, 64, true);
-  const auto* coarsest = reinterpret_cast<const float*>(shd::texture::row_of(*texture, 0, 6, 0));
-  make_points(&t_batch);
-  for (size_t i = 0; i < kPoints; ++i) t_batch.dvdx[i] = i % 2 ? INFINITY : -INFINITY;
-  for (uint32_t k = 0; k < 12; ++k) {
-    const Sampler sampler = make_sampler(make_desc(kProfiles[k % 3], kFilters[k / 3], 0));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-      for (int c = 0; c < 4; ++c) {
-        for (size_t i = 0; i < kPoints; ++i) assert_true(t_batch.out[c][i] == coarsest[c]);
-      }
-    });
-  }
-  free_texture(texture);
+  for (uint32_t k = 0; k < 12; ++k) check_infinite(make_desc(kProfiles[k % 3], kFilters[k / 3], 0));
 }
 
 }  // namespace

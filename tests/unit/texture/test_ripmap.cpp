@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ripmap levels against area averages of the base, and lookups against the oracle: format x wrap pair x size x target.
-#include "points.h"
+#include "filter_cases.h"
 
 #include "ref/ripmap_ref.h"
 
@@ -8,19 +8,10 @@ namespace {
 
 using namespace fixture;
 
-struct size_case {
-  const char* name;
-  uint32_t width, height;
-};
-const size_case k_levels[] = {
+const SizeCase k_levels[] = {
     {"levels/1x1", 1, 1},       {"levels/1x7", 1, 7},     {"levels/5x3", 5, 3},     {"levels/64x64", 64, 64},
     {"levels/128x32", 128, 32}, {"levels/33x65", 33, 65}, {"levels/96x20", 96, 20}, {"levels/1024x1", 1024, 1},
 };
-const size_case k_lookups[] = {
-    {"lookup/1x1", 1, 1},       {"lookup/1x7", 1, 7},           {"lookup/5x3", 5, 3},       {"lookup/64x64", 64, 64},
-    {"lookup/128x32", 128, 32}, {"lookup/1023x511", 1023, 511}, {"lookup/4096x1", 4096, 1},
-};
-
 Batch t_batch, t_first;
 ref::Ripmap t_ripmap;
 
@@ -89,7 +80,7 @@ void check_level(shd_format format, const ref::Level& level) {
 }
 
 void test_levels(void** state) {
-  const auto& size = *static_cast<const size_case*>(*state);
+  const auto& size = *static_cast<const SizeCase*>(*state);
   for (const shd_format format : kFormats) {
     for (const uint32_t tables : {1u * SHD_TABLE_RIPMAP, 1u * SHD_TABLE_RIPMAP | SHD_TABLE_MIPMAP}) {
       Texture* texture = random_ripmap(format, size.width, size.height, 2, tables);
@@ -138,32 +129,18 @@ void check_points(const Texture& texture, const shd_sampler_desc& desc, bool lod
 }
 
 void check_combination(const Texture& texture, const shd_sampler_desc& desc, bool lod) {
-  const Sampler sampler = make_sampler(desc);
-  bool first = true;
-  for_each_target([&](int64_t target) {
-    assert_int_equal(run(texture, sampler, target, t_batch.lookups(!lod, lod), &t_batch), kNonfinitePoints);
-    if (first) {
-      check_points(texture, desc, lod);
-      memcpy(t_first.out, t_batch.out, sizeof t_batch.out);
-      first = false;
-    }
-    assert_memory_equal(t_first.out, t_batch.out, sizeof t_batch.out);
-  });
+  assert_int_equal(run_everywhere(texture, desc, t_batch.lookups(!lod, lod), &t_batch), kNonfinitePoints);
+  check_points(texture, desc, lod);
 }
 
 void test_lookup(void** state) {
-  const auto& size = *static_cast<const size_case*>(*state);
+  const auto& size = *static_cast<const SizeCase*>(*state);
   make_points(&t_batch);
   for (const shd_format format : kFormats) {
     Texture* texture = random_ripmap(format, size.width, size.height, 1, SHD_TABLE_RIPMAP);
     read_levels(*texture, 0);
     for (uint32_t pair = 0; pair < 25; ++pair) {
-      shd_sampler_desc desc = shd_sampler_desc_default();
-      desc.filter = SHD_FILTER_RIPMAP;
-      desc.wrap_u = static_cast<shd_wrap>(pair % 5);
-      desc.wrap_v = static_cast<shd_wrap>(pair / 5);
-      const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
-      memcpy(desc.border, border, sizeof border);
+      shd_sampler_desc desc = wrap_desc(SHD_FILTER_RIPMAP, pair);
       check_combination(*texture, desc, false);
       desc.lod_bias = 0.75f;
       desc.lod_min = 0.5f;
@@ -174,59 +151,27 @@ void test_lookup(void** state) {
   }
 }
 
-/// Every tail length gives the bits of the whole batch and writes nothing after it.
 void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_first, &t_batch, sizeof t_batch);
   for (const shd_format format : kFormats) {
     Texture* texture = random_ripmap(format, 64, 32, 1, SHD_TABLE_RIPMAP);
     shd_sampler_desc desc = shd_sampler_desc_default();
     desc.filter = SHD_FILTER_RIPMAP;
-    const Sampler sampler = make_sampler(desc);
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_first.lookups(true, false), &t_first);
-      for (size_t count = 0; count <= 35; ++count) {
-        t_batch.count = count;
-        run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-        for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_first.out[k], count * sizeof(float));
-      }
-      for (size_t wanted = 0; wanted < 4; ++wanted) {
-        t_batch.count = kPoints;
-        t_batch.set_canaries();
-        Texels out = {};
-        out.channel[wanted] = t_batch.out[wanted];
-        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target), t_batch.lookups(true, false),
-                             out);
-        assert_memory_equal(t_batch.out[wanted], t_first.out[wanted], kPoints * sizeof(float));
-        for (size_t k = 0; k < 4; ++k) {
-          if (k != wanted) assert_memory_equal(t_batch.out[k], t_batch.out[k] + kPoints, 64 * sizeof(float));
-        }
-      }
-    });
+    check_tails(*texture, desc, true);
+    check_unwanted_channels(*texture, desc);
     free_texture(texture);
   }
 }
 
-/// A constant texture gives exactly its value.
 void test_constant(void**) {
-  make_points(&t_batch);
   for (const shd_format format : kFormats) {
     uint8_t texels[23 * 18 * 16];
-    const size_t bytes = shd_format_size(format);
-    random_texels(format, 1, 4242, texels);
-    for (size_t i = 1; i < 23 * 18; ++i) memcpy(texels + i * bytes, texels, bytes);
+    constant_texels(format, 23 * 18, texels);
     Texture* texture = build_texture(format, 23, 18, 1, SHD_TABLE_RIPMAP, texels);
     for (const shd_wrap wrap : {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_MIRROR_ONCE}) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = SHD_FILTER_RIPMAP;
       desc.wrap_u = desc.wrap_v = wrap;
-      for_each_target([&](int64_t target) {
-        run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);
-        for (int c = 0; c < 4; ++c) {
-          const auto want = static_cast<float>(ref::decode(format, texels, c));
-          for (size_t i = 0; i < t_batch.count; ++i) assert_true(t_batch.out[c][i] == want);
-        }
-      });
+      check_constant(*texture, desc, true);
     }
     free_texture(texture);
   }
@@ -365,8 +310,8 @@ void test_layers(void**) {
 int main() {
   CMUnitTest tests[64];
   size_t n = 0;
-  for (const size_case& c : k_levels) tests[n++] = {c.name, test_levels, nullptr, nullptr, const_cast<size_case*>(&c)};
-  for (const size_case& c : k_lookups) tests[n++] = {c.name, test_lookup, nullptr, nullptr, const_cast<size_case*>(&c)};
+  for (const SizeCase& c : k_levels) tests[n++] = {c.name, test_levels, nullptr, nullptr, const_cast<SizeCase*>(&c)};
+  n += add_sizes("lookup", test_lookup, tests + n);
   for (const lod_case& c : k_lods) tests[n++] = {c.name, test_lod, nullptr, nullptr, const_cast<lod_case*>(&c)};
   tests[n++] = {"memory", test_memory, nullptr, nullptr, nullptr};
   tests[n++] = {"tails", test_tails, nullptr, nullptr, nullptr};

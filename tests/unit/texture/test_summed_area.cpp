@@ -89,19 +89,8 @@ void check_points(const Texture& texture, const double* values, const shd_sample
   }
 }
 
-/// Runs the batch on every target, which all give the same bits, and leaves the results in t_batch.
-void run_everywhere(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups) {
-  bool first = true;
-  t_other.count = lookups.count;
-  for_each_target([&](int64_t target) {
-    run(texture, make_sampler(desc), target, lookups, first ? &t_batch : &t_other);
-    if (!first) assert_memory_equal(t_other.out, t_batch.out, sizeof t_batch.out);
-    first = false;
-  });
-}
-
 void test_size(void** state) {
-  const auto& size = *static_cast<const TableSize*>(*state);
+  const auto& size = *static_cast<const SizeCase*>(*state);
   const bool large = size.width * size.height > 1 << 14;
   make_footprints(&t_batch, large ? 24 : 60, large ? 60.0f : 40.0f, size.width, size.height);
   for (const shd_format format : kFormats) {
@@ -110,7 +99,7 @@ void test_size(void** state) {
     for (uint32_t pair = 0; pair < 25; ++pair) {
       for (const shd_box box : {SHD_BOX_BOUNDING, SHD_BOX_ORIENTED}) {
         const shd_sampler_desc desc = summed_desc(pair, box);
-        run_everywhere(*texture, desc, t_batch.lookups(true, false));
+        run_everywhere(*texture, desc, t_batch.lookups(true, false), &t_batch);
         check_points(*texture, values, desc, false);
       }
     }
@@ -120,7 +109,7 @@ void test_size(void** state) {
 
 /// Boxes of many periods, and wider than anything beyond the edges.
 void test_wide(void**) {
-  for (const auto& size : {TableSize{"", 5, 3}, TableSize{"", 1, 7}, TableSize{"", 64, 64}}) {
+  for (const auto& size : {SizeCase{"", 5, 3}, SizeCase{"", 1, 7}, SizeCase{"", 64, 64}}) {
     for (const shd_format format : {SHD_FORMAT_RG8, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F}) {
       make_footprints(&t_batch, 24, 4096, size.width, size.height);
       for (size_t i = 0; i < 2; ++i) t_batch.dudx[i] = 0x1p20f / static_cast<float>(size.width);
@@ -128,7 +117,7 @@ void test_wide(void**) {
       const double* values = oracle_values(*texture, 0);
       for (uint32_t pair = 0; pair < 25; ++pair) {
         const shd_sampler_desc desc = summed_desc(pair, pair % 2 ? SHD_BOX_BOUNDING : SHD_BOX_ORIENTED);
-        run_everywhere(*texture, desc, t_batch.lookups(true, false));
+        run_everywhere(*texture, desc, t_batch.lookups(true, false), &t_batch);
         check_points(*texture, values, desc, false);
       }
       free_texture(texture);
@@ -151,12 +140,12 @@ void test_settings(void**) {
       if (setting >= 8) desc.width_x = 0.5f;
       if (setting == 9) desc.max_anisotropy = 3.75f;
       const bool lod = setting % 4 == 0;
-      run_everywhere(*texture, desc, t_batch.lookups(true, lod));
+      run_everywhere(*texture, desc, t_batch.lookups(true, lod), &t_batch);
       check_points(*texture, values, desc, lod);
       if (lod) continue;
       desc.blur_u = 0.05f;
       desc.blur_v = 0.125f;
-      run_everywhere(*texture, desc, t_batch.lookups(true, false));
+      run_everywhere(*texture, desc, t_batch.lookups(true, false), &t_batch);
       check_points(*texture, values, desc, false);
     }
   }
@@ -172,7 +161,7 @@ void test_magnified(void**) {
       const shd_sampler_desc desc = summed_desc(pair, SHD_BOX_ORIENTED);
       shd_sampler_desc bilinear = desc;
       bilinear.filter = SHD_FILTER_BILINEAR;
-      run_everywhere(*texture, bilinear, t_batch.lookups(false, false));
+      run_everywhere(*texture, bilinear, t_batch.lookups(false, false), &t_batch);
       memcpy(&t_other, &t_batch, sizeof t_batch);
       for (const bool lod : {false, true}) {
         for (size_t i = 0; i < kPoints; ++i) t_batch.lod[i] = -static_cast<float>(i);
@@ -192,28 +181,11 @@ void test_magnified(void**) {
 }
 
 void test_tails(void**) {
-  make_points(&t_batch);
-  memcpy(&t_other, &t_batch, sizeof t_batch);
   for (const shd_format format : kFormats) {
     Texture* texture = random_summed(format, 64, 32, 1);
-    const Sampler sampler = make_sampler(summed_desc(5, SHD_BOX_ORIENTED));
-    for_each_target([&](int64_t target) {
-      run(*texture, sampler, target, t_other.lookups(true, false), &t_other);
-      for (size_t count = 0; count <= 35; ++count) {
-        t_batch.count = count;
-        run(*texture, sampler, target, t_batch.lookups(true, false), &t_batch);
-        for (size_t k = 0; k < 4; ++k) assert_memory_equal(t_batch.out[k], t_other.out[k], count * sizeof(float));
-      }
-      for (size_t wanted = 0; wanted < 4; ++wanted) {
-        t_batch.count = kPoints;
-        t_batch.set_canaries();
-        Texels out = {};
-        out.channel[wanted] = t_batch.out[wanted];
-        shd::texture::sample(*texture, sampler, shd::core::simd_target_from_bit(target), t_batch.lookups(true, false),
-                             out);
-        assert_memory_equal(t_batch.out[wanted], t_other.out[wanted], kPoints * sizeof(float));
-      }
-    });
+    const shd_sampler_desc desc = summed_desc(5, SHD_BOX_ORIENTED);
+    check_tails(*texture, desc, true);
+    check_unwanted_channels(*texture, desc);
     free_texture(texture);
   }
 }
@@ -230,42 +202,21 @@ void test_layers(void**) {
       for (uint32_t& l : layer) l = k == kLayers ? 0xffffffffu : k;
       Lookups lookups = t_batch.lookups(true, false);
       lookups.layer = layer;
-      run_everywhere(*texture, desc, lookups);
+      run_everywhere(*texture, desc, lookups, &t_batch);
       check_points(*texture, oracle_values(*texture, k < kLayers ? k : kLayers - 1), desc, false);
     }
     free_texture(texture);
   }
 }
 
-/// Footprints that nobody should have: every mix of sizes from nothing to infinity.
-void make_hostile(Batch* batch) {
-  const float entries[] = {0,    1e-30f, 1e-10f, 1e-6f, 1e-3f,          0.1f,     1,         20,
-                           1e4f, 1e10f,  1e30f,  1e38f, 3.40282347e38f, INFINITY, -INFINITY, NAN};
-  Random random{11};
-  make_points(batch);
-  batch->count = kMaxPoints;
-  for (size_t i = 0; i < kMaxPoints; ++i) {
-    if (i >= kPoints) {
-      batch->u[i] = batch->u[i % kPoints];
-      batch->v[i] = batch->v[i % kPoints];
-    }
-    for (float* column : {batch->dudx, batch->dvdx, batch->dudy, batch->dvdy}) {
-      column[i] = entries[random.next() >> 28] * (random.next() >> 31 ? 1.0f : -0.75f);
-    }
-    if (i % 4 == 1) batch->dvdx[i] = batch->dudy[i] = 0;
-    batch->lod[i] = entries[i % 16];
-  }
-}
-
 /// Finite texels give values between the smallest and the largest, a constant texture exactly its value.
 void test_hostile(void**) {
-  make_hostile(&t_batch);
+  make_hostile_points(&t_batch);
   for (const bool constant : {false, true}) {
     uint8_t texels[23 * 9 * 16];
     for (const shd_format format : kFormats) {
-      const size_t bytes = shd_format_size(format);
       random_texels(format, 23 * 9, 4242, texels);
-      for (size_t i = 1; constant && i < 23 * 9; ++i) memcpy(texels + i * bytes, texels, bytes);
+      if (constant) constant_texels(format, 23 * 9, texels);
       Texture* texture = build_summed(*context(), format, 23, 9, 1, texels);
       for (uint32_t pair = 0; pair < 50; ++pair) {
         shd_sampler_desc desc = summed_desc(pair % 25, pair < 25 ? SHD_BOX_BOUNDING : SHD_BOX_ORIENTED);
@@ -273,7 +224,7 @@ void test_hostile(void**) {
         desc.lod_bias = static_cast<float>(static_cast<int>(pair % 5)) * 7 - 14;
         desc.width_x = pair % 3 ? 1.0f : 0.0f;
         desc.blur_v = pair % 7 ? 0.0f : 0.5f;
-        run_everywhere(*texture, desc, t_batch.lookups(pair % 2 == 0, pair % 2 == 1));
+        run_everywhere(*texture, desc, t_batch.lookups(pair % 2 == 0, pair % 2 == 1), &t_batch);
         for (int c = 0; c < 4; ++c) {
           const bool missing = c >= ref::layout(format).channels;
           const double most = constant || missing ? 0 : magnitude(format) * 1.00001;
@@ -299,7 +250,7 @@ void test_codes(void**) {
       shd_sampler_desc desc = summed_desc(code % 25, code / 25 % 2 ? SHD_BOX_ORIENTED : SHD_BOX_BOUNDING);
       const auto want = static_cast<float>(ref::decode(format, texels, 0));
       desc.border[0] = want;
-      run_everywhere(*texture, desc, t_batch.lookups(true, false));
+      run_everywhere(*texture, desc, t_batch.lookups(true, false), &t_batch);
       for (size_t i = 0; i < kPoints; ++i) assert_true(t_batch.out[0][i] == want);
       free_texture(texture);
     }
@@ -326,7 +277,7 @@ void test_nonfinite_texels(void**) {
       t_batch.dvdy[i] = 1.0f / 16;
       t_batch.dvdx[i] = t_batch.dudy[i] = 0;
     }
-    run_everywhere(*texture, desc, t_batch.lookups(true, false));
+    run_everywhere(*texture, desc, t_batch.lookups(true, false), &t_batch);
     for (size_t i = 0; i < 32; ++i) {
       const bool touched = i >= 18 && i <= 22;
       for (int c = 0; c < 4; ++c) {
@@ -344,9 +295,9 @@ void test_largest(void**) {
   for (size_t i = 0; i < 64 * 64; ++i) texels[i] = 3.40282347e38f;
   texels[0] = -3.40282347e38f;
   Texture* texture = build_summed(*context(), SHD_FORMAT_R32F, 64, 64, 1, texels);
-  make_hostile(&t_batch);
+  make_hostile_points(&t_batch);
   for (uint32_t pair = 0; pair < 25; ++pair) {
-    run_everywhere(*texture, summed_desc(pair, SHD_BOX_BOUNDING), t_batch.lookups(true, false));
+    run_everywhere(*texture, summed_desc(pair, SHD_BOX_BOUNDING), t_batch.lookups(true, false), &t_batch);
     for (size_t i = 0; i < kMaxPoints; ++i) assert_true(isfinite(t_batch.out[0][i]));
   }
   free_texture(texture);
@@ -357,8 +308,8 @@ void test_largest(void**) {
 int main() {
   CMUnitTest tests[24];
   size_t n = 0;
-  for (const TableSize& c : kTableSizes) {
-    tests[n++] = {c.name, test_size, nullptr, nullptr, const_cast<TableSize*>(&c)};
+  for (const SizeCase& c : kSizes) {
+    tests[n++] = {c.name, test_size, nullptr, nullptr, const_cast<SizeCase*>(&c)};
   }
   tests[n++] = {"wide", test_wide, nullptr, nullptr, nullptr};
   tests[n++] = {"settings", test_settings, nullptr, nullptr, nullptr};

@@ -19,7 +19,7 @@ double entry(const Texture& texture, uint32_t layer, uint32_t x, uint32_t y, siz
 
 /// Every entry against the sum of its texels in long doubles, each less what the table takes off.
 void test_entries(void** state) {
-  const auto& size = *static_cast<const TableSize*>(*state);
+  const auto& size = *static_cast<const SizeCase*>(*state);
   static long double column[4096][4];
   for (const shd_format format : kFormats) {
     Texture* texture = random_summed(format, size.width, size.height, 2);
@@ -60,7 +60,7 @@ void test_entries(void** state) {
 
 /// 4 bytes a channel for 8-bit unorm, else 8; no table of texels that are not finite where there are none.
 void test_memory(void**) {
-  for (const TableSize& size : kTableSizes) {
+  for (const SizeCase& size : kSizes) {
     for (const shd_format format : kFormats) {
       Texture* texture = random_summed(format, size.width, size.height, 2);
       const size_t texels = size_t{2} * size.width * size.height;
@@ -74,17 +74,8 @@ void test_memory(void**) {
   }
 }
 
-/// An executor that runs tasks backwards on one thread: the order must not show.
-shd_result run_backwards(void*, uint32_t count, shd_task_fn task, void* data) {
-  for (uint32_t i = count; i-- > 0;) task(data, i, 0);
-  return SHD_OK;
-}
-
 void test_task_order(void**) {
-  shd_context_desc desc = shd_context_desc_default();
-  desc.executor.parallel_for = run_backwards;
-  desc.executor.worker_count = 1;
-  shd::core::Context* backwards = shd::core::create_context(desc);
+  shd::core::Context* backwards = backwards_context();
   for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F, SHD_FORMAT_RG8_SRGB}) {
     auto* texels = static_cast<uint8_t*>(malloc(1023 * 511 * 16));
     random_texels(format, 1023 * 511, 5, texels);
@@ -170,8 +161,8 @@ void test_bright_texel(void**) {
 int main() {
   CMUnitTest tests[16];
   size_t n = 0;
-  for (const TableSize& c : kTableSizes) {
-    tests[n++] = {c.name, test_entries, nullptr, nullptr, const_cast<TableSize*>(&c)};
+  for (const SizeCase& c : kSizes) {
+    tests[n++] = {c.name, test_entries, nullptr, nullptr, const_cast<SizeCase*>(&c)};
   }
   tests[n++] = {"memory", test_memory, nullptr, nullptr, nullptr};
   tests[n++] = {"task_order", test_task_order, nullptr, nullptr, nullptr};
