@@ -172,7 +172,7 @@ static const struct entry k_entries[] = {
     {"shd_material_create/sampler", k_sampler, material_sampler, "material.diffuse_sampler: ", 1},
     {"shd_render/framebuffer", k_framebuffer, render_framebuffer, "render.framebuffer: ", 0},
     {"shd_render/mesh", k_mesh, render_mesh, "render.draws[0]: draw.mesh: ", 0},
-    {"shd_render/material", k_material, render_material, "render.draws[0]: draw.material: ", 0},
+    {"shd_render/material", k_material, render_material, "render.draws[0]: draw.material: ", 1},
     {"shd_render/light", k_light, render_light, "render.lights[0]: light: ", 0},
     {"shd_object_body", k_object, object_body, "object: ", 0},
     {"shd_framebuffer_context", k_framebuffer, framebuffer_context, "", 0},

@@ -67,8 +67,11 @@ static uint64_t render(const shd_scene *scene, shd_context *context)
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     shd_render_desc frame = scene->desc;
     shd_render_stats stats;
+    shd_framebuffer_info info;
     shd_framebuffer *framebuffer = NULL;
     uint64_t hash = 0;
+    if (shd_framebuffer_get_info(scene->framebuffer, &info) != SHD_OK) return 0;
+    desc.samples = info.samples;
     desc.width = 100;
     desc.height = 70;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
