@@ -7,12 +7,13 @@
 
 namespace shd::film {
 
-/// Colours of one sample of the pixels of a tile: those of the frame where a pixel has one sample, else of a worker.
+/// Colours of one sample of the pixels of a tile: those of the frame where a pixel has one sample, else of a worker,
+/// where the samples of a pixel lie together, r, g, b, a for each.
 struct SampleColor {
   float* channel[4];
-  size_t stride;  // elements between rows
+  size_t row, step;  // elements between rows and between pixels
 
-  size_t at(uint32_t pixel) const { return pixel / raster::kTile * stride + pixel % raster::kTile; }
+  size_t at(uint32_t pixel) const { return pixel / raster::kTile * row + pixel % raster::kTile * step; }
 };
 
 /// The colour and opacity of a fragment, as the material's model and blend have them.

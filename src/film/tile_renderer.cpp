@@ -56,7 +56,7 @@ class TilePass {
     if (!r_.frame.keep) clear_tile(area_, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
     if (is_bare()) return;
     load_depth(area_, framebuffer_, &worker_.tile);
-    if (pattern_.count > 1) load_color(area_, framebuffer_, colors_, pattern_.count);
+    if (pattern_.count > 1) load_color(area_, framebuffer_, pattern_.count, worker_.color.data());
     worker_.slots.clear();
     bool weighted = false, sorted = false;
     for_each_run([&](const Run& run) {
@@ -73,7 +73,7 @@ class TilePass {
     shade_visible();
     if (weighted) draw_weighted();
     if (sorted) draw_sorted(tile_box());
-    if (pattern_.count > 1) resolve_color(area_, colors_, pattern_.count, &framebuffer_);
+    if (pattern_.count > 1) resolve_color(area_, worker_.color.data(), pattern_.count, &framebuffer_);
     store_depth(area_, worker_.tile, &framebuffer_);
   }
 
@@ -81,13 +81,14 @@ class TilePass {
   const Draw& draw_of(const Run& run) const { return r_.frame.draws[run.draw]; }
 
   SampleColor sample_color(uint32_t sample) {
+    const bool several = pattern_.count > 1;
+    const size_t corner = size_t{area_.top} * framebuffer_.stride + area_.left;
     SampleColor color;
     for (size_t c = 0; c < 4; ++c) {
-      color.channel[c] = pattern_.count > 1
-                             ? worker_.color.data() + (sample * 4 + c) * raster::kTilePixels
-                             : framebuffer_.plane[c].data() + size_t{area_.top} * framebuffer_.stride + area_.left;
+      color.channel[c] = several ? worker_.color.data() + sample * 4 + c : framebuffer_.plane[c].data() + corner;
     }
-    color.stride = pattern_.count > 1 ? raster::kTile : framebuffer_.stride;
+    color.step = several ? 4 * pattern_.count : 1;
+    color.row = several ? color.step * raster::kTile : framebuffer_.stride;
     return color;
   }
 

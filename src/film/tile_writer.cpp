@@ -63,28 +63,29 @@ void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* fr
   }
 }
 
-void load_color(const TileArea& area, const Framebuffer& framebuffer, const SampleColor* colors, uint32_t samples) {
-  for (uint32_t s = 0; s < samples; ++s) {
-    for (size_t c = 0; c < 4; ++c) {
-      for (uint32_t y = 0; y < area.height; ++y) {
-        const float* color = &framebuffer.plane[c][row_start(area, framebuffer, y)];
-        std::memcpy(colors[s].channel[c] + y * colors[s].stride, color, area.width * sizeof(float));
-      }
+void load_color(const TileArea& area, const Framebuffer& framebuffer, uint32_t samples, float* color) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const size_t start = row_start(area, framebuffer, y);
+    float* to = color + size_t{y} * raster::kTile * samples * 4;
+    for (uint32_t x = 0; x < area.width; ++x) {
+      float pixel[4];
+      for (size_t c = 0; c < 4; ++c) pixel[c] = framebuffer.plane[c][start + x];
+      for (uint32_t s = 0; s < samples; ++s, to += 4) std::memcpy(to, pixel, sizeof pixel);
     }
   }
 }
 
-void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t samples, Framebuffer* framebuffer) {
+void resolve_color(const TileArea& area, const float* color, uint32_t samples, Framebuffer* framebuffer) {
   const float share = 1.0f / static_cast<float>(samples);
-  for (size_t c = 0; c < 4; ++c) {
-    for (uint32_t y = 0; y < area.height; ++y) {
-      float* to = &framebuffer->plane[c][row_start(area, *framebuffer, y)];
-      float sum[raster::kTile] = {};
-      for (uint32_t s = 0; s < samples; ++s) {
-        const float* color = colors[s].channel[c] + y * colors[s].stride;
-        for (uint32_t x = 0; x < area.width; ++x) sum[x] += color[x];
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const size_t start = row_start(area, *framebuffer, y);
+    const float* from = color + size_t{y} * raster::kTile * samples * 4;
+    for (uint32_t x = 0; x < area.width; ++x) {
+      float sum[4] = {};
+      for (uint32_t s = 0; s < samples; ++s, from += 4) {
+        for (size_t c = 0; c < 4; ++c) sum[c] += from[c];
       }
-      for (uint32_t x = 0; x < area.width; ++x) to[x] = sum[x] * share;
+      for (size_t c = 0; c < 4; ++c) framebuffer->plane[c][start + x] = sum[c] * share;
     }
   }
 }
@@ -93,17 +94,22 @@ size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radian
                        uint32_t samples) {
   size_t nonfinite = 0;
   for (size_t i = 0; i < f.count; ++i) {
+    float color[4];
     bool finite = true;
-    for (size_t c = 0; c < 4; ++c) finite &= std::isfinite(radiance.channel[c][i]);
+    for (size_t c = 0; c < 4; ++c) {
+      color[c] = radiance.channel[c][i];
+      finite &= std::isfinite(color[c]);
+    }
     nonfinite += !finite;
-  }
-  const auto write = [&](const SampleColor& color, size_t i) {
-    const size_t at = color.at(f.pixel[i]);
-    for (size_t c = 0; c < 4; ++c) color.channel[c][at] = radiance.channel[c][i];
-  };
-  for (size_t i = 0; i < f.count && samples == 1; ++i) write(colors[0], i);
-  for (size_t i = 0; i < f.count && samples > 1; ++i) {
-    for (uint32_t mask = f.mask[i]; mask; mask &= mask - 1) write(colors[__builtin_ctz(mask)], i);
+    const size_t at = colors[0].at(f.pixel[i]);
+    if (samples == 1) {
+      for (size_t c = 0; c < 4; ++c) colors[0].channel[c][at] = color[c];
+      continue;
+    }
+    float* to = colors[0].channel[0] + at;
+    for (uint32_t mask = f.mask[i]; mask; mask &= mask - 1) {
+      std::memcpy(to + 4 * __builtin_ctz(mask), color, sizeof color);
+    }
   }
   return nonfinite;
 }

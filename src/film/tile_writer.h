@@ -31,9 +31,10 @@ void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Ti
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
 
 /// Colour from the framebuffer for every one of several samples.
-void load_color(const TileArea& area, const Framebuffer& framebuffer, const SampleColor* colors, uint32_t samples);
+/// @param color  [kTilePixels][samples][4]
+void load_color(const TileArea& area, const Framebuffer& framebuffer, uint32_t samples, float* color);
 /// Plain averages to the framebuffer.
-void resolve_color(const TileArea& area, const SampleColor* colors, uint32_t samples, Framebuffer* framebuffer);
+void resolve_color(const TileArea& area, const float* color, uint32_t samples, Framebuffer* framebuffer);
 
 /// Colour of a shaded batch to the samples that show it. Returns how many rows have one that is not finite.
 size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors,

@@ -29,7 +29,7 @@ struct Worker {
   raster::CoverMask mask;
   core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
   core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
-  core::Array<float> color;                             // [samples][4][kTilePixels]; empty with one sample
+  core::Array<float> color;                             // [kTilePixels][samples][4]; empty with one sample
   shade::Workspace workspace;
   BatchTriangles triangles;
   Unordered unordered;

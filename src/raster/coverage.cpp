@@ -239,8 +239,11 @@ void cover_mask(const core::SimdTarget& simd, const CoverArea& area, const Depth
                 const geometry::ScreenTriangle& triangle, const Tile& tile, CoverMask* out) {
   const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
   out->box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
-  for (int32_t y = out->box.min_y; y <= out->box.max_y; ++y)
-    std::memset(out->bits + y * kTile, 0, kTile * sizeof(uint32_t));
+  if (geometry::is_empty(out->box)) return;
+  const int32_t first = out->box.min_x & ~15, end = (out->box.max_x | 15) + 1;  // kernels touch whole vectors
+  for (int32_t y = out->box.min_y; y <= out->box.max_y; ++y) {
+    std::memset(out->bits + y * kTile + first, 0, static_cast<size_t>(end - first) * sizeof(uint32_t));
+  }
   SHD_DISPATCH(Mask, simd)(area, state, triangle, tile, *out);
 }
 
