@@ -188,10 +188,10 @@ class TilePass {
     if (mask == all_samples() && !at_samples) {
       f.x[i] = static_cast<float>(area_.left + pixel % raster::kTile) + 0.5f;
       f.y[i] = static_cast<float>(area_.top + pixel / raster::kTile) + 0.5f;
-      f.depth[i] = worker_.tile.depth[pixel];
+      f.depth[i] = *depth_of(0, pixel);
     } else {
       place(triangle, pixel, mask, at_samples, &f.x[i], &f.y[i]);
-      f.depth[i] = worker_.tile.depth[first_sample(mask) * raster::kTilePixels + pixel];
+      f.depth[i] = *depth_of(first_sample(mask), pixel);
     }
     worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
   }
@@ -322,7 +322,7 @@ class TilePass {
   }
 
   float* depth_of(uint32_t sample, uint32_t pixel) {
-    return worker_.tile.depth.data() + sample * raster::kTilePixels + pixel;
+    return worker_.tile.depth.data() + size_t{pixel} * pattern_.count + sample;
   }
   uint32_t covered_by_alpha(float alpha) const {
     const float kept = std::floor(alpha * static_cast<float>(pattern_.count) + 0.5f);

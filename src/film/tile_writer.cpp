@@ -47,19 +47,18 @@ void clear_slots(raster::Tile* tile) {
 
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile) {
   clear_slots(tile);
-  for (uint32_t s = 0; s < tile->samples; ++s) {
-    float* to = tile->depth.data() + s * raster::kTilePixels;
-    for (uint32_t y = 0; y < area.height; ++y, to += raster::kTile) {
-      const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
-      std::memcpy(to, depth, area.width * sizeof(float));
-    }
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
+    float* to = tile->depth.data() + size_t{y} * raster::kTile * tile->samples;
+    for (uint32_t x = 0; x < area.width; ++x, to += tile->samples) std::fill_n(to, tile->samples, depth[x]);
   }
 }
 
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer) {
   for (uint32_t y = 0; y < area.height; ++y) {
     float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
-    std::memcpy(depth, tile.depth.data() + y * raster::kTile, area.width * sizeof(float));
+    const float* from = tile.depth.data() + size_t{y} * raster::kTile * tile.samples;
+    for (uint32_t x = 0; x < area.width; ++x) depth[x] = from[x * tile.samples];
   }
 }
 

@@ -35,55 +35,119 @@ HWY_INLINE MaskV Passes(V z, V stored) {
   }
 }
 
-/// One triangle at one sample.
+/// A triangle over a tile. Samples lie in rows as the tile has them: those of one pixel, then those of the next.
 struct Span {
-  Edge edge[3];
-  DepthPlane plane;
-  geometry::PixelBox box;  // of the tile
-  int32_t left, top;       // of the tile in the frame
+  EdgeLine line[3];
+  Edge edge[3][kMaxSamples];      // by sample
+  DepthPlane plane[kMaxSamples];  // by sample
+  geometry::PixelBox box;         // of the tile
+  int32_t left, top;              // of the tile in the frame
+  int32_t samples;
+};
+
+/// What repeats along the rows of a triangle: edges that fit int32 and the origin of depth at the samples of as many
+/// pixels as fill a vector, or of one.
+template <bool kSingle>
+class Period {
+ public:
+  using Int = hn::Vec<hn::RebindToSigned<Tag>>;
+
+  HWY_INLINE explicit Period(const Span& s) {
+    const auto lanes = static_cast<int32_t>(hn::Lanes(Tag()));
+    length = s.samples > lanes ? s.samples : lanes;
+    pixels = length / s.samples;
+    for (int32_t i = 0, sample = 0, x = 0; i < length; ++i) {
+      column_[i] = x;
+      for (int k = 0; k < 3; ++k) {
+        edge_[k][i] = static_cast<int32_t>(s.edge[k][sample].value) + static_cast<int32_t>(s.edge[k][sample].a) * x;
+      }
+      base_[i] = s.plane[sample].base;
+      if (++sample == s.samples) sample = 0, ++x;
+    }
+  }
+
+  HWY_INLINE Int column(int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), column_ + at); }
+  HWY_INLINE Int edge(int k, int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), edge_[k] + at); }
+  HWY_INLINE V base(int32_t at) const { return hn::Load(Tag(), base_ + at); }
+
+  int32_t length, pixels;  // in samples and in pixels
+
+ private:
+  static constexpr size_t kMost = hn::MaxLanes(Tag()) > kMaxSamples ? hn::MaxLanes(Tag()) : kMaxSamples;
+  alignas(64) int32_t column_[kMost];
+  alignas(64) int32_t edge_[3][kMost];
+  alignas(64) float base_[kMost];
+};
+
+/// With one sample a pixel all of it stays in registers.
+template <>
+class Period<true> {
+ public:
+  using Int = hn::Vec<hn::RebindToSigned<Tag>>;
+
+  HWY_INLINE explicit Period(const Span& s)
+      : length(static_cast<int32_t>(hn::Lanes(Tag()))), pixels(length), base_(hn::Set(Tag(), s.plane[0].base)) {
+    edge0_ = edge_of(s.edge[0][0]);
+    edge1_ = edge_of(s.edge[1][0]);
+    edge2_ = edge_of(s.edge[2][0]);
+  }
+
+  HWY_INLINE Int column(int32_t) const { return hn::Iota(hn::RebindToSigned<Tag>(), 0); }
+  HWY_INLINE Int edge(int k, int32_t) const { return k == 0 ? edge0_ : k == 1 ? edge1_ : edge2_; }
+  HWY_INLINE V base(int32_t) const { return base_; }
+
+  const int32_t length, pixels;
+
+ private:
+  static HWY_INLINE Int edge_of(const Edge& edge) {
+    const hn::RebindToSigned<Tag> di;
+    const auto steps = hn::Mul(hn::Set(di, static_cast<int32_t>(edge.a)), hn::Iota(di, 0));
+    return hn::Add(hn::Set(di, static_cast<int32_t>(edge.value)), steps);
+  }
+
+  V base_;
+  Int edge0_, edge1_, edge2_;
 };
 
 /// Lets `body(at, inside, z)` see every vector with a covered sample: edges that fit int32 over the tile. Without
 /// kClipped nothing that the edges let in lies outside the box.
-template <bool kClipped, class Body>
+template <bool kSingle, bool kClipped, class Body>
 HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
   const Tag d;
   const hn::RebindToSigned<Tag> di;
   const auto lanes = static_cast<int32_t>(hn::Lanes(d));
-  const auto iota = hn::Iota(di, 0);
-  int32_t a[3], b[3], value[3];
+  const Period<kSingle> period(s);
+  int32_t a[3], b[3];
   for (int k = 0; k < 3; ++k) {
-    a[k] = static_cast<int32_t>(s.edge[k].a);
-    b[k] = static_cast<int32_t>(s.edge[k].b);
-    value[k] = static_cast<int32_t>(s.edge[k].value);
+    a[k] = static_cast<int32_t>(s.edge[k][0].a);
+    b[k] = static_cast<int32_t>(s.edge[k][0].b);
   }
-  const auto step0 = hn::Mul(hn::Set(di, a[0]), iota);
-  const auto step1 = hn::Mul(hn::Set(di, a[1]), iota);
-  const auto step2 = hn::Mul(hn::Set(di, a[2]), iota);
-  const auto low = hn::Set(d, s.plane.low), high = hn::Set(d, s.plane.high);
-  const auto slope = hn::Set(d, s.plane.dx);
+  const DepthPlane& plane = s.plane[0];
+  const auto low = hn::Set(d, plane.low), high = hn::Set(d, plane.high), slope = hn::Set(d, plane.dx);
   const auto before = hn::Set(di, s.box.min_x - 1), behind = hn::Set(di, s.box.max_x + 1);
-  const int32_t first_x = s.box.min_x / lanes * lanes;
+  const int32_t first_x = s.box.min_x / period.pixels * period.pixels;
   for (int32_t y = s.box.min_y; y <= s.box.max_y; ++y) {
-    const float row_depth = s.plane.base + s.plane.dy * static_cast<float>(s.top + y - s.plane.y0);
-    const auto row = hn::Set(d, row_depth);
-    for (int32_t x = first_x; x <= s.box.max_x; x += lanes) {
-      const auto e0 = hn::Add(hn::Set(di, value[0] + a[0] * x + b[0] * y), step0);
-      const auto e1 = hn::Add(hn::Set(di, value[1] + a[1] * x + b[1] * y), step1);
-      const auto e2 = hn::Add(hn::Set(di, value[2] + a[2] * x + b[2] * y), step2);
-      const auto column = hn::Add(iota, hn::Set(di, x));
-      auto in = hn::Gt(hn::Or(hn::Or(e0, e1), e2), hn::Set(di, -1));
-      if (kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
-      const auto inside = hn::RebindMask(d, in);
-      if (hn::AllFalse(d, inside)) continue;
-      const auto from_origin = hn::ConvertTo(d, hn::Add(column, hn::Set(di, s.left - s.plane.x0)));
-      const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
-      body(static_cast<size_t>(y * kTile + x), inside, z);
+    const auto down = hn::Set(d, plane.dy * static_cast<float>(s.top + y - plane.y0));
+    for (int32_t x = first_x; x <= s.box.max_x; x += period.pixels) {
+      const auto e0 = hn::Set(di, a[0] * x + b[0] * y), e1 = hn::Set(di, a[1] * x + b[1] * y);
+      const auto e2 = hn::Set(di, a[2] * x + b[2] * y), corner = hn::Set(di, x);
+      for (int32_t i = 0; i < (kSingle ? lanes : period.length); i += lanes) {
+        const auto two = hn::Or(hn::Add(e0, period.edge(0, i)), hn::Add(e1, period.edge(1, i)));
+        auto in = hn::Gt(hn::Or(two, hn::Add(e2, period.edge(2, i))), hn::Set(di, -1));
+        const auto column = hn::Add(corner, period.column(i));
+        if (kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
+        const auto inside = hn::RebindMask(d, in);
+        if (hn::AllFalse(d, inside)) continue;
+        const auto from_origin = hn::ConvertTo(d, hn::Add(column, hn::Set(di, s.left - plane.x0)));
+        const auto row = hn::Add(period.base(i), down);
+        const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
+        body(static_cast<size_t>((y * kTile + x) * s.samples + i), inside, z);
+      }
     }
   }
 }
 
-/// The same for edges too long for int32: sides one pixel at a time in int64.
+/// The same for edges too long for int32: sides one sample at a time in int64.
 template <class Body>
 HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
   const Tag d;
@@ -92,62 +156,57 @@ HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
   alignas(64) uint32_t covered[hn::MaxLanes(Tag())];
   alignas(64) float z[hn::MaxLanes(Tag())];
   for (int32_t y = s.box.min_y; y <= s.box.max_y; ++y) {
-    for (int32_t first = s.box.min_x / lanes * lanes; first <= s.box.max_x; first += lanes) {
+    for (int32_t at = s.box.min_x * s.samples / lanes * lanes; at < (s.box.max_x + 1) * s.samples; at += lanes) {
       for (int32_t i = 0; i < lanes; ++i) {
-        const int32_t x = first + i;
+        const int32_t x = (at + i) / s.samples, sample = (at + i) % s.samples;
         int64_t sides = 0;
-        for (const Edge& edge : s.edge) sides |= edge.value + edge.a * x + edge.b * y;
+        for (const auto& edge : s.edge) sides |= edge[sample].value + edge[sample].a * x + edge[sample].b * y;
         covered[i] = sides >= 0 && x >= s.box.min_x && x <= s.box.max_x;
-        z[i] = depth_at(s.plane, s.left + x, s.top + y);
+        z[i] = depth_at(s.plane[sample], s.left + x, s.top + y);
       }
       const auto inside = hn::RebindMask(d, hn::Ne(hn::Load(du, covered), hn::Zero(du)));
       if (hn::AllFalse(d, inside)) continue;
-      body(static_cast<size_t>(y * kTile + first), inside, hn::Load(d, z));
+      body(static_cast<size_t>(y * kTile * s.samples + at), inside, hn::Load(d, z));
     }
   }
 }
 
-/// A triangle over a tile, whatever the sample.
-class Setup {
- public:
-  Setup(const geometry::ScreenTriangle& t, const CoverArea& area)
-      : edge{make_edge_line(t, 0, area.left, area.top), make_edge_line(t, 1, area.left, area.top),
-             make_edge_line(t, 2, area.left, area.top)} {}
-
-  /// Found when a sample first needs it.
-  HWY_INLINE const DepthSlope& depth(const geometry::ScreenTriangle& triangle, const DepthState& state) {
-    if (!has_depth_) depth_ = make_depth_slope(triangle, state);
-    has_depth_ = true;
-    return depth_;
+/// One edge at every sample; false if no sample of the tile is on its inner side. An edge that all of them are inside
+/// of counts as 0.
+HWY_INLINE bool PlaceEdge(const EdgeLine& line, const SamplePattern& pattern, Edge* edge) {
+  bool outside = true, inside = true;
+  for (uint32_t k = 0; k < pattern.count; ++k) {
+    const EdgeSide side = edge_at(line, pattern.point[k], &edge[k]);
+    outside &= side == EdgeSide::kOutside;
+    inside &= side == EdgeSide::kInside;
   }
+  for (uint32_t k = 0; k < pattern.count && inside; ++k) edge[k] = {0, 0, 0};
+  return !outside;
+}
 
-  const EdgeLine edge[3];
-
- private:
-  bool has_depth_ = false;
-  DepthSlope depth_ = {};
-};
-
-/// body(at, inside, z) for every vector of pixels with a sample in the triangle.
+/// body(at, inside, z) for every vector of samples that has some in the triangle; `at` is the place of its first one in
+/// the tile.
 template <class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
-                               SamplePoint sample, Setup* setup, const Body& body) {
+                               const Body& body) {
   Span s;
   bool narrow = true;
   for (int k = 0; k < 3; ++k) {
-    if (edge_at(setup->edge[k], sample, &s.edge[k]) == EdgeSide::kOutside) return;
-    narrow &= std::abs(s.edge[k].a) <= kNarrowStep && std::abs(s.edge[k].b) <= kNarrowStep;
+    if (!PlaceEdge(make_edge_line(triangle, k, area.left, area.top), area.pattern, s.edge[k])) return;
+    narrow &= std::abs(s.edge[k][0].a) <= kNarrowStep && std::abs(s.edge[k][0].b) <= kNarrowStep;
   }
-  const geometry::PixelBox box =
-      geometry::intersection(geometry::pixel_box(triangle, {sample.x, sample.x, sample.y, sample.y}), area.box);
+  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
   if (geometry::is_empty(box)) return;
-  s.plane = plane_at(setup->depth(triangle, state), sample);
+  const DepthSlope slope = make_depth_slope(triangle, state);
+  for (uint32_t k = 0; k < area.pattern.count; ++k) s.plane[k] = plane_at(slope, area.pattern.point[k]);
   s.left = area.left;
   s.top = area.top;
   s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
+  s.samples = static_cast<int32_t>(area.pattern.count);
   const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
   if (!narrow) return ForEachWide(s, body);
-  clipped ? ForEachNarrow<true>(s, body) : ForEachNarrow<false>(s, body);
+  if (s.samples > 1) return clipped ? ForEachNarrow<false, true>(s, body) : ForEachNarrow<false, false>(s, body);
+  clipped ? ForEachNarrow<true, true>(s, body) : ForEachNarrow<true, false>(s, body);
 }
 
 template <shd_compare kCompare>
@@ -156,40 +215,45 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
   const bool has_slots = first_slot != kNoSlot;
+  float* depth = tile.depth.data();
+  uint32_t* slot = tile.slot.data();
   for (size_t i = 0; i < count; ++i) {
-    const geometry::ScreenTriangle& triangle = triangles[entries[i]];
-    Setup setup(triangle, area);
     const auto id = hn::Set(du, first_slot + static_cast<uint32_t>(i));
-    for (uint32_t k = 0; k < area.pattern.count; ++k) {
-      float* depth = tile.depth.data() + k * kTilePixels;
-      uint32_t* slot = tile.slot.data() + k * kTilePixels;
-      ForEachCovered(triangle, area, state, area.pattern.point[k], &setup, [&](size_t at, MaskV inside, V z) {
-        const auto stored = hn::Load(d, depth + at);
-        const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
-        if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
-        if (has_slots) {
-          hn::Store(hn::IfThenElse(hn::RebindMask(du, pass), id, hn::Load(du, slot + at)), du, slot + at);
-        }
-      });
-    }
+    ForEachCovered(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
+      const auto stored = hn::Load(d, depth + at);
+      const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
+      if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
+      if (has_slots) {
+        hn::Store(hn::IfThenElse(hn::RebindMask(du, pass), id, hn::Load(du, slot + at)), du, slot + at);
+      }
+    });
+  }
+}
+
+/// Adds the samples of a vector, of which the first lies at `at`, to the masks of their pixels.
+template <class M>
+HWY_INLINE void AddToMasks(M pass, size_t at, uint32_t samples, uint32_t* bits) {
+  const Tag d;
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, pass, bytes);
+  uint32_t rest = static_cast<uint32_t>(bytes[0]) | static_cast<uint32_t>(bytes[1]) << 8;
+  uint32_t* pixel = bits + at / samples;
+  const uint32_t all = (1u << samples) - 1;
+  for (uint32_t shift = static_cast<uint32_t>(at % samples); rest; rest >>= samples, ++pixel) {
+    *pixel |= (rest & all) << shift;
   }
 }
 
 template <shd_compare kCompare>
 void MaskWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle& triangle,
               const Tile& tile, CoverMask& out) {
+  static_assert(hn::MaxLanes(Tag()) <= 16, "two bytes of mask");
   const Tag d;
-  const hn::RebindToUnsigned<Tag> du;
-  Setup setup(triangle, area);
-  for (uint32_t k = 0; k < area.pattern.count; ++k) {
-    const float* depth = tile.depth.data() + k * kTilePixels;
-    const auto bit = hn::Set(du, 1u << k);
-    ForEachCovered(triangle, area, state, area.pattern.point[k], &setup, [&](size_t at, MaskV inside, V z) {
-      const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
-      const auto added = hn::IfThenElseZero(hn::RebindMask(du, pass), bit);
-      hn::Store(hn::Or(hn::Load(du, out.bits + at), added), du, out.bits + at);
-    });
-  }
+  const float* depth = tile.depth.data();
+  ForEachCovered(triangle, area, state, [&](size_t at, MaskV inside, V z) {
+    const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
+    AddToMasks(pass, at, area.pattern.count, out.bits);
+  });
 }
 
 /// body(constant) with the comparison as a constant.

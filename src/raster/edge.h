@@ -43,13 +43,8 @@ inline EdgeSide edge_at(const EdgeLine& line, SamplePoint sample, Edge* out) {
   const int64_t span = kTile - 1;
   const int64_t lowest = value + span * (std::min<int64_t>(a, 0) + std::min<int64_t>(b, 0));
   const int64_t highest = value + span * (std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0));
-  if (highest < 0) return EdgeSide::kOutside;
-  if (lowest >= 0) {
-    *out = {0, 0, 0};
-    return EdgeSide::kInside;
-  }
   *out = {value, a, b};
-  return EdgeSide::kCrossing;
+  return highest < 0 ? EdgeSide::kOutside : lowest >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
 }
 
 /// Steps up to this size keep an edge that crosses a tile, and all its values there, inside int32.

@@ -19,10 +19,10 @@ void visit_columns(Fragments& f, Visit visit) {
 
 /// The samples of a pixel that show what its sample k shows; 0 where an earlier one shows it too.
 uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
-  const uint32_t slot = tile.slot[k * kTilePixels + pixel];
+  const uint32_t slot = tile.slot[pixel * tile.samples + k];
   uint32_t mask = 0;
   for (uint32_t j = 0; j < tile.samples; ++j) {
-    if (tile.slot[j * kTilePixels + pixel] != slot) continue;
+    if (tile.slot[pixel * tile.samples + j] != slot) continue;
     if (j < k) return 0;
     mask |= 1u << j;
   }
@@ -32,7 +32,7 @@ uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
 bool is_uniform(const Tile& tile, size_t pixel) {
   bool uniform = true;
   for (uint32_t k = 1; k < tile.samples; ++k) {
-    uniform &= tile.slot[k * kTilePixels + pixel] == tile.slot[pixel];
+    uniform &= tile.slot[pixel * tile.samples + k] == tile.slot[pixel * tile.samples];
   }
   return uniform;
 }
@@ -57,16 +57,16 @@ void find_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
   for (size_t begin = 0; begin < kTilePixels;) {
     if (!is_uniform(tile, begin)) {
       for (uint32_t k = 0; k < tile.samples; ++k) {
-        const uint32_t slot = tile.slot[k * kTilePixels + begin];
+        const uint32_t slot = tile.slot[begin * tile.samples + k];
         const uint32_t mask = slot == kNoSlot ? 0 : samples_like(tile, begin, k);
         if (mask) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), mask});
       }
       ++begin;
       continue;
     }
-    const uint32_t slot = tile.slot[begin];
+    const uint32_t slot = tile.slot[begin * tile.samples];
     size_t end = begin + 1;
-    while (end < kTilePixels && tile.slot[end] == slot && is_uniform(tile, end)) ++end;
+    while (end < kTilePixels && tile.slot[end * tile.samples] == slot && is_uniform(tile, end)) ++end;
     if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), all});
     begin = end;
   }

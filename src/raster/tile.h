@@ -16,11 +16,11 @@ constexpr size_t kTilePixels = size_t{kTile} * kTile;
 
 constexpr uint32_t kNoSlot = 0xffffffffu;
 
-/// Depth and visible triangle of every sample of one tile: planes of kTilePixels, row by row.
+/// Depth and visible triangle of every sample of one tile, pixels row by row.
 struct Tile {
   uint32_t samples = 0;
-  core::Array<float> depth;    // [samples][kTilePixels]
-  core::Array<uint32_t> slot;  // [samples][kTilePixels] position in the tile's list of triangles, or kNoSlot
+  core::Array<float> depth;    // [kTilePixels][samples]
+  core::Array<uint32_t> slot;  // [kTilePixels][samples] position in the tile's list of triangles, or kNoSlot
 };
 
 /// Throws std::bad_alloc.

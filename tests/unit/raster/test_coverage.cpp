@@ -161,8 +161,8 @@ constexpr int32_t kCorners[][2] = {{0, 0}, {64, 0}, {0, 64}, {1984, 1024}, {3276
 void check_triangle(const char* target, const ScreenTriangle& t, int32_t left, int32_t top) {
   const raster::SamplePattern& pattern = raster::sample_pattern(g_tile.samples);
   for (size_t i = 0; i < pattern.count * kTilePixels; ++i) {
-    const raster::SamplePoint sample = pattern.point[i / kTilePixels];
-    const auto pixel = static_cast<int32_t>(i % kTilePixels);
+    const raster::SamplePoint sample = pattern.point[i % pattern.count];
+    const auto pixel = static_cast<int32_t>(i / pattern.count);
     const int32_t x = left + pixel % kTile, y = top + pixel / kTile;
     const bool want = ref::covers(t, x, y, sample.x, sample.y);
     const ref::Depth depth = want ? ref::depth_at(t, x, y, sample.x, sample.y) : ref::Depth{1.0, 0.0};
@@ -436,10 +436,10 @@ void test_masks(void**) {
         cover_one(target, t, 0, 0, &g_tile);
         raster::cover(target, area_at(0, 0, samples), kLess, &t, &entry, 1, kNoSlot, &g_first);
         for (size_t i = 0; i < samples * kTilePixels; ++i) {
-          const auto pixel = static_cast<int32_t>(i % kTilePixels);
+          const auto pixel = static_cast<int32_t>(i / samples);
           const bool in_box = pixel % kTile >= mask.box.min_x && pixel % kTile <= mask.box.max_x &&
                               pixel / kTile >= mask.box.min_y && pixel / kTile <= mask.box.max_y;
-          const bool got = in_box && (mask.bits[pixel] >> i / kTilePixels & 1);
+          const bool got = in_box && (mask.bits[pixel] >> i % samples & 1);
           assert_int_equal(got, g_tile.slot[i] == 0);
           assert_int_equal(g_first.slot[i], kNoSlot);
           assert_true(g_first.depth[i] == g_tile.depth[i]);
