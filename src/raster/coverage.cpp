@@ -173,43 +173,45 @@ HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
 
 /// One edge at every sample; false if no sample of the tile is on its inner side. An edge that all of them are inside
 /// of counts as 0.
+template <bool kSingle>
 HWY_INLINE bool PlaceEdge(const EdgeLine& line, const SamplePattern& pattern, Edge* edge) {
+  const uint32_t count = kSingle ? 1 : pattern.count;
   bool outside = true, inside = true;
-  for (uint32_t k = 0; k < pattern.count; ++k) {
+  for (uint32_t k = 0; k < count; ++k) {
     const EdgeSide side = edge_at(line, pattern.point[k], &edge[k]);
     outside &= side == EdgeSide::kOutside;
     inside &= side == EdgeSide::kInside;
   }
-  for (uint32_t k = 0; k < pattern.count && inside; ++k) edge[k] = {0, 0, 0};
+  for (uint32_t k = 0; k < count && inside; ++k) edge[k] = {0, 0, 0};
   return !outside;
 }
 
 /// body(at, inside, z) for every vector of samples that has some in the triangle; `at` is the place of its first one in
 /// the tile.
-template <class Body>
+template <bool kSingle, class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
                                const Body& body) {
   Span s;
   bool narrow = true;
   for (int k = 0; k < 3; ++k) {
-    if (!PlaceEdge(make_edge_line(triangle, k, area.left, area.top), area.pattern, s.edge[k])) return;
+    if (!PlaceEdge<kSingle>(make_edge_line(triangle, k, area.left, area.top), area.pattern, s.edge[k])) return;
     narrow &= std::abs(s.edge[k][0].a) <= kNarrowStep && std::abs(s.edge[k][0].b) <= kNarrowStep;
   }
   const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
   if (geometry::is_empty(box)) return;
   const DepthSlope slope = make_depth_slope(triangle, state);
-  for (uint32_t k = 0; k < area.pattern.count; ++k) s.plane[k] = plane_at(slope, area.pattern.point[k]);
+  const uint32_t count = kSingle ? 1 : area.pattern.count;
+  for (uint32_t k = 0; k < count; ++k) s.plane[k] = plane_at(slope, area.pattern.point[k]);
   s.left = area.left;
   s.top = area.top;
   s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
-  s.samples = static_cast<int32_t>(area.pattern.count);
+  s.samples = static_cast<int32_t>(count);
   const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
   if (!narrow) return ForEachWide(s, body);
-  if (s.samples > 1) return clipped ? ForEachNarrow<false, true>(s, body) : ForEachNarrow<false, false>(s, body);
-  clipped ? ForEachNarrow<true, true>(s, body) : ForEachNarrow<true, false>(s, body);
+  clipped ? ForEachNarrow<kSingle, true>(s, body) : ForEachNarrow<kSingle, false>(s, body);
 }
 
-template <shd_compare kCompare>
+template <shd_compare kCompare, bool kSingle>
 void CoverWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
                const uint32_t* entries, size_t count, uint32_t first_slot, Tile& tile) {
   const Tag d;
@@ -219,7 +221,7 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   uint32_t* slot = tile.slot.data();
   for (size_t i = 0; i < count; ++i) {
     const auto id = hn::Set(du, first_slot + static_cast<uint32_t>(i));
-    ForEachCovered(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
+    ForEachCovered<kSingle>(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
       const auto stored = hn::Load(d, depth + at);
       const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
       if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
@@ -244,13 +246,13 @@ HWY_INLINE void AddToMasks(M pass, size_t at, uint32_t samples, uint32_t* bits) 
   }
 }
 
-template <shd_compare kCompare>
+template <shd_compare kCompare, bool kSingle>
 void MaskWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle& triangle,
               const Tile& tile, CoverMask& out) {
   static_assert(hn::MaxLanes(Tag()) <= 16, "two bytes of mask");
   const Tag d;
   const float* depth = tile.depth.data();
-  ForEachCovered(triangle, area, state, [&](size_t at, MaskV inside, V z) {
+  ForEachCovered<kSingle>(triangle, area, state, [&](size_t at, MaskV inside, V z) {
     const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
     AddToMasks(pass, at, area.pattern.count, out.bits);
   });
@@ -274,14 +276,19 @@ void WithCompare(shd_compare compare, const Body& body) {
 void Cover(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
            const uint32_t* entries, size_t count, uint32_t first_slot, Tile& tile) {
   WithCompare(state.compare, [&](auto compare) {
-    CoverWith<decltype(compare)::value>(area, state, triangles, entries, count, first_slot, tile);
+    const auto kernel = area.pattern.count == 1 ? CoverWith<decltype(compare)::value, true>
+                                                : CoverWith<decltype(compare)::value, false>;
+    kernel(area, state, triangles, entries, count, first_slot, tile);
   });
 }
 
 void Mask(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle& triangle, const Tile& tile,
           CoverMask& out) {
-  WithCompare(state.compare,
-              [&](auto compare) { MaskWith<decltype(compare)::value>(area, state, triangle, tile, out); });
+  WithCompare(state.compare, [&](auto compare) {
+    const auto kernel =
+        area.pattern.count == 1 ? MaskWith<decltype(compare)::value, true> : MaskWith<decltype(compare)::value, false>;
+    kernel(area, state, triangle, tile, out);
+  });
 }
 
 }  // namespace shd::raster::HWY_NAMESPACE
