@@ -135,14 +135,30 @@ class TilePass {
                   first_slot, &worker_.tile);
   }
 
-  /// Where a triangle is shaded in a pixel of which it shows some samples.
-  void place(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples, float* x,
-             float* y) const {
-    const auto left = static_cast<int32_t>(area_.left + pixel % raster::kTile);
-    const auto top = static_cast<int32_t>(area_.top + pixel / raster::kTile);
-    if (!at_samples && (mask == all_samples() || raster::covers_centre(triangle, left, top))) {
-      *x = static_cast<float>(left) + 0.5f;
-      *y = static_cast<float>(top) + 0.5f;
+  /// Where in its pixels a triangle is shaded.
+  struct Placing {
+    bool at_samples;
+    raster::EdgeLine edge[3];  // with several samples
+  };
+
+  Placing placing_of(const geometry::ScreenTriangle& triangle) const {
+    Placing placing;
+    placing.at_samples = pattern_.count > 1 && r_.frame.draws[triangle.draw].sample_shading;
+    for (int k = 0; k < 3 && pattern_.count > 1; ++k) {
+      placing.edge[k] =
+          raster::make_edge_line(triangle, k, static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top));
+    }
+    return placing;
+  }
+
+  /// In a pixel of which a triangle shows some samples.
+  void place(const Placing& placing, uint32_t pixel, uint32_t mask, float* x, float* y) const {
+    const auto column = static_cast<int32_t>(pixel % raster::kTile), row = static_cast<int32_t>(pixel / raster::kTile);
+    const auto left = static_cast<float>(static_cast<int32_t>(area_.left) + column);
+    const auto top = static_cast<float>(static_cast<int32_t>(area_.top) + row);
+    if (!placing.at_samples && raster::covers_centre(placing.edge, column, row)) {
+      *x = left + 0.5f;
+      *y = top + 0.5f;
       return;
     }
     int32_t sum_x = 0, sum_y = 0, count = 0;
@@ -153,8 +169,8 @@ class TilePass {
       ++count;
     }
     const float scale = 1.0f / static_cast<float>(count * geometry::kSubpixels);
-    *x = static_cast<float>(left) + static_cast<float>(sum_x) * scale;
-    *y = static_cast<float>(top) + static_cast<float>(sum_y) * scale;
+    *x = left + static_cast<float>(sum_x) * scale;
+    *y = top + static_cast<float>(sum_y) * scale;
   }
 
   /// Starts a triangle; makes room for it.
@@ -179,18 +195,18 @@ class TilePass {
   }
 
   /// Adds a pixel of the latest triangle to a batch that has room for it.
-  void add(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples) {
+  void add(const geometry::ScreenTriangle& triangle, const Placing& placing, uint32_t pixel, uint32_t mask) {
     raster::Fragments& f = worker_.workspace.fragments;
     const size_t i = f.count++;
     f.pixel[i] = pixel;
     f.mask[i] = mask;
     f.triangle[i] = triangle.primitive;
-    if (mask == all_samples() && !at_samples) {
+    if (mask == all_samples() && !placing.at_samples) {
       f.x[i] = static_cast<float>(area_.left + pixel % raster::kTile) + 0.5f;
       f.y[i] = static_cast<float>(area_.top + pixel / raster::kTile) + 0.5f;
       f.depth[i] = *depth_of(0, pixel);
     } else {
-      place(triangle, pixel, mask, at_samples, &f.x[i], &f.y[i]);
+      place(placing, pixel, mask, &f.x[i], &f.y[i]);
       f.depth[i] = *depth_of(first_sample(mask), pixel);
     }
     worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
@@ -201,16 +217,16 @@ class TilePass {
   void add_pixels(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
                   const Done& done) {
     begin_triangle(triangle, done);
-    const bool at_samples = r_.frame.draws[triangle.draw].sample_shading && pattern_.count > 1;
-    for (size_t i = 0; i < count && at_samples; ++i) {
+    const Placing placing = placing_of(triangle);
+    for (size_t i = 0; i < count && placing.at_samples; ++i) {
       for (uint32_t mask = pixels[i].mask; mask; mask &= mask - 1) {
         make_room(done);
-        add(triangle, pixels[i].position, mask & ~(mask - 1), true);
+        add(triangle, placing, pixels[i].position, mask & ~(mask - 1));
       }
     }
-    for (size_t i = 0; i < count && !at_samples;) {
+    for (size_t i = 0; i < count && !placing.at_samples;) {
       const size_t end = std::min(count, i + make_room(done));
-      for (; i < end; ++i) add(triangle, pixels[i].position, pixels[i].mask, false);
+      for (; i < end; ++i) add(triangle, placing, pixels[i].position, pixels[i].mask);
     }
   }
 

@@ -94,14 +94,13 @@ inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
           y0};
 }
 
-/// Whether a triangle covers the centre of pixel (x, y) of the frame.
-inline bool covers_centre(const geometry::ScreenTriangle& t, int32_t x, int32_t y) {
-  const SamplePoint centre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
-  for (int k = 0; k < 3; ++k) {
-    Edge edge;
-    if (edge_at(make_edge_line(t, k, x, y), centre, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
-  }
-  return true;
+/// Whether the triangle of three edges over a tile covers the centre of pixel (x, y) of that tile.
+inline bool covers_centre(const EdgeLine (&lines)[3], int32_t x, int32_t y) {
+  const int64_t right = int64_t{x} * geometry::kSubpixels + geometry::kSubpixels / 2;
+  const int64_t down = int64_t{y} * geometry::kSubpixels + geometry::kSubpixels / 2;
+  bool inside = true;
+  for (const EdgeLine& line : lines) inside &= line.value + line.a * right + line.b * down >= 0;
+  return inside;
 }
 
 /// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.

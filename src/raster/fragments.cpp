@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fragments.h"
 
+#include <cstring>
+
 namespace shd::raster {
 namespace {
 
@@ -29,12 +31,17 @@ uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
   return mask;
 }
 
+/// Whether all of an even number of samples of a pixel show the same.
 bool is_uniform(const Tile& tile, size_t pixel) {
-  bool uniform = true;
-  for (uint32_t k = 1; k < tile.samples; ++k) {
-    uniform &= tile.slot[pixel * tile.samples + k] == tile.slot[pixel * tile.samples];
+  const uint32_t* slots = tile.slot.data() + pixel * tile.samples;
+  const uint64_t both = uint64_t{slots[0]} << 32 | slots[0];
+  uint64_t different = 0;
+  for (uint32_t k = 0; k < tile.samples; k += 2) {
+    uint64_t two;
+    std::memcpy(&two, slots + k, sizeof two);
+    different |= two ^ both;
   }
-  return uniform;
+  return different == 0;
 }
 
 /// Cuts the covered pixels of a tile with one sample a pixel into runs.
