@@ -112,7 +112,8 @@ typedef struct shd_progress {
 /** A whole frame. Everything is borrowed for the call. */
 typedef struct shd_render_desc {
     uint32_t struct_size;           /**< set by shd_render_desc_default() */
-    uint32_t keep;                  /**< 0 = clear first; 1 = draw over what the framebuffer holds */
+    uint32_t keep;                  /**< 0 = clear first; 1 = draw over what the framebuffer holds, each sample
+                                         starting as its pixel */
     float clear_color[4];           /**< linear, premultiplied RGBA; default 0 */
     float clear_depth;              /**< 0..1; default 1 */
     uint32_t reserved;              /**< 0 */

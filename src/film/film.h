@@ -3,16 +3,21 @@
 /// Stage contract: film, (radiance -> linear image).
 ///
 /// Input:      premultiplied scene-linear colour, depth and auxiliary values of shaded fragments.
-/// Output:     planes of one size, row 0 on top; copies of them in the caller's columns and images.
+/// Output:     planes of one size, row 0 on top, resolved from the samples; copies of them in the caller's columns and
+///             images.
 /// Units:      colour scene-linear, premultiplied by alpha; depth 0 near .. 1 far.
 /// Invariants: reading changes nothing; integer formats clamp to 0..1, NaN to 0, and round to nearest; float
 ///             formats keep NaN and infinities.
 ///
-/// | file          | what                                                        |
-/// |---------------|-------------------------------------------------------------|
-/// | framebuffer.h | Framebuffer: its planes, and which of them there are        |
-/// | readback.h    | planes to columns, colour to interleaved images             |
-/// | frame.h       | a whole frame: every stage, group by group and tile by tile |
-/// | scene.h       | a frame after its geometry stages                           |
-/// | tile_writer.h | one tile between the framebuffer and the raster stage       |
+/// | file            | what                                                        |
+/// |-----------------|-------------------------------------------------------------|
+/// | framebuffer.h   | Framebuffer: its planes, and which of them there are        |
+/// | readback.h      | planes to columns, colour to interleaved images             |
+/// | frame.h         | a whole frame: every stage, group by group and tile by tile |
+/// | scene.h         | a frame after its geometry stages                           |
+/// | tile_renderer.h | one tile: what is visible, then what blends, in order       |
+/// | worker.h        | what one worker needs for that                              |
+/// | tile_writer.h   | one tile between the framebuffer and the raster stage       |
+/// | blend.h         | one colour over another                                     |
+/// | unordered.h     | blends that do not go by the order of draws                 |
 #pragma once
