@@ -36,6 +36,8 @@ typedef struct shd_fragments {
     const float *dudx, *dvdx;  /**< analytic derivatives along one pixel to the right */
     const float *dudy, *dvdy;  /**< analytic derivatives along one pixel down */
     const uint32_t *triangle;  /**< index of the triangle in its mesh */
+    uint32_t instance;         /**< index into shd_draw.instances, 0 without; the same for every row */
+    uint32_t reserved;
 } shd_fragments;
 
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */

@@ -48,12 +48,14 @@ class TilePass {
         pattern_(raster::sample_pattern(framebuffer_.samples)),
         index_(index),
         area_(tile_area(framebuffer_, index, renderer.scene.bins.tiles_x)),
+        left_(renderer.frame.window.left + static_cast<int32_t>(area_.left)),
+        top_(renderer.frame.window.top + static_cast<int32_t>(area_.top)),
         worker_(*worker) {
     for (uint32_t s = 0; s < pattern_.count; ++s) colors_[s] = sample_color(s);
   }
 
   void run() {
-    if (!r_.frame.keep) clear_tile(area_, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
+    if (!r_.frame.keep) clear();
     if (is_bare()) return;
     load_depth(area_, framebuffer_, &worker_.tile);
     if (pattern_.count > 1) load_color(area_, framebuffer_, pattern_.count, worker_.color.data());
@@ -92,13 +94,27 @@ class TilePass {
     return color;
   }
 
+  /// What the scissor leaves of the tile.
+  void clear() {
+    const geometry::PixelBox tile = geometry::pixel_rectangle(left_, top_, area_.width, area_.height);
+    const geometry::PixelBox box = geometry::intersection(tile, r_.frame.scissor);
+    if (geometry::is_empty(box)) return;
+    const TileArea cleared = {
+        area_.left + static_cast<uint32_t>(box.min_x - left_), area_.top + static_cast<uint32_t>(box.min_y - top_),
+        static_cast<uint32_t>(box.max_x - box.min_x + 1), static_cast<uint32_t>(box.max_y - box.min_y + 1)};
+    clear_area(cleared, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
+  }
+
+  /// Pixels of the picture that may change.
   geometry::PixelBox tile_box() const {
-    return {static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top),
-            static_cast<int32_t>(area_.left + area_.width) - 1, static_cast<int32_t>(area_.top + area_.height) - 1};
+    return geometry::intersection(geometry::pixel_rectangle(left_, top_, area_.width, area_.height),
+                                  visible_box(r_.frame));
   }
-  raster::CoverArea cover_area(const geometry::PixelBox& box) const {
-    return {pattern_, static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top), box};
-  }
+  /// Position of a pixel of the tile in the picture.
+  int32_t left_of(uint32_t pixel) const { return left_ + static_cast<int32_t>(pixel % raster::kTile); }
+  int32_t top_of(uint32_t pixel) const { return top_ + static_cast<int32_t>(pixel / raster::kTile); }
+
+  raster::CoverArea cover_area(const geometry::PixelBox& box) const { return {pattern_, left_, top_, box}; }
 
   bool is_bare() const {
     for (uint32_t g = 0; g < r_.scene.bins.group_count; ++g) {
@@ -138,8 +154,7 @@ class TilePass {
   /// Where a triangle is shaded in a pixel of which it shows some samples.
   void place(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples, float* x,
              float* y) const {
-    const auto left = static_cast<int32_t>(area_.left + pixel % raster::kTile);
-    const auto top = static_cast<int32_t>(area_.top + pixel / raster::kTile);
+    const int32_t left = left_of(pixel), top = top_of(pixel);
     if (!at_samples && (mask == all_samples() || raster::covers_centre(triangle, left, top))) {
       *x = static_cast<float>(left) + 0.5f;
       *y = static_cast<float>(top) + 0.5f;
@@ -186,8 +201,8 @@ class TilePass {
     f.mask[i] = mask;
     f.triangle[i] = triangle.primitive;
     if (mask == all_samples() && !at_samples) {
-      f.x[i] = static_cast<float>(area_.left + pixel % raster::kTile) + 0.5f;
-      f.y[i] = static_cast<float>(area_.top + pixel / raster::kTile) + 0.5f;
+      f.x[i] = static_cast<float>(left_of(pixel)) + 0.5f;
+      f.y[i] = static_cast<float>(top_of(pixel)) + 0.5f;
       f.depth[i] = worker_.tile.depth[pixel];
     } else {
       place(triangle, pixel, mask, at_samples, &f.x[i], &f.y[i]);
@@ -224,7 +239,8 @@ class TilePass {
     if (workspace.fragments.count) {
       const Draw& d = r_.frame.draws[draw];
       const shade::DrawShading shading = {
-          d.mesh, &r_.scene.vertices[draw], d.material, d.frequency, r_.scene.transforms[draw].orientation, draw};
+          d.mesh,    &r_.scene.vertices[draw], d.material, d.frequency, r_.scene.transforms[draw].orientation, d.index,
+          d.instance};
       shade::shade_batch(r_.context.simd, shading, r_.lights, r_.frame.view.eye, &workspace);
       worker_.fragments += workspace.fragments.count;
       done(d);
@@ -311,8 +327,7 @@ class TilePass {
         for (uint32_t s = 0; s < pattern_.count; ++s) plane[s] = raster::plane_at(slope, pattern_.point[s]);
       }
       last = triangle;
-      const auto x = static_cast<int32_t>(area_.left + f.pixel[i] % raster::kTile);
-      const auto y = static_cast<int32_t>(area_.top + f.pixel[i] / raster::kTile);
+      const int32_t x = left_of(f.pixel[i]), y = top_of(f.pixel[i]);
       for (; mask; mask &= mask - 1) {
         const uint32_t s = first_sample(mask);
         const float depth = raster::depth_at(plane[s], x, y);
@@ -421,7 +436,8 @@ class TilePass {
   Framebuffer& framebuffer_;
   const raster::SamplePattern& pattern_;
   const uint32_t index_;
-  const TileArea area_;
+  const TileArea area_;       // in the framebuffer
+  const int32_t left_, top_;  // in the picture
   Worker& worker_;
   SampleColor colors_[raster::kMaxSamples];
 };
