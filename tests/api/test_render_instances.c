@@ -156,8 +156,7 @@ static void test_refused(void **state)
     s.desc.clear_color[0] = 0.5f;
     for (i = 0; i < 4; ++i) memcpy(matrices + 16 * i, s.draw[1].object_to_world, 16 * sizeof(float));
     s.draw[1].instance_count = 4;
-#define EXPECT(message) \
-    shd_assert_result(message, shd_render(context, &s.desc), SHD_ERROR_INVALID_ARGUMENT, message)
+#define EXPECT(message) shd_assert_result(message, shd_render(context, &s.desc), SHD_ERROR_INVALID_ARGUMENT, message)
     EXPECT("render.draws[1]: draw.instances: NULL");
     s.draw[1].instances = matrices;
     matrices[2 * 16 + 5] = NAN;

@@ -161,10 +161,18 @@ static void test_viewport(void **state)
 /* Pixels of the scissor have the bits of the frame without, the others those from before. */
 static void test_scissor(void **state)
 {
-    static const shd_region k_scissors[] = {{0, 0, WIDTH, HEIGHT},      {0, 0, 0, 0},     {WIDTH, HEIGHT, 0, 0},
-                                            {50, 60, 0, 20},            {50, 60, 20, 0},  {0, 0, 1, 1},
-                                            {WIDTH - 1, HEIGHT - 1, 1, 1}, {63, 63, 2, 2},   {64, 64, 64, 64},
-                                            {5, 0, 3, HEIGHT},          {0, 77, WIDTH, 1}, {31, 20, 100, 90}};
+    static const shd_region k_scissors[] = {{0, 0, WIDTH, HEIGHT},
+                                            {0, 0, 0, 0},
+                                            {WIDTH, HEIGHT, 0, 0},
+                                            {50, 60, 0, 20},
+                                            {50, 60, 20, 0},
+                                            {0, 0, 1, 1},
+                                            {WIDTH - 1, HEIGHT - 1, 1, 1},
+                                            {63, 63, 2, 2},
+                                            {64, 64, 64, 64},
+                                            {5, 0, 3, HEIGHT},
+                                            {0, 77, WIDTH, 1},
+                                            {31, 20, 100, 90}};
     const uint32_t samples = *(const uint32_t *)*state;
     static struct picture before;
     shd_context *context = NULL;
