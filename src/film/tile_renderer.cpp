@@ -39,6 +39,11 @@ shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
 }
 
+/// Whether the visibility buffer alone tells what a draw shows.
+bool is_plain(const material::Material& material) {
+  return material.blend == SHD_BLEND_OPAQUE && !material::drops_fragments(material);
+}
+
 /// Draws one tile.
 class TilePass {
  public:
@@ -65,7 +70,7 @@ class TilePass {
       const material::Material* material = draw_of(run).material;
       if (material && material::is_unordered(*material)) {
         (material->blend == SHD_BLEND_WEIGHTED ? weighted : sorted) = true;
-      } else if (!material || (material->blend == SHD_BLEND_OPAQUE && !material::drops_fragments(*material))) {
+      } else if (!material || is_plain(*material)) {
         cover(run);
       } else {
         shade_visible();
@@ -196,9 +201,11 @@ class TilePass {
   /// Adds a pixel of the latest triangle to a batch that has room for it.
   void add(const geometry::ScreenTriangle& triangle, uint32_t pixel, uint32_t mask, bool at_samples) {
     raster::Fragments& f = worker_.workspace.fragments;
+    const Draw& draw = r_.frame.draws[triangle.draw];
     const size_t i = f.count++;
     f.pixel[i] = pixel;
     f.mask[i] = mask;
+    if (!is_plain(*draw.material)) return add_by_coverage(triangle, draw, i, at_samples);
     f.triangle[i] = triangle.primitive;
     if (mask == all_samples() && !at_samples) {
       f.x[i] = static_cast<float>(left_of(pixel)) + 0.5f;
@@ -207,6 +214,24 @@ class TilePass {
     } else {
       place(triangle, pixel, mask, at_samples, &f.x[i], &f.y[i]);
       f.depth[i] = worker_.tile.depth[first_sample(mask) * raster::kTilePixels + pixel];
+    }
+    worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
+  }
+
+  /// The rest of a fragment whose mask went by depths that may change before its turn: it must not tell, or the
+  /// fragment would depend on when batches end.
+  void add_by_coverage(const geometry::ScreenTriangle& triangle, const Draw& draw, size_t i, bool at_samples) {
+    raster::Fragments& f = worker_.workspace.fragments;
+    const int32_t left = left_of(f.pixel[i]), top = top_of(f.pixel[i]);
+    uint32_t mask = f.mask[i];
+    for (uint32_t s = 0; s < pattern_.count && !at_samples && mask != all_samples(); ++s) {
+      if (raster::covers(triangle, left, top, pattern_.point[s])) mask |= 1u << s;
+    }
+    f.triangle[i] = triangle.primitive;
+    place(triangle, f.pixel[i], mask, at_samples, &f.x[i], &f.y[i]);
+    if (draw.material->model == SHD_MODEL_PROGRAM) {
+      const raster::DepthSlope slope = raster::make_depth_slope(triangle, draw.depth);
+      f.depth[i] = raster::depth_at(raster::plane_at(slope, pattern_.point[first_sample(mask)]), left, top);
     }
     worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
   }

@@ -99,14 +99,16 @@ inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
           y0};
 }
 
-/// Whether a triangle covers the centre of pixel (x, y) of the frame.
-inline bool covers_centre(const geometry::ScreenTriangle& t, int32_t x, int32_t y) {
-  const SamplePoint centre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+/// Whether a triangle covers a point of pixel (x, y) of the picture.
+inline bool covers(const geometry::ScreenTriangle& t, int32_t x, int32_t y, SamplePoint point) {
   for (int k = 0; k < 3; ++k) {
     Edge edge;
-    if (edge_at(make_edge_line(t, k, x, y), centre, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
+    if (edge_at(make_edge_line(t, k, x, y), point, &edge) == EdgeSide::kOutside || edge.value < 0) return false;
   }
   return true;
+}
+inline bool covers_centre(const geometry::ScreenTriangle& t, int32_t x, int32_t y) {
+  return covers(t, x, y, {geometry::kSubpixels / 2, geometry::kSubpixels / 2});
 }
 
 /// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.
