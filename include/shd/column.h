@@ -5,7 +5,7 @@
  *
  * Element i lies i * stride bytes after data; stride 0 means packed (sizeof the element). One type serves
  * separate arrays (stride 0) and interleaved records (stride = size of the record). A stride must be a
- * multiple of 4 and data must be aligned to 4 bytes; count * stride must fit in size_t.
+ * multiple of the element's size and data must be aligned to it; count * stride must fit in size_t.
  */
 #ifndef SHD_COLUMN_H
 #define SHD_COLUMN_H

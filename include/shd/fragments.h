@@ -24,7 +24,8 @@ typedef struct shd_fragments {
     size_t count;         /**< rows */
     /**
      * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle does
-     * not cover that, the mean of those that show it; with SHD_DRAW_SAMPLE_SHADING the sample
+     * not cover that, the mean of those that show it, of a material that blends or drops rows those that it covers;
+     * with SHD_DRAW_SAMPLE_SHADING the sample
      */
     const float *x;
     const float *y;            /**< the same from the top edge */
@@ -36,6 +37,8 @@ typedef struct shd_fragments {
     const float *dudx, *dvdx;  /**< analytic derivatives along one pixel to the right */
     const float *dudy, *dvdy;  /**< analytic derivatives along one pixel down */
     const uint32_t *triangle;  /**< index of the triangle in its mesh */
+    uint32_t instance;         /**< index into shd_draw.instances, 0 without; the same for every row */
+    uint32_t reserved;
 } shd_fragments;
 
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */

@@ -25,6 +25,20 @@ typedef enum shd_normal_weight {
     SHD_NORMAL_WEIGHT_MAX_ENUM = 0x7fffffff
 } shd_normal_weight;
 
+/** Column of 16-bit unsigned integers that shd reads; borrowed for the call. */
+typedef struct shd_u16_in {
+    const uint16_t *data; /**< first element; NULL = the column is absent */
+    size_t stride;        /**< bytes between elements; 0 = packed */
+} shd_u16_in;
+
+/** How indices make triangles. A triangle whose vertices coincide counts as one, though it covers nothing. */
+typedef enum shd_topology {
+    SHD_TOPOLOGY_TRIANGLES = 0, /**< three for each: (0, 1, 2), (3, 4, 5), ... */
+    SHD_TOPOLOGY_STRIP = 1,     /**< one more for each: (0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 5, 4), ... */
+    SHD_TOPOLOGY_FAN = 2,       /**< one more for each around the first: (0, 1, 2), (0, 2, 3), ... */
+    SHD_TOPOLOGY_MAX_ENUM = 0x7fffffff
+} shd_topology;
+
 /** Switches of a mesh; combine with |. */
 typedef enum shd_mesh_flag {
     SHD_MESH_NONE = 0,
@@ -35,16 +49,24 @@ typedef enum shd_mesh_flag {
 
 /** What a mesh is made from. Everything is copied. */
 typedef struct shd_mesh_desc {
-    uint32_t struct_size;            /**< set by shd_mesh_desc_default() */
-    uint32_t vertex_count;           /**< 0..2^28; 0 makes an empty mesh */
-    shd_f32_in position[3];          /**< x, y, z, object space; required unless vertex_count is 0 */
-    shd_f32_in normal[3];            /**< x, y, z, object space, any length; all three or none (then computed) */
-    shd_f32_in uv[2];                /**< u, v; both or none (then 0) */
-    shd_f32_in tangent[4];           /**< x, y, z, handedness (+1 or -1); all four or none */
-    shd_u32_in indices;              /**< three per triangle, counter-clockwise = front; NULL = 0, 1, 2, ... */
-    size_t index_count;              /**< multiple of 3, at most 3 * 2^28; without indices: 0 = vertex_count */
+    uint32_t struct_size;   /**< set by shd_mesh_desc_default() */
+    uint32_t vertex_count;  /**< 0..2^28; 0 makes an empty mesh */
+    shd_f32_in position[3]; /**< x, y, z, object space; required unless vertex_count is 0 */
+    shd_f32_in normal[3];   /**< x, y, z, object space, any length; all three or none (then computed) */
+    shd_f32_in uv[2];       /**< u, v; both or none (then 0) */
+    shd_f32_in tangent[4];  /**< x, y, z, handedness (+1 or -1); all four or none */
+    /**
+     * By topology, counter-clockwise = front; NULL = indices16, or 0, 1, 2, ... without either. In strips and fans the
+     * largest number (0xffffffff, of indices16 0xffff) is no vertex: the next index starts anew.
+     */
+    shd_u32_in indices;
+    /** Of triangles a multiple of 3 up to 3 * 2^28, else up to 2^28 + 2; without indices: 0 = vertex_count. */
+    size_t index_count;
     shd_normal_weight normal_weight; /**< default area; used when `normal` is absent */
     uint32_t flags;                  /**< shd_mesh_flag bits */
+    shd_u16_in indices16;            /**< instead of `indices` */
+    shd_topology topology;           /**< default triangles */
+    uint32_t reserved;               /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_desc;
 
@@ -58,7 +80,7 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
 
 /**
  * Copy and check vertices and indices; compute normals if there are none.
- * Refused with the place named: an index >= vertex_count, an index count that is not a multiple of 3, a
+ * Refused with the place named: an index >= vertex_count, an index count of triangles that is not a multiple of 3, a
  * position that is not finite (unless SHD_MESH_KEEP_NONFINITE).
  * Normals, uv and tangents that are not finite count as 0.
  * @param context   retained

@@ -72,6 +72,13 @@ typedef struct shd_draw {
     float depth_bias;             /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
     float depth_bias_slope;       /**< the same times the larger of |dz/dx| and |dz/dy| per pixel, finite; default 0 */
     uint32_t reserved;            /**< 0 */
+    /**
+     * Object-to-world matrices, [instance_count][16], each affine and finite, in place of object_to_world: the mesh is
+     * drawn with each of them as by draws of their own, one after the other; borrowed for the call. While the frame
+     * is drawn each instance takes 64 bytes for every vertex, as a draw does.
+     */
+    const float *instances;
+    size_t instance_count; /**< 0 = once, by object_to_world; with those of all draws up to 2^20 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 
@@ -109,7 +116,17 @@ typedef struct shd_progress {
     void *user_data; /**< borrowed for the call */
 } shd_progress;
 
-/** A whole frame. Everything is borrowed for the call. */
+/** Pixels of a picture, origin at the top left corner. */
+typedef struct shd_region {
+    uint32_t x;
+    uint32_t y;
+    uint32_t width;
+    uint32_t height;
+} shd_region;
+
+/**
+ * A whole frame, or a window of it. The picture is what draws are projected to; the framebuffer holds its pixels from
+ * (crop_x, crop_y) on, each with the bits that it has in the whole. Everything is borrowed for the call. */
 typedef struct shd_render_desc {
     uint32_t struct_size;           /**< set by shd_render_desc_default() */
     uint32_t keep;                  /**< 0 = clear first; 1 = draw over what the framebuffer holds, each sample
@@ -125,6 +142,12 @@ typedef struct shd_render_desc {
     size_t light_count;             /**< up to 2^20 */
     shd_render_stats *stats;        /**< NULL = not wanted; all zero on failure */
     shd_progress progress;          /**< default none */
+    uint32_t picture_width;         /**< pixels, that of the framebuffer..65536; 0 = that of the framebuffer */
+    uint32_t picture_height;        /**< the same */
+    uint32_t crop_x;                /**< where the framebuffer lies in the picture, all of it inside; default 0 */
+    uint32_t crop_y;                /**< the same */
+    const shd_region *viewport;     /**< of the picture, not empty: what NDC -1..1 maps to; NULL = all of it */
+    const shd_region *scissor;      /**< of the picture: pixels that may change; NULL = all of them */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

@@ -85,16 +85,16 @@ shd_result check_values(const char* field, const float* values, size_t count, do
   return SHD_OK;
 }
 
-shd_result check_column(const char* field, const void* data, size_t stride, size_t count) {
+shd_result check_column(const char* field, const void* data, size_t stride, size_t count, size_t size) {
   if (!data || count == 0) return SHD_OK;
-  if (reinterpret_cast<uintptr_t>(data) % 4 != 0) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: not aligned to 4 bytes", field);
+  if (reinterpret_cast<uintptr_t>(data) % size != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: not aligned to %zu bytes", field, size);
   }
-  if (stride % 4 != 0) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.stride: %zu is not a multiple of 4", field, stride);
+  if (stride % size != 0) {
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.stride: %zu is not a multiple of %zu", field, stride, size);
   }
   size_t bytes;
-  if (__builtin_mul_overflow(stride ? stride : size_t{4}, count, &bytes) || bytes > PTRDIFF_MAX) {
+  if (__builtin_mul_overflow(stride ? stride : size, count, &bytes) || bytes > PTRDIFF_MAX) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu elements of stride %zu exceed the address space", field, count,
                 stride);
   }

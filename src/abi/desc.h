@@ -50,11 +50,11 @@ shd_result check_not_null(const char* field, const void* pointer);
 shd_result check_finite(const char* field, const float* values, size_t count);
 /// Every one of `count` values lies in [low, high]; NaN does not.
 shd_result check_values(const char* field, const float* values, size_t count, double low, double high);
-/// Alignment, stride and the size of the whole column; data null is fine.
-shd_result check_column(const char* field, const void* data, size_t stride, size_t count);
+/// Alignment, stride and the size of the whole column of elements of `size` bytes; data null is fine.
+shd_result check_column(const char* field, const void* data, size_t stride, size_t count, size_t size = 4);
 template <class Column>
 shd_result check_column(const char* field, const Column& column, size_t count) {
-  return check_column(field, column.data, column.stride, count);
+  return check_column(field, column.data, column.stride, count, sizeof *column.data);
 }
 /// A caller's image; `out` gets the row stride filled in. Accepts any known format.
 shd_result read_image(const char* name, const shd_image* in, shd_image* out);

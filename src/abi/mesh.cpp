@@ -16,7 +16,7 @@ using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMesh;
 constexpr uint32_t kMaximumVertices = 1u << 28;
-constexpr size_t kMaximumIndices = size_t{3} << 28;
+constexpr size_t kMaximumTriangles = size_t{1} << 28;
 
 /// All columns of an attribute are there or none is, and each fits in memory.
 shd_result check_attribute(const char* name, const shd_f32_in* columns, int size, uint32_t count) {
@@ -46,29 +46,37 @@ shd_result check_columns(const shd_mesh_desc& desc) {
   return check_attribute("tangent", desc.tangent, 4, desc.vertex_count);
 }
 
-shd_result check_index_count(const shd_mesh_desc& desc) {
+shd_result check_indices(const shd_mesh_desc& desc) {
+  const bool indexed = desc.indices.data || desc.indices16.data;
   size_t count = desc.index_count;
   const char* field = "mesh.index_count";
-  if (!desc.indices.data) {
+  if (desc.indices.data && desc.indices16.data) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.indices16.data: set, but mesh.indices is too");
+  }
+  if (!indexed) {
     SHD_TRY(check_count("mesh.index_count without indices", count, 0, desc.vertex_count));
     if (count == 0) {
       count = desc.vertex_count;
       field = "mesh.vertex_count without indices";
     }
   }
-  SHD_TRY(check_count(field, count, 0, kMaximumIndices));
-  if (count % 3 != 0) {
+  const bool separate = desc.topology == SHD_TOPOLOGY_TRIANGLES;
+  SHD_TRY(check_count(field, count, 0, separate ? 3 * kMaximumTriangles : kMaximumTriangles + 2));
+  if (separate && count % 3 != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu is not a multiple of 3", field, count);
   }
-  return check_column("mesh.indices", desc.indices.data, desc.indices.stride, count);
+  SHD_TRY(check_column("mesh.indices", desc.indices, count));
+  return check_column("mesh.indices16", desc.indices16, count);
 }
 
 shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
   SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
   SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE));
+  SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));
+  SHD_TRY(check_zero("mesh.reserved", desc.reserved));
   SHD_TRY(check_columns(desc));
-  return check_index_count(desc);
+  return check_indices(desc);
 }
 
 }  // namespace

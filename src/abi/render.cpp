@@ -12,6 +12,7 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr uint64_t kMaxItems = 1u << 20;
+constexpr uint32_t kMaxPicture = 65536;
 
 /// Prefixes the field of the latest error with the element it belongs to.
 shd_result in_element(shd_result result, const char* array, size_t index) {
@@ -21,7 +22,21 @@ shd_result in_element(shd_result result, const char* array, size_t index) {
   return core::fail(result, "render.%s[%zu]: %s", array, index, text);
 }
 
-shd_result read_draw(const shd_draw* in, film::Draw* out) {
+shd_result check_matrix(const char* field, const float m[16]) {
+  SHD_TRY(check_finite(field, m, 16));
+  if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: the last row is not 0 0 0 1", field);
+  }
+  return SHD_OK;
+}
+
+/// What a draw is drawn with: its own matrix, or those of its instances.
+struct Instances {
+  const float* matrices;
+  size_t count;
+};
+
+shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) {
   shd_draw draw = shd_draw_default();
   SHD_TRY(read_desc("draw", in, false, &draw));
   SHD_TRY(check_enum("draw.frequency", draw.frequency, 0, SHD_FREQUENCY_FLAT));
@@ -31,14 +46,13 @@ shd_result read_draw(const shd_draw* in, film::Draw* out) {
   SHD_TRY(check_range("draw.depth_bias", static_cast<double>(draw.depth_bias), -1.0, 1.0));
   SHD_TRY(check_finite("draw.depth_bias_slope", &draw.depth_bias_slope, 1));
   SHD_TRY(check_zero("draw.reserved", draw.reserved));
-  SHD_TRY(check_finite("draw.object_to_world", draw.object_to_world, 16));
-  const float* m = draw.object_to_world;
-  if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.object_to_world: the last row is not 0 0 0 1");
-  }
+  SHD_TRY(check_matrix("draw.object_to_world", draw.object_to_world));
   SHD_TRY(read_handle("draw.mesh", draw.mesh, core::ObjectType::kMesh, &out->mesh));
   out->material = nullptr;
   if (draw.material) SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
+  SHD_TRY(check_count("draw.instance_count", draw.instance_count, 0, kMaxItems));
+  if (draw.instance_count) SHD_TRY(check_not_null("draw.instances", draw.instances));
+  *instances = {draw.instances, draw.instance_count};
   out->frequency = draw.frequency;
   out->cull = draw.cull;
   out->depth = {draw.compare, !(draw.flags & SHD_DRAW_KEEP_DEPTH), draw.depth_bias, draw.depth_bias_slope};
@@ -47,8 +61,28 @@ shd_result read_draw(const shd_draw* in, film::Draw* out) {
   return SHD_OK;
 }
 
+/// Appends a draw, or its instances as draws of their own. The matrices may lie at any address.
+shd_result append_draw(film::Draw draw, const Instances& instances, core::Buffer<film::Draw>* out) {
+  const size_t count = instances.count ? instances.count : 1;
+  if (out->size() + count > kMaxItems) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.instance_count: %zu after %zu in other draws exceed %llu",
+                      count, out->size(), static_cast<unsigned long long>(kMaxItems));
+  }
+  const size_t first = out->size();
+  for (size_t i = 0; i < instances.count; ++i) {
+    draw.instance = static_cast<uint32_t>(i);
+    std::memcpy(draw.object_to_world, instances.matrices + 16 * i, sizeof draw.object_to_world);
+    char field[48];
+    std::snprintf(field, sizeof field, "draw.instances[%zu]", i);
+    SHD_TRY(check_matrix(field, draw.object_to_world));
+    out->push_back(draw);
+  }
+  if (out->size() == first) out->push_back(draw);
+  return SHD_OK;
+}
+
 /// Draws lie struct_size bytes apart, as the caller's header laid them out.
-shd_result read_draws(const shd_render_desc& desc, core::Array<film::Draw>* out) {
+shd_result read_draws(const shd_render_desc& desc, core::Buffer<film::Draw>* out) {
   const auto* bytes = reinterpret_cast<const char*>(desc.draws);
   uint32_t stride = 0;
   if (desc.draw_count) std::memcpy(&stride, bytes, sizeof stride);
@@ -60,8 +94,47 @@ shd_result read_draws(const shd_render_desc& desc, core::Array<film::Draw>* out)
       return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                         "render.draws[%zu].struct_size: %u differs from that of draws[0], %u", i, size, stride);
     }
-    SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &(*out)[i]), "draws", i));
+    film::Draw read = {};
+    read.index = static_cast<uint32_t>(i);
+    Instances instances = {};
+    SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &read, &instances), "draws", i));
+    SHD_TRY(in_element(append_draw(read, instances, out), "draws", i));
   }
+  return SHD_OK;
+}
+
+/// One side of a region of the picture.
+shd_result check_span(const char* region, const char* start_name, const char* size_name, uint32_t start, uint32_t size,
+                      uint32_t least, uint32_t picture) {
+  char field[48];
+  std::snprintf(field, sizeof field, "render.%s.%s", region, start_name);
+  SHD_TRY(check_count(field, start, 0, picture - least));
+  std::snprintf(field, sizeof field, "render.%s.%s", region, size_name);
+  return check_count(field, size, least, picture - start);
+}
+
+shd_result check_region(const char* name, const shd_region& region, uint32_t least, uint32_t width, uint32_t height) {
+  SHD_TRY(check_span(name, "x", "width", region.x, region.width, least, width));
+  return check_span(name, "y", "height", region.y, region.height, least, height);
+}
+
+/// The picture, and where framebuffer, viewport and scissor lie in it.
+shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
+  const film::Framebuffer& framebuffer = *frame->framebuffer;
+  const uint32_t width = desc.picture_width ? desc.picture_width : framebuffer.width;
+  const uint32_t height = desc.picture_height ? desc.picture_height : framebuffer.height;
+  SHD_TRY(check_count("render.picture_width", width, framebuffer.width, kMaxPicture));
+  SHD_TRY(check_count("render.picture_height", height, framebuffer.height, kMaxPicture));
+  SHD_TRY(check_count("render.crop_x", desc.crop_x, 0, width - framebuffer.width));
+  SHD_TRY(check_count("render.crop_y", desc.crop_y, 0, height - framebuffer.height));
+  const shd_region all = {0, 0, width, height};
+  const shd_region viewport = desc.viewport ? *desc.viewport : all, scissor = desc.scissor ? *desc.scissor : all;
+  SHD_TRY(check_region("viewport", viewport, 1, width, height));
+  SHD_TRY(check_region("scissor", scissor, 0, width, height));
+  frame->window = {static_cast<int32_t>(desc.crop_x), static_cast<int32_t>(desc.crop_y)};
+  frame->viewport = {viewport.x, viewport.y, viewport.width, viewport.height};
+  frame->scissor = geometry::pixel_rectangle(static_cast<int32_t>(scissor.x), static_cast<int32_t>(scissor.y),
+                                             scissor.width, scissor.height);
   return SHD_OK;
 }
 
@@ -85,7 +158,9 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   SHD_TRY(check_render_desc(desc));
   film::Frame frame = {};
   SHD_TRY(read_handle("render.framebuffer", desc.framebuffer, core::ObjectType::kFramebuffer, &frame.framebuffer));
-  core::Array<film::Draw> draws(context.allocator, desc.draw_count);
+  SHD_TRY(read_window(desc, &frame));
+  core::Buffer<film::Draw> draws(context.allocator);
+  draws.reserve(desc.draw_count);
   SHD_TRY(read_draws(desc, &draws));
   core::Array<const light::Light*> lights(context.allocator, desc.light_count);
   for (size_t i = 0; i < desc.light_count; ++i) {

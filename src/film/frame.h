@@ -8,14 +8,18 @@
 #include "core/context.h"
 #include "film/framebuffer.h"
 #include "geometry/mesh.h"
+#include "geometry/pixel_box.h"
+#include "geometry/vertex.h"
 #include "light/light.h"
 #include "material/material.h"
 #include "raster/coverage.h"
 
 namespace shd::film {
 
-/// A checked shd_draw.
+/// A checked shd_draw, or one instance of it.
 struct Draw {
+  uint32_t index;     // of the caller's draw
+  uint32_t instance;  // of that
   const geometry::Mesh* mesh;
   const material::Material* material;  // null = depth alone
   shd_frequency frequency;
@@ -25,9 +29,17 @@ struct Draw {
   float object_to_world[16];
 };
 
+/// Where the framebuffer's first pixel lies in the picture.
+struct Window {
+  int32_t left, top;
+};
+
 /// A checked shd_render_desc.
 struct Frame {
   Framebuffer* framebuffer;
+  Window window;
+  geometry::Viewport viewport;
+  geometry::PixelBox scissor;  // of the picture
   shd_view view;
   bool keep;
   float clear_color[4];

@@ -34,10 +34,11 @@ core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, 
 }
 
 void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
+  const geometry::PixelBox visible = visible_box(frame);
   for (size_t draw = 0; draw < frame.draw_count; ++draw) {
     geometry::allocate(context.allocator, *frame.draws[draw].mesh, &scene->vertices[draw]);
-    scene->transforms[draw] = geometry::make_transform(frame.view, frame.draws[draw].object_to_world,
-                                                       frame.framebuffer->width, frame.framebuffer->height);
+    scene->transforms[draw] =
+        geometry::make_transform(frame.view, frame.draws[draw].object_to_world, frame.viewport, visible);
   }
   const auto padded_vertices = [](const Draw& draw) { return data::padded(draw.mesh->vertex_count); };
   const core::Buffer<Part> parts = make_parts(context, frame, kVerticesPerPart, padded_vertices);
@@ -70,13 +71,9 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
     for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
       const Part& part = parts[i];
       const Draw& draw = frame.draws[part.draw];
-      const geometry::Assembly assembly = {draw.mesh,
-                                           &scene->vertices[part.draw],
-                                           part.draw,
-                                           draw.cull,
-                                           frame.framebuffer->width,
-                                           frame.framebuffer->height,
-                                           raster::sample_pattern(frame.framebuffer->samples).extent};
+      const geometry::Assembly assembly = {
+          draw.mesh, &scene->vertices[part.draw], part.draw,
+          draw.cull, visible_box(frame),          raster::sample_pattern(frame.framebuffer->samples).extent};
       geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
     }
   });
@@ -94,6 +91,18 @@ size_t group_count(const Frame& frame) {
 
 }  // namespace
 
+geometry::PixelBox window_box(const Frame& frame) {
+  return geometry::pixel_rectangle(frame.window.left, frame.window.top, frame.framebuffer->width,
+                                   frame.framebuffer->height);
+}
+
+geometry::PixelBox visible_box(const Frame& frame) {
+  const geometry::Viewport& v = frame.viewport;
+  const geometry::PixelBox viewport =
+      geometry::pixel_rectangle(static_cast<int32_t>(v.x), static_cast<int32_t>(v.y), v.width, v.height);
+  return geometry::intersection(geometry::intersection(window_box(frame), viewport), frame.scissor);
+}
+
 Scene::Scene(const core::Allocator& allocator, const Frame& frame)
     : vertices(allocator, frame.draw_count),
       transforms(allocator, frame.draw_count),
@@ -104,9 +113,8 @@ void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd
   const auto triangles = [](const Draw& draw) { return size_t{draw.mesh->triangle_count}; };
   transform_all(context, frame, scene);
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
-  raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()),
-                        frame.framebuffer->width, frame.framebuffer->height,
-                        raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
+  raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()), window_box(frame),
+                        visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
 }
 
 }  // namespace shd::film

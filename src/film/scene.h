@@ -19,6 +19,10 @@ struct Scene {
   raster::Bins bins;
 };
 
+/// Pixels of the picture that the framebuffer holds, and those of them that triangles may change (none if it is empty).
+geometry::PixelBox window_box(const Frame& frame);
+geometry::PixelBox visible_box(const Frame& frame);
+
 /// Transforms, assembles and bins every draw of a frame on the executor. Throws.
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 

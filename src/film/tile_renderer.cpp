@@ -39,6 +39,11 @@ shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
 }
 
+/// Whether the visibility buffer alone tells what a draw shows.
+bool is_plain(const material::Material& material) {
+  return material.blend == SHD_BLEND_OPAQUE && !material::drops_fragments(material);
+}
+
 /// Draws one tile.
 class TilePass {
  public:
@@ -48,12 +53,14 @@ class TilePass {
         pattern_(raster::sample_pattern(framebuffer_.samples)),
         index_(index),
         area_(tile_area(framebuffer_, index, renderer.scene.bins.tiles_x)),
+        left_(renderer.frame.window.left + static_cast<int32_t>(area_.left)),
+        top_(renderer.frame.window.top + static_cast<int32_t>(area_.top)),
         worker_(*worker) {
     for (uint32_t s = 0; s < pattern_.count; ++s) colors_[s] = sample_color(s);
   }
 
   void run() {
-    if (!r_.frame.keep) clear_tile(area_, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
+    if (!r_.frame.keep) clear();
     if (is_bare()) return;
     load_depth(area_, framebuffer_, &worker_.tile);
     if (pattern_.count > 1) load_color(area_, framebuffer_, pattern_.count, worker_.color.data());
@@ -63,7 +70,7 @@ class TilePass {
       const material::Material* material = draw_of(run).material;
       if (material && material::is_unordered(*material)) {
         (material->blend == SHD_BLEND_WEIGHTED ? weighted : sorted) = true;
-      } else if (!material || (material->blend == SHD_BLEND_OPAQUE && !material::drops_fragments(*material))) {
+      } else if (!material || is_plain(*material)) {
         cover(run);
       } else {
         shade_visible();
@@ -92,13 +99,27 @@ class TilePass {
     return color;
   }
 
+  /// What the scissor leaves of the tile.
+  void clear() {
+    const geometry::PixelBox tile = geometry::pixel_rectangle(left_, top_, area_.width, area_.height);
+    const geometry::PixelBox box = geometry::intersection(tile, r_.frame.scissor);
+    if (geometry::is_empty(box)) return;
+    const TileArea cleared = {
+        area_.left + static_cast<uint32_t>(box.min_x - left_), area_.top + static_cast<uint32_t>(box.min_y - top_),
+        static_cast<uint32_t>(box.max_x - box.min_x + 1), static_cast<uint32_t>(box.max_y - box.min_y + 1)};
+    clear_area(cleared, r_.frame.clear_color, r_.frame.clear_depth, &framebuffer_);
+  }
+
+  /// Pixels of the picture that may change.
   geometry::PixelBox tile_box() const {
-    return {static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top),
-            static_cast<int32_t>(area_.left + area_.width) - 1, static_cast<int32_t>(area_.top + area_.height) - 1};
+    return geometry::intersection(geometry::pixel_rectangle(left_, top_, area_.width, area_.height),
+                                  visible_box(r_.frame));
   }
-  raster::CoverArea cover_area(const geometry::PixelBox& box) const {
-    return {pattern_, static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top), box};
-  }
+  /// Position of a pixel of the tile in the picture.
+  int32_t left_of(uint32_t pixel) const { return left_ + static_cast<int32_t>(pixel % raster::kTile); }
+  int32_t top_of(uint32_t pixel) const { return top_ + static_cast<int32_t>(pixel / raster::kTile); }
+
+  raster::CoverArea cover_area(const geometry::PixelBox& box) const { return {pattern_, left_, top_, box}; }
 
   bool is_bare() const {
     for (uint32_t g = 0; g < r_.scene.bins.group_count; ++g) {
@@ -145,18 +166,20 @@ class TilePass {
     Placing placing;
     placing.at_samples = pattern_.count > 1 && r_.frame.draws[triangle.draw].sample_shading;
     for (int k = 0; k < 3 && pattern_.count > 1; ++k) {
-      placing.edge[k] =
-          raster::make_edge_line(triangle, k, static_cast<int32_t>(area_.left), static_cast<int32_t>(area_.top));
+      placing.edge[k] = raster::make_edge_line(triangle, k, left_, top_);
     }
     return placing;
+  }
+  bool covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const {
+    return raster::covers(placing.edge, static_cast<int32_t>(pixel % raster::kTile),
+                          static_cast<int32_t>(pixel / raster::kTile), point);
   }
 
   /// In a pixel of which a triangle shows some samples.
   void place(const Placing& placing, uint32_t pixel, uint32_t mask, float* x, float* y) const {
-    const auto column = static_cast<int32_t>(pixel % raster::kTile), row = static_cast<int32_t>(pixel / raster::kTile);
-    const auto left = static_cast<float>(static_cast<int32_t>(area_.left) + column);
-    const auto top = static_cast<float>(static_cast<int32_t>(area_.top) + row);
-    if (!placing.at_samples && raster::covers_centre(placing.edge, column, row)) {
+    const auto left = static_cast<float>(left_of(pixel)), top = static_cast<float>(top_of(pixel));
+    constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+    if (!placing.at_samples && (mask == all_samples() || covers(placing, pixel, kCentre))) {
       *x = left + 0.5f;
       *y = top + 0.5f;
       return;
@@ -197,17 +220,37 @@ class TilePass {
   /// Adds a pixel of the latest triangle to a batch that has room for it.
   void add(const geometry::ScreenTriangle& triangle, const Placing& placing, uint32_t pixel, uint32_t mask) {
     raster::Fragments& f = worker_.workspace.fragments;
+    const Draw& draw = r_.frame.draws[triangle.draw];
     const size_t i = f.count++;
     f.pixel[i] = pixel;
     f.mask[i] = mask;
+    if (!is_plain(*draw.material)) return add_by_coverage(triangle, placing, draw, i);
     f.triangle[i] = triangle.primitive;
     if (mask == all_samples() && !placing.at_samples) {
-      f.x[i] = static_cast<float>(area_.left + pixel % raster::kTile) + 0.5f;
-      f.y[i] = static_cast<float>(area_.top + pixel / raster::kTile) + 0.5f;
+      f.x[i] = static_cast<float>(left_of(pixel)) + 0.5f;
+      f.y[i] = static_cast<float>(top_of(pixel)) + 0.5f;
       f.depth[i] = *depth_of(0, pixel);
     } else {
       place(placing, pixel, mask, &f.x[i], &f.y[i]);
       f.depth[i] = *depth_of(first_sample(mask), pixel);
+    }
+    worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
+  }
+
+  /// The rest of a fragment whose mask went by depths that may change before its turn: it must not tell, or the
+  /// fragment would depend on when batches end.
+  void add_by_coverage(const geometry::ScreenTriangle& triangle, const Placing& placing, const Draw& draw, size_t i) {
+    raster::Fragments& f = worker_.workspace.fragments;
+    const int32_t left = left_of(f.pixel[i]), top = top_of(f.pixel[i]);
+    uint32_t mask = f.mask[i];
+    for (uint32_t s = 0; s < pattern_.count && !placing.at_samples && mask != all_samples(); ++s) {
+      if (covers(placing, f.pixel[i], pattern_.point[s])) mask |= 1u << s;
+    }
+    f.triangle[i] = triangle.primitive;
+    place(placing, f.pixel[i], mask, &f.x[i], &f.y[i]);
+    if (draw.material->model == SHD_MODEL_PROGRAM) {
+      const raster::DepthSlope slope = raster::make_depth_slope(triangle, draw.depth);
+      f.depth[i] = raster::depth_at(raster::plane_at(slope, pattern_.point[first_sample(mask)]), left, top);
     }
     worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
   }
@@ -240,7 +283,8 @@ class TilePass {
     if (workspace.fragments.count) {
       const Draw& d = r_.frame.draws[draw];
       const shade::DrawShading shading = {
-          d.mesh, &r_.scene.vertices[draw], d.material, d.frequency, r_.scene.transforms[draw].orientation, draw};
+          d.mesh,    &r_.scene.vertices[draw], d.material, d.frequency, r_.scene.transforms[draw].orientation, d.index,
+          d.instance};
       shade::shade_batch(r_.context.simd, shading, r_.lights, r_.frame.view.eye, &workspace);
       worker_.fragments += workspace.fragments.count;
       done(d);
@@ -327,8 +371,7 @@ class TilePass {
         for (uint32_t s = 0; s < pattern_.count; ++s) plane[s] = raster::plane_at(slope, pattern_.point[s]);
       }
       last = triangle;
-      const auto x = static_cast<int32_t>(area_.left + f.pixel[i] % raster::kTile);
-      const auto y = static_cast<int32_t>(area_.top + f.pixel[i] / raster::kTile);
+      const int32_t x = left_of(f.pixel[i]), y = top_of(f.pixel[i]);
       for (; mask; mask &= mask - 1) {
         const uint32_t s = first_sample(mask);
         const float depth = raster::depth_at(plane[s], x, y);
@@ -437,7 +480,8 @@ class TilePass {
   Framebuffer& framebuffer_;
   const raster::SamplePattern& pattern_;
   const uint32_t index_;
-  const TileArea area_;
+  const TileArea area_;       // in the framebuffer
+  const int32_t left_, top_;  // in the picture
   Worker& worker_;
   SampleColor colors_[raster::kMaxSamples];
 };

@@ -18,6 +18,16 @@ size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t p
   return row_start(area, framebuffer, pixel / raster::kTile) + pixel % raster::kTile;
 }
 
+/// Of colours [samples][4].
+void average(const float* from, uint32_t samples, float out[4]) {
+  const float share = 1.0f / static_cast<float>(samples);
+  float sum[4] = {};
+  for (uint32_t s = 0; s < samples; ++s, from += 4) {
+    for (size_t c = 0; c < 4; ++c) sum[c] += from[c];
+  }
+  for (size_t c = 0; c < 4; ++c) out[c] = sum[c] * share;
+}
+
 }  // namespace
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x) {
@@ -29,7 +39,7 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
   return area;
 }
 
-void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
+void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
   for (uint32_t y = 0; y < area.height; ++y) {
     const size_t start = row_start(area, *framebuffer, y);
     for (uint32_t p = 0; p < kFloatPlanes; ++p) {
@@ -75,16 +85,17 @@ void load_color(const TileArea& area, const Framebuffer& framebuffer, uint32_t s
 }
 
 void resolve_color(const TileArea& area, const float* color, uint32_t samples, Framebuffer* framebuffer) {
-  const float share = 1.0f / static_cast<float>(samples);
   for (uint32_t y = 0; y < area.height; ++y) {
     const size_t start = row_start(area, *framebuffer, y);
     const float* from = color + size_t{y} * raster::kTile * samples * 4;
-    for (uint32_t x = 0; x < area.width; ++x) {
-      float sum[4] = {};
-      for (uint32_t s = 0; s < samples; ++s, from += 4) {
-        for (size_t c = 0; c < 4; ++c) sum[c] += from[c];
+    for (uint32_t x = 0; x < area.width; ++x, from += 4 * samples) {
+      float mean[4];
+      if (std::memcmp(from, from + 4, (samples - 1) * sizeof mean) == 0) {
+        std::memcpy(mean, from, sizeof mean);
+      } else {
+        average(from, samples, mean);
       }
-      for (size_t c = 0; c < 4; ++c) framebuffer->plane[c][start + x] = sum[c] * share;
+      for (size_t c = 0; c < 4; ++c) framebuffer->plane[c][start + x] = mean[c];
     }
   }
 }

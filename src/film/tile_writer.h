@@ -12,16 +12,16 @@
 
 namespace shd::film {
 
-/// Pixels of a tile that lie in the frame.
+/// Pixels of a tile that lie in the framebuffer.
 struct TileArea {
-  uint32_t left, top;      // position in the frame
+  uint32_t left, top;      // position in the framebuffer
   uint32_t width, height;  // 1..kTile
 };
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
 
-/// Colour and depth to the given values, AOVs to 0, triangles to kNoTriangle.
-void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
+/// Colour and depth of pixels to the given values, AOVs to 0, triangles to kNoTriangle.
+void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
 
 void clear_slots(raster::Tile* tile);
 
@@ -33,7 +33,7 @@ void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* fr
 /// Colour from the framebuffer for every one of several samples.
 /// @param color  [kTilePixels][samples][4]
 void load_color(const TileArea& area, const Framebuffer& framebuffer, uint32_t samples, float* color);
-/// Plain averages to the framebuffer.
+/// Plain averages to the framebuffer; samples that are all the same stay what they are, to the bit.
 void resolve_color(const TileArea& area, const float* color, uint32_t samples, Framebuffer* framebuffer);
 
 /// Colour of a shaded batch to the samples that show it. Returns how many rows have one that is not finite.

@@ -22,7 +22,7 @@ Fate emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b
       {a.x, second.x, third.x}, {a.y, second.y, third.y}, {a.z, second.z, third.z}, assembly.draw, primitive, 0};
   const PixelBox box = pixel_box(triangle, assembly.samples);
   if (is_empty(box)) return Fate::kEmpty;
-  if (is_empty(intersection(box, viewport_box(assembly.width, assembly.height)))) return Fate::kOutside;
+  if (is_empty(intersection(box, assembly.visible))) return Fate::kOutside;
   out->push_back(triangle);
   return Fate::kRasterised;
 }

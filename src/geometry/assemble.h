@@ -8,6 +8,7 @@
 
 #include "core/allocator.h"
 #include "geometry/mesh.h"
+#include "geometry/pixel_box.h"
 #include "geometry/vertex.h"
 
 namespace shd::geometry {
@@ -28,23 +29,18 @@ struct SampleExtent {
   int32_t min_x, max_x, min_y, max_y;
 };
 
-/// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a viewport of
-/// width x height pixels. Throws std::bad_alloc.
+/// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a box of
+/// pixels. Throws std::bad_alloc.
 struct Assembly {
   const Mesh* mesh;
   const Vertices* vertices;
   uint32_t draw;
   shd_cull cull;
-  uint32_t width, height;
+  PixelBox visible;
   SampleExtent samples;
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);
-
-/// A box of pixels, ends included; empty if min > max.
-struct PixelBox {
-  int32_t min_x, min_y, max_x, max_y;
-};
 
 /// Pixels that may have a sample in the bounding box of a triangle.
 inline PixelBox pixel_box(const ScreenTriangle& t, const SampleExtent& samples) {
@@ -53,20 +49,6 @@ inline PixelBox pixel_box(const ScreenTriangle& t, const SampleExtent& samples) 
           (std::min({t.y[0], t.y[1], t.y[2]}) - samples.max_y + up) >> kSubpixelBits,
           (std::max({t.x[0], t.x[1], t.x[2]}) - samples.min_x) >> kSubpixelBits,
           (std::max({t.y[0], t.y[1], t.y[2]}) - samples.min_y) >> kSubpixelBits};
-}
-
-inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
-  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
-          std::min(a.max_y, b.max_y)};
-}
-
-inline bool is_empty(const PixelBox& box) {
-  return box.min_x > box.max_x || box.min_y > box.max_y;
-}
-
-/// All pixels of a viewport.
-inline PixelBox viewport_box(uint32_t width, uint32_t height) {
-  return {0, 0, static_cast<int32_t>(width) - 1, static_cast<int32_t>(height) - 1};
 }
 
 }  // namespace shd::geometry

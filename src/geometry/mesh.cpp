@@ -8,6 +8,7 @@
 #include "data/column.h"
 #include "data/data.h"
 #include "data/vec3.h"
+#include "geometry/indices.h"
 #include "geometry/normals.h"
 
 namespace shd::geometry {
@@ -56,24 +57,6 @@ void copy_positions(const core::Allocator& allocator, const shd_mesh_desc& desc,
   for (int axis = 0; axis < 3; ++axis) {
     *columns[axis] = copy_column(allocator, desc.position[axis], desc.vertex_count);
     if (!(desc.flags & SHD_MESH_KEEP_NONFINITE)) require_finite(axis, *columns[axis], desc.vertex_count);
-  }
-}
-
-void copy_indices(const core::Allocator& allocator, const shd_mesh_desc& desc, Mesh* out) {
-  const size_t count = desc.indices.data || desc.index_count ? desc.index_count : desc.vertex_count;
-  out->triangle_count = static_cast<uint32_t>(count / 3);
-  out->indices = core::Array<uint32_t>(allocator, count);
-  if (!desc.indices.data) {
-    for (size_t i = 0; i < count; ++i) out->indices[i] = static_cast<uint32_t>(i);
-    return;
-  }
-  for (size_t i = 0; i < count; ++i) {
-    const uint32_t index = data::load(desc.indices, i);
-    if (index >= desc.vertex_count) {
-      core::require(core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.indices[%zu]: %u is not below vertex_count %u", i,
-                               index, desc.vertex_count));
-    }
-    out->indices[i] = index;
   }
 }
 

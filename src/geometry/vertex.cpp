@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/vertex.h"
 
+#include <algorithm>
+
 #include "data/data.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -43,10 +45,10 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transfo
   const hn::RebindToSigned<D> di;
   const V zero = hn::Zero(d);
   const V guard = hn::Mul(w, hn::Set(d, kGuardBand));
-  auto code = Bit(di, hn::Lt(x, zero), kOutLeft);
-  code = hn::Or(code, Bit(di, hn::Gt(x, hn::Mul(w, hn::Set(d, transform.width))), kOutRight));
-  code = hn::Or(code, Bit(di, hn::Lt(y, zero), kOutTop));
-  code = hn::Or(code, Bit(di, hn::Gt(y, hn::Mul(w, hn::Set(d, transform.height))), kOutBottom));
+  auto code = Bit(di, hn::Lt(x, hn::Mul(w, hn::Set(d, transform.left))), kOutLeft);
+  code = hn::Or(code, Bit(di, hn::Gt(x, hn::Mul(w, hn::Set(d, transform.right))), kOutRight));
+  code = hn::Or(code, Bit(di, hn::Lt(y, hn::Mul(w, hn::Set(d, transform.top))), kOutTop));
+  code = hn::Or(code, Bit(di, hn::Gt(y, hn::Mul(w, hn::Set(d, transform.bottom))), kOutBottom));
   code = hn::Or(code, Bit(di, hn::Lt(z, zero), kOutNear));
   code = hn::Or(code, Bit(di, hn::Gt(z, w), kOutFar));
   code = hn::Or(code, Bit(di, hn::Lt(w, hn::Set(d, kMinW)), kOutBehind));
@@ -107,7 +109,8 @@ HWY_EXPORT(TransformVertices);
 
 static_assert(sizeof(ScreenVertex) == 16, "stored as rows of four 32-bit lanes");
 
-Transform make_transform(const shd_view& view, const float object_to_world[16], uint32_t width, uint32_t height) {
+Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
+                         const PixelBox& visible) {
   const auto multiply = [](const double* a, const double* b, double* product) {
     for (int c = 0; c < 4; ++c) {
       for (int r = 0; r < 4; ++r) {
@@ -127,11 +130,12 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
   multiply(to_clip, object_to_view, clip);
 
   Transform transform;
-  const double half_width = 0.5 * width, half_height = 0.5 * height;
+  const double half_width = 0.5 * viewport.width, half_height = 0.5 * viewport.height;
+  const double left = viewport.x, top = viewport.y;
   for (int c = 0; c < 4; ++c) {
     const double* column = clip + 4 * c;
-    transform.raster[4 * c + 0] = static_cast<float>(half_width * (column[3] + column[0]));
-    transform.raster[4 * c + 1] = static_cast<float>(half_height * (column[3] - column[1]));
+    transform.raster[4 * c + 0] = static_cast<float>(half_width * (column[3] + column[0]) + left * column[3]);
+    transform.raster[4 * c + 1] = static_cast<float>(half_height * (column[3] - column[1]) + top * column[3]);
     transform.raster[4 * c + 2] = static_cast<float>(column[2]);
     transform.raster[4 * c + 3] = static_cast<float>(column[3]);
   }
@@ -151,8 +155,11 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
   transform.orientation = determinant < 0.0 ? -1.0f : 1.0f;
   const double scale = largest > 0.0 ? static_cast<double>(transform.orientation) / largest : 0.0;
   for (int i = 0; i < 9; ++i) transform.normal[i] = static_cast<float>(cofactor[i] * scale);
-  transform.width = static_cast<float>(width);
-  transform.height = static_cast<float>(height);
+  // A pixel of margin where samples lie on the edge itself, so that the rounding of X and W drops none of them.
+  transform.left = static_cast<float>(std::max(visible.min_x - 1, 0));
+  transform.top = static_cast<float>(std::max(visible.min_y - 1, 0));
+  transform.right = static_cast<float>(visible.max_x + 1);
+  transform.bottom = static_cast<float>(visible.max_y + 1);
   return transform;
 }
 

@@ -9,6 +9,7 @@
 #include "core/allocator.h"
 #include "core/context.h"
 #include "geometry/mesh.h"
+#include "geometry/pixel_box.h"
 
 namespace shd::geometry {
 
@@ -47,15 +48,22 @@ struct ScreenVertex {
 
 /// Matrices of one draw, column-major.
 struct Transform {
-  float raster[16];     // object space to (X, Y, Z, W): raster position (X / W, Y / W) in pixels, y down; depth Z / W
-  float world[16];      // object space to world space; affine
-  float normal[9];      // object space normals to world space, up to length: cofactors times the sign of det
-  float orientation;    // sign of det: -1 where the matrix mirrors
-  float width, height;  // viewport [pixels]
+  float raster[16];   // object space to (X, Y, Z, W): raster position (X / W, Y / W) in pixels, y down; depth Z / W
+  float world[16];    // object space to world space; affine
+  float normal[9];    // object space normals to world space, up to length: cofactors times the sign of det
+  float orientation;  // sign of det: -1 where the matrix mirrors
+  float left, top, right, bottom;  // what lies beyond is outside [pixels]
+};
+
+/// Where NDC -1..1 lies in the picture [pixels].
+struct Viewport {
+  uint32_t x, y, width, height;
 };
 
 /// Products in double, rounded once.
-Transform make_transform(const shd_view& view, const float object_to_world[16], uint32_t width, uint32_t height);
+/// @param visible  the only pixels that count; what cannot reach them may be outside
+Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
+                         const PixelBox& visible);
 
 /// Transformed vertices of one draw. Rows of four, not columns: a fragment gathers all of a vertex at once, and a
 /// row shares one cache line.

@@ -10,10 +10,10 @@ namespace {
 /// Calls visit(tile) for every tile that the bounding box of the triangle touches.
 template <class Visit>
 void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::SampleExtent& samples,
-               const geometry::PixelBox& viewport, uint32_t tiles_x, Visit visit) {
-  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, samples), viewport);
-  for (int32_t y = box.min_y >> kTileBits; y <= box.max_y >> kTileBits; ++y) {
-    for (int32_t x = box.min_x >> kTileBits; x <= box.max_x >> kTileBits; ++x) {
+               const geometry::PixelBox& window, const geometry::PixelBox& visible, uint32_t tiles_x, Visit visit) {
+  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, samples), visible);
+  for (int32_t y = (box.min_y - window.min_y) >> kTileBits; y <= (box.max_y - window.min_y) >> kTileBits; ++y) {
+    for (int32_t x = (box.min_x - window.min_x) >> kTileBits; x <= (box.max_x - window.min_x) >> kTileBits; ++x) {
       visit(static_cast<size_t>(y) * tiles_x + static_cast<size_t>(x));
     }
   }
@@ -21,12 +21,12 @@ void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::SampleE
 
 }  // namespace
 
-void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count, uint32_t width,
-                   uint32_t height, const geometry::SampleExtent& samples, Bins* out) {
-  out->tiles_x = tile_count(width);
-  out->tiles_y = tile_count(height);
+void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count,
+                   const geometry::PixelBox& window, const geometry::PixelBox& visible,
+                   const geometry::SampleExtent& samples, Bins* out) {
+  out->tiles_x = tile_count(static_cast<uint32_t>(window.max_x - window.min_x + 1));
+  out->tiles_y = tile_count(static_cast<uint32_t>(window.max_y - window.min_y + 1));
   out->group_count = group_count;
-  const geometry::PixelBox viewport = geometry::viewport_box(width, height);
   const size_t tiles = size_t{out->tiles_x} * out->tiles_y;
   const size_t cells = core::checked_mul(tiles, group_count);
   out->start = core::Array<size_t>(context.allocator, cells + 1);
@@ -35,7 +35,8 @@ void bin_triangles(const core::Context& context, const Group* groups, uint32_t g
 
   core::parallel_for(context, group_count, [&](uint32_t g, uint32_t) {
     for (size_t i = 0; i < groups[g].size(); ++i) {
-      for_tiles(groups[g][i], samples, viewport, out->tiles_x, [&](size_t tile) { ++start[tile * group_count + g]; });
+      for_tiles(groups[g][i], samples, window, visible, out->tiles_x,
+                [&](size_t tile) { ++start[tile * group_count + g]; });
     }
   });
 
@@ -51,7 +52,7 @@ void bin_triangles(const core::Context& context, const Group* groups, uint32_t g
 
   core::parallel_for(context, group_count, [&](uint32_t g, uint32_t) {
     for (size_t i = 0; i < groups[g].size(); ++i) {
-      for_tiles(groups[g][i], samples, viewport, out->tiles_x,
+      for_tiles(groups[g][i], samples, window, visible, out->tiles_x,
                 [&](size_t tile) { out->entries[cursor[tile * group_count + g]++] = static_cast<uint32_t>(i); });
     }
   });

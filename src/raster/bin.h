@@ -20,9 +20,11 @@ struct Bins {
   core::Array<uint32_t> entries;  // index of the triangle in its group
 };
 
-/// Sorts every triangle into the tiles of a width x height viewport, groups in parallel. Throws.
-void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count, uint32_t width,
-                   uint32_t height, const geometry::SampleExtent& samples, Bins* out);
+/// Sorts every triangle into the tiles of a window of the picture, groups in parallel. Throws.
+/// @param visible  pixels of the window that triangles may change
+void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count,
+                   const geometry::PixelBox& window, const geometry::PixelBox& visible,
+                   const geometry::SampleExtent& samples, Bins* out);
 
 /// Triangles of one tile in one group.
 struct BinSegment {

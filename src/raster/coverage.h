@@ -23,8 +23,8 @@ struct DepthState {
 /// Where triangles are drawn.
 struct CoverArea {
   const SamplePattern& pattern;
-  int32_t left, top;       // pixel position of the tile in the frame, multiples of kTile
-  geometry::PixelBox box;  // pixels of the frame that may change, within the tile
+  int32_t left, top;       // pixel position of the tile in the picture
+  geometry::PixelBox box;  // pixels of the picture that may change, within the tile
 };
 
 /// Depth-tests triangles into a tile, in order: where a sample is covered and passes, depth (if the state writes it)

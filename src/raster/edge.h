@@ -94,15 +94,14 @@ inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
           y0};
 }
 
-/// Whether the triangle of three edges over a tile covers the centre of pixel (x, y) of that tile.
-inline bool covers_centre(const EdgeLine (&lines)[3], int32_t x, int32_t y) {
-  const int64_t right = int64_t{x} * geometry::kSubpixels + geometry::kSubpixels / 2;
-  const int64_t down = int64_t{y} * geometry::kSubpixels + geometry::kSubpixels / 2;
+/// Whether the triangle of three edges over a tile covers a point of pixel (x, y) of that tile.
+inline bool covers(const EdgeLine (&lines)[3], int32_t x, int32_t y, SamplePoint point) {
+  const int64_t right = int64_t{x} * geometry::kSubpixels + point.x;
+  const int64_t down = int64_t{y} * geometry::kSubpixels + point.y;
   bool inside = true;
   for (const EdgeLine& line : lines) inside &= line.value + line.a * right + line.b * down >= 0;
   return inside;
 }
-
 /// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.
 inline float depth_at(const DepthPlane& plane, int32_t x, int32_t y) {
   const float row = plane.base + plane.dy * static_cast<float>(y - plane.y0);

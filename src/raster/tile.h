@@ -8,7 +8,7 @@
 
 namespace shd::raster {
 
-/// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the frame: depth and triangle
+/// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the framebuffer: depth and triangle
 /// of a tile take 32 KB a sample, and its fragment columns stay in L2.
 constexpr int32_t kTileBits = 6;
 constexpr int32_t kTile = 1 << kTileBits;

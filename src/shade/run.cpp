@@ -74,6 +74,7 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, uint32_
   in.u = f.u, in.v = f.v;
   in.dudx = f.dudx, in.dvdx = f.dvdx, in.dudy = f.dudy, in.dvdy = f.dvdy;
   in.triangle = f.triangle;
+  in.instance = shading.instance;
   shd_radiance out = {};
   out.struct_size = sizeof out;
   out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];

@@ -23,6 +23,7 @@ struct DrawShading {
   shd_frequency frequency;
   float orientation;  // of the draw's matrix
   uint32_t draw;      // index in the frame
+  uint32_t instance;  // index in the draw
 };
 
 /// Scratch of one worker.

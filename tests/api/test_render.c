@@ -16,6 +16,7 @@ struct frame {
     shd_render_desc desc;
     shd_render_stats stats;
     shd_mesh *dead_mesh;
+    shd_region region;
 };
 
 static void open_frame(struct frame *f)
@@ -68,6 +69,48 @@ static void size_small(struct frame *f) { f->desc.struct_size = (uint32_t)sizeof
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
 static void keep_2(struct frame *f) { f->desc.keep = 2; }
 static void reserved(struct frame *f) { f->desc.reserved = 5; }
+static void picture_narrow(struct frame *f) { f->desc.picture_width = 99; }
+static void picture_low(struct frame *f) { f->desc.picture_height = 1; }
+static void picture_wide(struct frame *f) { f->desc.picture_width = 65537; }
+static void picture_high(struct frame *f) { f->desc.picture_height = 0xffffffffu; }
+static void picture_largest(struct frame *f)
+{
+    f->desc.picture_width = f->desc.picture_height = 65536;
+    f->desc.crop_x = 65536 - 100;
+    f->desc.crop_y = 65536 - 70;
+}
+static void crop_alone(struct frame *f) { f->desc.crop_x = 1; }
+static void crop_beyond(struct frame *f)
+{
+    f->desc.picture_height = 100;
+    f->desc.crop_y = 31;
+}
+static void crop_negative(struct frame *f) { f->desc.crop_y = (uint32_t)-1; }
+static void set_viewport(struct frame *f, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
+{
+    const shd_region region = {x, y, width, height};
+    f->region = region;
+    f->desc.viewport = &f->region;
+}
+static void set_scissor(struct frame *f, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
+{
+    set_viewport(f, x, y, width, height);
+    f->desc.viewport = NULL;
+    f->desc.scissor = &f->region;
+}
+static void viewport_all(struct frame *f) { set_viewport(f, 0, 0, 100, 70); }
+static void viewport_corner(struct frame *f) { set_viewport(f, 99, 69, 1, 1); }
+static void viewport_width_0(struct frame *f) { set_viewport(f, 0, 0, 0, 70); }
+static void viewport_height_0(struct frame *f) { set_viewport(f, 0, 0, 100, 0); }
+static void viewport_negative(struct frame *f) { set_viewport(f, (uint32_t)-1, 0, 10, 10); }
+static void viewport_outside(struct frame *f) { set_viewport(f, 0, 70, 10, 10); }
+static void viewport_wide(struct frame *f) { set_viewport(f, 1, 0, 100, 70); }
+static void viewport_huge(struct frame *f) { set_viewport(f, 1, 1, 99, 0xffffffffu); }
+static void scissor_empty(struct frame *f) { set_scissor(f, 100, 70, 0, 0); }
+static void scissor_negative(struct frame *f) { set_scissor(f, 0, (uint32_t)-5, 10, 10); }
+static void scissor_outside(struct frame *f) { set_scissor(f, 101, 0, 0, 0); }
+static void scissor_wide(struct frame *f) { set_scissor(f, 50, 0, 51, 70); }
+static void scissor_high(struct frame *f) { set_scissor(f, 50, 1, 50, 70); }
 static void clear_nan(struct frame *f) { f->desc.clear_color[2] = NAN; }
 static void clear_inf(struct frame *f) { f->desc.clear_color[0] = -INFINITY; }
 static void depth_low(struct frame *f) { f->desc.clear_depth = -0.001f; }
@@ -145,6 +188,27 @@ static const struct edit_case k_edits[] = {
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
     {"keep/2", keep_2, REFUSED, "render.keep: 2 is not in 0..1"},
     {"reserved/5", reserved, REFUSED, "render.reserved: 5 is not 0"},
+    {"picture_width/below_framebuffer", picture_narrow, REFUSED, "render.picture_width: 99 is not in 100..65536"},
+    {"picture_height/below_framebuffer", picture_low, REFUSED, "render.picture_height: 1 is not in 70..65536"},
+    {"picture_width/65537", picture_wide, REFUSED, "render.picture_width: 65537 is not in 100..65536"},
+    {"picture_height/uint32_max", picture_high, REFUSED, "render.picture_height: 4294967295 is not in 70..65536"},
+    {"picture/65536", picture_largest, SHD_OK, ""},
+    {"crop_x/without_picture", crop_alone, REFUSED, "render.crop_x: 1 is not in 0..0"},
+    {"crop_y/beyond", crop_beyond, REFUSED, "render.crop_y: 31 is not in 0..30"},
+    {"crop_y/-1", crop_negative, REFUSED, "render.crop_y: 4294967295 is not in 0..0"},
+    {"viewport/all", viewport_all, SHD_OK, ""},
+    {"viewport/last_pixel", viewport_corner, SHD_OK, ""},
+    {"viewport.width/0", viewport_width_0, REFUSED, "render.viewport.width: 0 is not in 1..100"},
+    {"viewport.height/0", viewport_height_0, REFUSED, "render.viewport.height: 0 is not in 1..70"},
+    {"viewport.x/-1", viewport_negative, REFUSED, "render.viewport.x: 4294967295 is not in 0..99"},
+    {"viewport.y/outside", viewport_outside, REFUSED, "render.viewport.y: 70 is not in 0..69"},
+    {"viewport.width/beyond", viewport_wide, REFUSED, "render.viewport.width: 100 is not in 1..99"},
+    {"viewport.height/uint32_max", viewport_huge, REFUSED, "render.viewport.height: 4294967295 is not in 1..69"},
+    {"scissor/empty", scissor_empty, SHD_OK, ""},
+    {"scissor.y/-5", scissor_negative, REFUSED, "render.scissor.y: 4294967291 is not in 0..70"},
+    {"scissor.x/outside", scissor_outside, REFUSED, "render.scissor.x: 101 is not in 0..100"},
+    {"scissor.width/beyond", scissor_wide, REFUSED, "render.scissor.width: 51 is not in 0..50"},
+    {"scissor.height/beyond", scissor_high, REFUSED, "render.scissor.height: 70 is not in 0..69"},
     {"clear_color/nan", clear_nan, REFUSED, "render.clear_color[2]: nan is not finite"},
     {"clear_color/inf", clear_inf, REFUSED, "render.clear_color[0]: -inf is not finite"},
     {"clear_depth/below", depth_low, REFUSED, "render.clear_depth: -0.001 is not in 0..1"},
@@ -172,7 +236,7 @@ static const struct edit_case k_edits[] = {
     {"lights[2]/beyond_count", third_light_bad_but_unused, SHD_OK, ""},
     {"draws[0].struct_size/0", draw_0_size_0, REFUSED, "render.draws[0]: draw.struct_size: 0"},
     {"draws[0].struct_size/5", draw_0_size_5, REFUSED, "render.draws[0]: draw.struct_size: 5"},
-    {"draws[1].struct_size/differs", draw_1_size, REFUSED, "render.draws[1].struct_size: 120 differs"},
+    {"draws[1].struct_size/differs", draw_1_size, REFUSED, "render.draws[1].struct_size: 136 differs"},
     {"draws[1].struct_size/0", draw_1_size_0, REFUSED, "render.draws[1].struct_size: 0 differs"},
     {"draws[0].frequency/3", draw_0_frequency, REFUSED, "render.draws[0]: draw.frequency: 3"},
     {"draws[1].frequency/max", draw_1_frequency, REFUSED, "render.draws[1]: draw.frequency: 2147483647"},
@@ -194,8 +258,8 @@ static const struct edit_case k_edits[] = {
     {"draws[1].material/texture", draw_1_material_texture, REFUSED, "render.draws[1]: draw.material: not a live"},
     {"draws[2]/beyond_count", third_draw_bad_but_unused, SHD_OK, ""},
     {"newer_draws/zero_tail", newer_draws, SHD_OK, ""},
-    {"newer_draws/tail_of_0_set", newer_draw_0_set, SHD_ERROR_UNSUPPORTED, "render.draws[0]: draw: byte 112 is set"},
-    {"newer_draws/tail_of_1_set", newer_draw_1_set, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw: byte 112 is set"},
+    {"newer_draws/tail_of_0_set", newer_draw_0_set, SHD_ERROR_UNSUPPORTED, "render.draws[0]: draw: byte 128 is set"},
+    {"newer_draws/tail_of_1_set", newer_draw_1_set, SHD_ERROR_UNSUPPORTED, "render.draws[1]: draw: byte 128 is set"},
     {"newer_draws/odd_size", newer_draws_odd, REFUSED, "render.draws[1]: draw: not aligned"},
 };
 

@@ -51,15 +51,16 @@ void transform(bool perspective) {
   t.raster[0] = t.raster[5] = t.raster[10] = 1.0f;
   t.raster[15] = perspective ? 0.5f : 1.0f;
   t.raster[11] = perspective ? 1.0f : 0.0f;
-  t.width = static_cast<float>(kWidth);
-  t.height = static_cast<float>(kHeight);
+  t.right = static_cast<float>(kWidth);
+  t.bottom = static_cast<float>(kHeight);
   const core::SimdTarget target = best_target();
   geometry::transform_vertices(target, g->mesh, t, 0, kRows, &g->vertices);
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
   shd_render_stats stats = {};
-  const geometry::Assembly assembly = {&g->mesh, &g->vertices, 5, cull, kWidth, kHeight, {128, 128, 128, 128}};
+  const geometry::Assembly assembly = {
+      &g->mesh, &g->vertices, 5, cull, geometry::viewport_box(kWidth, kHeight), {128, 128, 128, 128}};
   geometry::assemble(assembly, begin, end, &g->out, &stats);
   return stats;
 }

@@ -45,8 +45,8 @@ int tear_down(void**) {
 void set_vertex(size_t index, const float* v) {
   geometry::Transform transform = {};
   for (int c = 0; c < 4; ++c) transform.raster[12 + c] = v[c];
-  transform.width = 640.0f;
-  transform.height = 480.0f;
+  transform.right = 640.0f;
+  transform.bottom = 480.0f;
   const core::SimdTarget target = best_target();
   geometry::transform_vertices(target, g->mesh, transform, 0, kRows, &g->one);
   g->vertices.screen[index] = g->one.screen[0];

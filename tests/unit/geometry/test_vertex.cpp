@@ -165,7 +165,8 @@ void test_positions(void**) {
     random_vertices(&random, 3.0);
     const uint32_t width = static_cast<uint32_t>(random.whole(1, 65536)),
                    height = static_cast<uint32_t>(random.whole(1, 4096));
-    const Transform transform = geometry::make_transform(view, world, width, height);
+    const Transform transform =
+        geometry::make_transform(view, world, {0, 0, width, height}, geometry::viewport_box(width, height));
     long double to_raster[16];
     raster_matrix(view, world, width, height, to_raster);
     transform_everywhere(transform);
@@ -182,8 +183,8 @@ Transform plain_transform(float width, float height) {
   for (int i = 0; i < 16; i += 5) t.world[i] = 1.0f;
   for (int i = 0; i < 9; i += 4) t.normal[i] = 1.0f;
   t.orientation = 1.0f;
-  t.width = width;
-  t.height = height;
+  t.right = width;
+  t.bottom = height;
   return t;
 }
 
@@ -281,7 +282,7 @@ void test_nonfinite(void** state) {
   Random random = {1};
   random_vertices(&random, 1.0);
   g->mesh.px[7] = c->position[0], g->mesh.py[7] = c->position[1], g->mesh.pz[7] = c->position[2];
-  transform_everywhere(geometry::make_transform(view, world, 640, 480));
+  transform_everywhere(geometry::make_transform(view, world, {0, 0, 640, 480}, geometry::viewport_box(640, 480)));
   if ((g->first.screen[7].outcode & geometry::kOutNonfinite ? 1 : 0) != c->nonfinite) {
     fail_msg("outcode %u", g->first.screen[7].outcode);
   }
@@ -314,7 +315,8 @@ void test_normal(void** state) {
   world[15] = 1.0f;
   Random random = {5};
   random_vertices(&random, 1.0);
-  const Transform transform = geometry::make_transform(shd_render_desc_default().view, world, 64, 64);
+  const Transform transform =
+      geometry::make_transform(shd_render_desc_default().view, world, {0, 0, 64, 64}, geometry::viewport_box(64, 64));
   transform_everywhere(transform);
 
   const float* m = c->m;
@@ -366,7 +368,8 @@ void test_singular(void** state) {
   for (int i = 0; i < 9; ++i) world[i / 3 * 4 + i % 3] = c->m[i];
   world[15] = 1.0f;
   for (size_t i = 0; i < kRows; ++i) g->mesh.nx[i] = c->n[0], g->mesh.ny[i] = c->n[1], g->mesh.nz[i] = c->n[2];
-  transform_everywhere(geometry::make_transform(shd_render_desc_default().view, world, 64, 64));
+  transform_everywhere(
+      geometry::make_transform(shd_render_desc_default().view, world, {0, 0, 64, 64}, geometry::viewport_box(64, 64)));
   for (size_t i = 0; i < kRows; ++i) {
     for (int r = 0; r < 3; ++r) shd_assert_close("normal", i, g->first.normal[4 * i + r], c->want[r], 2e-7, 0.0);
   }

@@ -101,7 +101,8 @@ void test_bin(void** state) {
   const auto* c = static_cast<const bin_case*>(*state);
   g = new Fixture(c->groups);
   make_triangles(*c);
-  raster::bin_triangles(*g_context, g->groups.data(), c->groups, c->width, c->height, raster::sample_pattern(1).extent,
+  const geometry::PixelBox frame = geometry::viewport_box(c->width, c->height);
+  raster::bin_triangles(*g_context, g->groups.data(), c->groups, frame, frame, raster::sample_pattern(1).extent,
                         &g->bins);
   assert_int_equal(g->bins.tiles_x, (c->width + 63) / 64);
   assert_int_equal(g->bins.tiles_y, (c->height + 63) / 64);

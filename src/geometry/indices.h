@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shd/mesh.h>
+
+#include "core/allocator.h"
+#include "geometry/mesh.h"
+
+namespace shd::geometry {
+
+/// Turns the indices of a checked desc, whatever their topology and size, into triples. Throws Failure for one that is
+/// not below vertex_count, and std::bad_alloc.
+void copy_indices(const core::Allocator& allocator, const shd_mesh_desc& desc, Mesh* out);
+
+}  // namespace shd::geometry
