@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 namespace shd::film {
 namespace {
@@ -32,12 +33,16 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
 void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
   for (uint32_t y = 0; y < area.height; ++y) {
     const size_t start = row_start(area, *framebuffer, y);
-    for (uint32_t p = 0; p < kFloatPlanes; ++p) {
-      if (framebuffer->plane[p].size() == 0) continue;
-      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : 0.0f;
+    for (uint32_t p = 0; p < kPlaneCount; ++p) {
+      if (!wants_plane(framebuffer->aovs, p)) continue;
+      if (kPlanes[p].is_integer) {
+        std::fill_n(&framebuffer->u32_plane[p][start], area.width, static_cast<uint32_t>(kPlanes[p].empty));
+        continue;
+      }
+      const auto empty = static_cast<float>(kPlanes[p].empty);
+      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : empty;
       std::fill_n(&framebuffer->plane[p][start], area.width, value);
     }
-    if (framebuffer->triangle.size() != 0) std::fill_n(&framebuffer->triangle[start], area.width, kNoTriangle);
   }
 }
 
@@ -113,27 +118,23 @@ size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radian
   return nonfinite;
 }
 
-void write_aovs(const TileArea& area, const raster::Fragments& f, size_t first, size_t end, Framebuffer* framebuffer) {
-  const struct {
-    uint32_t aov;
-    shd_plane plane;
-    const float* column;
-  } columns[] = {{SHD_AOV_UV, SHD_PLANE_U, f.u},
-                 {SHD_AOV_UV, SHD_PLANE_V, f.v},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NX, f.nx},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NY, f.ny},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NZ, f.nz}};
-  for (const auto& [aov, plane, column] : columns) {
-    if (!(framebuffer->aovs & aov)) continue;
-    for (size_t i = first; i < end; ++i) {
-      if (f.mask[i] & 1) framebuffer->plane[plane][position(area, *framebuffer, f.pixel[i])] = column[i];
-    }
+void write_aovs(const TileArea& area, const AovColumns& columns, const uint16_t* rows, size_t count,
+                Framebuffer* framebuffer) {
+  const uint32_t* pixel = columns.fragments.pixel;
+  for (uint32_t p = 0; p < kPlaneCount; ++p) {
+    const PlaneInfo& info = kPlanes[p];
+    if (!info.column || !wants_plane(framebuffer->aovs, p)) continue;
+    const void* column = info.column(columns);
+    const auto scatter = [&](auto* plane) {
+      const auto* from = static_cast<const std::remove_pointer_t<decltype(plane)>*>(column);
+      for (size_t i = 0; i < count; ++i) plane[position(area, *framebuffer, pixel[rows[i]])] = from[rows[i]];
+    };
+    info.is_integer ? scatter(framebuffer->u32_plane[p].data()) : scatter(framebuffer->plane[p].data());
   }
-  if (framebuffer->aovs & SHD_AOV_TRIANGLE) {
-    for (size_t i = first; i < end; ++i) {
-      if (f.mask[i] & 1) framebuffer->triangle[position(area, *framebuffer, f.pixel[i])] = f.triangle[i];
-    }
-  }
+}
+
+void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer) {
+  ++framebuffer->u32_plane[SHD_PLANE_OVERDRAW][position(area, *framebuffer, pixel)];
 }
 
 }  // namespace shd::film

@@ -20,7 +20,7 @@ struct TileArea {
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
 
-/// Colour and depth to the given values, AOVs to 0, triangles to kNoTriangle.
+/// Colour and depth to the given values, the other planes empty.
 void clear_tile(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
 
 void clear_slots(raster::Tile* tile);
@@ -40,8 +40,11 @@ void resolve_color(const TileArea& area, const float* color, uint32_t samples, F
 size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors,
                        uint32_t samples);
 
-/// AOVs of fragments [first, end) that the first sample of their pixel shows.
-void write_aovs(const TileArea& area, const raster::Fragments& fragments, size_t first, size_t end,
+/// Every plane that there is of the fragments `rows`, in order: those that the first sample of their pixel shows.
+void write_aovs(const TileArea& area, const AovColumns& columns, const uint16_t* rows, size_t count,
                 Framebuffer* framebuffer);
+
+/// The first sample of a pixel was drawn once more; the framebuffer has SHD_PLANE_OVERDRAW.
+void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);
 
 }  // namespace shd::film

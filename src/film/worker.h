@@ -22,6 +22,15 @@ struct BatchTriangles {
   uint16_t of[raster::kBatch];  // which of them a fragment belongs to
 };
 
+/// Of one batch, where AOVs are wanted.
+struct AovScratch {
+  uint16_t row[raster::kBatch];  // fragments that the first sample of their pixel shows
+  size_t row_count;
+  float lod[raster::kBatch];
+  uint32_t level[raster::kBatch];
+  uint32_t draw[raster::kBatch];
+};
+
 /// Everything one worker needs to draw tiles, made when it takes its first one.
 struct Worker {
   raster::Tile tile;
@@ -33,7 +42,8 @@ struct Worker {
   shade::Workspace workspace;
   BatchTriangles triangles;
   Unordered unordered;
-  uint64_t fragments = 0, nonfinite_fragments = 0;
+  AovScratch aovs;
+  uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
 /// Workers by index; owns them.
