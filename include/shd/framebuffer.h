@@ -25,10 +25,10 @@ typedef struct shd_framebuffer shd_framebuffer;
 /** Optional planes; combine with |. */
 typedef enum shd_aov {
     SHD_AOV_NONE = 0,
-    SHD_AOV_UV = 1,       /**< SHD_PLANE_U, _V */
-    SHD_AOV_NORMAL = 2,   /**< SHD_PLANE_NX, _NY, _NZ: shading normal, world space */
-    SHD_AOV_TRIANGLE = 4, /**< SHD_PLANE_TRIANGLE */
-    SHD_AOV_POSITION = 8, /**< SHD_PLANE_PX, _PY, _PZ: world space */
+    SHD_AOV_UV = 1,            /**< SHD_PLANE_U, _V */
+    SHD_AOV_NORMAL = 2,        /**< SHD_PLANE_NX, _NY, _NZ: shading normal, world space */
+    SHD_AOV_TRIANGLE = 4,      /**< SHD_PLANE_TRIANGLE */
+    SHD_AOV_POSITION = 8,      /**< SHD_PLANE_PX, _PY, _PZ: world space */
     SHD_AOV_DERIVATIVES = 16,  /**< SHD_PLANE_DUDX, _DVDX, _DUDY, _DVDY: of uv, per pixel to the right and down */
     SHD_AOV_BARYCENTRICS = 32, /**< SHD_PLANE_B0, _B1, _B2: perspective-correct weights of the triangle's corners */
     SHD_AOV_LEVEL = 64,        /**< SHD_PLANE_LOD, _LEVEL: what shd_texture_query_levels has for the diffuse texture */

@@ -45,9 +45,9 @@ shd_result check_plane_value(const shd_plane& plane) {
 
 shd_result check_kind(const shd_plane& plane, bool is_integer) {
   if (film::kPlanes[plane].is_integer == is_integer) return SHD_OK;
-  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "plane: %d holds %s", static_cast<int>(plane),
-                    is_integer ? "floats; take shd_framebuffer_read_plane"
-                               : "integers; take shd_framebuffer_read_u32_plane");
+  return core::fail(
+      SHD_ERROR_INVALID_ARGUMENT, "plane: %d holds %s", static_cast<int>(plane),
+      is_integer ? "floats; take shd_framebuffer_read_plane" : "integers; take shd_framebuffer_read_u32_plane");
 }
 
 shd_result check_plane(const Framebuffer& framebuffer, const shd_plane& plane) {

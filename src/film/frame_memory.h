@@ -32,7 +32,8 @@ class FrameMemory {
     void* memory = self.host_.allocate(self.host_.user_data, size, alignment);
     if (!memory) return nullptr;
     const size_t used = self.used_.fetch_add(size, std::memory_order_relaxed) + size;
-    for (size_t peak = self.peak_; used > peak && !self.peak_.compare_exchange_weak(peak, used);) {}
+    for (size_t peak = self.peak_; used > peak && !self.peak_.compare_exchange_weak(peak, used);) {
+    }
     return memory;
   }
   static void free(void* user_data, void* memory, size_t size, size_t alignment) {

@@ -23,9 +23,9 @@ struct AovColumns {
 
 /// What one plane is.
 struct PlaneInfo {
-  uint32_t aov;                                    // shd_aov bit; 0 = every framebuffer has it
-  bool is_integer;                                 // uint32_t, not float
-  double empty;                                    // its value where nothing was drawn; colour and depth are the frame's
+  uint32_t aov;     // shd_aov bit; 0 = every framebuffer has it
+  bool is_integer;  // uint32_t, not float
+  double empty;     // its value where nothing was drawn; colour and depth are the frame's
   const void* (*column)(const AovColumns& batch);  // null: not a column of fragments
 };
 

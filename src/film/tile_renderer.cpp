@@ -9,9 +9,6 @@
 
 #include "film/blend.h"
 #include "raster/edge.h"
-#include "texture/lod.h"
-#include "texture/profile.h"
-#include "texture/sample.h"
 
 namespace shd::film {
 namespace {
@@ -308,35 +305,14 @@ class TilePass {
     const raster::Fragments& f = worker_.workspace.fragments;
     worker_.nonfinite_fragments += write_fragments(f, worker_.workspace.columns.radiance, colors_, pattern_.count);
     if (!framebuffer_.aovs) return;
-    AovScratch& aovs = worker_.aovs;
-    aovs.row_count = 0;
-    for (size_t i = 0; i < f.count; ++i) {
-      if (f.mask[i] & 1) aovs.row[aovs.row_count++] = static_cast<uint16_t>(i);
-    }
-    write_aov_rows(draw);
+    find_rows(f, &worker_.aovs);
+    write_rows(draw);
   }
 
-  /// Writes the AOVs of a batch's rows in worker_.aovs.
-  void write_aov_rows(const Draw& draw) {
-    AovScratch& aovs = worker_.aovs;
-    const raster::Fragments& f = worker_.workspace.fragments;
-    if (!aovs.row_count) return;
-    if (framebuffer_.aovs & SHD_AOV_LEVEL) find_levels(*draw.material, f, &aovs);
-    if (framebuffer_.aovs & SHD_AOV_DRAW) {
-      std::fill_n(aovs.draw, f.count, static_cast<uint32_t>(&draw - r_.frame.draws));
-    }
-    write_aovs(area_, {f, aovs.lod, aovs.level, aovs.draw}, aovs.row, aovs.row_count, &framebuffer_);
-  }
-
-  void find_levels(const material::Material& material, const raster::Fragments& f, AovScratch* aovs) const {
-    std::fill_n(aovs->lod, f.count, 0.0f);
-    std::fill_n(aovs->level, f.count, 0u);
-    if (!material.diffuse_texture) return;
-    const texture::Sampler& sampler = *material.diffuse_sampler;
-    const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
-    texture::sample_lod(*material.diffuse_texture, sampler, texture::lod_range(*material.diffuse_texture, sampler),
-                        r_.context.simd, lookups, aovs->lod);
-    for (size_t i = 0; i < f.count; ++i) aovs->level[i] = texture::nearest_level(sampler, aovs->lod[i]);
+  /// AOVs of the batch's rows in worker_.aovs.
+  void write_rows(const Draw& draw) {
+    write_aovs(r_.context.simd, area_, *draw.material, static_cast<uint32_t>(&draw - r_.frame.draws),
+               worker_.workspace.fragments, &worker_.aovs, &framebuffer_);
   }
 
   /// Shades the covered samples of every triangle of a run whose depth may pass; done() sees batches.
@@ -435,7 +411,7 @@ class TilePass {
         aovs.row[aovs.row_count++] = static_cast<uint16_t>(i);
         if (framebuffer_.aovs & SHD_AOV_OVERDRAW) count_overdraw(area_, f.pixel[i], &framebuffer_);
       });
-      if (framebuffer_.aovs) write_aov_rows(draw);
+      if (framebuffer_.aovs) write_rows(draw);
     });
   }
 

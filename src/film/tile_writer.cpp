@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <type_traits>
 
 namespace shd::film {
 namespace {
@@ -12,11 +11,6 @@ namespace {
 /// Position of pixel (0, y) of the tile in a plane.
 size_t row_start(const TileArea& area, const Framebuffer& framebuffer, uint32_t y) {
   return (area.top + size_t{y}) * framebuffer.stride + area.left;
-}
-
-/// Position of a tile's pixel in a plane.
-size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
-  return row_start(area, framebuffer, pixel / raster::kTile) + pixel % raster::kTile;
 }
 
 }  // namespace
@@ -116,25 +110,6 @@ size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radian
     }
   }
   return nonfinite;
-}
-
-void write_aovs(const TileArea& area, const AovColumns& columns, const uint16_t* rows, size_t count,
-                Framebuffer* framebuffer) {
-  const uint32_t* pixel = columns.fragments.pixel;
-  for (uint32_t p = 0; p < kPlaneCount; ++p) {
-    const PlaneInfo& info = kPlanes[p];
-    if (!info.column || !wants_plane(framebuffer->aovs, p)) continue;
-    const void* column = info.column(columns);
-    const auto scatter = [&](auto* plane) {
-      const auto* from = static_cast<const std::remove_pointer_t<decltype(plane)>*>(column);
-      for (size_t i = 0; i < count; ++i) plane[position(area, *framebuffer, pixel[rows[i]])] = from[rows[i]];
-    };
-    info.is_integer ? scatter(framebuffer->u32_plane[p].data()) : scatter(framebuffer->plane[p].data());
-  }
-}
-
-void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer) {
-  ++framebuffer->u32_plane[SHD_PLANE_OVERDRAW][position(area, *framebuffer, pixel)];
 }
 
 }  // namespace shd::film

@@ -40,11 +40,4 @@ void resolve_color(const TileArea& area, const float* color, uint32_t samples, F
 size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors,
                        uint32_t samples);
 
-/// Every plane that there is of the fragments `rows`, in order: those that the first sample of their pixel shows.
-void write_aovs(const TileArea& area, const AovColumns& columns, const uint16_t* rows, size_t count,
-                Framebuffer* framebuffer);
-
-/// The first sample of a pixel was drawn once more; the framebuffer has SHD_PLANE_OVERDRAW.
-void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);
-
 }  // namespace shd::film

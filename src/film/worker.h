@@ -6,6 +6,7 @@
 #include <shd/render.h>
 
 #include "core/context.h"
+#include "film/aovs.h"
 #include "film/tile_writer.h"
 #include "film/unordered.h"
 #include "geometry/assemble.h"
@@ -20,15 +21,6 @@ struct BatchTriangles {
   size_t count = 0;
   const geometry::ScreenTriangle* triangle[shade::kBatchTriangles];
   uint16_t of[raster::kBatch];  // which of them a fragment belongs to
-};
-
-/// Of one batch, where AOVs are wanted.
-struct AovScratch {
-  uint16_t row[raster::kBatch];  // fragments that the first sample of their pixel shows
-  size_t row_count;
-  float lod[raster::kBatch];
-  uint32_t level[raster::kBatch];
-  uint32_t draw[raster::kBatch];
 };
 
 /// Everything one worker needs to draw tiles, made when it takes its first one.

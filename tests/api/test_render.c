@@ -67,7 +67,7 @@ static void size_zero(struct frame *f) { f->desc.struct_size = 0; }
 static void size_small(struct frame *f) { f->desc.struct_size = (uint32_t)sizeof f->desc - 4; }
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
 static void keep_2(struct frame *f) { f->desc.keep = 2; }
-static void reserved(struct frame *f) { f->desc.reserved = 5; }
+static void flags(struct frame *f) { f->desc.flags = 5; }
 static void clear_nan(struct frame *f) { f->desc.clear_color[2] = NAN; }
 static void clear_inf(struct frame *f) { f->desc.clear_color[0] = -INFINITY; }
 static void depth_low(struct frame *f) { f->desc.clear_depth = -0.001f; }
@@ -144,7 +144,7 @@ static const struct edit_case k_edits[] = {
     {"struct_size/4_less", size_small, REFUSED, "render.struct_size"},
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
     {"keep/2", keep_2, REFUSED, "render.keep: 2 is not in 0..1"},
-    {"reserved/5", reserved, REFUSED, "render.reserved: 5 is not 0"},
+    {"flags/unknown", flags, SHD_ERROR_UNSUPPORTED, "render.flags: bits 0x4 "},
     {"clear_color/nan", clear_nan, REFUSED, "render.clear_color[2]: nan is not finite"},
     {"clear_color/inf", clear_inf, REFUSED, "render.clear_color[0]: -inf is not finite"},
     {"clear_depth/below", depth_low, REFUSED, "render.clear_depth: -0.001 is not in 0..1"},

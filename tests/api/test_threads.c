@@ -79,7 +79,7 @@ static uint64_t render(const shd_scene *scene, shd_context *context)
     frame.framebuffer = framebuffer;
     frame.stats = &stats;
     if (shd_render(context, &frame) == SHD_OK) {
-        hash = shd_hash(shd_hash_framebuffer(framebuffer), &stats, sizeof stats);
+        hash = shd_hash_stats(shd_hash_framebuffer(framebuffer), &stats);
     }
     shd_framebuffer_release(framebuffer);
     return hash;
