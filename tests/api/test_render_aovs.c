@@ -215,7 +215,7 @@ static shd_material_desc make_textured(shd_frame *f)
     shd_assert_ok(shd_texture_create(f->context, &texture, &material.diffuse_texture));
     sampler.filter = SHD_FILTER_TRILINEAR;
     sampler.wrap_u = sampler.wrap_v = SHD_WRAP_REPEAT;
-    sampler.lod_bias = 2.25f;
+    sampler.lod_bias = 0.25f;
     shd_assert_ok(shd_sampler_create(f->context, &sampler, &material.diffuse_sampler));
     return material;
 }
@@ -227,7 +227,7 @@ static void test_levels(void **state)
     static uint32_t level[WIDTH * HEIGHT];
     const uint32_t samples = *(const uint32_t *)*state;
     uint32_t random = 7;
-    size_t i, kinds[7] = {0};
+    size_t i, different = 0, kinds[7] = {0};
     shd_lookups lookups = shd_lookups_default();
     shd_levels levels = {{lod, 0}, {level, 0}};
     shd_material_desc material;
@@ -249,7 +249,7 @@ static void test_levels(void **state)
     for (i = 0; i < WIDTH * HEIGHT; ++i) {
         const double xx = hypot((double)lookups.dudx.data[i], (double)lookups.dvdx.data[i]);
         const double yy = hypot((double)lookups.dudy.data[i], (double)lookups.dvdy.data[i]);
-        const double least = log2(64 * fmax(xx, yy)) + 2.25; /* the ellipse's longer axis is up to sqrt(2) of that */
+        const double least = log2(64 * fmax(xx, yy)) + 0.25; /* the ellipse's longer axis is up to sqrt(2) of that */
         const double got = (double)f.plane[SHD_PLANE_LOD][i];
         if (f.triangle[i] == 0xffffffffu) {
             assert_true(got == 0 && f.u32[SHD_PLANE_LEVEL][i] == 0);
@@ -260,7 +260,8 @@ static void test_levels(void **state)
         assert_true(got >= fmin(fmax(least, 0), 6) - 1e-4 && got <= fmin(fmax(least + 0.5, 0), 6) + 1e-4);
         ++kinds[level[i]];
     }
-    assert_true(kinds[1] > 0 && kinds[2] > 0 && kinds[3] > 0);
+    for (i = 0; i < 7; ++i) different += kinds[i] > 0;
+    assert_true(different >= 4);
     shd_texture_release(material.diffuse_texture);
     shd_sampler_release(material.diffuse_sampler);
     shd_frame_close(&f);
