@@ -25,13 +25,23 @@ typedef struct shd_framebuffer shd_framebuffer;
 /** Optional planes; combine with |. */
 typedef enum shd_aov {
     SHD_AOV_NONE = 0,
-    SHD_AOV_UV = 1,       /**< SHD_PLANE_U, _V */
-    SHD_AOV_NORMAL = 2,   /**< SHD_PLANE_NX, _NY, _NZ: shading normal, world space */
-    SHD_AOV_TRIANGLE = 4, /**< SHD_PLANE_TRIANGLE */
+    SHD_AOV_UV = 1,            /**< SHD_PLANE_U, _V */
+    SHD_AOV_NORMAL = 2,        /**< SHD_PLANE_NX, _NY, _NZ: shading normal, world space */
+    SHD_AOV_TRIANGLE = 4,      /**< SHD_PLANE_TRIANGLE */
+    SHD_AOV_POSITION = 8,      /**< SHD_PLANE_PX, _PY, _PZ: world space */
+    SHD_AOV_DERIVATIVES = 16,  /**< SHD_PLANE_DUDX, _DVDX, _DUDY, _DVDY: of uv, per pixel to the right and down */
+    SHD_AOV_BARYCENTRICS = 32, /**< SHD_PLANE_B0, _B1, _B2: perspective-correct weights of the triangle's corners */
+    SHD_AOV_LEVEL = 64,        /**< SHD_PLANE_LOD, _LEVEL: what shd_texture_query_levels has for the diffuse texture */
+    SHD_AOV_DRAW = 128,        /**< SHD_PLANE_DRAW */
+    SHD_AOV_OVERDRAW = 256,    /**< SHD_PLANE_OVERDRAW */
     SHD_AOV_MAX_ENUM = 0x7fffffff
 } shd_aov;
 
-/** One column of a framebuffer, width * height elements, row by row from the top. */
+/**
+ * One column of a framebuffer, width * height elements, row by row from the top. Those after depth are the values of
+ * the latest fragment of an opaque draw that the first sample of a pixel shows; blended draws and draws of depth alone
+ * leave them.
+ */
 typedef enum shd_plane {
     SHD_PLANE_R = 0,
     SHD_PLANE_G = 1,
@@ -44,6 +54,20 @@ typedef enum shd_plane {
     SHD_PLANE_NY = 8,
     SHD_PLANE_NZ = 9,
     SHD_PLANE_TRIANGLE = 10, /**< uint32_t: triangle index in its mesh, 0xffffffff where nothing was drawn */
+    SHD_PLANE_PX = 11,
+    SHD_PLANE_PY = 12,
+    SHD_PLANE_PZ = 13,
+    SHD_PLANE_DUDX = 14,
+    SHD_PLANE_DVDX = 15,
+    SHD_PLANE_DUDY = 16,
+    SHD_PLANE_DVDY = 17,
+    SHD_PLANE_B0 = 18,
+    SHD_PLANE_B1 = 19,
+    SHD_PLANE_B2 = 20,
+    SHD_PLANE_LOD = 21,      /**< continuous level of detail; 0 without texture */
+    SHD_PLANE_LEVEL = 22,    /**< uint32_t: the mip level nearest to it */
+    SHD_PLANE_DRAW = 23,     /**< uint32_t: index into shd_render_desc.draws, 0xffffffff where nothing was drawn */
+    SHD_PLANE_OVERDRAW = 24, /**< uint32_t: how often the first sample was drawn, hidden later or not */
     SHD_PLANE_MAX_ENUM = 0x7fffffff
 } shd_plane;
 
@@ -68,7 +92,7 @@ static inline shd_framebuffer_desc shd_framebuffer_desc_default(void)
 }
 
 /**
- * Make a framebuffer: colour 0, depth 1, AOVs 0, triangle 0xffffffff.
+ * Make a framebuffer: colour 0, depth 1, AOVs 0, triangle and draw 0xffffffff.
  * @param context          retained
  * @param desc             borrowed for the call
  * @param out_framebuffer  owned; NULL on failure
@@ -98,8 +122,8 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_get_info(const shd_framebuffer 
 
 /** A plane in place: no copy. */
 typedef struct shd_plane_view {
-    const float *f32;    /**< [height][row_stride / 4]; NULL for SHD_PLANE_TRIANGLE */
-    const uint32_t *u32; /**< the same for SHD_PLANE_TRIANGLE, else NULL */
+    const float *f32;    /**< [height][row_stride / 4]; NULL for planes of uint32_t */
+    const uint32_t *u32; /**< the same for planes of uint32_t, else NULL */
     size_t row_stride;   /**< bytes between rows */
 } shd_plane_view;
 
@@ -120,8 +144,9 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_view_plane(const shd_framebuffe
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_plane(const shd_framebuffer *framebuffer, shd_plane plane,
                                                             shd_f32_out out);
 
-/** Copy SHD_PLANE_TRIANGLE into a column of width * height elements, row by row from the top. @since 0.1 */
-SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_triangles(const shd_framebuffer *framebuffer, shd_u32_out out);
+/** The same for a plane of uint32_t. @since 0.1 */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer *framebuffer, shd_plane plane,
+                                                                shd_u32_out out);
 
 /**
  * Copy colour as interleaved RGBA, linear: no transfer curve is applied, except the sRGB curve of

@@ -189,7 +189,8 @@ static inline shd_save_desc shd_save_desc_default(void)
 /**
  * Write a framebuffer. The extension decides:
  * `.exr`          R, G, B, A as half or float, linear, premultiplied, and every other plane under its usual
- *                 name: Z (float, 0 near .. 1 far), uv.u, uv.v, N.x, N.y, N.z (float), triangle (uint);
+ *                 name: Z (0 near .. 1 far), uv.u, uv.v, uv.dudx, uv.dvdx, uv.dudy, uv.dvdy, N.x, N.y, N.z, P.x, P.y,
+ *                 P.z, bary.0, bary.1, bary.2, lod (float), triangle, level, draw, overdraw (uint);
  * `.hdr`          r, g, b, linear, premultiplied (negative numbers become 0);
  * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest;
  * `.tif` `.tiff`  8 and 16 bits as PNG, 32 bits float as EXR.

@@ -92,7 +92,14 @@ static inline shd_draw shd_draw_default(void)
     return draw;
 }
 
-/** What happened to the triangles of a frame: they add up to `triangles`. */
+/** Switches of a frame; combine with |. */
+typedef enum shd_render_flag {
+    SHD_RENDER_NONE = 0,
+    SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_samples: coverage is found twice or more */
+    SHD_RENDER_FLAG_MAX_ENUM = 0x7fffffff
+} shd_render_flag;
+
+/** What happened to the triangles of a frame: the counts up to `rasterised` add up to `triangles`. */
 typedef struct shd_render_stats {
     uint64_t triangles;           /**< in all draws */
     uint64_t nonfinite;           /**< dropped: a vertex is NaN or infinite after transformation */
@@ -103,6 +110,12 @@ typedef struct shd_render_stats {
     uint64_t clipped;             /**< of those outside, culled, empty and rasterised: cut by a clip plane */
     uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows */
     uint64_t nonfinite_fragments; /**< of those: r, g, b or a was NaN or infinite (kept as written) */
+    uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 unless asked for */
+    uint64_t scratch_bytes;       /**< most working memory in use at a time; depends on the number of workers */
+    double vertex_seconds;        /**< wall-clock time of a stage: transforming vertices */
+    double assembly_seconds;      /**< finding the triangles that show, and clipping them */
+    double binning_seconds;       /**< sorting them into tiles */
+    double tile_seconds;          /**< coverage, shading and blending */
 } shd_render_stats;
 
 /** Host progress callback. */
@@ -133,7 +146,7 @@ typedef struct shd_render_desc {
                                          starting as its pixel */
     float clear_color[4];           /**< linear, premultiplied RGBA; default 0 */
     float clear_depth;              /**< 0..1; default 1 */
-    uint32_t reserved;              /**< 0 */
+    uint32_t flags;                 /**< shd_render_flag bits */
     shd_framebuffer *framebuffer;   /**< required */
     shd_view view;                  /**< default: identity matrices, eye at 0 */
     const shd_draw *draws;          /**< [draw_count], drawn in order; NULL if draw_count is 0 */

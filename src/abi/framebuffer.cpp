@@ -5,6 +5,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "film/framebuffer.h"
+#include "film/planes.h"
 #include "film/readback.h"
 
 namespace {
@@ -30,7 +31,7 @@ shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
   SHD_TRY(check_samples(desc.samples));
-  SHD_TRY(check_flags("framebuffer.aovs", desc.aovs, SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE));
+  SHD_TRY(check_flags("framebuffer.aovs", desc.aovs, film::all_aovs()));
   return check_zero("framebuffer.reserved", desc.reserved);
 }
 
@@ -39,7 +40,14 @@ shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** o
 }
 
 shd_result check_plane_value(const shd_plane& plane) {
-  return check_enum("plane", plane, SHD_PLANE_R, SHD_PLANE_TRIANGLE);
+  return check_enum("plane", plane, SHD_PLANE_R, SHD_PLANE_OVERDRAW);
+}
+
+shd_result check_kind(const shd_plane& plane, bool is_integer) {
+  if (film::kPlanes[plane].is_integer == is_integer) return SHD_OK;
+  return core::fail(
+      SHD_ERROR_INVALID_ARGUMENT, "plane: %d holds %s", static_cast<int>(plane),
+      is_integer ? "floats; take shd_framebuffer_read_plane" : "integers; take shd_framebuffer_read_u32_plane");
 }
 
 shd_result check_plane(const Framebuffer& framebuffer, const shd_plane& plane) {
@@ -101,8 +109,8 @@ shd_result shd_framebuffer_view_plane(const shd_framebuffer* framebuffer, shd_pl
     SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_plane(*body, plane));
     out_view->row_stride = body->stride * sizeof(float);
-    if (plane == SHD_PLANE_TRIANGLE) {
-      out_view->u32 = body->triangle.data();
+    if (film::kPlanes[plane].is_integer) {
+      out_view->u32 = body->u32_plane[plane].data();
     } else {
       out_view->f32 = body->plane[plane].data();
     }
@@ -115,10 +123,7 @@ shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_pl
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
     SHD_TRY(check_plane_value(plane));
-    if (plane == SHD_PLANE_TRIANGLE) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                        "plane: SHD_PLANE_TRIANGLE holds integers; take shd_framebuffer_read_triangles");
-    }
+    SHD_TRY(check_kind(plane, false));
     SHD_TRY(check_plane(*body, plane));
     SHD_TRY(check_not_null("out.data", out.data));
     SHD_TRY(check_column("out", out, pixel_count(*body)));
@@ -127,14 +132,16 @@ shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_pl
   });
 }
 
-shd_result shd_framebuffer_read_triangles(const shd_framebuffer* framebuffer, shd_u32_out out) {
+shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_u32_out out) {
   return guard([&]() -> shd_result {
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
-    SHD_TRY(check_plane(*body, SHD_PLANE_TRIANGLE));
+    SHD_TRY(check_plane_value(plane));
+    SHD_TRY(check_kind(plane, true));
+    SHD_TRY(check_plane(*body, plane));
     SHD_TRY(check_not_null("out.data", out.data));
     SHD_TRY(check_column("out", out.data, out.stride, pixel_count(*body)));
-    film::read_triangles(*body, out);
+    film::read_u32_plane(*body, plane, out);
     return SHD_OK;
   });
 }

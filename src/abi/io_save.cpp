@@ -63,8 +63,41 @@ void save(const EncodeJob& job, const char* path) {
 
 // Framebuffers.
 
+constexpr int kPlaneCount = SHD_PLANE_OVERDRAW + 1;
+
+/// Planes as channels of a file, by shd_plane.
+constexpr struct {
+  const char* name;
+  uint32_t aov;  // 0 = every framebuffer has it
+} kPlanes[kPlaneCount] = {
+    {"R", 0},
+    {"G", 0},
+    {"B", 0},
+    {"A", 0},
+    {"Z", 0},
+    {"uv.u", SHD_AOV_UV},
+    {"uv.v", SHD_AOV_UV},
+    {"N.x", SHD_AOV_NORMAL},
+    {"N.y", SHD_AOV_NORMAL},
+    {"N.z", SHD_AOV_NORMAL},
+    {"triangle", SHD_AOV_TRIANGLE},
+    {"P.x", SHD_AOV_POSITION},
+    {"P.y", SHD_AOV_POSITION},
+    {"P.z", SHD_AOV_POSITION},
+    {"uv.dudx", SHD_AOV_DERIVATIVES},
+    {"uv.dvdx", SHD_AOV_DERIVATIVES},
+    {"uv.dudy", SHD_AOV_DERIVATIVES},
+    {"uv.dvdy", SHD_AOV_DERIVATIVES},
+    {"bary.0", SHD_AOV_BARYCENTRICS},
+    {"bary.1", SHD_AOV_BARYCENTRICS},
+    {"bary.2", SHD_AOV_BARYCENTRICS},
+    {"lod", SHD_AOV_LEVEL},
+    {"level", SHD_AOV_LEVEL},
+    {"draw", SHD_AOV_DRAW},
+    {"overdraw", SHD_AOV_OVERDRAW},
+};
+
 /// Planes of a framebuffer by shd_plane; absent ones are all null.
-constexpr int kPlaneCount = SHD_PLANE_TRIANGLE + 1;
 struct Planes {
   shd_plane_view view[kPlaneCount] = {};
   uint32_t width = 0;
@@ -137,17 +170,13 @@ Planes view_planes(const shd_framebuffer* framebuffer, EncodeJob* job) {
   job->width = planes.width = info.width;
   job->height = info.height;
   for (int plane = 0; plane < kPlaneCount; ++plane) {
-    const bool aov = plane > SHD_PLANE_DEPTH;
-    const uint32_t bit = plane <= SHD_PLANE_V ? SHD_AOV_UV : plane <= SHD_PLANE_NZ ? SHD_AOV_NORMAL : SHD_AOV_TRIANGLE;
-    if (aov && !(info.aovs & bit)) continue;
+    if (kPlanes[plane].aov && !(info.aovs & kPlanes[plane].aov)) continue;
     require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(plane), &planes.view[plane]));
   }
   return planes;
 }
 
 void describe_exr(EncodeJob* job, Planes* planes, uint32_t depth) {
-  constexpr const char* kNames[kPlaneCount] = {"R",    "G",   "B",   "A",   "Z",       "uv.u",
-                                               "uv.v", "N.x", "N.y", "N.z", "triangle"};
   planes->half = depth == 16;
   for (int plane = 0; plane < kPlaneCount; ++plane) {
     if (!planes->view[plane].f32 && !planes->view[plane].u32) continue;
@@ -155,7 +184,7 @@ void describe_exr(EncodeJob* job, Planes* planes, uint32_t depth) {
     const Sample sample = planes->view[plane].u32 ? Sample::kU32
                           : color && planes->half ? Sample::kHalf
                                                   : Sample::kFloat;
-    job->channels.push_back({kNames[plane], sample});
+    job->channels.push_back({kPlanes[plane].name, sample});
   }
   job->alpha = 3;
   job->color_space = "Linear";

@@ -5,6 +5,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "film/frame.h"
+#include "film/frame_memory.h"
 
 namespace {
 
@@ -140,7 +141,7 @@ shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
 
 shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
-  SHD_TRY(check_zero("render.reserved", desc.reserved));
+  SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
   SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
   SHD_TRY(check_finite("render.view.world_to_view", desc.view.world_to_view, 16));
@@ -154,6 +155,7 @@ shd_result check_render_desc(const shd_render_desc& desc) {
   return SHD_OK;
 }
 
+/// Reads a desc with the memory that the frame is drawn with.
 shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
   film::Frame frame = {};
@@ -175,6 +177,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.lights = lights.data();
   frame.light_count = lights.size();
   frame.progress = desc.progress;
+  frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
   film::render(context, frame, stats);
   return SHD_OK;
 }
@@ -189,7 +192,10 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
     shd_render_desc read = shd_render_desc_default();
     SHD_TRY(read_desc("render", desc, false, &read));
     wanted = read.stats;
-    return render(context_of(context), read, &stats);
+    film::FrameMemory memory(context_of(context));
+    SHD_TRY(render(memory.context, read, &stats));
+    stats.scratch_bytes = memory.peak();
+    return SHD_OK;
   });
   if (result != SHD_OK) stats = {};
   if (wanted) *wanted = stats;

@@ -12,12 +12,16 @@
 /// | file            | what                                                        |
 /// |-----------------|-------------------------------------------------------------|
 /// | framebuffer.h   | Framebuffer: its planes, and which of them there are        |
+/// | planes.h        | what each plane holds and where it comes from               |
 /// | readback.h      | planes to columns, colour to interleaved images             |
 /// | frame.h         | a whole frame: every stage, group by group and tile by tile |
+/// | frame_memory.h  | the memory that a frame works in, counted                   |
+/// | stopwatch.h     | the time its stages take                                    |
 /// | scene.h         | a frame after its geometry stages                           |
 /// | tile_renderer.h | one tile: what is visible, then what blends, in order       |
 /// | worker.h        | what one worker needs for that                              |
 /// | tile_writer.h   | one tile between the framebuffer and the raster stage       |
+/// | aovs.h          | auxiliary planes of shaded fragments                        |
 /// | blend.h         | one colour over another                                     |
 /// | unordered.h     | blends that do not go by the order of draws                 |
 #pragma once

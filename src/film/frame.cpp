@@ -6,6 +6,7 @@
 
 #include "core/executor.h"
 #include "film/scene.h"
+#include "film/stopwatch.h"
 #include "film/tile_renderer.h"
 #include "film/worker.h"
 
@@ -43,6 +44,7 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
   Scene scene(context.allocator, frame);
   prepare(context, frame, &scene, stats);
   const uint32_t tiles = scene.bins.tiles_x * scene.bins.tiles_y;
+  Stopwatch watch;
   Workers workers(context, frame.framebuffer->samples);
   Progress progress(frame.progress, tiles);
   const TileRenderer renderer = {context, frame, scene, lights};
@@ -50,6 +52,7 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
     renderer.render(index, &workers.get(worker));
     progress.step();
   });
+  stats->tile_seconds = watch.lap();
   workers.count(stats);
 }
 

@@ -49,6 +49,7 @@ struct Frame {
   const light::Light* const* lights;
   size_t light_count;
   shd_progress progress;
+  bool counts_hidden;  // samples that fail the depth test before shading
 };
 
 /// Renders a frame on the context's executor: vertices, assembly and binning in groups of triangles, then tiles.

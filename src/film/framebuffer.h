@@ -8,23 +8,21 @@
 
 #include "core/allocator.h"
 #include "core/context.h"
+#include "film/planes.h"
 
 namespace shd::film {
-
-constexpr uint32_t kNoTriangle = 0xffffffffu;
-constexpr uint32_t kFloatPlanes = 10;  // SHD_PLANE_R .. SHD_PLANE_NZ
 
 /// Planes of one size, row 0 on top; absent ones are empty.
 struct Framebuffer {
   uint32_t width, height;
-  uint32_t samples;                        // per pixel, while a frame is drawn
-  uint32_t aovs;                           // shd_aov bits
-  size_t stride;                           // elements between rows: width rounded up to a cache line
-  core::Array<float> plane[kFloatPlanes];  // by shd_plane
-  core::Array<uint32_t> triangle;
+  uint32_t samples;                              // per pixel, while a frame is drawn
+  uint32_t aovs;                                 // shd_aov bits
+  size_t stride;                                 // elements between rows: width rounded up to a cache line
+  core::Array<float> plane[kPlaneCount];         // by shd_plane
+  core::Array<uint32_t> u32_plane[kPlaneCount];  // likewise; those of integers are here
 };
 
-/// Makes the planes of a checked desc: colour 0, depth 1, AOVs 0, triangle kNoTriangle. Throws std::bad_alloc.
+/// Makes the planes of a checked desc: every plane empty. Throws std::bad_alloc.
 void build(const core::Context& context, const shd_framebuffer_desc& desc, Framebuffer* out);
 
 /// True if the framebuffer has the plane.

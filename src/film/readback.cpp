@@ -84,8 +84,8 @@ void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_o
   read_rows(framebuffer, framebuffer.plane[plane].data(), out);
 }
 
-void read_triangles(const Framebuffer& framebuffer, const shd_u32_out& out) {
-  read_rows(framebuffer, framebuffer.triangle.data(), out);
+void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out) {
+  read_rows(framebuffer, framebuffer.u32_plane[plane].data(), out);
 }
 
 bool can_read_color(shd_format format) {

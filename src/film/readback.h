@@ -10,8 +10,8 @@ namespace shd::film {
 /// A float plane into a checked column of width * height elements, row by row from the top.
 void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_out& out);
 
-/// The triangle plane, likewise.
-void read_triangles(const Framebuffer& framebuffer, const shd_u32_out& out);
+/// A plane of uint32_t, likewise.
+void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out);
 
 /// True for the formats that read_color writes.
 bool can_read_color(shd_format format);

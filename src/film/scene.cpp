@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "data/data.h"
+#include "film/stopwatch.h"
 #include "geometry/assemble.h"
 
 namespace shd::film {
@@ -111,10 +112,14 @@ Scene::Scene(const core::Allocator& allocator, const Frame& frame)
 
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats) {
   const auto triangles = [](const Draw& draw) { return size_t{draw.mesh->triangle_count}; };
+  Stopwatch watch;
   transform_all(context, frame, scene);
+  stats->vertex_seconds = watch.lap();
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
+  stats->assembly_seconds = watch.lap();
   raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()), window_box(frame),
                         visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
+  stats->binning_seconds = watch.lap();
 }
 
 }  // namespace shd::film

@@ -152,8 +152,41 @@ class TilePass {
       first_slot = static_cast<uint32_t>(worker_.slots.size());
       for (size_t i = 0; i < run.count; ++i) worker_.slots.push_back(run.triangles + run.entries[i]);
     }
-    raster::cover(r_.context.simd, cover_area(tile_box()), draw.depth, run.triangles, run.entries, run.count,
-                  first_slot, &worker_.tile);
+    const raster::CoverArea area = cover_area(tile_box());
+    const bool counts_overdraw = draw.material && framebuffer_.aovs & SHD_AOV_OVERDRAW;
+    if (!counts_overdraw && !r_.frame.counts_hidden) {
+      raster::cover(r_.context.simd, area, draw.depth, run.triangles, run.entries, run.count, first_slot,
+                    &worker_.tile);
+      return;
+    }
+    for (size_t i = 0; i < run.count; ++i) {
+      const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
+      raster::cover_mask(r_.context.simd, area, draw.depth, triangle, worker_.tile, &worker_.mask);
+      const uint64_t passed = count_masked();
+      if (counts_overdraw) {
+        for_each_masked([&](uint32_t pixel, uint32_t mask) {
+          if (mask & 1) count_overdraw(area_, pixel, &framebuffer_);
+        });
+      }
+      count_hidden(area, triangle, passed);
+      raster::cover(r_.context.simd, area, draw.depth, run.triangles, run.entries + i, 1,
+                    draw.material ? first_slot + static_cast<uint32_t>(i) : raster::kNoSlot, &worker_.tile);
+    }
+  }
+
+  /// Samples of the latest mask.
+  uint64_t count_masked() const {
+    uint64_t count = 0;
+    for_each_masked([&](uint32_t, uint32_t mask) { count += static_cast<uint64_t>(__builtin_popcount(mask)); });
+    return count;
+  }
+
+  /// Counts the samples that a triangle covers beyond those that passed. Overwrites the mask.
+  void count_hidden(const raster::CoverArea& area, const geometry::ScreenTriangle& triangle, uint64_t passed) {
+    if (!r_.frame.counts_hidden) return;
+    const raster::DepthState always = {SHD_COMPARE_ALWAYS, false, 0.0f, 0.0f};
+    raster::cover_mask(r_.context.simd, area, always, triangle, worker_.tile, &worker_.mask);
+    worker_.hidden_samples += count_masked() - passed;
   }
 
   /// Where in its pixels a triangle is shaded.
@@ -297,7 +330,7 @@ class TilePass {
   void shade_visible() {
     if (worker_.slots.size() == 0) return;
     raster::sort_pixels(worker_.tile, worker_.slots.size(), &worker_.order);
-    const auto done = [&](const Draw&) { write_visible(); };
+    const auto done = [&](const Draw& draw) { write_visible(draw); };
     uint32_t draw = 0;
     for (size_t slot = 0; slot < worker_.slots.size(); ++slot) {
       const size_t begin = worker_.order.start[slot], end = worker_.order.start[slot + 1];
@@ -312,10 +345,18 @@ class TilePass {
     clear_slots(&worker_.tile);
   }
 
-  void write_visible() {
+  void write_visible(const Draw& draw) {
     const raster::Fragments& f = worker_.workspace.fragments;
     worker_.nonfinite_fragments += write_fragments(f, worker_.workspace.columns.radiance, colors_, pattern_.count);
-    write_aovs(area_, f, 0, f.count, &framebuffer_);
+    if (!framebuffer_.aovs) return;
+    find_rows(f, &worker_.aovs);
+    write_rows(draw);
+  }
+
+  /// AOVs of the batch's rows in worker_.aovs.
+  void write_rows(const Draw& draw) {
+    write_aovs(r_.context.simd, area_, *draw.material, static_cast<uint32_t>(&draw - r_.frame.draws),
+               worker_.workspace.fragments, &worker_.aovs, &framebuffer_);
   }
 
   /// Shades the covered samples of every triangle of a run whose depth may pass; done() sees batches.
@@ -328,9 +369,11 @@ class TilePass {
       const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
       raster::cover_mask(r_.context.simd, cover_area(box), state, triangle, worker_.tile, &worker_.mask);
       worker_.covered.clear();
+      const uint64_t passed = r_.frame.counts_hidden ? count_masked() : 0;
       for_each_masked([&](uint32_t pixel, uint32_t mask) {
         worker_.covered.push_back({static_cast<uint16_t>(pixel), static_cast<uint16_t>(mask)});
       });
+      count_hidden(cover_area(box), triangle, passed);
       if (worker_.covered.size()) add_pixels(triangle, worker_.covered.data(), worker_.covered.size(), done);
     }
     flush(run.draw, done);
@@ -398,6 +441,8 @@ class TilePass {
   void draw_in_order(const Run& run) {
     shade_run(run, tile_box(), [&](const Draw& draw) {
       const raster::Fragments& f = worker_.workspace.fragments;
+      AovScratch& aovs = worker_.aovs;
+      aovs.row_count = 0;
       for_each_sample(draw, [&](size_t i, uint32_t s, float depth, const FragmentColor& color) {
         const SampleColor& below = colors_[s];
         const size_t at = below.at(f.pixel[i]);
@@ -405,8 +450,11 @@ class TilePass {
                                     below.channel[3] + at};
         blend(draw.material->blend, color, channels);
         if (draw.depth.writes) *depth_of(s, f.pixel[i]) = depth;
-        if (s == 0 && draw.material->blend == SHD_BLEND_OPAQUE) write_aovs(area_, f, i, i + 1, &framebuffer_);
+        if (s != 0 || draw.material->blend != SHD_BLEND_OPAQUE) return;
+        aovs.row[aovs.row_count++] = static_cast<uint16_t>(i);
+        if (framebuffer_.aovs & SHD_AOV_OVERDRAW) count_overdraw(area_, f.pixel[i], &framebuffer_);
       });
+      if (framebuffer_.aovs) write_rows(draw);
     });
   }
 

@@ -13,11 +13,6 @@ size_t row_start(const TileArea& area, const Framebuffer& framebuffer, uint32_t 
   return (area.top + size_t{y}) * framebuffer.stride + area.left;
 }
 
-/// Position of a tile's pixel in a plane.
-size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
-  return row_start(area, framebuffer, pixel / raster::kTile) + pixel % raster::kTile;
-}
-
 /// Of colours [samples][4].
 void average(const float* from, uint32_t samples, float out[4]) {
   const float share = 1.0f / static_cast<float>(samples);
@@ -42,12 +37,16 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
 void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
   for (uint32_t y = 0; y < area.height; ++y) {
     const size_t start = row_start(area, *framebuffer, y);
-    for (uint32_t p = 0; p < kFloatPlanes; ++p) {
-      if (framebuffer->plane[p].size() == 0) continue;
-      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : 0.0f;
+    for (uint32_t p = 0; p < kPlaneCount; ++p) {
+      if (!wants_plane(framebuffer->aovs, p)) continue;
+      if (kPlanes[p].is_integer) {
+        std::fill_n(&framebuffer->u32_plane[p][start], area.width, static_cast<uint32_t>(kPlanes[p].empty));
+        continue;
+      }
+      const auto empty = static_cast<float>(kPlanes[p].empty);
+      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : empty;
       std::fill_n(&framebuffer->plane[p][start], area.width, value);
     }
-    if (framebuffer->triangle.size() != 0) std::fill_n(&framebuffer->triangle[start], area.width, kNoTriangle);
   }
 }
 
@@ -122,29 +121,6 @@ size_t write_fragments(const raster::Fragments& f, const shade::Radiance& radian
     }
   }
   return nonfinite;
-}
-
-void write_aovs(const TileArea& area, const raster::Fragments& f, size_t first, size_t end, Framebuffer* framebuffer) {
-  const struct {
-    uint32_t aov;
-    shd_plane plane;
-    const float* column;
-  } columns[] = {{SHD_AOV_UV, SHD_PLANE_U, f.u},
-                 {SHD_AOV_UV, SHD_PLANE_V, f.v},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NX, f.nx},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NY, f.ny},
-                 {SHD_AOV_NORMAL, SHD_PLANE_NZ, f.nz}};
-  for (const auto& [aov, plane, column] : columns) {
-    if (!(framebuffer->aovs & aov)) continue;
-    for (size_t i = first; i < end; ++i) {
-      if (f.mask[i] & 1) framebuffer->plane[plane][position(area, *framebuffer, f.pixel[i])] = column[i];
-    }
-  }
-  if (framebuffer->aovs & SHD_AOV_TRIANGLE) {
-    for (size_t i = first; i < end; ++i) {
-      if (f.mask[i] & 1) framebuffer->triangle[position(area, *framebuffer, f.pixel[i])] = f.triangle[i];
-    }
-  }
 }
 
 }  // namespace shd::film

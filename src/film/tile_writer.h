@@ -20,7 +20,7 @@ struct TileArea {
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
 
-/// Colour and depth of pixels to the given values, AOVs to 0, triangles to kNoTriangle.
+/// Colour and depth of pixels to the given values, the other planes empty.
 void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
 
 void clear_slots(raster::Tile* tile);
@@ -39,9 +39,5 @@ void resolve_color(const TileArea& area, const float* color, uint32_t samples, F
 /// Colour of a shaded batch to the samples that show it. Returns how many rows have one that is not finite.
 size_t write_fragments(const raster::Fragments& fragments, const shade::Radiance& radiance, const SampleColor* colors,
                        uint32_t samples);
-
-/// AOVs of fragments [first, end) that the first sample of their pixel shows.
-void write_aovs(const TileArea& area, const raster::Fragments& fragments, size_t first, size_t end,
-                Framebuffer* framebuffer);
 
 }  // namespace shd::film

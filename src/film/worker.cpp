@@ -35,6 +35,7 @@ void Workers::count(shd_render_stats* stats) const {
     if (!workers_[i]) continue;
     stats->fragments += workers_[i]->fragments;
     stats->nonfinite_fragments += workers_[i]->nonfinite_fragments;
+    stats->hidden_samples += workers_[i]->hidden_samples;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <shd/render.h>
 
 #include "core/context.h"
+#include "film/aovs.h"
 #include "film/tile_writer.h"
 #include "film/unordered.h"
 #include "geometry/assemble.h"
@@ -33,7 +34,8 @@ struct Worker {
   shade::Workspace workspace;
   BatchTriangles triangles;
   Unordered unordered;
-  uint64_t fragments = 0, nonfinite_fragments = 0;
+  AovScratch aovs;
+  uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
 /// Workers by index; owns them.

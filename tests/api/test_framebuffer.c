@@ -6,7 +6,7 @@
 
 static shd_context *g_context;
 
-#define ALL_AOVS (SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE)
+#define ALL_AOVS (2 * SHD_AOV_OVERDRAW - 1)
 
 struct create_case {
     const char *name;
@@ -20,7 +20,7 @@ struct create_case {
 static const struct create_case k_create[] = {
     {"create/1x1", 1, 1, 1, 0, 0, SHD_OK, "", 20},
     {"create/17x3", 17, 3, 1, 0, 0, SHD_OK, "", 1020},
-    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, 0, SHD_OK, "", 2244},
+    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, 0, SHD_OK, "", 5100},
     {"create/64x64_uv", 64, 64, 1, SHD_AOV_UV, 0, SHD_OK, "", 114688},
     {"create/16384x1", 16384, 1, 1, SHD_AOV_TRIANGLE, 0, SHD_OK, "", 393216},
     {"create/1x16384", 1, 16384, 1, SHD_AOV_NORMAL, 0, SHD_OK, "", 524288},
@@ -35,7 +35,7 @@ static const struct create_case k_create[] = {
     {"create/samples_8", 4, 4, 8, 0, 0, SHD_OK, "", 320},
     {"create/samples_16", 4, 4, 16, 0, 0, SHD_OK, "", 320},
     {"create/samples_64", 4, 4, 64, 0, 0, BAD, "framebuffer.samples: 64", 0},
-    {"create/aovs_unknown", 4, 4, 1, 9, 0, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x8 ", 0},
+    {"create/aovs_unknown", 4, 4, 1, 513, 0, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x200 ", 0},
     {"create/reserved_5", 4, 4, 1, 0, 5, BAD, "framebuffer.reserved: 5 is not 0", 0},
 };
 
@@ -75,83 +75,119 @@ static void test_create(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
-static int is_there(uint32_t aovs, int plane)
+struct plane_case {
+    const char *name;
+    shd_plane plane;
+    uint32_t aov;
+    double empty;
+    int is_integer;
+};
+static const struct plane_case k_planes[] = {
+    {"planes/r", SHD_PLANE_R, 0, 0, 0},
+    {"planes/g", SHD_PLANE_G, 0, 0, 0},
+    {"planes/b", SHD_PLANE_B, 0, 0, 0},
+    {"planes/a", SHD_PLANE_A, 0, 0, 0},
+    {"planes/depth", SHD_PLANE_DEPTH, 0, 1, 0},
+    {"planes/u", SHD_PLANE_U, SHD_AOV_UV, 0, 0},
+    {"planes/v", SHD_PLANE_V, SHD_AOV_UV, 0, 0},
+    {"planes/nx", SHD_PLANE_NX, SHD_AOV_NORMAL, 0, 0},
+    {"planes/ny", SHD_PLANE_NY, SHD_AOV_NORMAL, 0, 0},
+    {"planes/nz", SHD_PLANE_NZ, SHD_AOV_NORMAL, 0, 0},
+    {"planes/triangle", SHD_PLANE_TRIANGLE, SHD_AOV_TRIANGLE, 4294967295.0, 1},
+    {"planes/px", SHD_PLANE_PX, SHD_AOV_POSITION, 0, 0},
+    {"planes/py", SHD_PLANE_PY, SHD_AOV_POSITION, 0, 0},
+    {"planes/pz", SHD_PLANE_PZ, SHD_AOV_POSITION, 0, 0},
+    {"planes/dudx", SHD_PLANE_DUDX, SHD_AOV_DERIVATIVES, 0, 0},
+    {"planes/dvdx", SHD_PLANE_DVDX, SHD_AOV_DERIVATIVES, 0, 0},
+    {"planes/dudy", SHD_PLANE_DUDY, SHD_AOV_DERIVATIVES, 0, 0},
+    {"planes/dvdy", SHD_PLANE_DVDY, SHD_AOV_DERIVATIVES, 0, 0},
+    {"planes/b0", SHD_PLANE_B0, SHD_AOV_BARYCENTRICS, 0, 0},
+    {"planes/b1", SHD_PLANE_B1, SHD_AOV_BARYCENTRICS, 0, 0},
+    {"planes/b2", SHD_PLANE_B2, SHD_AOV_BARYCENTRICS, 0, 0},
+    {"planes/lod", SHD_PLANE_LOD, SHD_AOV_LEVEL, 0, 0},
+    {"planes/level", SHD_PLANE_LEVEL, SHD_AOV_LEVEL, 0, 1},
+    {"planes/draw", SHD_PLANE_DRAW, SHD_AOV_DRAW, 4294967295.0, 1},
+    {"planes/overdraw", SHD_PLANE_OVERDRAW, SHD_AOV_OVERDRAW, 0, 1},
+};
+
+static union {
+    float f32[256];
+    uint32_t u32[256];
+} g_pixels;
+
+static double pixel(const struct plane_case *c, size_t i)
 {
-    if (plane <= SHD_PLANE_DEPTH) return 1;
-    if (plane <= SHD_PLANE_V) return (aovs & SHD_AOV_UV) != 0;
-    if (plane <= SHD_PLANE_NZ) return (aovs & SHD_AOV_NORMAL) != 0;
-    return (aovs & SHD_AOV_TRIANGLE) != 0;
+    return c->is_integer ? (double)g_pixels.u32[i] : (double)g_pixels.f32[i];
 }
 
-/* Each plane of each combination: there or NOT_FOUND, with the value of an empty frame. */
-static void test_planes(void **state)
+/* By the call that fits the plane, or by the other one. */
+static shd_result read_plane(const struct plane_case *c, const shd_framebuffer *framebuffer, size_t stride, int other)
+{
+    const shd_f32_out floats = {g_pixels.f32, stride};
+    const shd_u32_out integers = {g_pixels.u32, stride};
+    return c->is_integer != other ? shd_framebuffer_read_u32_plane(framebuffer, c->plane, integers)
+                                  : shd_framebuffer_read_plane(framebuffer, c->plane, floats);
+}
+
+/* With every combination of AOVs: there or NOT_FOUND, with the value of an empty frame, by one call alone. */
+static void test_plane(void **state)
 {
     enum { k_width = 19, k_height = 5, k_pixels = k_width * k_height };
+    const struct plane_case *c = (const struct plane_case *)*state;
     uint32_t aovs;
-    (void)state;
     for (aovs = 0; aovs <= ALL_AOVS; ++aovs) {
         shd_framebuffer *framebuffer = make(k_width, k_height, aovs);
-        int plane;
-        for (plane = SHD_PLANE_R; plane <= SHD_PLANE_NZ; ++plane) {
-            const float want = plane == SHD_PLANE_DEPTH ? 1.0f : 0.0f;
-            float pixels[2 * k_pixels + 2];
-            shd_f32_out packed = {pixels, 0}, strided = {pixels, 8};
-            shd_plane_view view = {pixels, NULL, 77};
-            shd_result result;
-            size_t i;
-            for (i = 0; i < 2 * k_pixels + 2; ++i) pixels[i] = -7.0f;
-            result = shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view);
-            if (!is_there(aovs, plane)) {
-                shd_assert_result("view", result, SHD_ERROR_NOT_FOUND, "plane: ");
-                assert_true(!view.f32 && !view.u32 && view.row_stride == 0);
-                shd_assert_result("read", shd_framebuffer_read_plane(framebuffer, (shd_plane)plane, packed),
-                                  SHD_ERROR_NOT_FOUND, "plane: ");
-                assert_true(pixels[0] == -7.0f);
-                continue;
-            }
-            shd_assert_ok(result);
-            assert_true(view.f32 && !view.u32 && view.row_stride >= k_width * sizeof(float));
-            assert_true((uintptr_t)view.f32 % 64 == 0 && view.row_stride % 64 == 0);
-            for (i = 0; i < k_pixels; ++i) {
-                assert_true(view.f32[i / k_width * (view.row_stride / 4) + i % k_width] == want);
-            }
-            shd_assert_ok(shd_framebuffer_read_plane(framebuffer, (shd_plane)plane, packed));
-            for (i = 0; i < k_pixels; ++i) assert_true(pixels[i] == want);
-            assert_true(pixels[k_pixels] == -7.0f);
-            for (i = 0; i < 2 * k_pixels; ++i) pixels[i] = -7.0f;
-            shd_assert_ok(shd_framebuffer_read_plane(framebuffer, (shd_plane)plane, strided));
-            for (i = 0; i < k_pixels; ++i) assert_true(pixels[2 * i] == want && pixels[2 * i + 1] == -7.0f);
+        shd_plane_view view = {g_pixels.f32, g_pixels.u32, 77};
+        shd_result result = shd_framebuffer_view_plane(framebuffer, c->plane, &view);
+        size_t i;
+        memset(&g_pixels, 0x55, sizeof g_pixels);
+        shd_assert_result("kind", read_plane(c, framebuffer, 0, 1), BAD,
+                          c->is_integer ? " holds integers; take shd_framebuffer_read_u32_plane"
+                                        : " holds floats; take shd_framebuffer_read_plane");
+        if (c->aov && !(aovs & c->aov)) {
+            shd_assert_result("view", result, SHD_ERROR_NOT_FOUND, "plane: ");
+            assert_true(!view.f32 && !view.u32 && view.row_stride == 0);
+            shd_assert_result("read", read_plane(c, framebuffer, 0, 0), SHD_ERROR_NOT_FOUND, "plane: ");
+            for (i = 0; i < 256; ++i) assert_int_equal(g_pixels.u32[i], 0x55555555u);
+            shd_framebuffer_release(framebuffer);
+            continue;
         }
+        shd_assert_ok(result);
+        assert_true(!view.u32 == !c->is_integer && !view.f32 == !!c->is_integer);
+        assert_true(((uintptr_t)view.f32 | (uintptr_t)view.u32) % 64 == 0);
+        assert_true(view.row_stride % 64 == 0 && view.row_stride >= k_width * sizeof(float));
+        for (i = 0; i < k_pixels; ++i) {
+            const size_t at = i / k_width * (view.row_stride / 4) + i % k_width;
+            assert_true((view.u32 ? (double)view.u32[at] : (double)view.f32[at]) == c->empty);
+        }
+        shd_assert_ok(read_plane(c, framebuffer, 0, 0));
+        for (i = 0; i < k_pixels; ++i) assert_true(pixel(c, i) == c->empty);
+        assert_int_equal(g_pixels.u32[k_pixels], 0x55555555u);
+        memset(&g_pixels, 0x55, sizeof g_pixels);
+        shd_assert_ok(read_plane(c, framebuffer, 8, 0));
+        for (i = 0; i < 2 * k_pixels; i += 2) assert_true(pixel(c, i) == c->empty);
+        for (i = 1; i < 2 * k_pixels; i += 2) assert_int_equal(g_pixels.u32[i], 0x55555555u);
         shd_framebuffer_release(framebuffer);
     }
 }
 
-static void test_triangles(void **state)
+static void test_bad_u32_reads(void **state)
 {
-    uint32_t ids[3 * 15 + 1];
-    shd_framebuffer *with = make(5, 3, SHD_AOV_TRIANGLE), *without = make(5, 3, 0);
-    shd_u32_out packed = {ids, 0}, strided = {ids, 12}, none = {NULL, 0}, odd = {ids, 6};
-    shd_f32_out floats = {(float *)(void *)ids, 0};
-    shd_plane_view view;
-    size_t i;
+    shd_framebuffer *framebuffer = make(5, 3, SHD_AOV_TRIANGLE);
+    shd_u32_out none = {NULL, 0}, odd = {g_pixels.u32, 6}, out = {g_pixels.u32, 0};
     (void)state;
-    memset(ids, 0x55, sizeof ids);
-    shd_assert_ok(shd_framebuffer_read_triangles(with, packed));
-    for (i = 0; i < 15; ++i) assert_int_equal(ids[i], 0xffffffffu);
-    assert_int_equal(ids[15], 0x55555555u);
-    memset(ids, 0x55, sizeof ids);
-    shd_assert_ok(shd_framebuffer_read_triangles(with, strided));
-    for (i = 0; i < 45; ++i) assert_int_equal(ids[i], i % 3 ? 0x55555555u : 0xffffffffu);
-    assert_int_equal(ids[45], 0x55555555u);
-    shd_assert_ok(shd_framebuffer_view_plane(with, SHD_PLANE_TRIANGLE, &view));
-    assert_true(view.u32 && !view.f32 && view.u32[0] == 0xffffffffu);
-    shd_assert_result("absent", shd_framebuffer_read_triangles(without, packed), SHD_ERROR_NOT_FOUND, "plane: 10");
-    shd_assert_result("null", shd_framebuffer_read_triangles(with, none), BAD, "out.data: NULL");
-    shd_assert_result("stride", shd_framebuffer_read_triangles(with, odd), BAD, "out.stride: 6");
-    shd_assert_result("float", shd_framebuffer_read_plane(with, SHD_PLANE_TRIANGLE, floats), BAD,
-                      "plane: SHD_PLANE_TRIANGLE holds integers");
-    shd_framebuffer_release(with);
-    shd_framebuffer_release(without);
+    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, none), BAD,
+                      "out.data: NULL");
+    shd_assert_result("stride", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, odd), BAD,
+                      "out.stride: 6");
+    shd_assert_result("absent", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_DRAW, out), SHD_ERROR_NOT_FOUND,
+                      "plane: 23");
+    shd_assert_result("unknown", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)25, out), BAD,
+                      "plane: 25 is not in 0..24");
+    shd_assert_result("negative", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
+    shd_assert_result("handle", shd_framebuffer_read_u32_plane(NULL, SHD_PLANE_TRIANGLE, out), BAD,
+                      "framebuffer: NULL");
+    shd_framebuffer_release(framebuffer);
 }
 
 static void test_bad_reads(void **state)
@@ -162,8 +198,8 @@ static void test_bad_reads(void **state)
     shd_plane_view view = {pixels, NULL, 1};
     shd_framebuffer_info info = {1, 2, 3, 4, 5};
     (void)state;
-    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)11, out), BAD,
-                      "plane: 11 is not in 0..10");
+    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)25, out), BAD,
+                      "plane: 25 is not in 0..24");
     shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
     shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, none), BAD, "out.data: NULL");
     shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, odd), BAD, "out.stride: 2");
@@ -271,7 +307,7 @@ static void test_null_desc(void **state)
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_create) + COUNT(k_color) + 8];
+    static struct CMUnitTest tests[COUNT(k_create) + COUNT(k_color) + COUNT(k_planes) + 8];
     size_t n = 0, i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -282,8 +318,10 @@ int main(void)
         tests[n++] = (struct CMUnitTest){k_color[i].name, test_color, NULL, NULL, (void *)&k_color[i]};
     }
     tests[n++] = (struct CMUnitTest){"create/null_desc", test_null_desc, NULL, NULL, NULL};
-    tests[n++] = (struct CMUnitTest){"planes", test_planes, NULL, NULL, NULL};
-    tests[n++] = (struct CMUnitTest){"triangles", test_triangles, NULL, NULL, NULL};
+    for (i = 0; i < COUNT(k_planes); ++i) {
+        tests[n++] = (struct CMUnitTest){k_planes[i].name, test_plane, NULL, NULL, (void *)&k_planes[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"bad_u32_reads", test_bad_u32_reads, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bad_reads", test_bad_reads, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"color/null", test_color_null, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.framebuffer", tests, n, NULL, NULL);

@@ -76,14 +76,14 @@ static shd_result framebuffer_plane(struct fixture *f, void *handle)
     out.stride = 0;
     return shd_framebuffer_read_plane((const shd_framebuffer *)handle, SHD_PLANE_R, out);
 }
-static shd_result framebuffer_triangles(struct fixture *f, void *handle)
+static shd_result framebuffer_u32_plane(struct fixture *f, void *handle)
 {
     static uint32_t plane[100 * 70];
     shd_u32_out out;
     (void)f;
     out.data = plane;
     out.stride = 0;
-    return shd_framebuffer_read_triangles((const shd_framebuffer *)handle, out);
+    return shd_framebuffer_read_u32_plane((const shd_framebuffer *)handle, SHD_PLANE_TRIANGLE, out);
 }
 static shd_result framebuffer_color(struct fixture *f, void *handle)
 {
@@ -166,7 +166,7 @@ static const struct entry k_entries[] = {
     {"shd_framebuffer_get_info", k_framebuffer, framebuffer_info, "framebuffer: ", 0},
     {"shd_framebuffer_view_plane", k_framebuffer, framebuffer_view, "framebuffer: ", 0},
     {"shd_framebuffer_read_plane", k_framebuffer, framebuffer_plane, "framebuffer: ", 0},
-    {"shd_framebuffer_read_triangles", k_framebuffer, framebuffer_triangles, "framebuffer: ", 0},
+    {"shd_framebuffer_read_u32_plane", k_framebuffer, framebuffer_u32_plane, "framebuffer: ", 0},
     {"shd_framebuffer_read_color", k_framebuffer, framebuffer_color, "framebuffer: ", 0},
     {"shd_material_create/texture", k_texture, material_texture, "material.diffuse_texture: ", 1},
     {"shd_material_create/sampler", k_sampler, material_sampler, "material.diffuse_sampler: ", 1},

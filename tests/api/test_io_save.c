@@ -363,6 +363,21 @@ static void test_frame(void **state)
     shd_bitmap_release(bitmap);
 }
 
+/* Every plane becomes a channel of an EXR file. */
+static void test_all_planes(void **state)
+{
+    shd_framebuffer *framebuffer = make_framebuffer(2 * SHD_AOV_OVERDRAW - 1);
+    shd_bitmap *bitmap = NULL;
+    shd_bitmap_info info;
+    (void)state;
+    shd_assert_ok(shd_framebuffer_save(framebuffer, io_path("all_planes.exr"), NULL));
+    shd_framebuffer_release(framebuffer);
+    shd_assert_ok(shd_bitmap_load(g_context, io_path("all_planes.exr"), NULL, &bitmap));
+    shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
+    assert_int_equal(info.channels, SHD_PLANE_OVERDRAW + 1);
+    shd_bitmap_release(bitmap);
+}
+
 static void test_half(void **state)
 {
     static const struct {
@@ -459,6 +474,7 @@ int main(void)
     ADD_ROWS(k_places, test_place);
     ADD_ROWS(k_frames, test_frame);
     ADD_ROWS(k_textures, test_texture);
+    add("all_planes", test_all_planes, NULL);
     add("half", test_half, NULL);
     add("arguments", test_arguments, NULL);
     add("symbolic_link", test_link, NULL);

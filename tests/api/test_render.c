@@ -68,7 +68,6 @@ static void size_zero(struct frame *f) { f->desc.struct_size = 0; }
 static void size_small(struct frame *f) { f->desc.struct_size = (uint32_t)sizeof f->desc - 4; }
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
 static void keep_2(struct frame *f) { f->desc.keep = 2; }
-static void reserved(struct frame *f) { f->desc.reserved = 5; }
 static void picture_narrow(struct frame *f) { f->desc.picture_width = 99; }
 static void picture_low(struct frame *f) { f->desc.picture_height = 1; }
 static void picture_wide(struct frame *f) { f->desc.picture_width = 65537; }
@@ -111,6 +110,7 @@ static void scissor_negative(struct frame *f) { set_scissor(f, 0, (uint32_t)-5, 
 static void scissor_outside(struct frame *f) { set_scissor(f, 101, 0, 0, 0); }
 static void scissor_wide(struct frame *f) { set_scissor(f, 50, 0, 51, 70); }
 static void scissor_high(struct frame *f) { set_scissor(f, 50, 1, 50, 70); }
+static void flags(struct frame *f) { f->desc.flags = 5; }
 static void clear_nan(struct frame *f) { f->desc.clear_color[2] = NAN; }
 static void clear_inf(struct frame *f) { f->desc.clear_color[0] = -INFINITY; }
 static void depth_low(struct frame *f) { f->desc.clear_depth = -0.001f; }
@@ -187,7 +187,6 @@ static const struct edit_case k_edits[] = {
     {"struct_size/4_less", size_small, REFUSED, "render.struct_size"},
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
     {"keep/2", keep_2, REFUSED, "render.keep: 2 is not in 0..1"},
-    {"reserved/5", reserved, REFUSED, "render.reserved: 5 is not 0"},
     {"picture_width/below_framebuffer", picture_narrow, REFUSED, "render.picture_width: 99 is not in 100..65536"},
     {"picture_height/below_framebuffer", picture_low, REFUSED, "render.picture_height: 1 is not in 70..65536"},
     {"picture_width/65537", picture_wide, REFUSED, "render.picture_width: 65537 is not in 100..65536"},
@@ -209,6 +208,7 @@ static const struct edit_case k_edits[] = {
     {"scissor.x/outside", scissor_outside, REFUSED, "render.scissor.x: 101 is not in 0..100"},
     {"scissor.width/beyond", scissor_wide, REFUSED, "render.scissor.width: 51 is not in 0..50"},
     {"scissor.height/beyond", scissor_high, REFUSED, "render.scissor.height: 70 is not in 0..69"},
+    {"flags/unknown", flags, SHD_ERROR_UNSUPPORTED, "render.flags: bits 0x4 "},
     {"clear_color/nan", clear_nan, REFUSED, "render.clear_color[2]: nan is not finite"},
     {"clear_color/inf", clear_inf, REFUSED, "render.clear_color[0]: -inf is not finite"},
     {"clear_depth/below", depth_low, REFUSED, "render.clear_depth: -0.001 is not in 0..1"},

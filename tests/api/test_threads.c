@@ -74,12 +74,12 @@ static uint64_t render(const shd_scene *scene, shd_context *context)
     desc.samples = info.samples;
     desc.width = 100;
     desc.height = 70;
-    desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
+    desc.aovs = info.aovs;
     if (shd_framebuffer_create(context, &desc, &framebuffer) != SHD_OK) return 0;
     frame.framebuffer = framebuffer;
     frame.stats = &stats;
     if (shd_render(context, &frame) == SHD_OK) {
-        hash = shd_hash(shd_hash_framebuffer(framebuffer), &stats, sizeof stats);
+        hash = shd_hash_stats(shd_hash_framebuffer(framebuffer), &stats);
     }
     shd_framebuffer_release(framebuffer);
     return hash;

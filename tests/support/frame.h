@@ -10,9 +10,9 @@
 
 #include <shd/shd.h>
 
-enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4 };
+enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4, SHD_FRAME_PLANES = SHD_PLANE_OVERDRAW + 1 };
 
-/** What a test renders. `plane` is filled by shd_frame_render. */
+/** What a test renders. shd_frame_render fills `plane`, and `u32` for planes of integers; absent ones are NULL. */
 typedef struct shd_frame {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -23,11 +23,12 @@ typedef struct shd_frame {
     shd_render_desc desc;
     shd_render_stats stats;
     uint32_t width, height;
-    float *plane[SHD_PLANE_TRIANGLE];
-    uint32_t *triangle;
+    float *plane[SHD_FRAME_PLANES];
+    uint32_t *u32[SHD_FRAME_PLANES];
+    uint32_t *triangle; /* u32[SHD_PLANE_TRIANGLE] */
 } shd_frame;
 
-static inline void shd_frame_open_samples(shd_frame *f, uint32_t width, uint32_t height, uint32_t samples)
+static inline void shd_frame_open_aovs(shd_frame *f, uint32_t width, uint32_t height, uint32_t samples, uint32_t aovs)
 {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     int plane;
@@ -36,19 +37,31 @@ static inline void shd_frame_open_samples(shd_frame *f, uint32_t width, uint32_t
     f->width = desc.width = width;
     f->height = desc.height = height;
     desc.samples = samples;
-    desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
+    desc.aovs = aovs;
     shd_assert_ok(shd_framebuffer_create(f->context, &desc, &f->framebuffer));
-    for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) {
-        f->plane[plane] = (float *)malloc((size_t)width * height * sizeof(float));
-        assert_non_null(f->plane[plane]);
+    for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {
+        shd_plane_view view;
+        void *memory;
+        if (shd_framebuffer_view_plane(f->framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
+        memory = malloc((size_t)width * height * 4);
+        assert_non_null(memory);
+        if (view.u32) {
+            f->u32[plane] = (uint32_t *)memory;
+        } else {
+            f->plane[plane] = (float *)memory;
+        }
     }
-    f->triangle = (uint32_t *)malloc((size_t)width * height * sizeof(uint32_t));
-    assert_non_null(f->triangle);
+    f->triangle = f->u32[SHD_PLANE_TRIANGLE];
     f->desc = shd_render_desc_default();
     f->desc.framebuffer = f->framebuffer;
     f->desc.draws = f->draw;
     f->desc.lights = (const shd_light *const *)f->light;
     f->desc.stats = &f->stats;
+}
+
+static inline void shd_frame_open_samples(shd_frame *f, uint32_t width, uint32_t height, uint32_t samples)
+{
+    shd_frame_open_aovs(f, width, height, samples, SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE);
 }
 
 static inline void shd_frame_open(shd_frame *f, uint32_t width, uint32_t height)
@@ -62,8 +75,8 @@ static inline void shd_frame_close(shd_frame *f)
     for (i = 0; i < SHD_FRAME_DRAWS; ++i) shd_mesh_release(f->mesh[i]);
     for (i = 0; i < SHD_FRAME_DRAWS; ++i) shd_material_release(f->material[i]);
     for (i = 0; i < SHD_FRAME_LIGHTS; ++i) shd_light_release(f->light[i]);
-    for (i = 0; i < SHD_PLANE_TRIANGLE; ++i) free(f->plane[i]);
-    free(f->triangle);
+    for (i = 0; i < SHD_FRAME_PLANES; ++i) free(f->plane[i]);
+    for (i = 0; i < SHD_FRAME_PLANES; ++i) free(f->u32[i]);
     shd_framebuffer_release(f->framebuffer);
     shd_context_release(f->context);
 }
@@ -97,23 +110,16 @@ static inline void shd_frame_light(shd_frame *f, const shd_light_desc *desc)
     ++f->desc.light_count;
 }
 
-/** Render and read every plane. */
+/** Render and read every plane there is. */
 static inline void shd_frame_render(shd_frame *f)
 {
     int plane;
     shd_assert_ok(shd_render(f->context, &f->desc));
-    for (plane = 0; plane <= SHD_PLANE_TRIANGLE; ++plane) {
-        shd_f32_out out;
-        shd_u32_out triangles;
-        if (plane == SHD_PLANE_TRIANGLE) {
-            triangles.data = f->triangle;
-            triangles.stride = 0;
-            shd_assert_ok(shd_framebuffer_read_triangles(f->framebuffer, triangles));
-        } else {
-            out.data = f->plane[plane];
-            out.stride = 0;
-            shd_assert_ok(shd_framebuffer_read_plane(f->framebuffer, (shd_plane)plane, out));
-        }
+    for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {
+        const shd_f32_out floats = {f->plane[plane], 0};
+        const shd_u32_out integers = {f->u32[plane], 0};
+        if (floats.data) shd_assert_ok(shd_framebuffer_read_plane(f->framebuffer, (shd_plane)plane, floats));
+        if (integers.data) shd_assert_ok(shd_framebuffer_read_u32_plane(f->framebuffer, (shd_plane)plane, integers));
     }
 }
 

@@ -15,10 +15,11 @@
 /** Which scene. */
 typedef enum shd_scene_kind {
     SHD_SCENE_MIXED = 0, /* every model, frequency and filter, clipped at the near plane, NaN; 5k triangles */
-    SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel */
+    SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel; every plane */
     SHD_SCENE_LIT = 2,   /* lights of every kind on all three frequencies */
     SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
-    SHD_SCENE_SMALL = 4, /* as GLASS with few triangles and two samples: for tests that render hundreds of times */
+    SHD_SCENE_SMALL =
+        4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
     SHD_SCENE_KINDS = 5
 } shd_scene_kind;
 
@@ -296,6 +297,7 @@ static inline shd_result shd_scene_framebuffer(shd_scene *s)
     desc.height = s->kind == SHD_SCENE_SMALL ? 70 : 151;
     desc.samples = s->kind == SHD_SCENE_SMALL ? 2 : s->kind == SHD_SCENE_GLASS ? 4 : 1;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
+    if (s->kind == SHD_SCENE_SMALL || s->kind == SHD_SCENE_FLOOR) desc.aovs = 2 * SHD_AOV_OVERDRAW - 1;
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
 }
 
@@ -413,7 +415,7 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     shd_framebuffer_info info;
     int plane;
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
-    for (plane = SHD_PLANE_R; plane <= SHD_PLANE_TRIANGLE; ++plane) {
+    for (plane = SHD_PLANE_R; plane <= SHD_PLANE_OVERDRAW; ++plane) {
         shd_plane_view view;
         uint32_t x, y;
         if (shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
@@ -430,12 +432,18 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     return hash;
 }
 
+/** Hash of what the statistics count; time and memory are left out. */
+static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
+{
+    return shd_hash(hash, stats, offsetof(shd_render_stats, hidden_samples));
+}
+
 /** Render; hash of the planes and the statistics. */
 static inline uint64_t shd_scene_render(shd_scene *s)
 {
     memset(&s->stats, 0xee, sizeof s->stats);
     shd_assert_ok(shd_render(s->context, &s->desc));
-    return shd_hash(shd_hash_framebuffer(s->framebuffer), &s->stats, sizeof s->stats);
+    return shd_hash_stats(shd_hash_framebuffer(s->framebuffer), &s->stats);
 }
 
 /** The hash that a scene has on one thread with the best SIMD target. */

@@ -66,7 +66,7 @@ Framebuffer* make_framebuffer() {
   for (uint32_t i = 0; i < kPixels; ++i) {
     const size_t at = i / kWidth * framebuffer->stride + i % kWidth;
     for (uint32_t c = 0; c < 4; ++c) framebuffer->plane[c][at] = input(c, i);
-    framebuffer->triangle[at] = i * 7919u;
+    framebuffer->u32_plane[SHD_PLANE_TRIANGLE][at] = i * 7919u;
   }
   return framebuffer;
 }
@@ -175,7 +175,7 @@ void test_planes(void**) {
     memset(floats, 0, sizeof floats);
     memset(ids, 0, sizeof ids);
     shd::film::read_plane(*framebuffer, SHD_PLANE_G, {floats, step * sizeof(float)});
-    shd::film::read_triangles(*framebuffer, {ids, step * sizeof(uint32_t)});
+    shd::film::read_u32_plane(*framebuffer, SHD_PLANE_TRIANGLE, {ids, step * sizeof(uint32_t)});
     for (uint32_t i = 0; i < kPixels; ++i) {
       const float want = input(1, i);
       assert_memory_equal(&floats[step * i], &want, sizeof want);

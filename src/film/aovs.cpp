@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "film/aovs.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "texture/lod.h"
+#include "texture/profile.h"
+#include "texture/sample.h"
+
+namespace shd::film {
+namespace {
+
+/// What shd_texture_query_levels has for the diffuse texture; 0 without.
+void find_levels(const core::SimdTarget& simd, const material::Material& material, const raster::Fragments& f,
+                 AovScratch* scratch) {
+  std::fill_n(scratch->lod, f.count, 0.0f);
+  std::fill_n(scratch->level, f.count, 0u);
+  if (!material.diffuse_texture) return;
+  const texture::Texture& texture = *material.diffuse_texture;
+  const texture::Sampler& sampler = *material.diffuse_sampler;
+  const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
+  texture::sample_lod(texture, sampler, texture::lod_range(texture, sampler), simd, lookups, scratch->lod);
+  for (size_t i = 0; i < f.count; ++i) scratch->level[i] = texture::nearest_level(sampler, scratch->lod[i]);
+}
+
+/// Position of a tile's pixel in a plane.
+size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t pixel) {
+  return (area.top + size_t{pixel / raster::kTile}) * framebuffer.stride + area.left + pixel % raster::kTile;
+}
+
+}  // namespace
+
+void find_rows(const raster::Fragments& f, AovScratch* scratch) {
+  scratch->row_count = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    if (f.mask[i] & 1) scratch->row[scratch->row_count++] = static_cast<uint16_t>(i);
+  }
+}
+
+void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
+                const raster::Fragments& f, AovScratch* scratch, Framebuffer* framebuffer) {
+  if (!scratch->row_count) return;
+  if (framebuffer->aovs & SHD_AOV_LEVEL) find_levels(simd, material, f, scratch);
+  if (framebuffer->aovs & SHD_AOV_DRAW) std::fill_n(scratch->draw, f.count, draw);
+  const AovColumns columns = {f, scratch->lod, scratch->level, scratch->draw};
+  for (uint32_t p = 0; p < kPlaneCount; ++p) {
+    const PlaneInfo& info = kPlanes[p];
+    if (!info.column || !wants_plane(framebuffer->aovs, p)) continue;
+    const void* column = info.column(columns);
+    const auto scatter = [&](auto* plane) {
+      const auto* from = static_cast<const std::remove_pointer_t<decltype(plane)>*>(column);
+      for (size_t i = 0; i < scratch->row_count; ++i) {
+        const uint32_t row = scratch->row[i];
+        plane[position(area, *framebuffer, f.pixel[row])] = from[row];
+      }
+    };
+    info.is_integer ? scatter(framebuffer->u32_plane[p].data()) : scatter(framebuffer->plane[p].data());
+  }
+}
+
+void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer) {
+  ++framebuffer->u32_plane[SHD_PLANE_OVERDRAW][position(area, *framebuffer, pixel)];
+}
+
+}  // namespace shd::film

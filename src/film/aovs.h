@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/simd_target.h"
+#include "film/framebuffer.h"
+#include "film/tile_writer.h"
+#include "material/material.h"
+#include "raster/fragments.h"
+
+namespace shd::film {
+
+/// Of one batch, where AOVs are wanted.
+struct AovScratch {
+  uint16_t row[raster::kBatch];  // fragments that the first sample of their pixel shows, in order
+  size_t row_count;
+  float lod[raster::kBatch];
+  uint32_t level[raster::kBatch];
+  uint32_t draw[raster::kBatch];
+};
+
+/// All fragments that the first sample of their pixel shows.
+void find_rows(const raster::Fragments& fragments, AovScratch* scratch);
+
+/// Writes every AOV but overdraw of the rows of a shaded batch of one draw.
+void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
+                const raster::Fragments& fragments, AovScratch* scratch, Framebuffer* framebuffer);
+
+/// The first sample of a pixel was drawn once more; the framebuffer has SHD_PLANE_OVERDRAW.
+void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);
+
+}  // namespace shd::film
