@@ -30,7 +30,7 @@
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
 /// | sample_stochastic.cpp, draw-inl.h, draw_ellipse-inl.h, random-inl.h | kernels: one texel at random x format |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
-/// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
+/// | lod.h, lod_block-inl.h, shape_block-inl.h, block.h | what a block of lookups needs before it is filtered |
 /// | sample_lod.cpp          | levels of detail and axes of footprints                                     |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
