@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// filter(sampler, block, out) for every block of a batch, with the four columns that shape_of writes for it in place of
-/// derivatives; its sampler has no width or blur, as the shapes have them.
+/// filter(sampler, block, out) for every block of a batch, with the four columns that shape_of writes for it in place
+/// of derivatives; its sampler has no width or blur, as the shapes have them.
 template <class ShapeOf, class Filter>
 HWY_INLINE size_t ForEachShapeBlock(const Texture& texture, const Sampler& sampler, const ShapeOf& shape_of,
                                     const Lookups& in, const Texels& out, const Filter& filter) {
