@@ -43,11 +43,11 @@ typedef enum shd_filter {
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
     SHD_FILTER_ANISOTROPIC = 8,
     /**
-     * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on its
-     * edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2 texels,
-     * b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and likewise b in texels of level l, c = 1 - 0.6127 (1 -
-     * 4^-l): Heckbert's reconstruction filter without what averaging to that level did. Bilinear where a is at most a
-     * texel of level 0, blended up to two. `lod` is a circle. At most 16 (max_anisotropy + 1) texels a lookup.
+     * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
+     * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
+     * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and likewise b in texels of level l, with
+     * c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without what averaging to that level did. Bilinear
+     * where a is at most a texel of level 0, blended up to two. `lod` is a circle. At most 16 (max_anisotropy + 1) texels.
      */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random so that its expectation is the filter `expectation`. */
@@ -103,13 +103,13 @@ typedef enum shd_box {
  * a = max_anisotropy, and lambda is the level of detail before bias and clamps.
  */
 typedef enum shd_profile {
-    /** Singular values of J, as <shd/lookup.h> says; N = ceil(r - 1/8) probes for a footprint r times as long as wide. */
+    /** Singular values of J, as <shd/lookup.h> says; ceil(r - 1/8) probes for a footprint r times as long as wide. */
     SHD_PROFILE_EXACT = 0,
     /**
-     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: eta = min(max(|x|, |y|) /
-     * min(|x|, |y|), a), lambda = log2(max(|x|, |y|) / eta), ceil(eta) probes of equal weight at i / (ceil(eta) + 1) -
-     * 1/2 of the longer of x and y. Fractions of levels and weights of bilinear lookups (SHD_FILTER_BILINEAR too) have
-     * 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: with the longer and the
+     * shorter of x and y eta = min(longer / shorter, a), lambda = log2(longer / eta), ceil(eta) probes of equal weight
+     * at i / (ceil(eta) + 1) - 1/2 of the longer. Fractions of levels and weights of bilinear lookups (BILINEAR's too)
+     * have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
      */
     SHD_PROFILE_VULKAN = 1,
     /**
@@ -125,9 +125,9 @@ typedef enum shd_profile {
      * smaller side and the one before, 2 w - 1 of the way to the coarser one with w in texels of that; NEAREST_MIP and
      * BILINEAR_MIP: the coarser one. ANISOTROPIC: axes m >= n of the ellipse in units of the texture, lengthened by
      * blur, and where m > a n replaced by m' = (m + a n) / 2 and n' = m' / a; levels by w = n; N = floor(2 m / n - 1)
-     * probes, at least 1 and no more than half texels of level 0 ask for, at p (m - n), p = (2 k + 1 - N) / N, k = 0..N -
-     * 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the derivatives of u and of v, as
-     * swidth and twidth do.
+     * probes, at least 1 and no more than half texels of level 0 ask for, at p (m - n), p = (2 k + 1 - N) / N, k = 0
+     * to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the derivatives of u and of
+     * v, as swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
@@ -160,7 +160,7 @@ typedef struct shd_sampler_desc {
     uint32_t seed;   /**< of SHD_FILTER_STOCHASTIC; default 0 */
     float tolerance; /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
     /**
-     * Default SHD_PROFILE_EXACT. It also decides what is magnified: lambda <= 0 of the filter, bias and clamps included.
+     * Default SHD_PROFILE_EXACT. Decides what is magnified too: lambda <= 0 of the filter, bias and clamps included.
      */
     shd_profile profile;
     /* ---- end of 0.1; append below ---- */

@@ -14,6 +14,5 @@
 /// | config.h         | a loaded config: its names, and transforms built from it (ocio.cpp)     |
 /// | cycle.h          | refuses colour spaces that are defined in a circle                      |
 /// | pixels.h         | spans of pixels between the caller's memory and planes                  |
-/// | half.h           | binary16 to binary32 and back                                           |
 /// | apply.h          | a transform over a whole image, on the executor                         |
 #pragma once

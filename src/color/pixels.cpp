@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "color/half.h"
+#include "image/half.h"
 
 namespace shd::color {
 namespace {
@@ -38,7 +38,7 @@ float decode(float value) {
   return value;
 }
 float decode(uint16_t value) {
-  return float_from_half(value);
+  return image::half_to_float(value);
 }
 
 void encode(float value, float* out) {
@@ -50,7 +50,7 @@ struct Half {
   uint16_t bits;
 };
 void encode(float value, Half* out) {
-  out->bits = half_from_float(clean(value, -65504.0f, 65504.0f));
+  out->bits = image::float_to_half(clean(value, -65504.0f, 65504.0f));
 }
 void encode(float value, uint8_t* out) {
   *out = static_cast<uint8_t>(static_cast<int32_t>(clean(value, 0.0f, 1.0f) * 255.0f + 0.5f));

@@ -11,10 +11,9 @@
 
 #include <hwy/highway.h>
 
-#include "texture/batch-inl.h"
-#include "texture/block.h"
 #include "texture/filter-inl.h"
 #include "texture/footprint-inl.h"
+#include "texture/shape_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -106,25 +105,12 @@ struct EllipsePoint {
   }
 };
 
-/// filter(sampler, block, out) for every block of a batch, whose points make an EllipsePoint; its sampler has no width
-/// or blur, as the ellipse has them.
+/// filter(sampler, block, out) for every block of a batch, whose points make an EllipsePoint.
 template <class Filter>
 HWY_INLINE size_t ForEachEllipseBlock(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                       const Texels& out, const Filter& filter) {
-  const EllipseOf ellipse = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
-  const Sampler plain = unwidened(sampler);
-  alignas(64) float columns[4][kBlock];
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < in.count; first += kBlock) {
-    const size_t count = in.count - first < kBlock ? in.count - first : kBlock;
-    const Lookups given = part_of(in, first, count);
-    nonfinite += ForEachVector(texture, ellipse, given, {{columns[0], columns[1], columns[2], columns[3]}, {}, {}});
-    filter(plain,
-           Lookups{count, given.u, given.v, columns[0], columns[1], columns[2], columns[3], nullptr, given.layer,
-                   given.random},
-           part_of(out, first));
-  }
-  return nonfinite;
+  const EllipseOf shape_of = {texture, sampler, lod_range(texture, sampler), in.lod != nullptr};
+  return ForEachShapeBlock(texture, sampler, shape_of, in, out, filter);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

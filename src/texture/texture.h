@@ -7,8 +7,7 @@
 /// Units:      coordinates normalised, (0, 0) at the outer corner of texel (0, 0) of row 0, v downwards;
 ///             levels of detail in log2 base texels.
 /// Invariants: a Texture only changes by update(), while nothing else uses it; finite texels give finite values for any
-/// input bits; a lane
-///             depends on its own inputs only.
+///             input bits; a lane depends on its own inputs only.
 ///
 /// | file                    | what                                                                        |
 /// |-------------------------|-----------------------------------------------------------------------------|
@@ -31,11 +30,11 @@
 /// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
 /// | sample_stochastic.cpp, draw-inl.h, draw_ellipse-inl.h, random-inl.h | kernels: one texel at random x format |
 /// | magnify.h               | another filter where the footprint is no longer than a texel                |
-/// | lod.h, lod_block-inl.h, block.h | levels of detail of a block of lookups before it is filtered        |
+/// | lod.h, lod_block-inl.h, shape_block-inl.h, block.h | what a block of lookups needs before it is filtered |
 /// | sample_lod.cpp          | levels of detail and axes of footprints                                     |
 /// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
 /// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
-/// | ellipse-inl.h           | its ellipse and weights, for a block of lookups                              |
+/// | ellipse-inl.h           | its ellipse and weights, for a block of lookups                             |
 /// | walk-inl.h              | texels along an axis, one after the other                                   |
 /// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
 /// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
@@ -53,6 +52,7 @@
 /// | filter-inl.h            | levels, the four texels around a point, blends                              |
 /// | format-inl.h            | fetching and unpacking texels of each format                                |
 /// | gather-inl.h            | loads of neighbouring texels                                                |
+/// | scatter.h, prefetch-inl.h | lookups far apart in memory, whose lines are asked for ahead              |
 /// | explain.h               | one lookup as its tree of blends                                            |
 /// | kernel-inl.h            | how a filter becomes kernels: values, gradients, records                    |
 /// | gradient-inl.h          | kernels that give derivatives                                               |
