@@ -47,7 +47,7 @@ typedef enum shd_filter {
      * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
      * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and likewise b in texels of level l, with
      * c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without what averaging to that level did. Bilinear
-     * where a is at most a texel of level 0, blended up to two. `lod` is a circle. At most 16 (max_anisotropy + 1) texels.
+     * where a <= a texel of level 0, blended up to two. `lod` is a circle. Reads at most 16 (max_anisotropy + 1).
      */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random so that its expectation is the filter `expectation`. */
