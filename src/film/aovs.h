@@ -6,7 +6,7 @@
 
 #include "core/simd_target.h"
 #include "film/framebuffer.h"
-#include "film/tile_writer.h"
+#include "film/tile_area.h"
 #include "material/material.h"
 #include "raster/fragments.h"
 

@@ -19,8 +19,14 @@
 /// | stopwatch.h     | the time its stages take                                    |
 /// | scene.h         | a frame after its geometry stages                           |
 /// | tile_renderer.h | one tile: what is visible, then what blends, in order       |
-/// | worker.h        | what one worker needs for that                              |
-/// | tile_writer.h   | one tile between the framebuffer and the raster stage       |
+/// | tile_state.h    | that tile while it is drawn                                 |
+/// | tile_area.h     | its place in the framebuffer                                |
+/// | tile_color.h    | the colours of its samples                                  |
+/// | worker.h        | the memory that one worker needs for it                     |
+/// | fragment_batch.h | fragments gathered into the table that is shaded           |
+/// | opaque_pass.h   | draws of which the visibility buffer tells what they show   |
+/// | blended_pass.h  | draws that are blended, or drop fragments, in order         |
+/// | unordered_pass.h | draws whose blend has no order                             |
 /// | aovs.h          | auxiliary planes of shaded fragments                        |
 /// | blend.h         | one colour over another                                     |
 /// | unordered.h     | blends that do not go by the order of draws                 |

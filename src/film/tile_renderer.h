@@ -15,7 +15,9 @@ struct TileRenderer {
   const Scene& scene;
   const shade::LightTable& lights;
 
-  /// Draws one tile. Throws Failure and std::bad_alloc.
+  /// Draws one tile: draws take effect in order. Opaque ones go to the visibility buffer, and what it shows is shaded
+  /// before a draw that must see colours, and at the end; the others are shaded triangle by triangle and blended.
+  /// Blends without an order follow. Throws Failure and std::bad_alloc.
   void render(uint32_t index, Worker* worker) const;
 };
 

@@ -47,31 +47,28 @@ void add_weighted(uint32_t sample, uint32_t pixel, float depth, const FragmentCo
   sums_of(unordered, sample, 4)[pixel] *= 1.0f - color.channel[3];
 }
 
-void blend_weighted(const SampleColor* colors, uint32_t samples, const Unordered& unordered) {
+void blend_weighted(uint32_t samples, const Unordered& unordered, TileColor* color) {
   for (uint32_t s = 0; s < samples; ++s) {
     const float *weights = sums_of(unordered, s, 3), *rests = sums_of(unordered, s, 4);
     for (uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
       if (weights[pixel] == 0.0f) continue;
       const float cover = 1.0f - rests[pixel], share = cover / weights[pixel];
-      const size_t at = colors[s].at(pixel);
+      const Below below = color->sample(pixel, s);
       for (size_t i = 0; i < 3; ++i) {
-        float& d = colors[s].channel[i][at];
+        float& d = *below.channel[i];
         d = share * sums_of(unordered, s, i)[pixel] + rests[pixel] * d;
       }
-      float& a = colors[s].channel[3][at];
+      float& a = *below.channel[3];
       a = cover + rests[pixel] * a;
     }
   }
 }
 
-void blend_sorted(const SampleColor* colors, Unordered* unordered) {
+void blend_sorted(Unordered* unordered, TileColor* color) {
   SortedNode* nodes = unordered->nodes.data();
   std::sort(nodes, nodes + unordered->nodes.size(), comes_before);
   for (size_t i = 0; i < unordered->nodes.size(); ++i) {
-    const SampleColor& color = colors[nodes[i].place / kTilePixels];
-    const size_t at = color.at(nodes[i].place % kTilePixels);
-    float* const below[4] = {color.channel[0] + at, color.channel[1] + at, color.channel[2] + at,
-                             color.channel[3] + at};
+    const Below below = color->sample(nodes[i].place % kTilePixels, nodes[i].place / kTilePixels);
     blend(SHD_BLEND_PREMULTIPLIED, nodes[i].color, below);
   }
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
-#include "film/blend.h"
+#include "film/tile_color.h"
 
 namespace shd::film {
 
@@ -29,9 +29,9 @@ constexpr size_t kSums = 5;
 void clear_weighted(const core::Allocator& allocator, uint32_t samples, Unordered* unordered);
 void add_weighted(uint32_t sample, uint32_t pixel, float depth, const FragmentColor& color, Unordered* unordered);
 /// Puts the sums over the colours of each sample.
-void blend_weighted(const SampleColor* colors, uint32_t samples, const Unordered& unordered);
+void blend_weighted(uint32_t samples, const Unordered& unordered, TileColor* color);
 
 /// Sorts the nodes and puts them over the colours, far ones first.
-void blend_sorted(const SampleColor* colors, Unordered* unordered);
+void blend_sorted(Unordered* unordered, TileColor* color);
 
 }  // namespace shd::film

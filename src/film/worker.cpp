@@ -24,7 +24,7 @@ Worker& Workers::get(uint32_t index) {
     worker->covered.attach(allocator);
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
-    if (samples_ > 1) worker->color = core::Array<float>(allocator, samples_ * 4 * raster::kTilePixels);
+    allocate(allocator, samples_, &worker->split);
     shade::allocate(allocator, &worker->workspace);
   }
   return *workers_[index];

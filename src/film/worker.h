@@ -7,7 +7,7 @@
 
 #include "core/context.h"
 #include "film/aovs.h"
-#include "film/tile_writer.h"
+#include "film/tile_color.h"
 #include "film/unordered.h"
 #include "geometry/assemble.h"
 #include "raster/coverage.h"
@@ -19,18 +19,18 @@ namespace shd::film {
 /// The triangles behind a batch of fragments.
 struct BatchTriangles {
   size_t count = 0;
-  const geometry::ScreenTriangle* triangle[shade::kBatchTriangles];
-  uint16_t of[raster::kBatch];  // which of them a fragment belongs to
+  const geometry::ScreenTriangle* triangle[raster::kBatch];
+  uint16_t of[raster::kBatch];  // which of them a fragment belongs to; where its material is_plain() nobody asks
 };
 
 /// Everything one worker needs to draw tiles, made when it takes its first one.
 struct Worker {
   raster::Tile tile;
   raster::TileOrder order;
-  raster::CoverMask mask;
+  raster::CoverMask mask;                               // the latest one
   core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
   core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
-  core::Array<float> color;                             // [kTilePixels][samples][4]; empty with one sample
+  SplitSamples split;
   shade::Workspace workspace;
   BatchTriangles triangles;
   Unordered unordered;

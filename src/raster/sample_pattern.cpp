@@ -8,12 +8,21 @@ namespace {
 template <uint32_t kCount>
 constexpr SamplePattern make_pattern(const int32_t (&sixteenths)[kCount][2]) {
   constexpr int32_t kScale = geometry::kSubpixels / 16;
-  SamplePattern pattern = {kCount, {}, {geometry::kSubpixels, 0, geometry::kSubpixels, 0}};
+  SamplePattern pattern = {kCount, {}, {geometry::kSubpixels, 0, geometry::kSubpixels, 0}, {}};
   for (uint32_t s = 0; s < kCount; ++s) {
     const int32_t x = sixteenths[s][0] * kScale, y = sixteenths[s][1] * kScale;
     pattern.point[s] = {x, y};
     geometry::SampleExtent& e = pattern.extent;
     e = {x < e.min_x ? x : e.min_x, x > e.max_x ? x : e.max_x, y < e.min_y ? y : e.min_y, y > e.max_y ? y : e.max_y};
+  }
+  for (uint32_t bits = 1; bits < 256; ++bits) {
+    for (uint32_t half = 0; half < 2; ++half) {
+      for (uint32_t s = 8 * half; s < kCount && s < 8 * half + 8; ++s) {
+        if (!(bits >> (s - 8 * half) & 1)) continue;
+        pattern.sum[half][bits].x += pattern.point[s].x;
+        pattern.sum[half][bits].y += pattern.point[s].y;
+      }
+    }
   }
   return pattern;
 }

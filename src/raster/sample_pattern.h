@@ -20,7 +20,13 @@ struct SamplePattern {
   uint32_t count;
   SamplePoint point[kMaxSamples];
   geometry::SampleExtent extent;
+  SamplePoint sum[2][256];  // of the points in the lower and in the upper eight bits of a mask
 };
+
+inline SamplePoint sum_of_points(const SamplePattern& pattern, uint32_t mask) {
+  const SamplePoint &low = pattern.sum[0][mask & 255], &high = pattern.sum[1][mask >> 8];
+  return {low.x + high.x, low.y + high.y};
+}
 
 /// Of 1, 2, 4, 8 or 16 samples.
 const SamplePattern& sample_pattern(uint32_t count);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "film/fragment_batch.h"
+
+namespace shd::film {
+
+size_t FragmentBatch::most_triangles(const geometry::ScreenTriangle& triangle) const {
+  return tile_.draw_of(triangle).frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
+}
+
+Placing FragmentBatch::placing_of(const geometry::ScreenTriangle& triangle) const {
+  Placing placing;
+  const bool several = tile_.pattern.count > 1;
+  placing.at_samples = several && tile_.draw_of(triangle).sample_shading;
+  for (int k = 0; k < 3 && several; ++k) placing.edge[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
+  return placing;
+}
+
+bool FragmentBatch::covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const {
+  return raster::covers(placing.edge, static_cast<int32_t>(pixel % raster::kTile),
+                        static_cast<int32_t>(pixel / raster::kTile), point);
+}
+
+/// Moves a row from the middle of its pixel to the samples in the mask, unless the triangle covers the middle.
+void FragmentBatch::place(const Placing& placing, size_t row, uint32_t mask) const {
+  raster::Fragments& f = worker_.workspace.fragments;
+  constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+  if (!placing.at_samples && (mask == tile_.all_samples() || covers(placing, f.pixel[row], kCentre))) return;
+  const raster::SamplePoint sum = raster::sum_of_points(tile_.pattern, mask);
+  const float scale = 1.0f / static_cast<float>(__builtin_popcount(mask) * geometry::kSubpixels);
+  f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
+  f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
+}
+
+/// Adds pixels of the latest triangle to a table that has room for them.
+void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Placing& placing,
+                           const raster::VisiblePixel* pixels, size_t count) {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const size_t begin = f.count;
+  const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t pixel = pixels[i].position;
+    f.pixel[begin + i] = pixel;
+    f.mask[begin + i] = pixels[i].mask;
+    f.triangle[begin + i] = triangle.primitive;
+    f.x[begin + i] = left + static_cast<float>(pixel % raster::kTile);
+    f.y[begin + i] = top + static_cast<float>(pixel / raster::kTile);
+  }
+  f.count += count;
+  const Draw& draw = tile_.draw_of(triangle);
+  if (is_plain(*draw.material)) return finish_plain(draw, placing, begin, f.count);
+  finish_by_coverage(triangle, draw, placing, begin, f.count);
+}
+
+/// Where the rows of a draw that the visibility buffer shows are shaded.
+void FragmentBatch::finish_plain(const Draw& draw, const Placing& placing, size_t begin, size_t end) {
+  raster::Fragments& f = worker_.workspace.fragments;
+  if (tile_.pattern.count > 1) {
+    for (size_t i = begin; i < end; ++i) place(placing, i, f.mask[i]);
+  }
+  if (draw.material->model != SHD_MODEL_PROGRAM) return;
+  for (size_t i = begin; i < end; ++i) f.depth[i] = *tile_.depth_of(first_sample(f.mask[i]), f.pixel[i]);
+}
+
+/// The same for rows whose masks went by depths that may change before their turn: those must not tell, or a fragment
+/// would depend on when batches end.
+void FragmentBatch::finish_by_coverage(const geometry::ScreenTriangle& triangle, const Draw& draw,
+                                       const Placing& placing, size_t begin, size_t end) {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const raster::DepthSlope slope = raster::make_depth_slope(triangle, draw.depth);
+  for (size_t i = begin; i < end; ++i) {
+    uint32_t mask = f.mask[i];
+    for (uint32_t s = 0; s < tile_.pattern.count && !placing.at_samples && mask != tile_.all_samples(); ++s) {
+      if (covers(placing, f.pixel[i], tile_.pattern.point[s])) mask |= 1u << s;
+    }
+    place(placing, i, mask);
+    worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
+    if (draw.material->model != SHD_MODEL_PROGRAM) continue;
+    const raster::DepthPlane plane = raster::plane_at(slope, tile_.pattern.point[first_sample(mask)]);
+    f.depth[i] = raster::depth_at(plane, tile_.left_of(f.pixel[i]), tile_.top_of(f.pixel[i]));
+  }
+}
+
+void FragmentBatch::shade(uint32_t draw) {
+  const Draw& d = tile_.renderer.frame.draws[draw];
+  const Scene& scene = tile_.renderer.scene;
+  const shade::DrawShading shading = {
+      d.mesh, &scene.vertices[draw], d.material, d.frequency, scene.transforms[draw].orientation, d.index, d.instance};
+  shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view.eye, &worker_.workspace);
+  worker_.fragments += worker_.workspace.fragments.count;
+}
+
+}  // namespace shd::film

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "film/opaque_pass.h"
+
+#include "film/aovs.h"
+#include "film/fragment_batch.h"
+
+namespace shd::film {
+namespace {
+
+/// A triangle of a run by its mask, which is counted, then into the visibility buffer.
+void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, uint32_t slot) {
+  Worker& worker = tile->worker;
+  const raster::CoverArea area = tile->cover_area(tile->box());
+  const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
+  raster::cover_mask(tile->simd(), area, draw.depth, triangle, worker.tile, &worker.mask);
+  const uint64_t passed = tile->count_masked();
+  if (draw.material && tile->framebuffer.aovs & SHD_AOV_OVERDRAW) {
+    tile->for_each_masked([&](uint32_t pixel, uint32_t mask) {
+      if (mask & 1) count_overdraw(tile->area, pixel, &tile->framebuffer);
+    });
+  }
+  tile->count_hidden(area, triangle, passed);
+  raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
+}
+
+/// Colours of a shaded batch to the samples that show them. Returns how many rows have one that is not finite.
+uint64_t write_colors(const raster::Fragments& f, const shade::Radiance& radiance, TileColor* tile_color) {
+  uint64_t nonfinite = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    FragmentColor color;
+    for (size_t c = 0; c < 4; ++c) color.channel[c] = radiance.channel[c][i];
+    nonfinite += !is_finite(color);
+    tile_color->write(f.pixel[i], f.mask[i], color);
+  }
+  return nonfinite;
+}
+
+void write_batch(const Draw& draw, TileState* tile) {
+  Worker& worker = tile->worker;
+  const raster::Fragments& f = worker.workspace.fragments;
+  worker.nonfinite_fragments += write_colors(f, worker.workspace.columns.radiance, &tile->color);
+  if (!tile->framebuffer.aovs) return;
+  find_rows(f, &worker.aovs);
+  write_aovs(tile->simd(), tile->area, *draw.material, tile->index_of(draw), f, &worker.aovs, &tile->framebuffer);
+}
+
+}  // namespace
+
+void cover_run(TileState* tile, const Run& run) {
+  Worker& worker = tile->worker;
+  const Draw& draw = tile->draw_of(run);
+  auto first_slot = raster::kNoSlot;
+  if (draw.material) {
+    first_slot = static_cast<uint32_t>(worker.slots.size());
+    for (size_t i = 0; i < run.count; ++i) worker.slots.push_back(run.triangles + run.entries[i]);
+  }
+  const bool counts_overdraw = draw.material && tile->framebuffer.aovs & SHD_AOV_OVERDRAW;
+  if (!counts_overdraw && !tile->renderer.frame.counts_hidden) {
+    raster::cover(tile->simd(), tile->cover_area(tile->box()), draw.depth, run.triangles, run.entries, run.count,
+                  first_slot, &worker.tile);
+    return;
+  }
+  for (size_t i = 0; i < run.count; ++i) {
+    const uint32_t slot = draw.material ? first_slot + static_cast<uint32_t>(i) : raster::kNoSlot;
+    cover_counted(tile, draw, run, i, slot);
+  }
+}
+
+void shade_visible(TileState* tile) {
+  Worker& worker = tile->worker;
+  if (worker.slots.size() == 0) return;
+  raster::sort_pixels(worker.tile, worker.slots.size(), &worker.order);
+  FragmentBatch batch(*tile);
+  const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
+  uint32_t draw = 0;
+  for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
+    const size_t begin = worker.order.start[slot], end = worker.order.start[slot + 1];
+    if (begin == end) continue;
+    const geometry::ScreenTriangle& triangle = *worker.slots[slot];
+    if (triangle.draw != draw) batch.flush(draw, done);
+    draw = triangle.draw;
+    batch.add(triangle, worker.order.pixel.data() + begin, end - begin, done);
+  }
+  batch.flush(draw, done);
+  worker.slots.clear();
+  clear_slots(&worker.tile);
+}
+
+}  // namespace shd::film

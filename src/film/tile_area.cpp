@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "film/tile_area.h"
+
+#include <algorithm>
+
+namespace shd::film {
+namespace {
+
+/// Position of pixel (0, y) of the tile in a plane.
+size_t row_start(const TileArea& area, const Framebuffer& framebuffer, uint32_t y) {
+  return (area.top + size_t{y}) * framebuffer.stride + area.left;
+}
+
+}  // namespace
+
+TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x) {
+  TileArea area;
+  area.left = tile % tiles_x * raster::kTile;
+  area.top = tile / tiles_x * raster::kTile;
+  area.width = std::min<uint32_t>(raster::kTile, framebuffer.width - area.left);
+  area.height = std::min<uint32_t>(raster::kTile, framebuffer.height - area.top);
+  return area;
+}
+
+void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const size_t start = row_start(area, *framebuffer, y);
+    for (uint32_t p = 0; p < kPlaneCount; ++p) {
+      if (!wants_plane(framebuffer->aovs, p)) continue;
+      if (kPlanes[p].is_integer) {
+        std::fill_n(&framebuffer->u32_plane[p][start], area.width, static_cast<uint32_t>(kPlanes[p].empty));
+        continue;
+      }
+      const auto empty = static_cast<float>(kPlanes[p].empty);
+      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : empty;
+      std::fill_n(&framebuffer->plane[p][start], area.width, value);
+    }
+  }
+}
+
+void clear_slots(raster::Tile* tile) {
+  std::fill(tile->slot.begin(), tile->slot.end(), raster::kNoSlot);
+}
+
+void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const float* depth = &framebuffer.plane[SHD_PLANE_DEPTH][row_start(area, framebuffer, y)];
+    float* to = tile->depth.data() + size_t{y} * raster::kTile * tile->samples;
+    for (uint32_t x = 0; x < area.width; ++x, to += tile->samples) std::fill_n(to, tile->samples, depth[x]);
+  }
+}
+
+void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
+    const float* from = tile.depth.data() + size_t{y} * raster::kTile * tile.samples;
+    for (uint32_t x = 0; x < area.width; ++x) depth[x] = from[x * tile.samples];
+  }
+}
+
+}  // namespace shd::film

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "film/framebuffer.h"
+#include "raster/tile.h"
+
+namespace shd::film {
+
+/// Pixels of a tile that lie in the framebuffer.
+struct TileArea {
+  uint32_t left, top;      // position in the framebuffer
+  uint32_t width, height;  // 1..kTile
+};
+
+TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
+
+/// Colour and depth of pixels to the given values, the other planes empty.
+void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
+
+void clear_slots(raster::Tile* tile);
+
+/// Depth from the framebuffer for every sample. Pixels outside the frame are left as they are.
+void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
+/// That of the first sample.
+void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
+
+}  // namespace shd::film
