@@ -37,12 +37,11 @@ HWY_INLINE MaskV Passes(V z, V stored) {
 
 /// A triangle over a tile. Samples lie in rows as the tile has them: those of one pixel, then those of the next.
 struct Span {
-  EdgeLine line[3];
-  Edge edge[3][kMaxSamples];      // by sample
-  DepthPlane plane[kMaxSamples];  // by sample
-  geometry::PixelBox box;         // of the tile
-  int32_t left, top;              // of the tile in the frame
-  int32_t samples;
+  const SamplePattern& pattern;
+  EdgeLine line[3];  // 0 where all samples of the tile are inside
+  DepthSlope slope;
+  geometry::PixelBox box;  // of the tile
+  int32_t left, top;       // of the tile in the frame
 };
 
 /// What repeats along the rows of a triangle: edges that fit int32 and the origin of depth at the samples of as many
@@ -52,31 +51,50 @@ class Period {
  public:
   using Int = hn::Vec<hn::RebindToSigned<Tag>>;
 
-  HWY_INLINE explicit Period(const Span& s) {
-    const auto lanes = static_cast<int32_t>(hn::Lanes(Tag()));
-    length = s.samples > lanes ? s.samples : lanes;
-    pixels = length / s.samples;
-    for (int32_t i = 0, sample = 0, x = 0; i < length; ++i) {
-      column_[i] = x;
-      for (int k = 0; k < 3; ++k) {
-        edge_[k][i] = static_cast<int32_t>(s.edge[k][sample].value) + static_cast<int32_t>(s.edge[k][sample].a) * x;
-      }
-      base_[i] = s.plane[sample].base;
-      if (++sample == s.samples) sample = 0, ++x;
+  HWY_INLINE explicit Period(const Span& s) : pattern_(s.pattern) {
+    const auto lanes = static_cast<int32_t>(hn::Lanes(Tag())), samples = static_cast<int32_t>(s.pattern.count);
+    length = samples > lanes ? samples : lanes;
+    pixels = length / samples;
+    for (int32_t at = 0; at < length; at += lanes) {
+      for (int k = 0; k < 3; ++k) PlaceEdge(s.line[k], at, edge_[k] + at);
     }
+    PlaceDepth(s.slope);
   }
 
-  HWY_INLINE Int column(int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), column_ + at); }
+  HWY_INLINE Int column(int32_t at) const { return hn::LoadU(hn::RebindToSigned<Tag>(), pattern_.column + at); }
   HWY_INLINE Int edge(int k, int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), edge_[k] + at); }
   HWY_INLINE V base(int32_t at) const { return hn::Load(Tag(), base_ + at); }
 
   int32_t length, pixels;  // in samples and in pixels
 
  private:
-  static constexpr size_t kMost = hn::MaxLanes(Tag()) > kMaxSamples ? hn::MaxLanes(Tag()) : kMaxSamples;
-  alignas(64) int32_t column_[kMost];
-  alignas(64) int32_t edge_[3][kMost];
-  alignas(64) float base_[kMost];
+  /// edge_at() for lanes from `at` on: the pixels' part in whole pixels, the rest before rounding.
+  HWY_INLINE void PlaceEdge(const EdgeLine& line, int32_t at, int32_t* out) const {
+    const hn::RebindToSigned<Tag> di;
+    const auto a = hn::Set(di, static_cast<int32_t>(line.a)), b = hn::Set(di, static_cast<int32_t>(line.b));
+    const auto whole = hn::Set(di, static_cast<int32_t>(line.value >> geometry::kSubpixelBits));
+    const auto part = hn::Set(di, static_cast<int32_t>(line.value & (geometry::kSubpixels - 1)));
+    const auto x = hn::Mul(a, hn::LoadU(di, pattern_.x + at)), y = hn::Mul(b, hn::LoadU(di, pattern_.y + at));
+    const auto in_pixel = hn::ShiftRight<geometry::kSubpixelBits>(hn::Add(part, hn::Add(x, y)));
+    hn::Store(hn::Add(hn::Add(whole, in_pixel), hn::Mul(a, column(at))), di, out);
+  }
+
+  /// plane_at().base for every lane.
+  HWY_INLINE void PlaceDepth(const DepthSlope& slope) {
+    const hn::ScalableTag<double> d;
+    const DepthOrigin origin = origin_of(slope);
+    for (int32_t at = 0; at < length; at += static_cast<int32_t>(hn::Lanes(d))) {
+      const auto step_x = hn::Add(hn::Set(d, origin.step_x), hn::LoadU(d, pattern_.pixel_x + at));
+      const auto step_y = hn::Add(hn::Set(d, origin.step_y), hn::LoadU(d, pattern_.pixel_y + at));
+      const auto along_x = hn::Add(hn::Set(d, slope.z), hn::Mul(hn::Set(d, slope.dx), step_x));
+      const hn::Rebind<float, decltype(d)> df;
+      hn::StoreU(hn::DemoteTo(df, hn::Add(along_x, hn::Mul(hn::Set(d, slope.dy), step_y))), df, base_ + at);
+    }
+  }
+
+  const SamplePattern& pattern_;
+  alignas(64) int32_t edge_[3][kMaxSamples];
+  alignas(64) float base_[kMaxSamples];
 };
 
 /// With one sample a pixel all of it stays in registers.
@@ -86,10 +104,12 @@ class Period<true> {
   using Int = hn::Vec<hn::RebindToSigned<Tag>>;
 
   HWY_INLINE explicit Period(const Span& s)
-      : length(static_cast<int32_t>(hn::Lanes(Tag()))), pixels(length), base_(hn::Set(Tag(), s.plane[0].base)) {
-    edge0_ = edge_of(s.edge[0][0]);
-    edge1_ = edge_of(s.edge[1][0]);
-    edge2_ = edge_of(s.edge[2][0]);
+      : length(static_cast<int32_t>(hn::Lanes(Tag()))),
+        pixels(length),
+        base_(hn::Set(Tag(), plane_at(s.slope, s.pattern.point[0]).base)) {
+    edge0_ = edge_of(edge_at(s.line[0], s.pattern.point[0]));
+    edge1_ = edge_of(edge_at(s.line[1], s.pattern.point[0]));
+    edge2_ = edge_of(edge_at(s.line[2], s.pattern.point[0]));
   }
 
   HWY_INLINE Int column(int32_t) const { return hn::Iota(hn::RebindToSigned<Tag>(), 0); }
@@ -116,13 +136,14 @@ HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
   const Tag d;
   const hn::RebindToSigned<Tag> di;
   const auto lanes = static_cast<int32_t>(hn::Lanes(d));
+  const auto samples = static_cast<int32_t>(s.pattern.count);
   const Period<kSingle> period(s);
   int32_t a[3], b[3];
   for (int k = 0; k < 3; ++k) {
-    a[k] = static_cast<int32_t>(s.edge[k][0].a);
-    b[k] = static_cast<int32_t>(s.edge[k][0].b);
+    a[k] = static_cast<int32_t>(s.line[k].a);
+    b[k] = static_cast<int32_t>(s.line[k].b);
   }
-  const DepthPlane& plane = s.plane[0];
+  const DepthPlane plane = plane_at(s.slope, s.pattern.point[0]);
   const auto low = hn::Set(d, plane.low), high = hn::Set(d, plane.high), slope = hn::Set(d, plane.dx);
   const auto before = hn::Set(di, s.box.min_x - 1), behind = hn::Set(di, s.box.max_x + 1);
   const int32_t first_x = s.box.min_x / period.pixels * period.pixels;
@@ -141,7 +162,7 @@ HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
         const auto from_origin = hn::ConvertTo(d, hn::Add(column, hn::Set(di, s.left - plane.x0)));
         const auto row = hn::Add(period.base(i), down);
         const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
-        body(static_cast<size_t>((y * kTile + x) * s.samples + i), inside, z);
+        body(static_cast<size_t>((y * kTile + x) * samples + i), inside, z);
       }
     }
   }
@@ -152,38 +173,23 @@ template <class Body>
 HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
-  const auto lanes = static_cast<int32_t>(hn::Lanes(d));
+  const auto lanes = static_cast<int32_t>(hn::Lanes(d)), samples = static_cast<int32_t>(s.pattern.count);
   alignas(64) uint32_t covered[hn::MaxLanes(Tag())];
   alignas(64) float z[hn::MaxLanes(Tag())];
+  DepthPlane plane[kMaxSamples];
+  for (int32_t k = 0; k < samples; ++k) plane[k] = plane_at(s.slope, s.pattern.point[k]);
   for (int32_t y = s.box.min_y; y <= s.box.max_y; ++y) {
-    for (int32_t at = s.box.min_x * s.samples / lanes * lanes; at < (s.box.max_x + 1) * s.samples; at += lanes) {
+    for (int32_t at = s.box.min_x * samples / lanes * lanes; at < (s.box.max_x + 1) * samples; at += lanes) {
       for (int32_t i = 0; i < lanes; ++i) {
-        const int32_t x = (at + i) / s.samples, sample = (at + i) % s.samples;
-        int64_t sides = 0;
-        for (const auto& edge : s.edge) sides |= edge[sample].value + edge[sample].a * x + edge[sample].b * y;
-        covered[i] = sides >= 0 && x >= s.box.min_x && x <= s.box.max_x;
-        z[i] = depth_at(s.plane[sample], s.left + x, s.top + y);
+        const int32_t x = (at + i) / samples, sample = (at + i) % samples;
+        covered[i] = x >= s.box.min_x && x <= s.box.max_x && covers(s.line, x, y, s.pattern.point[sample]);
+        z[i] = depth_at(plane[sample], s.left + x, s.top + y);
       }
       const auto inside = hn::RebindMask(d, hn::Ne(hn::Load(du, covered), hn::Zero(du)));
       if (hn::AllFalse(d, inside)) continue;
-      body(static_cast<size_t>(y * kTile * s.samples + at), inside, hn::Load(d, z));
+      body(static_cast<size_t>(y * kTile * samples + at), inside, hn::Load(d, z));
     }
   }
-}
-
-/// One edge at every sample; false if no sample of the tile is on its inner side. An edge that all of them are inside
-/// of counts as 0.
-template <bool kSingle>
-HWY_INLINE bool PlaceEdge(const EdgeLine& line, const SamplePattern& pattern, Edge* edge) {
-  const uint32_t count = kSingle ? 1 : pattern.count;
-  bool outside = true, inside = true;
-  for (uint32_t k = 0; k < count; ++k) {
-    const EdgeSide side = edge_at(line, pattern.point[k], &edge[k]);
-    outside &= side == EdgeSide::kOutside;
-    inside &= side == EdgeSide::kInside;
-  }
-  for (uint32_t k = 0; k < count && inside; ++k) edge[k] = {0, 0, 0};
-  return !outside;
 }
 
 /// body(at, inside, z) for every vector of samples that has some in the triangle; `at` is the place of its first one in
@@ -191,21 +197,19 @@ HWY_INLINE bool PlaceEdge(const EdgeLine& line, const SamplePattern& pattern, Ed
 template <bool kSingle, class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
                                const Body& body) {
-  Span s;
+  Span s = {area.pattern, {}, {}, {}, area.left, area.top};
   bool narrow = true;
   for (int k = 0; k < 3; ++k) {
-    if (!PlaceEdge<kSingle>(make_edge_line(triangle, k, area.left, area.top), area.pattern, s.edge[k])) return;
-    narrow &= std::abs(s.edge[k][0].a) <= kNarrowStep && std::abs(s.edge[k][0].b) <= kNarrowStep;
+    s.line[k] = make_edge_line(triangle, k, area.left, area.top);
+    const EdgeSide side = side_of(s.line[k], area.pattern.extent);
+    if (side == EdgeSide::kOutside) return;
+    if (side == EdgeSide::kInside) s.line[k] = {0, 0, 0};
+    narrow &= std::abs(s.line[k].a) <= kNarrowStep && std::abs(s.line[k].b) <= kNarrowStep;
   }
   const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
   if (geometry::is_empty(box)) return;
-  const DepthSlope slope = make_depth_slope(triangle, state);
-  const uint32_t count = kSingle ? 1 : area.pattern.count;
-  for (uint32_t k = 0; k < count; ++k) s.plane[k] = plane_at(slope, area.pattern.point[k]);
-  s.left = area.left;
-  s.top = area.top;
+  s.slope = make_depth_slope(triangle, state);
   s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
-  s.samples = static_cast<int32_t>(count);
   const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
   if (!narrow) return ForEachWide(s, body);
   clipped ? ForEachNarrow<kSingle, true>(s, body) : ForEachNarrow<kSingle, false>(s, body);

@@ -34,21 +34,24 @@ struct Edge {
   int64_t value, a, b;
 };
 
-enum class EdgeSide { kOutside, kInside, kCrossing };
-
-/// Also tells how the edge lies to the tile.
-inline EdgeSide edge_at(const EdgeLine& line, SamplePoint sample, Edge* out) {
-  const int64_t a = line.a, b = line.b;
-  const int64_t value = (line.value + a * sample.x + b * sample.y) >> geometry::kSubpixelBits;
-  const int64_t span = kTile - 1;
-  const int64_t lowest = value + span * (std::min<int64_t>(a, 0) + std::min<int64_t>(b, 0));
-  const int64_t highest = value + span * (std::max<int64_t>(a, 0) + std::max<int64_t>(b, 0));
-  *out = {value, a, b};
-  return highest < 0 ? EdgeSide::kOutside : lowest >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
+inline Edge edge_at(const EdgeLine& line, SamplePoint sample) {
+  return {(line.value + line.a * sample.x + line.b * sample.y) >> geometry::kSubpixelBits, line.a, line.b};
 }
 
-/// Steps up to this size keep an edge that crosses a tile, and all its values there, inside int32.
-constexpr int64_t kNarrowStep = int64_t{1} << 23;
+enum class EdgeSide { kOutside, kInside, kCrossing };
+
+/// How an edge lies to the samples of all pixels of a tile; kCrossing where it only might.
+inline EdgeSide side_of(const EdgeLine& line, const geometry::SampleExtent& samples) {
+  constexpr int64_t kSpan = (kTile - 1) * geometry::kSubpixels;
+  const int64_t left = line.a * samples.min_x, right = line.a * (kSpan + samples.max_x);
+  const int64_t top = line.b * samples.min_y, bottom = line.b * (kSpan + samples.max_y);
+  if (line.value + std::max(left, right) + std::max(top, bottom) < 0) return EdgeSide::kOutside;
+  return line.value + std::min(left, right) + std::min(top, bottom) >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
+}
+
+/// Steps up to this size keep an edge that crosses a tile, all its values there, and what the place of a sample in its
+/// pixel adds in 2^-16 pixel^2, inside int32.
+constexpr int64_t kNarrowStep = int64_t{1} << 22;
 
 /// Depth of a triangle: at vertex 0, per pixel, and its range, all with the bias.
 struct DepthSlope {
@@ -80,18 +83,28 @@ struct DepthPlane {
   int32_t x0, y0;
 };
 
-inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
-  const int32_t x0 = slope.x >> geometry::kSubpixelBits, y0 = slope.y >> geometry::kSubpixelBits;
+/// Where that origin is, and from vertex 0 to its top left corner in pixels.
+struct DepthOrigin {
+  int32_t x, y;
+  double step_x, step_y;
+};
+inline DepthOrigin origin_of(const DepthSlope& slope) {
+  const int32_t x = slope.x >> geometry::kSubpixelBits, y = slope.y >> geometry::kSubpixelBits;
   const double to_pixels = 1.0 / geometry::kSubpixels;
-  const double step_x = (x0 * geometry::kSubpixels + sample.x - slope.x) * to_pixels;
-  const double step_y = (y0 * geometry::kSubpixels + sample.y - slope.y) * to_pixels;
+  return {x, y, (x * geometry::kSubpixels - slope.x) * to_pixels, (y * geometry::kSubpixels - slope.y) * to_pixels};
+}
+
+inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
+  const DepthOrigin origin = origin_of(slope);
+  const double to_pixels = 1.0 / geometry::kSubpixels;
+  const double step_x = origin.step_x + sample.x * to_pixels, step_y = origin.step_y + sample.y * to_pixels;
   return {static_cast<float>(slope.z + slope.dx * step_x + slope.dy * step_y),
           static_cast<float>(slope.dx),
           static_cast<float>(slope.dy),
           slope.low,
           slope.high,
-          x0,
-          y0};
+          origin.x,
+          origin.y};
 }
 
 /// Whether the triangle of three edges over a tile covers a point of pixel (x, y) of that tile.

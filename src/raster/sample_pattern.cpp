@@ -8,12 +8,20 @@ namespace {
 template <uint32_t kCount>
 constexpr SamplePattern make_pattern(const int32_t (&sixteenths)[kCount][2]) {
   constexpr int32_t kScale = geometry::kSubpixels / 16;
-  SamplePattern pattern = {kCount, {}, {geometry::kSubpixels, 0, geometry::kSubpixels, 0}, {}};
+  SamplePattern pattern = {kCount, {}, {geometry::kSubpixels, 0, geometry::kSubpixels, 0}, {}, {}, {}, {}, {}, {}};
   for (uint32_t s = 0; s < kCount; ++s) {
     const int32_t x = sixteenths[s][0] * kScale, y = sixteenths[s][1] * kScale;
     pattern.point[s] = {x, y};
     geometry::SampleExtent& e = pattern.extent;
     e = {x < e.min_x ? x : e.min_x, x > e.max_x ? x : e.max_x, y < e.min_y ? y : e.min_y, y > e.max_y ? y : e.max_y};
+  }
+  for (uint32_t i = 0; i < kMaxSamples; ++i) {
+    const SamplePoint& point = pattern.point[i % kCount];
+    pattern.x[i] = point.x;
+    pattern.y[i] = point.y;
+    pattern.column[i] = static_cast<int32_t>(i / kCount);
+    pattern.pixel_x[i] = static_cast<double>(point.x) / geometry::kSubpixels;
+    pattern.pixel_y[i] = static_cast<double>(point.y) / geometry::kSubpixels;
   }
   for (uint32_t bits = 1; bits < 256; ++bits) {
     for (uint32_t half = 0; half < 2; ++half) {
