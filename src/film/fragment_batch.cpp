@@ -2,6 +2,11 @@
 #include "film/fragment_batch.h"
 
 namespace shd::film {
+namespace {
+
+constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+
+}  // namespace
 
 size_t FragmentBatch::most_triangles(const geometry::ScreenTriangle& triangle) const {
   return tile_.draw_of(triangle).frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
@@ -11,22 +16,31 @@ Placing FragmentBatch::placing_of(const geometry::ScreenTriangle& triangle) cons
   Placing placing;
   const bool several = tile_.pattern.count > 1;
   placing.at_samples = several && tile_.draw_of(triangle).sample_shading;
-  for (int k = 0; k < 3 && several; ++k) placing.edge[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
+  for (int k = 0; k < 3 && several; ++k) {
+    placing.line[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
+    placing.at_centre[k] = raster::edge_at(placing.line[k], kCentre);
+  }
   return placing;
 }
 
 bool FragmentBatch::covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const {
-  return raster::covers(placing.edge, static_cast<int32_t>(pixel % raster::kTile),
+  return raster::covers(placing.line, static_cast<int32_t>(pixel % raster::kTile),
                         static_cast<int32_t>(pixel / raster::kTile), point);
+}
+
+bool FragmentBatch::covers_centre(const Placing& placing, uint32_t pixel) const {
+  const int64_t x = pixel % raster::kTile, y = pixel / raster::kTile;
+  int64_t sides = 0;
+  for (const raster::Edge& edge : placing.at_centre) sides |= edge.value + edge.a * x + edge.b * y;
+  return sides >= 0;
 }
 
 /// Moves a row from the middle of its pixel to the samples in the mask, unless the triangle covers the middle.
 void FragmentBatch::place(const Placing& placing, size_t row, uint32_t mask) const {
   raster::Fragments& f = worker_.workspace.fragments;
-  constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
-  if (!placing.at_samples && (mask == tile_.all_samples() || covers(placing, f.pixel[row], kCentre))) return;
-  const raster::SamplePoint sum = raster::sum_of_points(tile_.pattern, mask);
-  const float scale = 1.0f / static_cast<float>(__builtin_popcount(mask) * geometry::kSubpixels);
+  if (!placing.at_samples && (mask == tile_.all_samples() || covers_centre(placing, f.pixel[row]))) return;
+  const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
+  const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
   f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
   f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
 }

@@ -13,7 +13,8 @@ namespace shd::film {
 /// Where in its pixels a triangle is shaded.
 struct Placing {
   bool at_samples;
-  raster::EdgeLine edge[3];  // with several samples
+  raster::EdgeLine line[3];   // with several samples
+  raster::Edge at_centre[3];  // the same
 };
 
 /// Gathers the fragments of one draw into the worker's table and shades it when it is full: its owner's done(draw)
@@ -72,6 +73,7 @@ class FragmentBatch {
   size_t most_triangles(const geometry::ScreenTriangle& triangle) const;
   Placing placing_of(const geometry::ScreenTriangle& triangle) const;
   bool covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const;
+  bool covers_centre(const Placing& placing, uint32_t pixel) const;
   void place(const Placing& placing, size_t row, uint32_t mask) const;
   void append(const geometry::ScreenTriangle& triangle, const Placing& placing, const raster::VisiblePixel* pixels,
               size_t count);

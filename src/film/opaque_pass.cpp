@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "film/opaque_pass.h"
 
+#include <cmath>
+#include <limits>
+
 #include "film/aovs.h"
 #include "film/fragment_batch.h"
 
@@ -23,22 +26,32 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
 }
 
-/// Colours of a shaded batch to the samples that show them. Returns how many rows have one that is not finite.
-uint64_t write_colors(const raster::Fragments& f, const shade::Radiance& radiance, TileColor* tile_color) {
-  uint64_t nonfinite = 0;
+/// Rows with a channel that is not finite.
+uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
+  const float *r = radiance.channel[0], *g = radiance.channel[1], *b = radiance.channel[2], *a = radiance.channel[3];
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  uint32_t finite = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    finite += (std::fabs(r[i]) < kInfinity) & (std::fabs(g[i]) < kInfinity) & (std::fabs(b[i]) < kInfinity) &
+              (std::fabs(a[i]) < kInfinity);
+  }
+  return f.count - finite;
+}
+
+/// Colours of a shaded batch to the samples that show them.
+void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, TileColor* tile_color) {
   for (size_t i = 0; i < f.count; ++i) {
     FragmentColor color;
     for (size_t c = 0; c < 4; ++c) color.channel[c] = radiance.channel[c][i];
-    nonfinite += !is_finite(color);
     tile_color->write(f.pixel[i], f.mask[i], color);
   }
-  return nonfinite;
 }
 
 void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
-  worker.nonfinite_fragments += write_colors(f, worker.workspace.columns.radiance, &tile->color);
+  worker.nonfinite_fragments += count_nonfinite(f, worker.workspace.columns.radiance);
+  write_colors(f, worker.workspace.columns.radiance, &tile->color);
   if (!tile->framebuffer.aovs) return;
   find_rows(f, &worker.aovs);
   write_aovs(tile->simd(), tile->area, *draw.material, tile->index_of(draw), f, &worker.aovs, &tile->framebuffer);

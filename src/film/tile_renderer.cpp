@@ -9,18 +9,26 @@
 namespace shd::film {
 namespace {
 
-/// What the scissor leaves of a tile, as the frame starts.
-void clear(TileState* tile) {
+/// Depth and colours of a tile as they are before its first draw; false if there is none.
+bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
+  Worker& worker = tile->worker;
   const geometry::PixelBox whole =
       geometry::pixel_rectangle(tile->left, tile->top, tile->area.width, tile->area.height);
   const geometry::PixelBox box = geometry::intersection(whole, frame.scissor);
-  if (geometry::is_empty(box)) return;
-  const TileArea cleared = {tile->area.left + static_cast<uint32_t>(box.min_x - tile->left),
-                            tile->area.top + static_cast<uint32_t>(box.min_y - tile->top),
-                            static_cast<uint32_t>(box.max_x - box.min_x + 1),
-                            static_cast<uint32_t>(box.max_y - box.min_y + 1)};
-  clear_area(cleared, frame.clear_color, frame.clear_depth, &tile->framebuffer);
+  if (!frame.keep && !geometry::is_empty(box)) {
+    const TileArea cleared = {tile->area.left + static_cast<uint32_t>(box.min_x - tile->left),
+                              tile->area.top + static_cast<uint32_t>(box.min_y - tile->top),
+                              static_cast<uint32_t>(box.max_x - box.min_x + 1),
+                              static_cast<uint32_t>(box.max_y - box.min_y + 1)};
+    clear_area(cleared, frame.clear_color, frame.clear_depth, &tile->framebuffer);
+  }
+  if (tile->is_bare()) return false;
+  load_depth(tile->area, tile->framebuffer, &worker.tile);
+  clear_slots(&worker.tile);
+  worker.slots.clear();
+  tile->color.load();
+  return true;
 }
 
 /// Draws whose blend has an order.
@@ -48,12 +56,7 @@ Unfinished draw_in_order(TileState* tile) {
 
 void TileRenderer::render(uint32_t index, Worker* worker) const {
   TileState tile(*this, index, worker);
-  if (!frame.keep) clear(&tile);
-  if (tile.is_bare()) return;
-  load_depth(tile.area, tile.framebuffer, &worker->tile);
-  clear_slots(&worker->tile);
-  worker->slots.clear();
-  tile.color.load();
+  if (!begin(&tile)) return;
   const Unfinished unfinished = draw_in_order(&tile);
   if (unfinished.weighted) draw_weighted(&tile);
   if (unfinished.sorted) draw_sorted(&tile);

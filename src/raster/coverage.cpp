@@ -135,36 +135,52 @@ template <bool kSingle, bool kClipped, class Body>
 HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
   const Tag d;
   const hn::RebindToSigned<Tag> di;
-  const auto lanes = static_cast<int32_t>(hn::Lanes(d));
-  const auto samples = static_cast<int32_t>(s.pattern.count);
+  const auto lanes = static_cast<int32_t>(hn::Lanes(d)), samples = static_cast<int32_t>(s.pattern.count);
   const Period<kSingle> period(s);
-  int32_t a[3], b[3];
-  for (int k = 0; k < 3; ++k) {
-    a[k] = static_cast<int32_t>(s.line[k].a);
-    b[k] = static_cast<int32_t>(s.line[k].b);
-  }
+  const int32_t length = kSingle ? lanes : period.length, pixels = kSingle ? lanes : period.pixels;
   const DepthPlane plane = plane_at(s.slope, s.pattern.point[0]);
   const auto low = hn::Set(d, plane.low), high = hn::Set(d, plane.high), slope = hn::Set(d, plane.dx);
   const auto before = hn::Set(di, s.box.min_x - 1), behind = hn::Set(di, s.box.max_x + 1);
-  const int32_t first_x = s.box.min_x / period.pixels * period.pixels;
+  const auto to_origin = hn::Set(di, s.left - plane.x0);
+  const int32_t first_x = s.box.min_x & -pixels;
+  const auto start = [&](int k) {
+    const auto a = static_cast<int32_t>(s.line[k].a), b = static_cast<int32_t>(s.line[k].b);
+    return hn::Set(di, a * first_x + b * s.box.min_y);
+  };
+  const auto right = [&](int k) { return hn::Set(di, static_cast<int32_t>(s.line[k].a) * pixels); };
+  const auto down = [&](int k) { return hn::Set(di, static_cast<int32_t>(s.line[k].b)); };
+  const auto right0 = right(0), right1 = right(1), right2 = right(2), down0 = down(0), down1 = down(1), down2 = down(2);
+  auto row0 = start(0), row1 = start(1), row2 = start(2);
+  if (kSingle) {
+    row0 = hn::Add(row0, period.edge(0, 0));
+    row1 = hn::Add(row1, period.edge(1, 0));
+    row2 = hn::Add(row2, period.edge(2, 0));
+  }
   for (int32_t y = s.box.min_y; y <= s.box.max_y; ++y) {
-    const auto down = hn::Set(d, plane.dy * static_cast<float>(s.top + y - plane.y0));
-    for (int32_t x = first_x; x <= s.box.max_x; x += period.pixels) {
-      const auto e0 = hn::Set(di, a[0] * x + b[0] * y), e1 = hn::Set(di, a[1] * x + b[1] * y);
-      const auto e2 = hn::Set(di, a[2] * x + b[2] * y), corner = hn::Set(di, x);
-      for (int32_t i = 0; i < (kSingle ? lanes : period.length); i += lanes) {
-        const auto two = hn::Or(hn::Add(e0, period.edge(0, i)), hn::Add(e1, period.edge(1, i)));
-        auto in = hn::Gt(hn::Or(two, hn::Add(e2, period.edge(2, i))), hn::Set(di, -1));
-        const auto column = hn::Add(corner, period.column(i));
+    const auto depth = hn::Set(d, plane.dy * static_cast<float>(s.top + y - plane.y0));
+    auto e0 = row0, e1 = row1, e2 = row2;
+    for (int32_t x = first_x; x <= s.box.max_x; x += pixels) {
+      for (int32_t i = 0; i < length; i += lanes) {
+        const auto side0 = kSingle ? e0 : hn::Add(e0, period.edge(0, i));
+        const auto side1 = kSingle ? e1 : hn::Add(e1, period.edge(1, i));
+        const auto side2 = kSingle ? e2 : hn::Add(e2, period.edge(2, i));
+        auto in = hn::Gt(hn::Or(hn::Or(side0, side1), side2), hn::Set(di, -1));
+        const auto column = hn::Add(hn::Set(di, x), period.column(i));
         if (kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
         const auto inside = hn::RebindMask(d, in);
         if (hn::AllFalse(d, inside)) continue;
-        const auto from_origin = hn::ConvertTo(d, hn::Add(column, hn::Set(di, s.left - plane.x0)));
-        const auto row = hn::Add(period.base(i), down);
+        const auto from_origin = hn::ConvertTo(d, hn::Add(column, to_origin));
+        const auto row = hn::Add(period.base(i), depth);
         const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
         body(static_cast<size_t>((y * kTile + x) * samples + i), inside, z);
       }
+      e0 = hn::Add(e0, right0);
+      e1 = hn::Add(e1, right1);
+      e2 = hn::Add(e2, right2);
     }
+    row0 = hn::Add(row0, down0);
+    row1 = hn::Add(row1, down1);
+    row2 = hn::Add(row2, down2);
   }
 }
 

@@ -29,6 +29,7 @@ constexpr SamplePattern make_pattern(const int32_t (&sixteenths)[kCount][2]) {
         if (!(bits >> (s - 8 * half) & 1)) continue;
         pattern.sum[half][bits].x += pattern.point[s].x;
         pattern.sum[half][bits].y += pattern.point[s].y;
+        ++pattern.sum[half][bits].count;
       }
     }
   }

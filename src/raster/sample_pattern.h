@@ -14,13 +14,18 @@ struct SamplePoint {
 
 constexpr uint32_t kMaxSamples = 16;
 
+/// Sum of some of a pixel's samples.
+struct PointSum {
+  int32_t x, y, count;
+};
+
 /// The samples of a pixel; one lies in the middle, more at the standard positions of Direct3D and Vulkan (Vulkan 1.3
 /// specification, "Multisampling").
 struct SamplePattern {
   uint32_t count;
   SamplePoint point[kMaxSamples];
   geometry::SampleExtent extent;
-  SamplePoint sum[2][256];  // of the points in the lower and in the upper eight bits of a mask
+  PointSum sum[2][256];  // of the points in the lower and in the upper eight bits of a mask
 
   // The samples of pixel 0, pixel 1 and so on of a row.
   int32_t x[kMaxSamples], y[kMaxSamples];          // their places in their pixels
@@ -28,9 +33,9 @@ struct SamplePattern {
   double pixel_x[kMaxSamples], pixel_y[kMaxSamples];  // x and y in pixels
 };
 
-inline SamplePoint sum_of_points(const SamplePattern& pattern, uint32_t mask) {
-  const SamplePoint &low = pattern.sum[0][mask & 255], &high = pattern.sum[1][mask >> 8];
-  return {low.x + high.x, low.y + high.y};
+inline PointSum sum_of_points(const SamplePattern& pattern, uint32_t mask) {
+  const PointSum &low = pattern.sum[0][mask & 255], &high = pattern.sum[1][mask >> 8];
+  return {low.x + high.x, low.y + high.y, low.count + high.count};
 }
 
 /// Of 1, 2, 4, 8 or 16 samples.
