@@ -82,7 +82,7 @@ void cover_run(TileState* tile, const Run& run) {
 void shade_visible(TileState* tile) {
   Worker& worker = tile->worker;
   if (worker.slots.size() == 0) return;
-  raster::sort_pixels(worker.tile, worker.slots.size(), &worker.order);
+  raster::sort_pixels(tile->simd(), worker.tile, worker.slots.size(), &worker.order);
   FragmentBatch batch(*tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;

@@ -22,6 +22,8 @@ void clear_area(const TileArea& area, const float color[4], float depth, Framebu
 
 void clear_slots(raster::Tile* tile);
 
+/// One depth for all samples.
+void fill_depth(float depth, raster::Tile* tile);
 /// Depth from the framebuffer for every sample. Pixels outside the frame are left as they are.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
 /// That of the first sample.

@@ -24,7 +24,13 @@ bool begin(TileState* tile) {
     clear_area(cleared, frame.clear_color, frame.clear_depth, &tile->framebuffer);
   }
   if (tile->is_bare()) return false;
-  load_depth(tile->area, tile->framebuffer, &worker.tile);
+  const bool is_clear = !frame.keep && box.max_x - box.min_x == whole.max_x - whole.min_x &&
+                        box.max_y - box.min_y == whole.max_y - whole.min_y;
+  if (is_clear) {
+    fill_depth(frame.clear_depth, &worker.tile);
+  } else {
+    load_depth(tile->area, tile->framebuffer, &worker.tile);
+  }
   clear_slots(&worker.tile);
   worker.slots.clear();
   tile->color.load();

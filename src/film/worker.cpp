@@ -18,9 +18,7 @@ Worker& Workers::get(uint32_t index) {
     Worker* worker = core::create<Worker>(allocator);
     workers_[index] = worker;
     raster::allocate(allocator, samples_, &worker->tile);
-    worker->order.run.attach(allocator);
-    worker->order.start.attach(allocator);
-    worker->order.pixel.attach(allocator);
+    raster::allocate(allocator, samples_, &worker->order);
     worker->covered.attach(allocator);
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raster/fragments.h"
 
-#include <cstring>
+#include "raster/changes.h"
 
 namespace shd::raster {
 namespace {
@@ -31,51 +31,35 @@ uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
   return mask;
 }
 
-/// Whether all of an even number of samples of a pixel show the same.
-bool is_uniform(const Tile& tile, size_t pixel) {
-  const uint32_t* slots = tile.slot.data() + pixel * tile.samples;
-  const uint64_t both = uint64_t{slots[0]} << 32 | slots[0];
-  uint64_t different = 0;
-  for (uint32_t k = 0; k < tile.samples; k += 2) {
-    uint64_t two;
-    std::memcpy(&two, slots + k, sizeof two);
-    different |= two ^ both;
-  }
-  return different == 0;
-}
-
-/// Cuts the covered pixels of a tile with one sample a pixel into runs.
-void find_single_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
-  const uint32_t* slots = tile.slot.data();
-  runs->clear();
-  for (size_t begin = 0; begin < kTilePixels;) {
-    const uint32_t slot = slots[begin];
-    size_t end = begin + 1;
-    while (end < kTilePixels && slots[end] == slot) ++end;
-    if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), 1});
-    begin = end;
+/// The first set bit from `from` on, or `count`.
+size_t next_bit(const uint64_t* bits, size_t from, size_t count) {
+  if (from >= count) return count;
+  uint64_t word = bits[from / 64] >> (from % 64) << (from % 64);
+  for (size_t i = from / 64;; word = bits[i]) {
+    if (word) return 64 * i + static_cast<size_t>(__builtin_ctzll(word));
+    if (64 * ++i >= count) return count;
   }
 }
 
-/// The same with several.
-void find_runs(const Tile& tile, core::Buffer<PixelRun>* runs) {
-  const uint32_t all = (1u << tile.samples) - 1;
+/// Cuts the covered pixels of a tile into runs.
+/// @param changes  where slots are not the slot before
+void find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
+  const uint32_t samples = tile.samples, all = (1u << samples) - 1;
   runs->clear();
   for (size_t begin = 0; begin < kTilePixels;) {
-    if (!is_uniform(tile, begin)) {
-      for (uint32_t k = 0; k < tile.samples; ++k) {
-        const uint32_t slot = tile.slot[begin * tile.samples + k];
-        const uint32_t mask = slot == kNoSlot ? 0 : samples_like(tile, begin, k);
-        if (mask) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), mask});
-      }
-      ++begin;
+    const uint32_t slot = tile.slot[begin * samples];
+    const size_t end = next_bit(changes, begin * samples + 1, kTilePixels * samples) / samples;
+    if (end > begin) {
+      if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), all});
+      begin = end;
       continue;
     }
-    const uint32_t slot = tile.slot[begin * tile.samples];
-    size_t end = begin + 1;
-    while (end < kTilePixels && tile.slot[end * tile.samples] == slot && is_uniform(tile, end)) ++end;
-    if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), all});
-    begin = end;
+    for (uint32_t k = 0; k < samples; ++k) {
+      const uint32_t one = tile.slot[begin * samples + k];
+      const uint32_t mask = one == kNoSlot ? 0 : samples_like(tile, begin, k);
+      if (mask) runs->push_back({one, static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), mask});
+    }
+    ++begin;
   }
 }
 
@@ -94,10 +78,18 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
   out->count = 0;
 }
 
-void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out) {
+void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out) {
+  out->changes = core::Array<uint64_t>(allocator, kTilePixels * samples / 64);
+  out->run.attach(allocator);
+  out->start.attach(allocator);
+  out->pixel.attach(allocator);
+}
+
+void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
-  (tile.samples == 1 ? find_single_runs : find_runs)(tile, &out->run);
+  find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
+  find_runs(tile, out->changes.data(), &out->run);
   for (size_t i = 0; i < out->run.size(); ++i) {
     out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "core/simd_target.h"
 #include "raster/tile.h"
 
 namespace shd::raster {
@@ -51,12 +52,16 @@ struct VisiblePixel {
 
 /// Pixels of a tile in the order of their triangles; one that shows several is there for each of them.
 struct TileOrder {
+  core::Array<uint64_t> changes;     // scratch
   core::Buffer<PixelRun> run;        // scratch
   core::Buffer<uint32_t> start;      // [slots + 1] first position of each slot
   core::Buffer<VisiblePixel> pixel;  // sorted by slot, then by position
 };
 
+/// Room for tiles of this many samples a pixel. Throws std::bad_alloc.
+void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out);
+
 /// Counting sort of the covered pixels of a tile by slot. Throws std::bad_alloc.
-void sort_pixels(const Tile& tile, size_t slot_count, TileOrder* out);
+void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out);
 
 }  // namespace shd::raster

@@ -17,6 +17,7 @@
 /// | bin.h            | which triangles touch which tile                                     |
 /// | edge.h           | edge functions and the depth plane of one triangle                   |
 /// | coverage.h       | kernels: edge functions, depth tests                                 |
+/// | changes.h        | kernel: where neighbouring samples show other triangles               |
 /// | fragments.h      | the Fragments table, and the sort of a tile's pixels into it         |
 /// | interpolate.h    | kernel: perspective-correct attributes with derivatives              |
 #pragma once

@@ -28,8 +28,8 @@ struct SamplePattern {
   PointSum sum[2][256];  // of the points in the lower and in the upper eight bits of a mask
 
   // The samples of pixel 0, pixel 1 and so on of a row.
-  int32_t x[kMaxSamples], y[kMaxSamples];          // their places in their pixels
-  int32_t column[kMaxSamples];                     // their pixels
+  int32_t x[kMaxSamples], y[kMaxSamples];             // their places in their pixels
+  int32_t column[kMaxSamples];                        // their pixels
   double pixel_x[kMaxSamples], pixel_y[kMaxSamples];  // x and y in pixels
 };
 

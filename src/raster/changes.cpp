@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "raster/changes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/changes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<uint32_t>;
+
+/// One bit for each lane in which two rows of values differ.
+HWY_INLINE uint64_t Differences(const uint32_t* now, const uint32_t* before) {
+  static_assert(hn::MaxLanes(Tag()) <= 16, "two bytes of mask");
+  const Tag d;
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, now), hn::LoadU(d, before)), bytes);
+  return static_cast<uint64_t>(bytes[0]) | static_cast<uint64_t>(bytes[1]) << 8;
+}
+
+void FindChanges(const uint32_t* values, size_t count, uint64_t* bits) {
+  const size_t lanes = hn::Lanes(Tag());
+  uint32_t shifted[hn::MaxLanes(Tag())];
+  for (size_t i = 0; i < lanes; ++i) shifted[i] = values[i ? i - 1 : 0];
+  for (size_t word = 0; word < count / 64; ++word) {
+    uint64_t changes = 0;
+    for (size_t i = 0; i < 64; i += lanes) {
+      const uint32_t* now = values + 64 * word + i;
+      changes |= Differences(now, now == values ? shifted : now - 1) << i;
+    }
+    bits[word] = changes;
+  }
+  bits[0] |= 1;
+}
+
+}  // namespace shd::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::raster {
+
+HWY_EXPORT(FindChanges);
+
+void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t count, uint64_t* bits) {
+  SHD_DISPATCH(FindChanges, simd)(values, count, bits);
+}
+
+}  // namespace shd::raster
+#endif  // HWY_ONCE
