@@ -17,6 +17,18 @@ void average(const float* from, uint32_t samples, float out[4]) {
   for (size_t c = 0; c < 4; ++c) out[c] = sum[c] * share;
 }
 
+/// Whether colours [samples][4] are the same, to the bit.
+bool are_same(const float* colors, uint32_t samples) {
+  uint64_t different = 0, first[2];
+  std::memcpy(first, colors, sizeof first);
+  for (uint32_t s = 1; s < samples; ++s) {
+    uint64_t other[2];
+    std::memcpy(other, colors + 4 * s, sizeof other);
+    different |= (other[0] ^ first[0]) | (other[1] ^ first[1]);
+  }
+  return different == 0;
+}
+
 }  // namespace
 
 void allocate(const core::Allocator& allocator, uint32_t samples, SplitSamples* out) {
@@ -81,7 +93,7 @@ void TileColor::resolve() {
       if (!split_.is_split[pixel]) continue;
       const float* samples = split_.color.data() + size_t{pixel} * samples_ * 4;
       float mean[4];
-      if (std::memcmp(samples, samples + 4, (samples_ - 1) * sizeof mean) == 0) {
+      if (are_same(samples, samples_)) {
         std::memcpy(mean, samples, sizeof mean);
       } else {
         average(samples, samples_, mean);

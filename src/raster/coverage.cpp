@@ -44,41 +44,44 @@ struct Span {
   int32_t left, top;       // of the tile in the frame
 };
 
+enum class Samples { kSingle, kOneVector, kVectors };  // of a pixel: one; as many as fit a vector; more
+
 /// What repeats along the rows of a triangle: edges that fit int32 and the origin of depth at the samples of as many
 /// pixels as fill a vector, or of one.
-template <bool kSingle>
+template <Samples kSamples>
 class Period {
  public:
   using Int = hn::Vec<hn::RebindToSigned<Tag>>;
 
   HWY_INLINE explicit Period(const Span& s) : pattern_(s.pattern) {
     const auto lanes = static_cast<int32_t>(hn::Lanes(Tag())), samples = static_cast<int32_t>(s.pattern.count);
-    length = samples > lanes ? samples : lanes;
-    pixels = length / samples;
-    for (int32_t at = 0; at < length; at += lanes) {
-      for (int k = 0; k < 3; ++k) PlaceEdge(s.line[k], at, edge_[k] + at);
-    }
+    length = kSamples == Samples::kVectors ? samples : lanes;
+    pixels = kSamples == Samples::kVectors ? 1 : lanes / samples;
     PlaceDepth(s.slope);
+    for (int32_t at = 0; kSamples == Samples::kVectors && at < length; at += lanes) {
+      for (int k = 0; k < 3; ++k) hn::Store(edge(s.line[k], at), hn::RebindToSigned<Tag>(), edge_[k] + at);
+    }
   }
 
   HWY_INLINE Int column(int32_t at) const { return hn::LoadU(hn::RebindToSigned<Tag>(), pattern_.column + at); }
-  HWY_INLINE Int edge(int k, int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), edge_[k] + at); }
   HWY_INLINE V base(int32_t at) const { return hn::Load(Tag(), base_ + at); }
 
-  int32_t length, pixels;  // in samples and in pixels
-
- private:
   /// edge_at() for lanes from `at` on: the pixels' part in whole pixels, the rest before rounding.
-  HWY_INLINE void PlaceEdge(const EdgeLine& line, int32_t at, int32_t* out) const {
+  HWY_INLINE Int edge(const EdgeLine& line, int32_t at) const {
     const hn::RebindToSigned<Tag> di;
     const auto a = hn::Set(di, static_cast<int32_t>(line.a)), b = hn::Set(di, static_cast<int32_t>(line.b));
     const auto whole = hn::Set(di, static_cast<int32_t>(line.value >> geometry::kSubpixelBits));
     const auto part = hn::Set(di, static_cast<int32_t>(line.value & (geometry::kSubpixels - 1)));
     const auto x = hn::Mul(a, hn::LoadU(di, pattern_.x + at)), y = hn::Mul(b, hn::LoadU(di, pattern_.y + at));
     const auto in_pixel = hn::ShiftRight<geometry::kSubpixelBits>(hn::Add(part, hn::Add(x, y)));
-    hn::Store(hn::Add(hn::Add(whole, in_pixel), hn::Mul(a, column(at))), di, out);
+    return hn::Add(hn::Add(whole, in_pixel), hn::Mul(a, column(at)));
   }
 
+  HWY_INLINE Int stored_edge(int k, int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), edge_[k] + at); }
+
+  int32_t length, pixels;  // in samples and in pixels
+
+ private:
   /// plane_at().base for every lane.
   HWY_INLINE void PlaceDepth(const DepthSlope& slope) {
     const hn::ScalableTag<double> d;
@@ -93,77 +96,79 @@ class Period {
   }
 
   const SamplePattern& pattern_;
-  alignas(64) int32_t edge_[3][kMaxSamples];
   alignas(64) float base_[kMaxSamples];
+  alignas(64) int32_t edge_[3][kSamples == Samples::kVectors ? kMaxSamples : 1];
 };
 
-/// With one sample a pixel all of it stays in registers.
+/// With one sample a pixel.
 template <>
-class Period<true> {
+class Period<Samples::kSingle> {
  public:
   using Int = hn::Vec<hn::RebindToSigned<Tag>>;
 
   HWY_INLINE explicit Period(const Span& s)
       : length(static_cast<int32_t>(hn::Lanes(Tag()))),
         pixels(length),
-        base_(hn::Set(Tag(), plane_at(s.slope, s.pattern.point[0]).base)) {
-    edge0_ = edge_of(edge_at(s.line[0], s.pattern.point[0]));
-    edge1_ = edge_of(edge_at(s.line[1], s.pattern.point[0]));
-    edge2_ = edge_of(edge_at(s.line[2], s.pattern.point[0]));
-  }
+        point_(s.pattern.point[0]),
+        base_(hn::Set(Tag(), plane_at(s.slope, point_).base)) {}
 
   HWY_INLINE Int column(int32_t) const { return hn::Iota(hn::RebindToSigned<Tag>(), 0); }
-  HWY_INLINE Int edge(int k, int32_t) const { return k == 0 ? edge0_ : k == 1 ? edge1_ : edge2_; }
   HWY_INLINE V base(int32_t) const { return base_; }
+  HWY_INLINE Int edge(const EdgeLine& line, int32_t) const {
+    const hn::RebindToSigned<Tag> di;
+    const auto steps = hn::Mul(hn::Set(di, static_cast<int32_t>(line.a)), hn::Iota(di, 0));
+    return hn::Add(hn::Set(di, static_cast<int32_t>(edge_at(line, point_).value)), steps);
+  }
+  HWY_INLINE Int stored_edge(int, int32_t) const { return hn::Zero(hn::RebindToSigned<Tag>()); }
 
   const int32_t length, pixels;
 
  private:
-  static HWY_INLINE Int edge_of(const Edge& edge) {
-    const hn::RebindToSigned<Tag> di;
-    const auto steps = hn::Mul(hn::Set(di, static_cast<int32_t>(edge.a)), hn::Iota(di, 0));
-    return hn::Add(hn::Set(di, static_cast<int32_t>(edge.value)), steps);
-  }
+  const SamplePoint point_;
+  const V base_;
+};
 
-  V base_;
-  Int edge0_, edge1_, edge2_;
+/// An edge at the first vector of a triangle's rows, and its steps.
+struct EdgeSteps {
+  HWY_INLINE EdgeSteps(const EdgeLine& line, int32_t x, int32_t y, int32_t pixels)
+      : a(static_cast<int32_t>(line.a)), b(static_cast<int32_t>(line.b)), start(a * x + b * y), right(a * pixels) {}
+  int32_t a, b, start, right;
 };
 
 /// Lets `body(at, inside, z)` see every vector with a covered sample: edges that fit int32 over the tile. Without
 /// kClipped nothing that the edges let in lies outside the box.
-template <bool kSingle, bool kClipped, class Body>
+template <Samples kSamples, bool kClipped, class Body>
 HWY_INLINE void ForEachNarrow(const Span& s, const Body& body) {
+  constexpr bool kOne = kSamples != Samples::kVectors;
   const Tag d;
   const hn::RebindToSigned<Tag> di;
-  const auto lanes = static_cast<int32_t>(hn::Lanes(d)), samples = static_cast<int32_t>(s.pattern.count);
-  const Period<kSingle> period(s);
-  const int32_t length = kSingle ? lanes : period.length, pixels = kSingle ? lanes : period.pixels;
+  const auto lanes = static_cast<int32_t>(hn::Lanes(d));
+  const int32_t samples = kSamples == Samples::kSingle ? 1 : static_cast<int32_t>(s.pattern.count);
+  const Period<kSamples> period(s);
+  const int32_t length = kOne ? lanes : period.length, pixels = period.pixels;
   const DepthPlane plane = plane_at(s.slope, s.pattern.point[0]);
   const auto low = hn::Set(d, plane.low), high = hn::Set(d, plane.high), slope = hn::Set(d, plane.dx);
   const auto before = hn::Set(di, s.box.min_x - 1), behind = hn::Set(di, s.box.max_x + 1);
   const auto to_origin = hn::Set(di, s.left - plane.x0);
   const int32_t first_x = s.box.min_x & -pixels;
-  const auto start = [&](int k) {
-    const auto a = static_cast<int32_t>(s.line[k].a), b = static_cast<int32_t>(s.line[k].b);
-    return hn::Set(di, a * first_x + b * s.box.min_y);
-  };
-  const auto right = [&](int k) { return hn::Set(di, static_cast<int32_t>(s.line[k].a) * pixels); };
-  const auto down = [&](int k) { return hn::Set(di, static_cast<int32_t>(s.line[k].b)); };
-  const auto right0 = right(0), right1 = right(1), right2 = right(2), down0 = down(0), down1 = down(1), down2 = down(2);
-  auto row0 = start(0), row1 = start(1), row2 = start(2);
-  if (kSingle) {
-    row0 = hn::Add(row0, period.edge(0, 0));
-    row1 = hn::Add(row1, period.edge(1, 0));
-    row2 = hn::Add(row2, period.edge(2, 0));
+  const EdgeSteps steps0(s.line[0], first_x, s.box.min_y, pixels), steps1(s.line[1], first_x, s.box.min_y, pixels);
+  const EdgeSteps steps2(s.line[2], first_x, s.box.min_y, pixels);
+  auto row0 = hn::Set(di, steps0.start), row1 = hn::Set(di, steps1.start), row2 = hn::Set(di, steps2.start);
+  if (kOne) {
+    row0 = hn::Add(row0, period.edge(s.line[0], 0));
+    row1 = hn::Add(row1, period.edge(s.line[1], 0));
+    row2 = hn::Add(row2, period.edge(s.line[2], 0));
   }
+  const auto right0 = hn::Set(di, steps0.right), right1 = hn::Set(di, steps1.right), right2 = hn::Set(di, steps2.right);
+  const auto down0 = hn::Set(di, steps0.b), down1 = hn::Set(di, steps1.b), down2 = hn::Set(di, steps2.b);
   for (int32_t y = s.box.min_y; y <= s.box.max_y; ++y) {
     const auto depth = hn::Set(d, plane.dy * static_cast<float>(s.top + y - plane.y0));
     auto e0 = row0, e1 = row1, e2 = row2;
     for (int32_t x = first_x; x <= s.box.max_x; x += pixels) {
       for (int32_t i = 0; i < length; i += lanes) {
-        const auto side0 = kSingle ? e0 : hn::Add(e0, period.edge(0, i));
-        const auto side1 = kSingle ? e1 : hn::Add(e1, period.edge(1, i));
-        const auto side2 = kSingle ? e2 : hn::Add(e2, period.edge(2, i));
+        const auto side0 = kOne ? e0 : hn::Add(e0, period.stored_edge(0, i));
+        const auto side1 = kOne ? e1 : hn::Add(e1, period.stored_edge(1, i));
+        const auto side2 = kOne ? e2 : hn::Add(e2, period.stored_edge(2, i));
         auto in = hn::Gt(hn::Or(hn::Or(side0, side1), side2), hn::Set(di, -1));
         const auto column = hn::Add(hn::Set(di, x), period.column(i));
         if (kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
@@ -210,7 +215,7 @@ HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
 
 /// body(at, inside, z) for every vector of samples that has some in the triangle; `at` is the place of its first one in
 /// the tile.
-template <bool kSingle, class Body>
+template <Samples kSamples, class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
                                const Body& body) {
   Span s = {area.pattern, {}, {}, {}, area.left, area.top};
@@ -228,10 +233,10 @@ HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const C
   s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
   const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
   if (!narrow) return ForEachWide(s, body);
-  clipped ? ForEachNarrow<kSingle, true>(s, body) : ForEachNarrow<kSingle, false>(s, body);
+  clipped ? ForEachNarrow<kSamples, true>(s, body) : ForEachNarrow<kSamples, false>(s, body);
 }
 
-template <shd_compare kCompare, bool kSingle>
+template <shd_compare kCompare, Samples kSamples>
 void CoverWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
                const uint32_t* entries, size_t count, uint32_t first_slot, Tile& tile) {
   const Tag d;
@@ -241,7 +246,7 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   uint32_t* slot = tile.slot.data();
   for (size_t i = 0; i < count; ++i) {
     const auto id = hn::Set(du, first_slot + static_cast<uint32_t>(i));
-    ForEachCovered<kSingle>(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
+    ForEachCovered<kSamples>(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
       const auto stored = hn::Load(d, depth + at);
       const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
       if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
@@ -266,19 +271,25 @@ HWY_INLINE void AddToMasks(M pass, size_t at, uint32_t samples, uint32_t* bits) 
   }
 }
 
-template <shd_compare kCompare, bool kSingle>
+template <shd_compare kCompare, Samples kSamples>
 void MaskWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle& triangle,
               const Tile& tile, CoverMask& out) {
   static_assert(hn::MaxLanes(Tag()) <= 16, "two bytes of mask");
   const Tag d;
   const float* depth = tile.depth.data();
-  ForEachCovered<kSingle>(triangle, area, state, [&](size_t at, MaskV inside, V z) {
+  ForEachCovered<kSamples>(triangle, area, state, [&](size_t at, MaskV inside, V z) {
     const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
     AddToMasks(pass, at, area.pattern.count, out.bits);
   });
 }
 
-/// body(constant) with the comparison as a constant.
+/// body(constant) with the kind of samples, and with the comparison.
+template <class Body>
+void WithSamples(uint32_t count, const Body& body) {
+  if (count == 1) return body(std::integral_constant<Samples, Samples::kSingle>());
+  if (count <= hn::Lanes(Tag())) return body(std::integral_constant<Samples, Samples::kOneVector>());
+  return body(std::integral_constant<Samples, Samples::kVectors>());
+}
 template <class Body>
 void WithCompare(shd_compare compare, const Body& body) {
   switch (compare) {
@@ -295,19 +306,20 @@ void WithCompare(shd_compare compare, const Body& body) {
 
 void Cover(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
            const uint32_t* entries, size_t count, uint32_t first_slot, Tile& tile) {
-  WithCompare(state.compare, [&](auto compare) {
-    const auto kernel = area.pattern.count == 1 ? CoverWith<decltype(compare)::value, true>
-                                                : CoverWith<decltype(compare)::value, false>;
-    kernel(area, state, triangles, entries, count, first_slot, tile);
+  WithSamples(area.pattern.count, [&](auto samples) {
+    WithCompare(state.compare, [&](auto compare) {
+      CoverWith<decltype(compare)::value, decltype(samples)::value>(area, state, triangles, entries, count, first_slot,
+                                                                    tile);
+    });
   });
 }
 
 void Mask(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle& triangle, const Tile& tile,
           CoverMask& out) {
-  WithCompare(state.compare, [&](auto compare) {
-    const auto kernel =
-        area.pattern.count == 1 ? MaskWith<decltype(compare)::value, true> : MaskWith<decltype(compare)::value, false>;
-    kernel(area, state, triangle, tile, out);
+  WithSamples(area.pattern.count, [&](auto samples) {
+    WithCompare(state.compare, [&](auto compare) {
+      MaskWith<decltype(compare)::value, decltype(samples)::value>(area, state, triangle, tile, out);
+    });
   });
 }
 

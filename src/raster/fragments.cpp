@@ -19,16 +19,17 @@ void visit_columns(Fragments& f, Visit visit) {
   }
 }
 
-/// The samples of a pixel that show what its sample k shows; 0 where an earlier one shows it too.
-uint32_t samples_like(const Tile& tile, size_t pixel, uint32_t k) {
-  const uint32_t slot = tile.slot[pixel * tile.samples + k];
-  uint32_t mask = 0;
-  for (uint32_t j = 0; j < tile.samples; ++j) {
-    if (tile.slot[pixel * tile.samples + j] != slot) continue;
-    if (j < k) return 0;
-    mask |= 1u << j;
+/// A run for each triangle that a pixel shows.
+void add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* runs) {
+  const uint32_t* slots = tile.slot.data() + pixel * tile.samples;
+  const auto begin = static_cast<uint16_t>(pixel), end = static_cast<uint16_t>(pixel + 1);
+  for (uint32_t rest = (1u << tile.samples) - 1; rest;) {
+    const uint32_t slot = slots[__builtin_ctz(rest)];
+    uint32_t mask = 0;
+    for (uint32_t k = 0; k < tile.samples; ++k) mask |= static_cast<uint32_t>(slots[k] == slot) << k;
+    if (slot != kNoSlot) runs->push_back({slot, begin, end, mask});
+    rest &= ~mask;
   }
-  return mask;
 }
 
 /// The first set bit from `from` on, or `count`.
@@ -54,11 +55,7 @@ void find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>
       begin = end;
       continue;
     }
-    for (uint32_t k = 0; k < samples; ++k) {
-      const uint32_t one = tile.slot[begin * samples + k];
-      const uint32_t mask = one == kNoSlot ? 0 : samples_like(tile, begin, k);
-      if (mask) runs->push_back({one, static_cast<uint16_t>(begin), static_cast<uint16_t>(begin + 1), mask});
-    }
+    add_mixed_pixel(tile, begin, runs);
     ++begin;
   }
 }
