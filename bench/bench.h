@@ -45,11 +45,13 @@ class Stopwatch {
 /// Peers first, so that the rows of shd can print their ratio.
 void register_texture_peers();
 void register_frame_peers();
+void register_surface_peers();
 void register_texture();
 void register_texture_create();
 void register_texture_worst();
 void register_scaling();
 void register_quality();
 void register_frame();
+void register_surface();
 
 }  // namespace shd::bench

@@ -56,7 +56,8 @@ std::vector<float> image_of(const Filter& filter, const std::string& who, const 
   if (who == "shd") return filtered_image(filter, lookups, picture.edge, picture.rgba);
   std::unique_ptr<Peer> pass;
 #ifdef SHD_BENCH_OSMESA
-  if (who == "llvmpipe") pass = make_llvmpipe_floor(floor, picture.edge, picture.rgba, filter.peer);
+  if (who == "llvmpipe")
+    pass = make_llvmpipe_surface(floor_surface(floor), floor.frame, picture.edge, picture.rgba, filter.peer);
 #endif
 #ifdef SHD_BENCH_OIIO
   if (who == "openimageio") pass = make_openimageio(lookups, picture.edge, picture.rgba, filter.peer);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // scaling/<what>/workers:<n>: wall time of work that is split over the workers of one context. mipmap: the levels below
-// a borrowed base; the filters: one lookup a pixel of the floor. speedup is the rate by that of one worker.
+// a borrowed base; the filters: one lookup a pixel of the floor; frame_spheres: the frame of 2k triangles; frame_floor:
+// that of the trilinear floor. speedup is the rate by that of one worker.
 #include <chrono>
 #include <thread>
 
+#include "frame_scene.h"
 #include "texture_setup.h"
 
 namespace shd::bench {
@@ -62,6 +64,18 @@ void run_filter(benchmark::State& state, const Filter& filter, uint32_t workers)
   measure(state, filter.name, workers, columns.count, [&] { sampling.run(columns, &out); });
 }
 
+void run_spheres(benchmark::State& state, uint32_t workers) {
+  const Spheres& spheres = sphere_frames()[0];
+  FrameScene scene(spheres, SHD_SIMD_BEST, {"spheres", 1, true, SHD_BLEND_OPAQUE}, workers);
+  measure(state, "frame_spheres", workers, spheres.triangle_count(), [&] { scene.render(); });
+}
+
+void run_floor(benchmark::State& state, uint32_t workers) {
+  const Surface floor = floor_surface(Floor::of_texture(kFrameTextureEdge));
+  FrameScene scene(floor, SHD_SIMD_BEST, SHD_FILTER_TRILINEAR, workers);
+  measure(state, "frame_floor", workers, kLookupCount, [&] { scene.render(); });
+}
+
 template <class Body>
 void add(const std::string& name, Body body) {
   benchmark::RegisterBenchmark(name.c_str(), body)->UseRealTime()->Unit(benchmark::kMillisecond);
@@ -74,6 +88,8 @@ void register_scaling() {
   while (2 * counts.back() <= std::thread::hardware_concurrency()) counts.push_back(2 * counts.back());
   for (const uint32_t n : counts) {
     add(row_name("mipmap", n), [=](benchmark::State& state) { run_mipmap(state, n); });
+    add(row_name("frame_spheres", n), [=](benchmark::State& state) { run_spheres(state, n); });
+    add(row_name("frame_floor", n), [=](benchmark::State& state) { run_floor(state, n); });
   }
   for (const Filter& filter : kFilters) {
     if (!has_own_peers(filter) && filter.filter != SHD_FILTER_EWA) continue;

@@ -68,7 +68,8 @@ void run_shd(benchmark::State& state, const Target& target, const Filter& filter
   std::unique_ptr<Peer> pass;
   const Lookups& q = lookups(pattern, edge);
 #ifdef SHD_BENCH_OSMESA
-  if (peer == "llvmpipe") pass = make_llvmpipe_floor(Floor::of_texture(edge), edge, rgba8(edge), filter.peer);
+  const Surface floor = floor_surface(Floor::of_texture(edge));
+  if (peer == "llvmpipe") pass = make_llvmpipe_surface(floor, kFrameEdge, edge, rgba8(edge), filter.peer);
 #endif
 #ifdef SHD_BENCH_OIIO
   if (peer == "openimageio") pass = make_openimageio(q, edge, rgba8(edge), filter.peer);

@@ -59,8 +59,10 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   shd::bench::add_context();
   shd::bench::register_frame_peers();
+  shd::bench::register_surface_peers();
   shd::bench::register_texture_peers();
   shd::bench::register_frame();
+  shd::bench::register_surface();
   shd::bench::register_texture();
   shd::bench::register_texture_create();
   shd::bench::register_texture_worst();

@@ -61,6 +61,31 @@ std::vector<uint8_t> make_rgba8(uint32_t edge) {
   return texels;
 }
 
+Surface floor_surface(const Floor& floor) {
+  Surface surface = {};
+  for (int corner = 0; corner < 4; ++corner) {
+    const bool right = corner & 1, bottom = corner & 2;
+    const float z = floor.z(bottom ? floor.edge() : 0.0f);
+    const float clip[4] = {right ? z : -z, bottom ? -z : z, 0.0f, z};
+    std::copy_n(clip, 4, surface.clip[corner]);
+    surface.uv[corner][0] = floor.u(right ? floor.edge() : 0.0f, z);
+    surface.uv[corner][1] = floor.v(z);
+  }
+  return surface;
+}
+
+Surface quad_surface(float repeat) {
+  Surface surface = {};
+  for (int corner = 0; corner < 4; ++corner) {
+    const bool right = corner & 1, bottom = corner & 2;
+    const float clip[4] = {right ? 1.0f : -1.0f, bottom ? -1.0f : 1.0f, 0.0f, 1.0f};
+    std::copy_n(clip, 4, surface.clip[corner]);
+    surface.uv[corner][0] = right ? repeat : 0.0f;
+    surface.uv[corner][1] = bottom ? repeat : 0.0f;
+  }
+  return surface;
+}
+
 Lookups floor_lookups(const Floor& floor) {
   Lookups q;
   for (std::vector<float>* column : {&q.u, &q.v, &q.dudx, &q.dvdx, &q.dudy, &q.dvdy}) {

@@ -35,6 +35,15 @@ struct Floor {
   float v(float z) const { return scale * z; }
 };
 
+/// A quadrilateral that fills a frame: corners top left, top right, bottom left, bottom right.
+struct Surface {
+  float clip[4][4];  // x, y, z, w
+  float uv[4][2];
+};
+Surface floor_surface(const Floor& floor);
+/// Facing the eye, `repeat` times the texture along both axes.
+Surface quad_surface(float repeat);
+
 /// Columns of lookups with analytic derivatives, a whole number of frame rows, in frame order.
 struct Lookups {
   std::vector<float> u, v, dudx, dvdx, dudy, dvdy;

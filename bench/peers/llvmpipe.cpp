@@ -162,33 +162,27 @@ class Pass : public Peer {
   GLuint planes_[2] = {};
 };
 
-constexpr char kFloorVertex[] = R"(#version 330 core
+constexpr char kSurfaceVertex[] = R"(#version 330 core
 layout(location = 0) in vec4 position;
 layout(location = 1) in vec2 uv;
 out vec2 v_uv;
 void main() { gl_Position = position; v_uv = uv; }
 )";
-constexpr char kFloorFragment[] = R"(#version 330 core
+constexpr char kSurfaceFragment[] = R"(#version 330 core
 uniform sampler2D image;
 in vec2 v_uv;
 out vec4 colour;
 void main() { colour = texture(image, v_uv); }
 )";
 
-class FloorPass final : public Pass {
+class SurfacePass final : public Pass {
  public:
-  FloorPass(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)
-      : Pass(floor.frame, edge, texels, filter) {
-    std::vector<float> position, uv;
-    for (int corner = 0; corner < 4; ++corner) {
-      const bool right = corner & 1, bottom = corner & 2;
-      const float z = floor.z(bottom ? floor.edge() : 0.0f);
-      position.insert(position.end(), {right ? z : -z, bottom ? -z : z, 0.0f, z});
-      uv.insert(uv.end(), {floor.u(right ? floor.edge() : 0.0f, z), floor.v(z)});
-    }
-    attribute(0, 4, position);
-    attribute(1, 2, uv);
-    program_ = link(kFloorVertex, kFloorFragment);
+  SurfacePass(const Surface& surface, uint32_t frame, uint32_t edge, const std::vector<uint8_t>& texels,
+              PeerFilter filter)
+      : Pass(frame, edge, texels, filter) {
+    attribute(0, 4, std::vector<float>(surface.clip[0], surface.clip[0] + 16));
+    attribute(1, 2, std::vector<float>(surface.uv[0], surface.uv[0] + 8));
+    program_ = link(kSurfaceVertex, kSurfaceFragment);
   }
   void run() override {
     begin();
@@ -306,9 +300,9 @@ std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::v
   return std::make_unique<SpherePass>(spheres, texels);
 }
 
-std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
-                                          PeerFilter filter) {
-  return std::make_unique<FloorPass>(floor, edge, texels, filter);
+std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t frame, uint32_t edge,
+                                            const std::vector<uint8_t>& texels, PeerFilter filter) {
+  return std::make_unique<SurfacePass>(surface, frame, edge, texels, filter);
 }
 
 }  // namespace shd::bench

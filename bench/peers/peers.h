@@ -29,9 +29,9 @@ std::string openimageio_description();
 /// Mesa llvmpipe: the frame with a GLSL shader of the same reflectance model, into RGBA8 with a 32-bit depth.
 std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::vector<uint8_t>& texels);
 
-/// Mesa llvmpipe: the floor as one quadrilateral over the frame, into RGBA8.
-std::unique_ptr<Peer> make_llvmpipe_floor(const Floor& floor, uint32_t edge, const std::vector<uint8_t>& texels,
-                                          PeerFilter filter);
+/// Mesa llvmpipe: a surface over a frame x frame picture, into RGBA8.
+std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t frame, uint32_t edge,
+                                            const std::vector<uint8_t>& texels, PeerFilter filter);
 
 /// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,

@@ -30,6 +30,8 @@ typedef enum shd_model {
     SHD_MODEL_BLINN_PHONG = 1,
     /** program.fragment */
     SHD_MODEL_PROGRAM = 2,
+    /** k_d, whatever the lights and the frequency */
+    SHD_MODEL_UNLIT = 3,
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 

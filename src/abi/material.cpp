@@ -16,7 +16,7 @@ constexpr uint32_t kFlags =
     SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE;
 
 shd_result check_material_desc(const shd_material_desc& desc) {
-  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_PROGRAM));
+  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_UNLIT));
   SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "raster/interpolate.h"
 #include "texture/lod.h"
 #include "texture/profile.h"
 #include "texture/sample.h"
@@ -30,6 +31,15 @@ size_t position(const TileArea& area, const Framebuffer& framebuffer, uint32_t p
 }
 
 }  // namespace
+
+uint32_t columns_of(uint32_t aovs) {
+  uint32_t columns = 0;
+  if (aovs & (SHD_AOV_UV | SHD_AOV_DERIVATIVES | SHD_AOV_LEVEL)) columns |= raster::kTexture;
+  if (aovs & SHD_AOV_NORMAL) columns |= raster::kNormal;
+  if (aovs & SHD_AOV_POSITION) columns |= raster::kPosition;
+  if (aovs & SHD_AOV_BARYCENTRICS) columns |= raster::kBarycentrics;
+  return columns;
+}
 
 void find_rows(const raster::Fragments& f, AovScratch* scratch) {
   scratch->row_count = 0;

@@ -21,6 +21,9 @@ struct AovScratch {
   uint32_t draw[raster::kBatch];
 };
 
+/// Columns that the planes of shd_aov bits are taken from, as raster::Interpolated bits.
+uint32_t columns_of(uint32_t aovs);
+
 /// All fragments that the first sample of their pixel shows.
 void find_rows(const raster::Fragments& fragments, AovScratch* scratch);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "film/opaque_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,12 +39,29 @@ uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radi
   return f.count - finite;
 }
 
+/// Rows from `begin` on that are neighbours in a row of the tile and show their triangle at all samples.
+size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
+  const uint32_t pixel = f.pixel[begin];
+  const size_t most = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
+  size_t count = 0;
+  while (count < most && f.pixel[begin + count] == pixel + count && f.mask[begin + count] == all_samples) ++count;
+  return count;
+}
+
 /// Colours of a shaded batch to the samples that show them.
-void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, TileColor* tile_color) {
-  for (size_t i = 0; i < f.count; ++i) {
+void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, uint32_t all_samples,
+                  TileColor* tile_color) {
+  for (size_t i = 0; i < f.count;) {
+    const size_t neighbours = count_neighbours(f, i, all_samples);
+    if (neighbours > 1) {
+      tile_color->write_row(f.pixel[i], neighbours, radiance, i);
+      i += neighbours;
+      continue;
+    }
     FragmentColor color;
     for (size_t c = 0; c < 4; ++c) color.channel[c] = radiance.channel[c][i];
     tile_color->write(f.pixel[i], f.mask[i], color);
+    ++i;
   }
 }
 
@@ -51,7 +69,7 @@ void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
   worker.nonfinite_fragments += count_nonfinite(f, worker.workspace.columns.radiance);
-  write_colors(f, worker.workspace.columns.radiance, &tile->color);
+  write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   find_rows(f, &worker.aovs);
   write_aovs(tile->simd(), tile->area, *draw.material, tile->index_of(draw), f, &worker.aovs, &tile->framebuffer);

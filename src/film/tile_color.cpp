@@ -73,6 +73,15 @@ void TileColor::write_some(uint32_t pixel, uint32_t mask, const FragmentColor& c
   for (; mask; mask &= mask - 1) std::memcpy(samples + 4 * __builtin_ctz(mask), color.channel, sizeof color.channel);
 }
 
+void TileColor::write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
+  const size_t at = position(pixel);
+  for (size_t c = 0; c < 4; ++c) {
+    const float* column = from.channel[c] + row;
+    for (size_t i = 0; i < count; ++i) plane_[c][at + i] = column[i];
+  }
+  if (samples_ > 1) std::fill_n(split_.is_split.data() + pixel, count, uint8_t{0});
+}
+
 Below TileColor::sample(uint32_t pixel, uint32_t sample) {
   if (samples_ == 1) return whole(pixel);
   float* color = split(pixel) + 4 * sample;

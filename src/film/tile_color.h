@@ -8,6 +8,7 @@
 #include "film/blend.h"
 #include "film/framebuffer.h"
 #include "film/tile_area.h"
+#include "shade/columns.h"
 
 namespace shd::film {
 
@@ -38,6 +39,8 @@ class TileColor {
       write_some(pixel, mask, color);
     }
   }
+  /// write() to all samples of `count` neighbours in a row from `pixel` on: rows of `from` from `row` on.
+  void write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row);
   void blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color);
   /// One sample, to be changed.
   Below sample(uint32_t pixel, uint32_t sample);

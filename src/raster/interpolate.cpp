@@ -119,38 +119,50 @@ HWY_INLINE void Coordinate(D d, const float* values, const Rows (&rows)[3], cons
   hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dy, a1), hn::Mul(b.b2_dy, a2))), d, out_dy + at);
 }
 
-/// One vector of rows, starting at row `at`.
-template <class D, class Rows>
-HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
-                                size_t at, Fragments& f) {
-  using V = hn::Vec<D>;
-  const auto b = Weights(d, vertices, rows, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
-  hn::Store(b.b0, d, f.bary[0] + at);
-  hn::Store(b.b1, d, f.bary[1] + at);
-  hn::Store(b.b2, d, f.bary[2] + at);
-
+/// Position, normal and wo of one vector of rows.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
+                                 const Barycentric<V>& b, const float* eye, uint32_t wanted, size_t at, Fragments& f) {
   const float *world = vertices.world.data(), *normals = vertices.normal.data();
+  if (wanted & kNormal) {
+    const Vec3V<V> n = Normalize(d, Vec3V<V>{Attribute(d, normals, 0, rows, b), Attribute(d, normals, 1, rows, b),
+                                             Attribute(d, normals, 2, rows, b)});
+    hn::Store(n.x, d, f.nx + at);
+    hn::Store(n.y, d, f.ny + at);
+    hn::Store(n.z, d, f.nz + at);
+  }
+  if (!(wanted & (kPosition | kToEye))) return;
   const Vec3V<V> p = {Attribute(d, world, 0, rows, b), Attribute(d, world, 1, rows, b),
                       Attribute(d, world, 2, rows, b)};
   hn::Store(p.x, d, f.px + at);
   hn::Store(p.y, d, f.py + at);
   hn::Store(p.z, d, f.pz + at);
-  const Vec3V<V> n = Normalize(d, Vec3V<V>{Attribute(d, normals, 0, rows, b), Attribute(d, normals, 1, rows, b),
-                                           Attribute(d, normals, 2, rows, b)});
-  hn::Store(n.x, d, f.nx + at);
-  hn::Store(n.y, d, f.ny + at);
-  hn::Store(n.z, d, f.nz + at);
+  if (!(wanted & kToEye)) return;
   const Vec3V<V> to_eye = {hn::Sub(hn::Set(d, eye[0]), p.x), hn::Sub(hn::Set(d, eye[1]), p.y),
                            hn::Sub(hn::Set(d, eye[2]), p.z)};
   const Vec3V<V> o = Normalize(d, to_eye);
   hn::Store(o.x, d, f.ox + at);
   hn::Store(o.y, d, f.oy + at);
   hn::Store(o.z, d, f.oz + at);
-  Coordinate(d, world, rows, b, at, f.u, f.dudx, f.dudy);
-  Coordinate(d, normals, rows, b, at, f.v, f.dvdx, f.dvdy);
 }
 
-void Interpolate(const geometry::Vertices& vertices, const float* eye, Fragments& f) {
+/// One vector of rows, starting at row `at`.
+template <class D, class Rows>
+HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
+                                uint32_t wanted, size_t at, Fragments& f) {
+  const auto b = Weights(d, vertices, rows, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
+  if (wanted & kBarycentrics) {
+    hn::Store(b.b0, d, f.bary[0] + at);
+    hn::Store(b.b1, d, f.bary[1] + at);
+    hn::Store(b.b2, d, f.bary[2] + at);
+  }
+  InterpolateSpace(d, vertices, rows, b, eye, wanted, at, f);
+  if (!(wanted & kTexture)) return;
+  Coordinate(d, vertices.world.data(), rows, b, at, f.u, f.dudx, f.dudy);
+  Coordinate(d, vertices.normal.data(), rows, b, at, f.v, f.dvdx, f.dvdy);
+}
+
+void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t wanted, Fragments& f) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   const hn::RebindToUnsigned<decltype(d)> du;
@@ -159,11 +171,11 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, Fragments
     // Sorted by triangle: the same at both ends is the same throughout.
     if (f.triangle[at] == f.triangle[at + lanes - 1]) {
       const OneRow rows[3] = {{f.vertex[0][at]}, {f.vertex[1][at]}, {f.vertex[2][at]}};
-      InterpolateRows(d, vertices, rows, eye, at, f);
+      InterpolateRows(d, vertices, rows, eye, wanted, at, f);
     } else {
       const auto first = [&](int k) { return hn::BitCast(di, hn::ShiftLeft<2>(hn::Load(du, f.vertex[k] + at))); };
       const RowPerLane<decltype(d)> rows[3] = {{first(0)}, {first(1)}, {first(2)}};
-      InterpolateRows(d, vertices, rows, eye, at, f);
+      InterpolateRows(d, vertices, rows, eye, wanted, at, f);
     }
   }
 }
@@ -176,9 +188,9 @@ namespace shd::raster {
 
 HWY_EXPORT(Interpolate);
 
-void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3],
+void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments) {
-  SHD_DISPATCH(Interpolate, simd)(vertices, eye, *fragments);
+  SHD_DISPATCH(Interpolate, simd)(vertices, eye, wanted, *fragments);
 }
 
 }  // namespace shd::raster

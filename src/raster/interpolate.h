@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "core/simd_target.h"
 #include "geometry/vertex.h"
 #include "raster/fragments.h"
 
 namespace shd::raster {
 
-/// Fills position, normal, wo, uv, derivatives and barycentrics of `fragments` from x, y and the three vertices.
+/// Columns of Fragments that are made from vertices, as bits.
+enum Interpolated : uint32_t {
+  kPosition = 1,
+  kNormal = 2,
+  kToEye = 4,
+  kTexture = 8,  // uv and its derivatives
+  kBarycentrics = 16,
+  kInterpolateAll = 31
+};
+
+/// Fills the wanted columns (Interpolated bits) of `fragments` from x, y and the three vertices; the others are left.
 /// Rows past count up to the next whole vector must repeat the last row; rows are sorted by triangle.
 ///
 /// Barycentrics of the pixel centre come from the unclipped vertices in homogeneous raster coordinates (Olano and
@@ -16,7 +28,7 @@ namespace shd::raster {
 /// float. Finite vertices give finite rows. The error is that of the cross products: a pixel position rounded to 2^-24
 /// of its value, over the triangle's size. Largest |error| of a barycentric coordinate measured in a frame of 2048^2:
 /// 5e-5 for triangles of 1 to 300 pixels, 4e-3 for 0.1 pixel.
-void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3],
+void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments);
 
 }  // namespace shd::raster

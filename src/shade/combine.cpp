@@ -10,7 +10,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void Combine(const material::Material& material, const float* ambient, const Lobes& lobes, const float* const* texture,
+void Combine(const material::Material& material, const float* ambient, const Lobes* lobes, const float* const* texture,
              size_t count, Radiance& out) {
   const hn::ScalableTag<float> d;
   const bool specular = material.model == SHD_MODEL_BLINN_PHONG;
@@ -19,8 +19,8 @@ void Combine(const material::Material& material, const float* ambient, const Lob
     const auto kd = hn::Set(d, material.diffuse[c]), ks = hn::Set(d, material.specular[c]);
     for (size_t i = 0; i < count; i += hn::Lanes(d)) {
       const auto albedo = texture ? hn::Mul(kd, hn::Load(d, texture[c] + i)) : kd;
-      auto sum = hn::Add(base, hn::Mul(albedo, hn::Load(d, lobes.diffuse[c] + i)));
-      if (specular) sum = hn::Add(sum, hn::Mul(ks, hn::Load(d, lobes.specular[c] + i)));
+      auto sum = lobes ? hn::Add(base, hn::Mul(albedo, hn::Load(d, lobes->diffuse[c] + i))) : albedo;
+      if (specular) sum = hn::Add(sum, hn::Mul(ks, hn::Load(d, lobes->specular[c] + i)));
       hn::Store(sum, d, out.channel[c] + i);
     }
   }
@@ -61,7 +61,7 @@ HWY_EXPORT(Combine);
 HWY_EXPORT(SpreadCorners);
 
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
-             const Lobes& lobes, const float* const texture[4], size_t count, Radiance* out) {
+             const Lobes* lobes, const float* const texture[4], size_t count, Radiance* out) {
   const float times = material.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<float>(lights.count) : 1.0f;
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = material.ambient[c] * lights.ambient[c] * times;

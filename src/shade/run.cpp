@@ -13,8 +13,24 @@
 namespace shd::shade {
 namespace {
 
+/// What shading reads of the fragments, as raster::Interpolated bits.
+uint32_t needed_columns(const DrawShading& shading, const LightTable& lights) {
+  const material::Material& material = *shading.material;
+  const bool is_program = material.model == SHD_MODEL_PROGRAM;
+  if (shading.frequency == SHD_FREQUENCY_PHONG && is_program) return raster::kInterpolateAll;
+  uint32_t needed = material.diffuse_texture ? uint32_t{raster::kTexture} : 0;
+  if (shading.frequency == SHD_FREQUENCY_GOURAUD) needed |= raster::kBarycentrics;
+  if (shading.frequency != SHD_FREQUENCY_PHONG || material.model == SHD_MODEL_UNLIT) return needed;
+  needed |= raster::kNormal;
+  if (material.model == SHD_MODEL_BLINN_PHONG) needed |= raster::kToEye;
+  for (size_t i = 0; i < lights.count; ++i) {
+    if (lights.lights[i].kind == SHD_LIGHT_POINT) needed |= raster::kPosition;
+  }
+  return needed;
+}
+
 /// Completes x, y, depth, triangle to vertices and interpolated attributes.
-void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3],
+void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
                         raster::Fragments* f) {
   // Rows up to the next whole vector repeat the last one.
   for (size_t i = f->count; i < data::padded(f->count); ++i) {
@@ -27,7 +43,7 @@ void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading
   for (size_t i = 0; i < data::padded(f->count); ++i) {
     for (size_t k = 0; k < 3; ++k) f->vertex[k][i] = indices[3 * size_t{f->triangle[i]} + k];
   }
-  raster::interpolate(simd, *shading.vertices, eye, f);
+  raster::interpolate(simd, *shading.vertices, eye, wanted, f);
 }
 
 /// Rows of Gouraud and flat shading, one set for each triangle of the batch; columns.row says which is whose.
@@ -110,7 +126,7 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
   const material::Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
   Columns& columns = w->columns;
-  complete_fragments(simd, shading, eye, &w->fragments);
+  complete_fragments(simd, shading, eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
   if (!per_fragment) make_rows(shading, eye, w);
   if (shading.frequency == SHD_FREQUENCY_FLAT) {
     spread_centroids(columns.row, w->fragments.count, w->rows.nx, w->fragments.nx);
@@ -131,6 +147,10 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
     }
     return;
   }
+  const float* const* texture = look_up(simd, material, w);
+  if (material.model == SHD_MODEL_UNLIT) {
+    return combine(simd, material, lights, nullptr, texture, w->fragments.count, &columns.radiance);
+  }
   illuminate(simd, material, lights, rows, per_fragment ? &columns.lobes : &columns.row_lobes);
   if (!per_fragment) {
     for (int c = 0; c < 3; ++c) {
@@ -138,7 +158,7 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
       spread(simd, shading, *w, columns.row_lobes.specular[c], columns.lobes.specular[c]);
     }
   }
-  combine(simd, material, lights, columns.lobes, look_up(simd, material, w), w->fragments.count, &columns.radiance);
+  combine(simd, material, lights, &columns.lobes, texture, w->fragments.count, &columns.radiance);
 }
 
 }  // namespace shd::shade

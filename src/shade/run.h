@@ -24,6 +24,7 @@ struct DrawShading {
   float orientation;  // of the draw's matrix
   uint32_t draw;      // index in the frame
   uint32_t instance;  // index in the draw
+  uint32_t wanted;    // raster::Interpolated: columns of the fragments to be made whether shading needs them or not
 };
 
 /// Scratch of one worker.

@@ -25,7 +25,8 @@ static void edit_program(shd_material_desc *d)
 }
 static void edit_program_missing(shd_material_desc *d) { d->model = SHD_MODEL_PROGRAM; }
 static void edit_program_unused(shd_material_desc *d) { d->program.fragment = program; }
-static void edit_model(shd_material_desc *d) { d->model = (shd_model)3; }
+static void edit_unlit(shd_material_desc *d) { d->model = SHD_MODEL_UNLIT; }
+static void edit_model(shd_material_desc *d) { d->model = (shd_model)4; }
 static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
 static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
 static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 16; }
@@ -77,7 +78,8 @@ static const struct create_case k_create[] = {
     {"create/all_0", edit_black, SHD_OK, ""},
     {"create/all_1e6", edit_largest, SHD_OK, ""},
     {"create/struct_size_16", edit_size, BAD, "material.struct_size: 16"},
-    {"create/model_3", edit_model, BAD, "material.model: 3 is not in 0..2"},
+    {"create/unlit", edit_unlit, SHD_OK, ""},
+    {"create/model_4", edit_model, BAD, "material.model: 4 is not in 0..3"},
     {"create/model_negative", edit_model_negative, BAD, "material.model: "},
     {"create/program_without_fragment", edit_program_missing, BAD,
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},

@@ -221,7 +221,7 @@ void test_oracle(void** state) {
   for (int batch = 0; batch < 12; ++batch) {
     make_batch(&random, c->scene, batch % 2 ? 5 : 37);
     for_each_target([&](const core::SimdTarget& target, bool first) {
-      raster::interpolate(target, g->vertices, kEye, &g->fragments);
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
       if (!first) return compare_blocks(target.name);
       keep_block();
       for (size_t i = 0; i < kBatch; ++i) check_row(i);
@@ -240,10 +240,10 @@ void test_uniform_and_gathered(void**) {
     make_batch(&random, batch % 2 ? ordinary : behind_the_eye, kBatch);
     for_each_target([&](const core::SimdTarget& target, bool) {
       for (size_t i = 0; i < kBatch; ++i) g->fragments.triangle[i] = 0;
-      raster::interpolate(target, g->vertices, kEye, &g->fragments);
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
       keep_block();
       for (size_t i = 0; i < kBatch; ++i) g->first.triangle[i] = g->fragments.triangle[i] = static_cast<uint32_t>(i);
-      raster::interpolate(target, g->vertices, kEye, &g->fragments);
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
       compare_blocks(target.name);
     });
   }
@@ -253,7 +253,7 @@ void test_uniform_and_gathered(void**) {
 void test_counts(void**) {
   Random random = {37};
   make_batch(&random, ordinary, 7);
-  raster::interpolate(best_target(), g->vertices, kEye, &g->fragments);
+  raster::interpolate(best_target(), g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
   keep_block();
   float x[kBatch], y[kBatch];
   memcpy(x, g->first.x, sizeof x);
@@ -270,7 +270,7 @@ void test_counts(void**) {
                                      g->first.oy,      g->first.oz,      g->first.u,       g->first.v,  g->first.dudx,
                                      g->first.dvdx,    g->first.dudy,    g->first.dvdy};
       for (float* column : columns) std::fill_n(column, kBatch, -77.0f);
-      raster::interpolate(target, g->vertices, kEye, &f);
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &f);
       for (size_t c = 0; c < 18; ++c) {
         if (memcmp(columns[c], wanted[c], count * sizeof(float)) != 0)
           fail_msg("%s: count %zu column %zu", target.name, count, c);
@@ -288,7 +288,7 @@ void test_constant(void**) {
   make_batch(&random, behind_the_eye, 5);
   for (size_t v = 0; v < kVertices; ++v) row(g->vertices.world, v)[3] = 0.1f;
   for_each_target([&](const core::SimdTarget& target, bool) {
-    raster::interpolate(target, g->vertices, kEye, &g->fragments);
+    raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
     for (size_t i = 0; i < kBatch; ++i) {
       if (g->fragments.u[i] != 0.1f || g->fragments.dudx[i] != 0.0f)
         fail_msg("%s: row %zu u %a", target.name, i, double{g->fragments.u[i]});

@@ -67,7 +67,7 @@ void run_extreme(const char* name, const float* attribute) {
   const auto range = std::minmax({attribute[0], attribute[1], attribute[2]});
   const float low = range.first, high = range.second;
   for_each_target([&](const core::SimdTarget& target, bool first) {
-    raster::interpolate(target, g->vertices, kEye, &g->fragments);
+    raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
     check_finite(name, low, high);
     if (!first) return compare_blocks(target.name);
     keep_block();

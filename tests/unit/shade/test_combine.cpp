@@ -49,6 +49,8 @@ const combine_case k_cases[] = {
     {"lambert/ambient_per_light/0", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 0, false},
     {"lambert/ambient_per_light/1", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 1, false},
     {"lambert/ambient_per_light/8", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 8, true},
+    {"unlit", SHD_MODEL_UNLIT, 0, 2, false},
+    {"unlit/texture", SHD_MODEL_UNLIT, 0, 2, true},
     {"blinn_phong/0_lights", SHD_MODEL_BLINN_PHONG, 0, 0, false},
     {"blinn_phong/2_lights", SHD_MODEL_BLINN_PHONG, 0, 2, false},
     {"blinn_phong/texture", SHD_MODEL_BLINN_PHONG, 0, 8, true},
@@ -79,6 +81,10 @@ void check_row(size_t i, const combine_case& c, const shade::Radiance& got) {
   for (int channel = 0; channel < 3; ++channel) {
     const material::Material& m = g->material;
     const double t = c.texture ? double{g->first.texture[channel][i]} : 1.0;
+    if (c.model == SHD_MODEL_UNLIT) {
+      shd_assert_close("channel", i, got.channel[channel][i], t * m.diffuse[channel], 0.0, 0x1p-24);
+      continue;
+    }
     const double ambient = times * m.ambient[channel] * g->lights.ambient[channel];
     const double diffuse = t * m.diffuse[channel] * g->first.lobes.diffuse[channel][i];
     const double specular =
@@ -96,8 +102,8 @@ void test_combine(void** state) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
       shade::Radiance& out = g->columns.radiance;
       for (float* channel : out.channel) std::fill_n(channel, kBatch, -77.0f);
-      shade::combine(target, g->material, g->lights, g->first.lobes, c->texture ? g->first.texture : nullptr, count,
-                     &out);
+      const shade::Lobes* lobes = c->model == SHD_MODEL_UNLIT ? nullptr : &g->first.lobes;
+      shade::combine(target, g->material, g->lights, lobes, c->texture ? g->first.texture : nullptr, count, &out);
       for (size_t i = 0; i < count; ++i) check_row(i, *c, out);
       for (const float* channel : out.channel) {
         for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(channel[i] == -77.0f);
@@ -124,7 +130,7 @@ void test_range(void**) {
     }
   }
   for_each_target([&](const core::SimdTarget& target, bool) {
-    shade::combine(target, g->material, g->lights, g->first.lobes, g->first.texture, kBatch, &g->columns.radiance);
+    shade::combine(target, g->material, g->lights, &g->first.lobes, g->first.texture, kBatch, &g->columns.radiance);
     for (const float* channel : g->columns.radiance.channel) {
       for (size_t i = 0; i < kBatch; ++i) assert_true(std::isfinite(channel[i]));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "raster/interpolate.h"
 #include "ref/shade_ref.h"
 #include "shade/frequency.h"
 #include "shade/run.h"
@@ -172,7 +173,8 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
   for_each_target([&](const core::SimdTarget& target, bool first) {
     Random random = {seed};
     make_scene(&random, fragments);
-    const shade::DrawShading shading = {&g->mesh, &g->vertices, &g->material, frequency, 1.0f, 3, 0};
+    const shade::DrawShading shading = {&g->mesh, &g->vertices,         &g->material, frequency, 1.0f, 3,
+                                        0,        raster::kBarycentrics};
     shade::shade_batch(target, shading, g->lights, kEye, &g->workspace);
     for (int c = 0; c < 4; ++c) {
       float *got = g->workspace.columns.radiance.channel[c], *kept = g->first.columns.radiance.channel[c];

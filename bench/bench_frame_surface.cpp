@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// frame/{quad,floor}/{trilinear,anisotropic}/<target or peer>: one textured surface over 1024 x 1024 pixels, unlit, one
+// thread; the quad minifies twice, the floor is that of the texture rows. Items are pixels.
+#include <memory>
+
+#include "frame_scene.h"
+#include "peers/peers.h"
+
+namespace shd::bench {
+namespace {
+
+struct Row {
+  const char* name;
+  Surface surface;
+  shd_filter filter;
+  PeerFilter peer;
+};
+
+const std::vector<Row>& rows() {
+  static const Surface quad = quad_surface(2.0f), floor = floor_surface(Floor::of_texture(kFrameTextureEdge));
+  static const std::vector<Row> all = {
+      {"quad/trilinear", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear},
+      {"floor/trilinear", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear},
+      {"floor/anisotropic", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16}};
+  return all;
+}
+
+std::string row_name(const Row& row, const std::string& who) {
+  return std::string("frame/") + row.name + "/" + who;
+}
+
+void run_shd(benchmark::State& state, const Row& row, const Target& target) {
+  FrameScene scene(row.surface, target.simd, row.filter);
+  scene.render();
+  const Stopwatch watch;
+  for (auto _ : state) scene.render();
+  const double rate = watch.items_per_second(static_cast<double>(state.iterations()));
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kLookupCount));
+  const double other = recorded_rate(row_name(row, "llvmpipe"));
+  if (other > 0.0) state.counters["ratio_llvmpipe"] = rate / other;
+}
+
+#ifdef SHD_BENCH_OSMESA
+void run_llvmpipe(benchmark::State& state, const Row& row) {
+  const std::unique_ptr<Peer> peer =
+      make_llvmpipe_surface(row.surface, kFrameEdge, kFrameTextureEdge, frame_texels(), row.peer);
+  peer->run();
+  const Stopwatch watch;
+  for (auto _ : state) peer->run();
+  record_rate(row_name(row, "llvmpipe"), watch.items_per_second(static_cast<double>(state.iterations())));
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kLookupCount));
+  FrameScene scene(row.surface, SHD_SIMD_BEST, row.filter);
+  scene.render();
+  const Difference difference = compare(scene.image(), peer->image());
+  state.counters["mean_difference"] = difference.mean;
+  state.counters["max_difference"] = difference.max;
+}
+#endif
+
+template <class Body>
+void add(const std::string& name, Body body) {
+  benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+void register_surface_peers() {
+#ifdef SHD_BENCH_OSMESA
+  for (const Row& row : rows()) {
+    add(row_name(row, "llvmpipe"), [&row](benchmark::State& state) { run_llvmpipe(state, row); });
+  }
+#endif
+}
+
+void register_surface() {
+  for (const Row& row : rows()) {
+    for (const Target& target : targets()) {
+      add(row_name(row, target.name), [&row, target](benchmark::State& state) { run_shd(state, row, target); });
+    }
+  }
+}
+
+}  // namespace shd::bench

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "frame_scene.h"
+
+#include <algorithm>
+
+namespace shd::bench {
+
+const std::vector<Spheres>& sphere_frames() {
+  static const std::vector<Spheres> all = {make_spheres("2k", 16, 9, 2), make_spheres("100k", 30, 27, 4),
+                                           make_spheres("1M", 25, 21, 10)};
+  return all;
+}
+
+const std::vector<uint8_t>& frame_texels() {
+  static const std::vector<uint8_t> all = make_rgba8(kFrameTextureEdge);
+  return all;
+}
+
+FrameScene::FrameScene(shd_simd simd, uint32_t samples, uint32_t workers) : context_(make_context(simd, workers)) {
+  shd_texture_desc texture = shd_texture_desc_default();
+  texture.format = SHD_FORMAT_RGBA8;
+  texture.width = texture.height = kFrameTextureEdge;
+  texture.texels = frame_texels().data();
+  texture.tables = SHD_TABLE_MIPMAP;
+  check(shd_texture_create(context_, &texture, &texture_));
+  shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
+  framebuffer.width = framebuffer.height = kFrameEdge;
+  framebuffer.samples = samples;
+  check(shd_framebuffer_create(context_, &framebuffer, &framebuffer_));
+  desc_.framebuffer = framebuffer_;
+  desc_.stats = &stats_;
+}
+
+FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers)
+    : FrameScene(simd, variant.samples, workers) {
+  make_mesh(spheres);
+  shd_material_desc material = shd_material_desc_default();
+  material.blend = variant.blend;
+  material.opacity = 0.5f;
+  material.model = SHD_MODEL_BLINN_PHONG;
+  for (int c = 0; c < 3; ++c) {
+    material.ambient[c] = 0.0f;
+    material.diffuse[c] = kDiffuse;
+    material.specular[c] = kSpecular;
+  }
+  material.exponent = kExponent;
+  make_material(material);
+  make_lights();
+  for (size_t i = 0; i < spheres.sphere_count(); ++i) {
+    shd_draw draw = shd_draw_default();
+    draw.mesh = mesh_;
+    draw.material = variant.shaded ? material_ : nullptr;
+    draw.cull = SHD_CULL_BACK;
+    std::copy_n(&spheres.object_to_world[16 * i], 16, draw.object_to_world);
+    draws_.push_back(draw);
+  }
+  desc_.view = spheres.view;
+  set_draws();
+}
+
+FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, uint32_t workers)
+    : FrameScene(simd, 1, workers) {
+  make_mesh(surface);
+  shd_sampler_desc sampler = shd_sampler_desc_default();
+  sampler.filter = filter;
+  sampler.max_anisotropy = 16.0f;
+  check(shd_sampler_create(context_, &sampler, &sampler_));
+  shd_material_desc material = shd_material_desc_default();
+  material.model = SHD_MODEL_UNLIT;
+  std::fill_n(material.diffuse, 3, 1.0f);
+  material.diffuse_sampler = sampler_;
+  make_material(material);
+  shd_draw draw = shd_draw_default();
+  draw.mesh = mesh_;
+  draw.material = material_;
+  draws_.push_back(draw);
+  // Object space is (x, y, w) of clip space.
+  std::fill_n(desc_.view.view_to_clip, 16, 0.0f);
+  desc_.view.view_to_clip[0] = desc_.view.view_to_clip[5] = desc_.view.view_to_clip[11] = 1.0f;
+  set_draws();
+}
+
+FrameScene::~FrameScene() {
+  shd_framebuffer_release(framebuffer_);
+  for (shd_light* light : lights_) shd_light_release(light);
+  shd_material_release(material_);
+  shd_mesh_release(mesh_);
+  shd_sampler_release(sampler_);
+  shd_texture_release(texture_);
+  shd_context_release(context_);
+}
+
+std::vector<float> FrameScene::image() const {
+  std::vector<float> rgba(kLookupCount * 4);
+  shd_image out = shd_image_default();
+  out.format = SHD_FORMAT_RGBA32F;
+  out.width = out.height = kFrameEdge;
+  out.pixels = rgba.data();
+  check(shd_framebuffer_read_color(framebuffer_, &out));
+  return rgba;
+}
+
+void FrameScene::make_mesh(const Spheres& spheres) {
+  shd_mesh_desc desc = shd_mesh_desc_default();
+  desc.vertex_count = static_cast<uint32_t>(spheres.position[0].size());
+  for (int k = 0; k < 3; ++k) desc.position[k].data = desc.normal[k].data = spheres.position[k].data();
+  for (int k = 0; k < 2; ++k) desc.uv[k].data = spheres.uv[k].data();
+  desc.indices.data = spheres.indices.data();
+  desc.index_count = spheres.indices.size();
+  check(shd_mesh_create(context_, &desc, &mesh_));
+}
+
+void FrameScene::make_mesh(const Surface& surface) {
+  constexpr uint32_t kIndices[6] = {0, 2, 1, 1, 2, 3};
+  shd_mesh_desc desc = shd_mesh_desc_default();
+  desc.vertex_count = 4;
+  constexpr int kObject[3] = {0, 1, 3};
+  for (int k = 0; k < 3; ++k) {
+    desc.position[k].data = &surface.clip[0][kObject[k]];
+    desc.position[k].stride = sizeof surface.clip[0];
+  }
+  for (int k = 0; k < 2; ++k) {
+    desc.uv[k].data = &surface.uv[0][k];
+    desc.uv[k].stride = sizeof surface.uv[0];
+  }
+  desc.indices.data = kIndices;
+  desc.index_count = 6;
+  check(shd_mesh_create(context_, &desc, &mesh_));
+}
+
+void FrameScene::make_material(const shd_material_desc& desc) {
+  shd_material_desc textured = desc;
+  textured.diffuse_texture = texture_;
+  check(shd_material_create(context_, &textured, &material_));
+}
+
+void FrameScene::make_lights() {
+  for (int i = 0; i < 2; ++i) {
+    shd_light_desc desc = shd_light_desc_default();
+    std::copy_n(kLights[i].position, 3, desc.position);
+    std::copy_n(kLights[i].intensity, 3, desc.intensity);
+    check(shd_light_create(context_, &desc, &lights_[i]));
+  }
+  desc_.lights = lights_;
+  desc_.light_count = 2;
+}
+
+void FrameScene::set_draws() {
+  desc_.draws = draws_.data();
+  desc_.draw_count = draws_.size();
+}
+
+}  // namespace shd::bench

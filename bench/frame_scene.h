@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bench.h"
+#include "workload.h"
+
+/// The frames that rows of the rasteriser share, in the library's objects.
+namespace shd::bench {
+
+/// 8 x 256, 64 x 1,560 and 1,000 x 1,000 triangles.
+const std::vector<Spheres>& sphere_frames();
+
+/// Texels of every frame, kFrameTextureEdge x kFrameTextureEdge.
+const std::vector<uint8_t>& frame_texels();
+
+/// How a frame of spheres is drawn.
+struct Variant {
+  const char* name;
+  uint32_t samples;
+  bool shaded;
+  shd_blend_mode blend;
+};
+
+/// A scene with one mesh and one material, and its frame of kFrameEdge x kFrameEdge pixels.
+class FrameScene {
+ public:
+  FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers = 1);
+  /// Unlit, with a mipmapped texture.
+  FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, uint32_t workers = 1);
+  ~FrameScene();
+  FrameScene(const FrameScene&) = delete;
+  FrameScene& operator=(const FrameScene&) = delete;
+
+  void render() { check(shd_render(context_, &desc_)); }
+  const shd_render_stats& stats() const { return stats_; }
+  std::vector<float> image() const;
+
+ private:
+  FrameScene(shd_simd simd, uint32_t samples, uint32_t workers);
+  void make_mesh(const Spheres& spheres);
+  void make_mesh(const Surface& surface);
+  void make_material(const shd_material_desc& desc);
+  void make_lights();
+  void set_draws();
+
+  shd_context* context_;
+  shd_texture* texture_ = nullptr;
+  shd_sampler* sampler_ = nullptr;
+  shd_mesh* mesh_ = nullptr;
+  shd_material* material_ = nullptr;
+  shd_light* lights_[2] = {};
+  shd_framebuffer* framebuffer_ = nullptr;
+  std::vector<shd_draw> draws_;
+  shd_render_stats stats_ = {};
+  shd_render_desc desc_ = shd_render_desc_default();
+};
+
+}  // namespace shd::bench
