@@ -101,6 +101,9 @@ void shade_visible(TileState* tile) {
   Worker& worker = tile->worker;
   if (worker.slots.size() == 0) return;
   raster::sort_pixels(tile->simd(), worker.tile, worker.slots.size(), &worker.order);
+  const size_t samples = size_t{tile->area.width} * tile->area.height * tile->pattern.count;
+  if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // all of it is drawn over
+  tile->clear_color();
   FragmentBatch batch(*tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;

@@ -11,6 +11,13 @@ size_t row_start(const TileArea& area, const Framebuffer& framebuffer, uint32_t 
   return (area.top + size_t{y}) * framebuffer.stride + area.left;
 }
 
+template <class T>
+void fill(const TileArea& area, T value, const Framebuffer& framebuffer, core::Array<T>* plane) {
+  for (uint32_t y = 0; y < area.height; ++y) {
+    std::fill_n(plane->data() + row_start(area, framebuffer, y), area.width, value);
+  }
+}
+
 }  // namespace
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x) {
@@ -22,18 +29,21 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
   return area;
 }
 
-void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer) {
-  for (uint32_t y = 0; y < area.height; ++y) {
-    const size_t start = row_start(area, *framebuffer, y);
-    for (uint32_t p = 0; p < kPlaneCount; ++p) {
-      if (!wants_plane(framebuffer->aovs, p)) continue;
-      if (kPlanes[p].is_integer) {
-        std::fill_n(&framebuffer->u32_plane[p][start], area.width, static_cast<uint32_t>(kPlanes[p].empty));
-        continue;
-      }
-      const auto empty = static_cast<float>(kPlanes[p].empty);
-      const float value = p < SHD_PLANE_DEPTH ? color[p] : p == SHD_PLANE_DEPTH ? depth : empty;
-      std::fill_n(&framebuffer->plane[p][start], area.width, value);
+void clear_color(const TileArea& area, const float color[4], Framebuffer* framebuffer) {
+  for (uint32_t p = 0; p < SHD_PLANE_DEPTH; ++p) fill(area, color[p], *framebuffer, &framebuffer->plane[p]);
+}
+
+void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer) {
+  fill(area, depth, *framebuffer, &framebuffer->plane[SHD_PLANE_DEPTH]);
+}
+
+void clear_aovs(const TileArea& area, Framebuffer* framebuffer) {
+  for (uint32_t p = SHD_PLANE_DEPTH + 1; p < kPlaneCount; ++p) {
+    if (!wants_plane(framebuffer->aovs, p)) continue;
+    if (kPlanes[p].is_integer) {
+      fill(area, static_cast<uint32_t>(kPlanes[p].empty), *framebuffer, &framebuffer->u32_plane[p]);
+    } else {
+      fill(area, static_cast<float>(kPlanes[p].empty), *framebuffer, &framebuffer->plane[p]);
     }
   }
 }

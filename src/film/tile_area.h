@@ -17,8 +17,10 @@ struct TileArea {
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
 
-/// Colour and depth of pixels to the given values, the other planes empty.
-void clear_area(const TileArea& area, const float color[4], float depth, Framebuffer* framebuffer);
+void clear_color(const TileArea& area, const float color[4], Framebuffer* framebuffer);
+void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer);
+/// The planes of AOVs, empty.
+void clear_aovs(const TileArea& area, Framebuffer* framebuffer);
 
 void clear_slots(raster::Tile* tile);
 

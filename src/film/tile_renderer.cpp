@@ -9,24 +9,29 @@
 namespace shd::film {
 namespace {
 
+/// What the scissor leaves of a tile; empty if nothing.
+TileArea cleared_area(const TileState& tile) {
+  const geometry::PixelBox whole = geometry::pixel_rectangle(tile.left, tile.top, tile.area.width, tile.area.height);
+  const geometry::PixelBox box = geometry::intersection(whole, tile.renderer.frame.scissor);
+  if (geometry::is_empty(box)) return {0, 0, 0, 0};
+  return {tile.area.left + static_cast<uint32_t>(box.min_x - tile.left),
+          tile.area.top + static_cast<uint32_t>(box.min_y - tile.top), static_cast<uint32_t>(box.max_x - box.min_x + 1),
+          static_cast<uint32_t>(box.max_y - box.min_y + 1)};
+}
+
 /// Depth and colours of a tile as they are before its first draw; false if there is none.
 bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
   Worker& worker = tile->worker;
-  const geometry::PixelBox whole =
-      geometry::pixel_rectangle(tile->left, tile->top, tile->area.width, tile->area.height);
-  const geometry::PixelBox box = geometry::intersection(whole, frame.scissor);
-  if (!frame.keep && !geometry::is_empty(box)) {
-    const TileArea cleared = {tile->area.left + static_cast<uint32_t>(box.min_x - tile->left),
-                              tile->area.top + static_cast<uint32_t>(box.min_y - tile->top),
-                              static_cast<uint32_t>(box.max_x - box.min_x + 1),
-                              static_cast<uint32_t>(box.max_y - box.min_y + 1)};
-    clear_area(cleared, frame.clear_color, frame.clear_depth, &tile->framebuffer);
-  }
-  if (tile->is_bare()) return false;
-  const bool is_clear = !frame.keep && box.max_x - box.min_x == whole.max_x - whole.min_x &&
-                        box.max_y - box.min_y == whole.max_y - whole.min_y;
-  if (is_clear) {
+  const TileArea cleared = frame.keep ? TileArea{0, 0, 0, 0} : cleared_area(*tile);
+  const bool is_whole = cleared.width == tile->area.width && cleared.height == tile->area.height;
+  const bool is_bare = tile->is_bare();
+  clear_aovs(cleared, &tile->framebuffer);
+  tile->color_is_unclear = is_whole && !is_bare;
+  if (!tile->color_is_unclear) clear_color(cleared, frame.clear_color, &tile->framebuffer);
+  if (!is_whole || is_bare) clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
+  if (is_bare) return false;
+  if (is_whole) {
     fill_depth(frame.clear_depth, &worker.tile);
   } else {
     load_depth(tile->area, tile->framebuffer, &worker.tile);
@@ -51,6 +56,7 @@ Unfinished draw_in_order(TileState* tile) {
       cover_run(tile, run);
     } else {
       shade_visible(tile);
+      tile->clear_color();
       blend_run(tile, run);
     }
   });
@@ -64,6 +70,7 @@ void TileRenderer::render(uint32_t index, Worker* worker) const {
   TileState tile(*this, index, worker);
   if (!begin(&tile)) return;
   const Unfinished unfinished = draw_in_order(&tile);
+  tile.clear_color();
   if (unfinished.weighted) draw_weighted(&tile);
   if (unfinished.sorted) draw_sorted(&tile);
   tile.color.resolve();

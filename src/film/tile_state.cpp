@@ -27,6 +27,11 @@ bool TileState::is_bare() const {
   return true;
 }
 
+void TileState::clear_color() {
+  if (color_is_unclear) film::clear_color(area, renderer.frame.clear_color, &framebuffer);
+  color_is_unclear = false;
+}
+
 uint64_t TileState::count_masked() const {
   uint64_t count = 0;
   for_each_masked([&](uint32_t, uint32_t mask) { count += static_cast<uint64_t>(__builtin_popcount(mask)); });

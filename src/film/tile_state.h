@@ -51,6 +51,8 @@ class TileState {
 
   /// Whether no triangle touches the tile.
   bool is_bare() const;
+  /// Clears colour, if that is still to be done.
+  void clear_color();
 
   /// body(run) for the triangles of the tile, in order.
   template <class Body>
@@ -93,6 +95,7 @@ class TileState {
   const int32_t left, top;  // in the picture
   Worker& worker;
   TileColor color;
+  bool color_is_unclear = false;  // the whole tile starts with the frame's colour, which it does not have yet
 };
 
 }  // namespace shd::film

@@ -87,8 +87,12 @@ void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_cou
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
   find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
   find_runs(tile, out->changes.data(), &out->run);
+  out->covered_samples = 0;
   for (size_t i = 0; i < out->run.size(); ++i) {
-    out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
+    const PixelRun& run = out->run[i];
+    const uint32_t pixels = uint32_t{run.end} - run.begin;
+    out->start[run.slot] += pixels;
+    out->covered_samples += tile.samples == 1 ? pixels : pixels * static_cast<uint32_t>(__builtin_popcount(run.mask));
   }
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {

@@ -56,6 +56,7 @@ struct TileOrder {
   core::Buffer<PixelRun> run;        // scratch
   core::Buffer<uint32_t> start;      // [slots + 1] first position of each slot
   core::Buffer<VisiblePixel> pixel;  // sorted by slot, then by position
+  size_t covered_samples;            // that show a triangle
 };
 
 /// Room for tiles of this many samples a pixel. Throws std::bad_alloc.
