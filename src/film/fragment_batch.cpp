@@ -97,8 +97,14 @@ void FragmentBatch::finish_by_coverage(const geometry::ScreenTriangle& triangle,
 void FragmentBatch::shade(uint32_t draw) {
   const Draw& d = tile_.renderer.frame.draws[draw];
   const Scene& scene = tile_.renderer.scene;
-  const shade::DrawShading shading = {
-      d.mesh, &scene.vertices[draw], d.material, d.frequency, scene.transforms[draw].orientation, d.index, d.instance};
+  const shade::DrawShading shading = {d.mesh,
+                                      &scene.vertices[draw],
+                                      d.material,
+                                      d.frequency,
+                                      scene.transforms[draw].orientation,
+                                      d.index,
+                                      d.instance,
+                                      d.uniforms};
   shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view.eye, &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }
