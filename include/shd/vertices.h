@@ -38,20 +38,20 @@ typedef enum shd_interpolation {
  * order the calls are made may change.
  */
 typedef struct shd_vertices {
-    uint32_t struct_size;              /**< of the library's struct */
-    uint32_t draw;                     /**< index into shd_render_desc.draws */
-    uint32_t instance;                 /**< index into shd_draw.instances, 0 without */
-    uint32_t first;                    /**< row i is vertex first + i of the mesh */
-    size_t count;                      /**< rows; must stay as it is */
-    const float *px, *py, *pz;         /**< position, object space */
-    const float *nx, *ny, *nz;         /**< normal, object space, unit */
-    const float *u, *v;                /**< texture coordinates; 0 if the mesh has none */
-    const float *tx, *ty, *tz, *tw;    /**< tangent, object space, and handedness; NULL if the mesh has none */
-    const float *object_to_world;      /**< [16], column-major; of the instance */
-    const float *world_to_view;        /**< [16], column-major */
-    const float *view_to_clip;         /**< [16], column-major */
-    const float *eye;                  /**< [3], world space */
-    const void *uniforms;              /**< shd_draw.uniforms */
+    uint32_t struct_size;           /**< of the library's struct */
+    uint32_t draw;                  /**< index into shd_render_desc.draws */
+    uint32_t instance;              /**< index into shd_draw.instances, 0 without */
+    uint32_t first;                 /**< row i is vertex first + i of the mesh */
+    size_t count;                   /**< rows; must stay as it is */
+    const float *px, *py, *pz;      /**< position, object space */
+    const float *nx, *ny, *nz;      /**< normal, object space, unit */
+    const float *u, *v;             /**< texture coordinates; 0 if the mesh has none */
+    const float *tx, *ty, *tz, *tw; /**< tangent, object space, and handedness; NULL if the mesh has none */
+    const float *object_to_world;   /**< [16], column-major; of the instance */
+    const float *world_to_view;     /**< [16], column-major */
+    const float *view_to_clip;      /**< [16], column-major */
+    const float *eye;               /**< [3], world space */
+    const void *uniforms;           /**< shd_draw.uniforms */
 } shd_vertices;
 
 /**
@@ -60,13 +60,13 @@ typedef struct shd_vertices {
  * or infinity in any column are dropped and counted as shd_render_stats.nonfinite.
  */
 typedef struct shd_vertex_outputs {
-    uint32_t struct_size;              /**< of the library's struct */
-    uint32_t varying_count;            /**< that of the material */
-    float *x, *y, *z, *w;              /**< clip space: visible with -w..w for x and y, 0..w for z */
-    float *px, *py, *pz;               /**< position, world space: what lights and wo go by */
-    float *nx, *ny, *nz;               /**< normal, world space; made unit afterwards where it was changed */
-    float *u, *v;                      /**< texture coordinates */
-    float *varying[SHD_MAX_VARYINGS];  /**< start as 0; NULL from varying_count on */
+    uint32_t struct_size;             /**< of the library's struct */
+    uint32_t varying_count;           /**< that of the material */
+    float *x, *y, *z, *w;             /**< clip space: visible with -w..w for x and y, 0..w for z */
+    float *px, *py, *pz;              /**< position, world space: what lights and wo go by */
+    float *nx, *ny, *nz;              /**< normal, world space; made unit afterwards where it was changed */
+    float *u, *v;                     /**< texture coordinates */
+    float *varying[SHD_MAX_VARYINGS]; /**< start as 0; NULL from varying_count on */
 } shd_vertex_outputs;
 
 /**

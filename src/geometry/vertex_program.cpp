@@ -92,8 +92,7 @@ void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexCo
     const Vec3V<V> world = Load3(d, c.px, c.py, c.pz, i), given = Load3(d, c.nx, c.ny, c.nz, i);
     const auto n = Load3(d, mesh.nx.data(), mesh.ny.data(), mesh.nz.data(), at);
     const Vec3V<V> fixed = WorldNormal(d, transform, n), unit = Normalize(d, given);
-    const auto same =
-        hn::And(hn::And(hn::Eq(given.x, fixed.x), hn::Eq(given.y, fixed.y)), hn::Eq(given.z, fixed.z));
+    const auto same = hn::And(hn::And(hn::Eq(given.x, fixed.x), hn::Eq(given.y, fixed.y)), hn::Eq(given.z, fixed.z));
 
     auto finite = hn::And(hn::And(Finite(d, x), Finite(d, y)), hn::And(Finite(d, z), Finite(d, w)));
     finite = hn::And(finite, hn::And(Finite3(d, world), Finite3(d, given)));
@@ -160,8 +159,8 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, size_t co
   call(program, in, &out);
 #ifndef NDEBUG
   if (in.count != count) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK,
-                                   "material.program.vertex changed the count in render.draws[%u]", program.draw));
+    throw core::Failure(
+        core::fail(SHD_ERROR_CALLBACK, "material.program.vertex changed the count in render.draws[%u]", program.draw));
   }
 #endif
 }

@@ -31,10 +31,10 @@ struct VertexProgram {
 /// What a program writes: scratch of one worker, columns of kVertexBatch elements in one block.
 struct VertexColumns {
   core::Array<float> block;
-  float *x, *y, *z, *w;               // clip space
-  float *px, *py, *pz;                // position, world space
-  float *nx, *ny, *nz;                // normal, world space
-  float *u, *v;                       // texture coordinates
+  float *x, *y, *z, *w;  // clip space
+  float *px, *py, *pz;   // position, world space
+  float *nx, *ny, *nz;   // normal, world space
+  float *u, *v;          // texture coordinates
   float* varying[SHD_MAX_VARYINGS];
 };
 

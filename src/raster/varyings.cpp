@@ -82,8 +82,8 @@ HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const T
   const Weights<V> perspective = {hn::Load(d, f.bary[1] + at), hn::Load(d, f.bary[2] + at)};
   Weights<V> affine = perspective;
   if (any_affine) {
-    affine = ScreenWeights(d, vertices.raster.data(), triangle, hn::Load(d, f.x + at), hn::Load(d, f.y + at),
-                           perspective);
+    affine =
+        ScreenWeights(d, vertices.raster.data(), triangle, hn::Load(d, f.x + at), hn::Load(d, f.y + at), perspective);
   }
   const size_t count = vertices.varying_count;
   const float* rows = vertices.varying.data();

@@ -202,14 +202,13 @@ static void spoil(const shd_vertices *in, shd_vertex_outputs *out, void *user_da
     }
 }
 #define SPOILS(value)                                                                                               \
-    {"nonfinite/x_" #value, 0, value}, {"nonfinite/y_" #value, 1, value}, {"nonfinite/z_" #value, 2, value}, \
-        {"nonfinite/w_" #value, 3, value}, {"nonfinite/px_" #value, 4, value},                                \
-        {"nonfinite/py_" #value, 5, value}, {"nonfinite/pz_" #value, 6, value},                               \
-        {"nonfinite/nx_" #value, 7, value}, {"nonfinite/ny_" #value, 8, value},                               \
-        {"nonfinite/nz_" #value, 9, value}, {"nonfinite/u_" #value, 10, value},                               \
-        {"nonfinite/v_" #value, 11, value}, {"nonfinite/varying_0_" #value, 12, value},                       \
+    {"nonfinite/x_" #value, 0, value}, {"nonfinite/y_" #value, 1, value}, {"nonfinite/z_" #value, 2, value},        \
+        {"nonfinite/w_" #value, 3, value}, {"nonfinite/px_" #value, 4, value}, {"nonfinite/py_" #value, 5, value},  \
+        {"nonfinite/pz_" #value, 6, value}, {"nonfinite/nx_" #value, 7, value}, {"nonfinite/ny_" #value, 8, value}, \
+        {"nonfinite/nz_" #value, 9, value}, {"nonfinite/u_" #value, 10, value}, {"nonfinite/v_" #value, 11, value}, \
+        {"nonfinite/varying_0_" #value, 12, value},                                                                 \
     {                                                                                                               \
-        "nonfinite/varying_2_" #value, 13, value                                                                 \
+        "nonfinite/varying_2_" #value, 13, value                                                                    \
     }
 static const struct spoil k_spoils[] = {SPOILS((float)NAN), SPOILS((float)INFINITY), SPOILS(-(float)INFINITY)};
 
