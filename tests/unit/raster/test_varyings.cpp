@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kernel of varyings: against double, its bits on every target, its tails.
-#include "ref/varying_ref.h"
 #include "raster/varyings.h"
+#include "ref/varying_ref.h"
 #include "unit/raster/interpolate_fixture.h"
 
 namespace shd::tests {
