@@ -57,7 +57,7 @@ int tear_down(void**) {
 
 void nothing(const shd_vertices*, shd_vertex_outputs*, void*) {}
 void everything(const shd_vertices* in, shd_vertex_outputs* out, void*) {
-  float* const columns[] = {out->x,  out->y,  out->z,  out->w, out->px, out->py,
+  float* const columns[] = {out->x,  out->y,  out->z,  out->w,  out->px, out->py,
                             out->pz, out->nx, out->ny, out->nz, out->u,  out->v};
   for (size_t i = 0; i < in->count; ++i) {
     for (size_t c = 0; c < 12; ++c) {
