@@ -9,7 +9,7 @@
 #ifndef SHD_FRAGMENTS_H
 #define SHD_FRAGMENTS_H
 
-#include <shd/base.h>
+#include <shd/vertices.h>
 
 SHD_BEGIN_DECLS
 
@@ -38,7 +38,13 @@ typedef struct shd_fragments {
     const float *dudy, *dvdy;  /**< analytic derivatives along one pixel down */
     const uint32_t *triangle;  /**< index of the triangle in its mesh */
     uint32_t instance;         /**< index into shd_draw.instances, 0 without; the same for every row */
-    uint32_t reserved;
+    uint32_t varying_count;    /**< that of the material */
+    const void *uniforms;      /**< shd_draw.uniforms */
+    /**
+     * What the vertex program wrote, by shd_material_desc.interpolation; NULL from varying_count on. At Gouraud
+     * frequency that of the vertex, at flat the mean of the triangle's three; flat ones are the first vertex's.
+     */
+    const float *varying[SHD_MAX_VARYINGS];
 } shd_fragments;
 
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
@@ -49,7 +55,10 @@ typedef struct shd_radiance {
     uint32_t *discard;    /**< starts as 0; anything else drops the row. NULL but with SHD_MATERIAL_DISCARDS */
 } shd_radiance;
 
-/** A fragment program: reads in->count rows, writes as many. */
+/**
+ * A fragment program: reads in->count rows, writes as many. What it writes is kept, NaN and infinity too; these are
+ * counted as shd_render_stats.nonfinite_fragments.
+ */
 typedef void (*shd_fragment_fn)(const shd_fragments *in, shd_radiance *out, void *user_data);
 
 SHD_END_DECLS

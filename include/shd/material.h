@@ -13,6 +13,7 @@
 #include <shd/fragments.h>
 #include <shd/sampler.h>
 #include <shd/texture.h>
+#include <shd/vertices.h>
 
 SHD_BEGIN_DECLS
 
@@ -73,10 +74,14 @@ typedef enum shd_material_flag {
     SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
 } shd_material_flag;
 
-/** The caller's shading code, for SHD_MODEL_PROGRAM. */
+/**
+ * The caller's code. What happens to a frame whose program throws, longjmps or changes the number of rows is undefined;
+ * where a C++ exception reaches shd it becomes SHD_ERROR_CALLBACK.
+ */
 typedef struct shd_material_program {
-    shd_fragment_fn fragment; /**< required for SHD_MODEL_PROGRAM */
-    void *user_data;          /**< passed to it; borrowed until release */
+    shd_fragment_fn fragment; /**< required for SHD_MODEL_PROGRAM, else NULL */
+    void *user_data;          /**< passed to both; borrowed until release */
+    shd_vertex_fn vertex;     /**< for any model; NULL = the matrices of view and draw alone */
 } shd_material_program;
 
 /** Model and coefficients, scene-linear RGB. */
@@ -91,9 +96,12 @@ typedef struct shd_material_desc {
     float opacity;                /**< of models, 0..1; default 1 */
     shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
     shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
-    shd_material_program program; /**< for SHD_MODEL_PROGRAM */
+    shd_material_program program; /**< default none */
     shd_blend_mode blend;         /**< default SHD_BLEND_OPAQUE */
     float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
+    uint32_t varying_count;       /**< what program.vertex writes for fragments, 0..16; 0 without it */
+    shd_interpolation interpolation[SHD_MAX_VARYINGS]; /**< of each varying; default SHD_INTERPOLATION_PERSPECTIVE */
+    uint32_t reserved;                                 /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 

@@ -64,7 +64,7 @@ typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
     shd_frequency frequency;      /**< default SHD_FREQUENCY_PHONG */
     const shd_mesh *mesh;         /**< required; borrowed for the call */
-    const shd_material *material; /**< borrowed for the call; NULL = depth alone */
+    const shd_material *material; /**< borrowed for the call; NULL = depth alone, without programs */
     float object_to_world[16];    /**< affine, finite; default identity */
     shd_cull cull;                /**< default SHD_CULL_NONE */
     shd_compare compare;          /**< default SHD_COMPARE_LESS */
@@ -75,10 +75,11 @@ typedef struct shd_draw {
     /**
      * Object-to-world matrices, [instance_count][16], each affine and finite, in place of object_to_world: the mesh is
      * drawn with each of them as by draws of their own, one after the other; borrowed for the call. While the frame
-     * is drawn each instance takes 64 bytes for every vertex, as a draw does.
+     * is drawn each instance takes 64 bytes for every vertex and 4 for each of its varyings, as a draw does.
      */
     const float *instances;
     size_t instance_count; /**< 0 = once, by object_to_world; with those of all draws up to 2^20 */
+    const void *uniforms;  /**< handed to the programs of the material; borrowed for the call; default NULL */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <shd/material.h>
 
+#include <cstdio>
+
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -14,6 +16,29 @@ using namespace shd::abi;
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
 constexpr uint32_t kFlags =
     SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE;
+
+shd_result check_programs(const shd_material_desc& desc) {
+  SHD_TRY(check_count("material.varying_count", desc.varying_count, 0, SHD_MAX_VARYINGS));
+  for (int i = 0; i < SHD_MAX_VARYINGS; ++i) {
+    char field[40];
+    std::snprintf(field, sizeof field, "material.interpolation[%d]", i);
+    SHD_TRY(check_enum(field, desc.interpolation[i], 0, SHD_INTERPOLATION_FLAT));
+  }
+  SHD_TRY(check_zero("material.reserved", desc.reserved));
+  if (desc.varying_count && !desc.program.vertex) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "material.varying_count: %u, but material.program.vertex is NULL",
+                      desc.varying_count);
+  }
+  if (desc.model == SHD_MODEL_PROGRAM && !desc.program.fragment) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM");
+  }
+  if (desc.model != SHD_MODEL_PROGRAM && desc.program.fragment) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM");
+  }
+  return SHD_OK;
+}
 
 shd_result check_material_desc(const shd_material_desc& desc) {
   SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_UNLIT));
@@ -29,15 +54,7 @@ shd_result check_material_desc(const shd_material_desc& desc) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "material.flags: SHD_MATERIAL_DISCARDS, but the model is not SHD_MODEL_PROGRAM");
   }
-  if (desc.model == SHD_MODEL_PROGRAM && !desc.program.fragment) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM");
-  }
-  if (desc.model != SHD_MODEL_PROGRAM && desc.program.fragment) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM");
-  }
-  return SHD_OK;
+  return check_programs(desc);
 }
 
 /// Retains what an optional handle stands for, from any context; `body` and `object` stay null without one.

@@ -58,6 +58,7 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
   out->cull = draw.cull;
   out->depth = {draw.compare, !(draw.flags & SHD_DRAW_KEEP_DEPTH), draw.depth_bias, draw.depth_bias_slope};
   out->sample_shading = (draw.flags & SHD_DRAW_SAMPLE_SHADING) != 0;
+  out->uniforms = draw.uniforms;
   std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);
   return SHD_OK;
 }

@@ -104,7 +104,8 @@ void FragmentBatch::shade(uint32_t draw) {
                                       scene.transforms[draw].orientation,
                                       d.index,
                                       d.instance,
-                                      columns_of(tile_.framebuffer.aovs)};
+                                      columns_of(tile_.framebuffer.aovs),
+                                      d.uniforms};
   shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view.eye, &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }

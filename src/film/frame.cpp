@@ -45,7 +45,7 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
   prepare(context, frame, &scene, stats);
   const uint32_t tiles = scene.bins.tiles_x * scene.bins.tiles_y;
   Stopwatch watch;
-  Workers workers(context, frame.framebuffer->samples);
+  Workers workers(context, frame);
   Progress progress(frame.progress, tiles);
   const TileRenderer renderer = {context, frame, scene, lights};
   core::parallel_for(context, tiles, [&](uint32_t index, uint32_t worker) {

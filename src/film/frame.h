@@ -26,6 +26,7 @@ struct Draw {
   shd_cull cull;
   raster::DepthState depth;
   bool sample_shading;
+  const void* uniforms;  // of the programs of the material
   float object_to_world[16];
 };
 

@@ -7,6 +7,7 @@
 #include "data/data.h"
 #include "film/stopwatch.h"
 #include "geometry/assemble.h"
+#include "geometry/vertex_program.h"
 
 namespace shd::film {
 namespace {
@@ -34,19 +35,35 @@ core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, 
   return parts;
 }
 
+geometry::VertexProgram vertex_program(const Frame& frame, const Draw& draw) {
+  const shd_material_program& program = draw.material->program;
+  return {program.vertex,       program.user_data, draw.uniforms, &frame.view,
+          draw.object_to_world, draw.index,        draw.instance, draw.material->varying_count};
+}
+
 void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
   const geometry::PixelBox visible = visible_box(frame);
   for (size_t draw = 0; draw < frame.draw_count; ++draw) {
-    geometry::allocate(context.allocator, *frame.draws[draw].mesh, &scene->vertices[draw]);
-    scene->transforms[draw] =
-        geometry::make_transform(frame.view, frame.draws[draw].object_to_world, frame.viewport, visible);
+    const Draw& d = frame.draws[draw];
+    geometry::allocate(context.allocator, *d.mesh, d.material ? d.material->varying_count : 0, &scene->vertices[draw]);
+    scene->transforms[draw] = geometry::make_transform(frame.view, d.object_to_world, frame.viewport, visible);
   }
   const auto padded_vertices = [](const Draw& draw) { return data::padded(draw.mesh->vertex_count); };
   const core::Buffer<Part> parts = make_parts(context, frame, kVerticesPerPart, padded_vertices);
-  core::parallel_for(context, static_cast<uint32_t>(parts.size()), [&](uint32_t i, uint32_t) {
+  core::Objects<geometry::VertexColumns> scratch(context.allocator, context.executor.worker_count);
+  core::parallel_for(context, static_cast<uint32_t>(parts.size()), [&](uint32_t i, uint32_t worker) {
     const Part& part = parts[i];
-    geometry::transform_vertices(context.simd, *frame.draws[part.draw].mesh, scene->transforms[part.draw], part.begin,
-                                 part.end, &scene->vertices[part.draw]);
+    const Draw& draw = frame.draws[part.draw];
+    const geometry::Transform& transform = scene->transforms[part.draw];
+    geometry::Vertices* out = &scene->vertices[part.draw];
+    if (!draw.material || !draw.material->program.vertex) {
+      geometry::transform_vertices(context.simd, *draw.mesh, transform, part.begin, part.end, out);
+      return;
+    }
+    geometry::VertexColumns& columns = scratch[worker];
+    if (columns.block.size() == 0) geometry::allocate(context.allocator, &columns);
+    geometry::run_vertex_program(context.simd, *draw.mesh, transform, vertex_program(frame, draw), part.begin, part.end,
+                                 &columns, out);
   });
 }
 

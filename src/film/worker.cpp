@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "film/worker.h"
 
+#include <algorithm>
+
 namespace shd::film {
 
-Workers::Workers(const core::Context& context, uint32_t samples)
-    : context_(context), samples_(samples), workers_(context.allocator, context.executor.worker_count) {
+Workers::Workers(const core::Context& context, const Frame& frame)
+    : context_(context),
+      samples_(frame.framebuffer->samples),
+      workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
+  for (size_t i = 0; i < frame.draw_count; ++i) {
+    if (frame.draws[i].material) varying_count_ = std::max(varying_count_, frame.draws[i].material->varying_count);
+  }
 }
 
 Workers::~Workers() {
@@ -23,7 +30,7 @@ Worker& Workers::get(uint32_t index) {
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
     allocate(allocator, samples_, &worker->split);
-    shade::allocate(allocator, &worker->workspace);
+    shade::allocate(allocator, varying_count_, &worker->workspace);
   }
   return *workers_[index];
 }

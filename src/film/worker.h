@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "film/aovs.h"
+#include "film/frame.h"
 #include "film/tile_color.h"
 #include "film/unordered.h"
 #include "geometry/assemble.h"
@@ -41,7 +42,7 @@ struct Worker {
 /// Workers by index; owns them.
 class Workers {
  public:
-  Workers(const core::Context& context, uint32_t samples);
+  Workers(const core::Context& context, const Frame& frame);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -53,6 +54,7 @@ class Workers {
  private:
   const core::Context& context_;
   const uint32_t samples_;
+  uint32_t varying_count_ = 0;  // most of a draw
   core::Array<Worker*> workers_;
 };
 

@@ -10,73 +10,22 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "simd/vec3-inl.h"
+#include "geometry/vertex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::geometry::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Vec3V;
-
-/// Row `row` of a column-major 4x4 matrix times (p, 1).
-template <class D, class V>
-HWY_INLINE V TransformRow(D d, const float* m, int row, const Vec3V<V>& p) {
-  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), p.x), hn::Mul(hn::Set(d, m[4 + row]), p.y));
-  return hn::Add(hn::Add(xy, hn::Mul(hn::Set(d, m[8 + row]), p.z)), hn::Set(d, m[12 + row]));
-}
-
-/// Row `row` of a column-major 3x3 matrix times n.
-template <class D, class V>
-HWY_INLINE V TransformNormalRow(D d, const float* m, int row, const Vec3V<V>& n) {
-  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), n.x), hn::Mul(hn::Set(d, m[3 + row]), n.y));
-  return hn::Add(xy, hn::Mul(hn::Set(d, m[6 + row]), n.z));
-}
-
-template <class DI, class M>
-HWY_INLINE hn::Vec<DI> Bit(DI di, M mask, uint32_t bit) {
-  const hn::RebindToFloat<DI> d;
-  return hn::BitCast(di, hn::IfThenElseZero(mask, hn::BitCast(d, hn::Set(di, static_cast<int32_t>(bit)))));
-}
-
-/// Outcodes of (X, Y, Z, W); `finite` says which lanes are.
-template <class D, class V>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transform, V x, V y, V z, V w,
-                                                   hn::Mask<D> finite) {
-  const hn::RebindToSigned<D> di;
-  const V zero = hn::Zero(d);
-  const V guard = hn::Mul(w, hn::Set(d, kGuardBand));
-  auto code = Bit(di, hn::Lt(x, hn::Mul(w, hn::Set(d, transform.left))), kOutLeft);
-  code = hn::Or(code, Bit(di, hn::Gt(x, hn::Mul(w, hn::Set(d, transform.right))), kOutRight));
-  code = hn::Or(code, Bit(di, hn::Lt(y, hn::Mul(w, hn::Set(d, transform.top))), kOutTop));
-  code = hn::Or(code, Bit(di, hn::Gt(y, hn::Mul(w, hn::Set(d, transform.bottom))), kOutBottom));
-  code = hn::Or(code, Bit(di, hn::Lt(z, zero), kOutNear));
-  code = hn::Or(code, Bit(di, hn::Gt(z, w), kOutFar));
-  code = hn::Or(code, Bit(di, hn::Lt(w, hn::Set(d, kMinW)), kOutBehind));
-  code = hn::Or(code, Bit(di, hn::Or(hn::Gt(hn::Abs(x), guard), hn::Gt(hn::Abs(y), guard)), kOutGuard));
-  return hn::Or(code, Bit(di, hn::Not(finite), kOutNonfinite));
-}
-
-/// Raster coordinate X / W in fixed point, rounded to nearest; 0 in lanes that are not `usable`.
-template <class D, class V>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Snap(D d, V numerator, V w, hn::Mask<D> usable) {
-  const V pixels = hn::IfThenElseZero(usable, hn::Div(numerator, w));
-  return hn::NearestInt(hn::Mul(pixels, hn::Set(d, static_cast<float>(kSubpixels))));
-}
 
 void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t end, Vertices& out) {
   const hn::ScalableTag<float> d;
-  const hn::RebindToSigned<decltype(d)> di;
   using V = hn::Vec<decltype(d)>;
   for (size_t i = begin; i < end; i += hn::Lanes(d)) {
     const Vec3V<V> p = {hn::Load(d, &mesh.px[i]), hn::Load(d, &mesh.py[i]), hn::Load(d, &mesh.pz[i])};
     const Vec3V<V> n = {hn::Load(d, &mesh.nx[i]), hn::Load(d, &mesh.ny[i]), hn::Load(d, &mesh.nz[i])};
     const V x = TransformRow(d, transform.raster, 0, p), y = TransformRow(d, transform.raster, 1, p);
     const V z = TransformRow(d, transform.raster, 2, p), w = TransformRow(d, transform.raster, 3, p);
-    const Vec3V<V> world = {TransformRow(d, transform.world, 0, p), TransformRow(d, transform.world, 1, p),
-                            TransformRow(d, transform.world, 2, p)};
-    const Vec3V<V> normal = Normalize(
-        d, Vec3V<V>{TransformNormalRow(d, transform.normal, 0, n), TransformNormalRow(d, transform.normal, 1, n),
-                    TransformNormalRow(d, transform.normal, 2, n)});
+    const Vec3V<V> world = WorldPosition(d, transform, p), normal = WorldNormal(d, transform, n);
 
     // A sum is finite only if its terms are; eighths keep finite terms from overflowing together.
     const V eighth = hn::Set(d, 0.125f);
@@ -86,16 +35,9 @@ void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begi
                                 hn::Mul(hn::Abs(world.z), eighth));
     const auto finite =
         hn::Lt(hn::Add(hn::Mul(clip_sum, eighth), hn::Mul(world_sum, eighth)), hn::Set(d, __builtin_inff()));
-    const auto code = Outcodes(d, transform, x, y, z, w, finite);
-    const auto usable = hn::RebindMask(
-        d, hn::Eq(hn::And(code, hn::Set(di, static_cast<int32_t>(kMustClip | kOutNonfinite))), hn::Zero(di)));
-
-    hn::StoreInterleaved4(x, y, z, w, d, &out.raster[4 * i]);
     hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, &mesh.u[i]), d, &out.world[4 * i]);
     hn::StoreInterleaved4(normal.x, normal.y, normal.z, hn::Load(d, &mesh.v[i]), d, &out.normal[4 * i]);
-    const V depth = hn::IfThenElseZero(usable, hn::Div(z, w));
-    hn::StoreInterleaved4(Snap(d, x, w, usable), Snap(d, y, w, usable), hn::BitCast(di, depth), code, di,
-                          &out.screen[i].x);
+    StoreRaster(d, transform, x, y, z, w, finite, i, out);
   }
 }
 
@@ -140,6 +82,11 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
     transform.raster[4 * c + 3] = static_cast<float>(column[3]);
   }
   for (int i = 0; i < 16; ++i) transform.world[i] = object_to_world[i];
+  for (int i = 0; i < 16; ++i) transform.clip[i] = static_cast<float>(clip[i]);
+  transform.half[0] = static_cast<float>(half_width);
+  transform.half[1] = static_cast<float>(half_height);
+  transform.centre[0] = static_cast<float>(left + half_width);
+  transform.centre[1] = static_cast<float>(top + half_height);
 
   // Column c of the cofactor matrix is the cross product of the other two columns.
   double cofactor[9], largest = 0.0;
@@ -163,12 +110,14 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
   return transform;
 }
 
-void allocate(const core::Allocator& allocator, const Mesh& mesh, Vertices* out) {
+void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out) {
   const size_t rows = data::padded(mesh.vertex_count);
   out->screen = core::Array<ScreenVertex>(allocator, rows);
   out->raster = core::Array<float>(allocator, core::checked_mul(rows, 4));
   out->world = core::Array<float>(allocator, core::checked_mul(rows, 4));
   out->normal = core::Array<float>(allocator, core::checked_mul(rows, 4));
+  out->varying = core::Array<float>(allocator, core::checked_mul(rows, varying_count));
+  out->varying_count = varying_count;
 }
 
 void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,

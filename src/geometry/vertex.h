@@ -53,6 +53,8 @@ struct Transform {
   float normal[9];    // object space normals to world space, up to length: cofactors times the sign of det
   float orientation;  // sign of det: -1 where the matrix mirrors
   float left, top, right, bottom;  // what lies beyond is outside [pixels]
+  float clip[16];                  // object space to clip space (x, y, z, w); z and w are Z and W
+  float half[2], centre[2];        // of the viewport: X = centre w + half x, Y = centre w - half y
 };
 
 /// Where NDC -1..1 lies in the picture [pixels].
@@ -72,10 +74,12 @@ struct Vertices {
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
   core::Array<float> world;          // [padded][4] x, y, z, u
   core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
+  core::Array<float> varying;        // [padded][varying_count] what a vertex program hands on
+  uint32_t varying_count = 0;
 };
 
 /// Allocates rows for every vertex of a mesh.
-void allocate(const core::Allocator& allocator, const Mesh& mesh, Vertices* out);
+void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out);
 
 /// Transforms rows [begin, end), multiples of data::kRowPad.
 void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,

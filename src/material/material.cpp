@@ -18,6 +18,8 @@ void build(const shd_material_desc& desc, const texture::Texture* diffuse_textur
   }
   out->exponent = desc.exponent;
   out->program = desc.program;
+  out->varying_count = desc.varying_count;
+  for (int c = 0; c < SHD_MAX_VARYINGS; ++c) out->interpolation[c] = desc.interpolation[c];
   out->blend = desc.blend;
   out->opacity = desc.opacity;
   out->alpha_cutoff = desc.alpha_cutoff;

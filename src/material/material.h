@@ -25,6 +25,8 @@ struct Material {
   float specular[3];  // k_s
   float exponent;     // p
   shd_material_program program;
+  uint32_t varying_count;  // 0 without program.vertex
+  shd_interpolation interpolation[SHD_MAX_VARYINGS];
   shd_blend_mode blend;
   float opacity, alpha_cutoff;
   const texture::Texture* diffuse_texture;  // null = none

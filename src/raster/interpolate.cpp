@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/attribute-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -81,24 +82,10 @@ HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const
   return result;
 }
 
-/// a0 + b1 (a1 - a0) + b2 (a2 - a0): a constant stays that constant to the bit. Where a difference overflows, the same
-/// on halves.
-template <class D, class V>
-HWY_INLINE V Blend(D d, V a0, V a1, V a2, const Barycentric<V>& b) {
-  const V blend = hn::Add(hn::Add(a0, hn::Mul(b.b1, hn::Sub(a1, a0))), hn::Mul(b.b2, hn::Sub(a2, a0)));
-  const auto finite = hn::Lt(hn::Abs(blend), hn::Set(d, __builtin_inff()));
-  if (HWY_LIKELY(hn::AllTrue(d, finite))) return blend;
-  const V half = hn::Set(d, 0.5f), limit = hn::Set(d, 0x1.fffffep126f);
-  const V h0 = hn::Mul(a0, half), h1 = hn::Sub(hn::Mul(a1, half), h0), h2 = hn::Sub(hn::Mul(a2, half), h0);
-  const V halved = hn::Add(hn::Add(h0, hn::Mul(b.b1, h1)), hn::Mul(b.b2, h2));
-  const V bounded = hn::Min(hn::Max(halved, hn::Neg(limit)), limit);
-  return hn::IfThenElse(finite, blend, hn::Add(bounded, bounded));
-}
-
 /// Attribute c of rows of four at the weights.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b) {
-  return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b);
+  return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
 }
 
 /// x where it is finite, else 0.
@@ -114,7 +101,7 @@ HWY_INLINE void Coordinate(D d, const float* values, const Rows (&rows)[3], cons
   const V a0 = rows[0].Get(d, values, 3);
   const V corner1 = rows[1].Get(d, values, 3), corner2 = rows[2].Get(d, values, 3);
   const V a1 = hn::Sub(corner1, a0), a2 = hn::Sub(corner2, a0);
-  hn::Store(Blend(d, a0, corner1, corner2, b), d, out + at);
+  hn::Store(Blend(d, a0, corner1, corner2, b.b1, b.b2), d, out + at);
   hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dx, a1), hn::Mul(b.b2_dx, a2))), d, out_dx + at);
   hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dy, a1), hn::Mul(b.b2_dy, a2))), d, out_dy + at);
 }

@@ -20,4 +20,5 @@
 /// | changes.h        | kernel: where neighbouring samples show other triangles               |
 /// | fragments.h      | the Fragments table, and the sort of a tile's pixels into it         |
 /// | interpolate.h    | kernel: perspective-correct attributes with derivatives              |
+/// | varyings.h       | kernel: what vertex programs hand on, in three interpolations        |
 #pragma once

@@ -22,6 +22,10 @@ Corner corner(const geometry::Vertices& vertices, uint32_t index) {
   return {{world[0], world[1], world[2]}, {normal[0], normal[1], normal[2]}, world[3], normal[3]};
 }
 
+float varying(const geometry::Vertices& vertices, uint32_t index, uint32_t c) {
+  return vertices.varying[size_t{vertices.varying_count} * index + c];
+}
+
 // In double, where neither sums nor products of floats over- or underflow.
 
 float mean(float a, float b, float c) {
@@ -74,6 +78,28 @@ void set_centroid(const geometry::Mesh& mesh, const geometry::Vertices& vertices
                            mean(a.u, b.u, c.u),
                            mean(a.v, b.v, c.v)};
   set_row(centroid, eye, triangle, row, rows);
+}
+
+void set_corner_varyings(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const shd_interpolation* modes,
+                         const raster::Fragments& rows, raster::Varyings* out) {
+  for (size_t row = 0; row < rows.count; ++row) {
+    const uint32_t* index = &mesh.indices[3 * size_t{rows.triangle[row]}];
+    for (uint32_t c = 0; c < vertices.varying_count; ++c) {
+      out->column[c][row] = varying(vertices, index[modes[c] == SHD_INTERPOLATION_FLAT ? 0 : row % 3], c);
+    }
+  }
+}
+
+void set_centroid_varyings(const geometry::Mesh& mesh, const geometry::Vertices& vertices,
+                           const shd_interpolation* modes, const raster::Fragments& rows, raster::Varyings* out) {
+  for (size_t row = 0; row < rows.count; ++row) {
+    const uint32_t* index = &mesh.indices[3 * size_t{rows.triangle[row]}];
+    for (uint32_t c = 0; c < vertices.varying_count; ++c) {
+      const float first = varying(vertices, index[0], c);
+      const bool flat = modes[c] == SHD_INTERPOLATION_FLAT;
+      out->column[c][row] = flat ? first : mean(first, varying(vertices, index[1], c), varying(vertices, index[2], c));
+    }
+  }
 }
 
 }  // namespace shd::shade

@@ -2,7 +2,9 @@
 #include "shade/run.h"
 
 #include <cstring>
+#include <exception>
 
+#include "core/status.h"
 #include "data/data.h"
 #include "raster/interpolate.h"
 #include "shade/combine.h"
@@ -75,7 +77,22 @@ void spread(const core::SimdTarget& simd, const DrawShading& shading, const Work
   }
 }
 
-void run_program(const DrawShading& shading, const raster::Fragments& f, uint32_t* discard, Radiance* radiance) {
+void call(const DrawShading& shading, const shd_fragments& in, shd_radiance* out) {
+  const shd_material_program& program = shading.material->program;
+  try {
+    program.fragment(&in, out, program.user_data);
+  } catch (const std::exception& error) {
+    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "material.program.fragment threw in render.draws[%u]: %s",
+                                   shading.draw, error.what()));
+  } catch (...) {
+    throw core::Failure(
+        core::fail(SHD_ERROR_CALLBACK, "material.program.fragment threw in render.draws[%u]", shading.draw));
+  }
+}
+
+/// Runs the program for rows whose varyings, if the material has any, are in `varyings`.
+void run_program(const DrawShading& shading, const raster::Fragments& f, const raster::Varyings& varyings,
+                 uint32_t* discard, Radiance* radiance) {
   for (int c = 0; c < 4; ++c) {
     for (size_t i = 0; i < f.count; ++i) radiance->channel[c][i] = c == 3 ? 1.0f : 0.0f;
   }
@@ -91,6 +108,9 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, uint32_
   in.dudx = f.dudx, in.dvdx = f.dvdx, in.dudy = f.dudy, in.dvdy = f.dvdy;
   in.triangle = f.triangle;
   in.instance = shading.instance;
+  in.uniforms = shading.uniforms;
+  in.varying_count = shading.material->varying_count;
+  for (uint32_t c = 0; c < in.varying_count; ++c) in.varying[c] = varyings.column[c];
   shd_radiance out = {};
   out.struct_size = sizeof out;
   out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
@@ -99,7 +119,27 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, uint32_
     std::memset(discard, 0, f.count * sizeof(uint32_t));
     out.discard = discard;
   }
-  shading.material->program.fragment(&in, &out, shading.material->program.user_data);
+  call(shading, in, &out);
+#ifndef NDEBUG
+  if (in.count != f.count) {
+    throw core::Failure(core::fail(SHD_ERROR_CALLBACK,
+                                   "material.program.fragment changed the count in render.draws[%u]", shading.draw));
+  }
+#endif
+}
+
+/// Varyings of the rows that a program is about to see.
+void make_varyings(const core::SimdTarget& simd, const DrawShading& shading, Workspace* w) {
+  const geometry::Vertices& vertices = *shading.vertices;
+  const shd_interpolation* modes = shading.material->interpolation;
+  if (vertices.varying_count == 0) return;
+  if (shading.frequency == SHD_FREQUENCY_PHONG) {
+    raster::interpolate_varyings(simd, vertices, modes, w->fragments, &w->varyings);
+  } else if (shading.frequency == SHD_FREQUENCY_FLAT) {
+    set_centroid_varyings(*shading.mesh, vertices, modes, w->rows, &w->varyings);
+  } else {
+    set_corner_varyings(*shading.mesh, vertices, modes, w->rows, &w->varyings);
+  }
 }
 
 /// Diffuse texture at the fragments, or null.
@@ -115,7 +155,8 @@ const float* const* look_up(const core::SimdTarget& simd, const material::Materi
 
 }  // namespace
 
-void allocate(const core::Allocator& allocator, Workspace* out) {
+void allocate(const core::Allocator& allocator, uint32_t varying_count, Workspace* out) {
+  raster::allocate(allocator, varying_count, &out->varyings);
   raster::allocate(allocator, &out->fragments);
   raster::allocate(allocator, &out->rows);
   allocate(allocator, &out->columns);
@@ -137,7 +178,8 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
 
   if (material.model == SHD_MODEL_PROGRAM) {
     uint32_t* discard = per_fragment ? columns.discard : columns.row_discard;
-    run_program(shading, rows, discard, per_fragment ? &columns.radiance : &columns.row_radiance);
+    make_varyings(simd, shading, w);
+    run_program(shading, rows, w->varyings, discard, per_fragment ? &columns.radiance : &columns.row_radiance);
     if (per_fragment) return;
     if (material.flags & SHD_MATERIAL_DISCARDS) {
       for (size_t i = 0; i < w->fragments.count; ++i) columns.discard[i] = columns.row_discard[columns.row[i]];

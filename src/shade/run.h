@@ -10,6 +10,7 @@
 #include "geometry/vertex.h"
 #include "material/material.h"
 #include "raster/fragments.h"
+#include "raster/varyings.h"
 #include "shade/columns.h"
 #include "shade/light_table.h"
 
@@ -25,23 +26,25 @@ struct DrawShading {
   uint32_t draw;      // index in the frame
   uint32_t instance;  // index in the draw
   uint32_t wanted;    // raster::Interpolated: columns of the fragments to be made whether shading needs them or not
+  const void* uniforms;
 };
 
 /// Scratch of one worker.
 struct Workspace {
   raster::Fragments fragments;  // count, pixel, triangle, x, y and depth come filled in
   raster::Fragments rows;       // corners or centroids
+  raster::Varyings varyings;    // of the fragments at Phong frequency, else of the rows
   Columns columns;
 };
 
-/// Throws std::bad_alloc.
-void allocate(const core::Allocator& allocator, Workspace* out);
+/// With room for `varying_count` varyings. Throws std::bad_alloc.
+void allocate(const core::Allocator& allocator, uint32_t varying_count, Workspace* out);
 
 /// Most triangles that one batch may hold at Gouraud frequency: their corners must fit a table.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 
 /// Shades workspace->fragments (at most raster::kBatch rows, or kGouraudTriangles triangles, sorted by triangle)
-/// into workspace->columns.radiance. Runs on the calling thread.
+/// into workspace->columns.radiance. Runs on the calling thread. Throws Failure if a program threw.
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
                  Workspace* workspace);
 

@@ -59,6 +59,46 @@ static void edit_blends(shd_material_desc *d)
 }
 static void edit_cutoff(shd_material_desc *d) { d->alpha_cutoff = -0.5f; }
 static void edit_discards(shd_material_desc *d) { d->flags = SHD_MATERIAL_DISCARDS; }
+static void vertex(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
+{
+    (void)in;
+    (void)out;
+    (void)user_data;
+}
+static void edit_vertex(shd_material_desc *d) { d->program.vertex = vertex; }
+static void edit_varyings(shd_material_desc *d)
+{
+    edit_vertex(d);
+    d->varying_count = 16;
+    d->interpolation[0] = SHD_INTERPOLATION_AFFINE;
+    d->interpolation[15] = SHD_INTERPOLATION_FLAT;
+}
+static void edit_varyings_and_program(shd_material_desc *d)
+{
+    edit_varyings(d);
+    edit_program(d);
+}
+static void edit_varyings_17(shd_material_desc *d)
+{
+    edit_vertex(d);
+    d->varying_count = 17;
+}
+static void edit_varyings_without_vertex(shd_material_desc *d)
+{
+    edit_program(d);
+    d->varying_count = 3;
+}
+static void edit_interpolation(shd_material_desc *d)
+{
+    edit_vertex(d);
+    d->interpolation[15] = (shd_interpolation)3;
+}
+static void edit_interpolation_negative(shd_material_desc *d)
+{
+    edit_varyings(d);
+    d->interpolation[2] = (shd_interpolation)-1;
+}
+static void edit_reserved(shd_material_desc *d) { d->reserved = 1; }
 static void edit_light_as_texture(shd_material_desc *d) { d->diffuse_texture = (shd_texture *)(void *)g_light; }
 static void edit_light_as_sampler(shd_material_desc *d) { d->diffuse_sampler = (shd_sampler *)(void *)g_light; }
 
@@ -101,6 +141,15 @@ static const struct create_case k_create[] = {
     {"create/sorted", edit_blends, SHD_OK, ""},
     {"create/alpha_cutoff_negative", edit_cutoff, BAD, "material.alpha_cutoff: -0.5"},
     {"create/discards_without_program", edit_discards, BAD, "material.flags: SHD_MATERIAL_DISCARDS, but"},
+    {"create/vertex", edit_vertex, SHD_OK, ""},
+    {"create/varyings", edit_varyings, SHD_OK, ""},
+    {"create/varyings_and_program", edit_varyings_and_program, SHD_OK, ""},
+    {"create/varyings_17", edit_varyings_17, BAD, "material.varying_count: 17 is not in 0..16"},
+    {"create/varyings_without_vertex", edit_varyings_without_vertex, BAD,
+     "material.varying_count: 3, but material.program.vertex is NULL"},
+    {"create/interpolation_3", edit_interpolation, BAD, "material.interpolation[15]: 3 is not in 0..2"},
+    {"create/interpolation_negative", edit_interpolation_negative, BAD, "material.interpolation[2]: "},
+    {"create/reserved", edit_reserved, BAD, "material.reserved: 1 is not 0"},
     {"create/light_as_texture", edit_light_as_texture, BAD, "material.diffuse_texture: not a live handle of its type"},
     {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.diffuse_sampler: not a live handle of its type"},
 };

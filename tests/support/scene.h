@@ -20,7 +20,8 @@ typedef enum shd_scene_kind {
     SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
     SHD_SCENE_SMALL =
         4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
-    SHD_SCENE_KINDS = 5
+    SHD_SCENE_MOVED = 5, /* as GLASS with one sample, every vertex moved by a program */
+    SHD_SCENE_KINDS = 6
 } shd_scene_kind;
 
 enum {
@@ -37,6 +38,7 @@ enum {
 /** Objects of a scene and the frame made of them. Zero is an empty one. */
 typedef struct shd_scene {
     shd_scene_kind kind;
+    shd_vertex_fn vertex; /* of every material but those that have another; set before the steps */
     shd_context *context; /* borrowed */
     shd_texture *texture[SHD_SCENE_TEXTURES];
     shd_sampler *sampler[SHD_SCENE_SAMPLERS];
@@ -232,6 +234,42 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     return result;
 }
 
+/** A program that moves vertices along their normals and hands on three values. */
+static inline void shd_scene_wave(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) {
+        const float push = 0.1f * (in->u[i] - in->v[i]) * in->v[i];
+        float world[4], view[4], clip[4];
+        int r;
+        out->px[i] += push * out->nx[i];
+        out->py[i] += push * out->ny[i];
+        out->pz[i] += push * out->nz[i];
+        out->nx[i] += push;
+        world[0] = out->px[i];
+        world[1] = out->py[i];
+        world[2] = out->pz[i];
+        world[3] = 1.0f;
+        for (r = 0; r < 4; ++r) {
+            const float *m = in->world_to_view + r;
+            view[r] = m[0] * world[0] + m[4] * world[1] + m[8] * world[2] + m[12] * world[3];
+        }
+        for (r = 0; r < 4; ++r) {
+            const float *m = in->view_to_clip + r;
+            clip[r] = m[0] * view[0] + m[4] * view[1] + m[8] * view[2] + m[12] * view[3];
+        }
+        out->x[i] = clip[0];
+        out->y[i] = clip[1];
+        out->z[i] = clip[2];
+        out->w[i] = clip[3];
+        if (out->varying_count == 0) continue;
+        out->varying[0][i] = in->px[i] + in->pz[i];
+        out->varying[1][i] = in->u[i] * in->u[i];
+        out->varying[2][i] = in->v[i];
+    }
+}
+
 /** A program that reads every column. */
 static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -244,6 +282,10 @@ static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out,
         out->g[i] = facing * in->v[i] + 0.01f * in->py[i] + 0.001f * (float)(in->triangle[i] % 7);
         out->b[i] = spread + 0.01f * in->pz[i] + 0.001f * (in->x[i] - in->y[i]) + in->depth[i];
         out->a[i] = 0.5f;
+        if (in->varying_count == 0) continue;
+        out->r[i] += 0.1f * in->varying[0][i];
+        out->g[i] += 0.1f * in->varying[1][i];
+        out->b[i] += 0.1f * in->varying[2][i];
     }
 }
 
@@ -272,6 +314,13 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
         desc.opacity = 0.6f;
         desc.alpha_cutoff = which == 1 ? 0.3f : 0.0f;
         if (which == 4) desc.flags |= SHD_ALPHA_TO_COVERAGE;
+    }
+    desc.program.vertex = s->vertex;
+    if (s->kind == SHD_SCENE_MOVED || (s->kind == SHD_SCENE_SMALL && which == 6)) {
+        desc.program.vertex = shd_scene_wave;
+        desc.varying_count = 3;
+        desc.interpolation[1] = SHD_INTERPOLATION_AFFINE;
+        desc.interpolation[2] = SHD_INTERPOLATION_FLAT;
     }
     return shd_material_create(s->context, &desc, &s->material[which]);
 }

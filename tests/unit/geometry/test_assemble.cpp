@@ -36,7 +36,7 @@ int set_up(void**) {
   }
   m.indices = core::Array<uint32_t>(g_allocator, 3 * size_t{kTriangles});
   m.indices.fill_zero();
-  geometry::allocate(g_allocator, m, &g->vertices);
+  geometry::allocate(g_allocator, m, 0, &g->vertices);
   g->out.attach(g_allocator);
   return 0;
 }

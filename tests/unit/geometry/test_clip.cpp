@@ -32,8 +32,8 @@ int set_up(void**) {
     *column = core::Array<float>(g_allocator, kRows);
     column->fill_zero();
   }
-  geometry::allocate(g_allocator, g->mesh, &g->vertices);
-  geometry::allocate(g_allocator, g->mesh, &g->one);
+  geometry::allocate(g_allocator, g->mesh, 0, &g->vertices);
+  geometry::allocate(g_allocator, g->mesh, 0, &g->one);
   return 0;
 }
 int tear_down(void**) {

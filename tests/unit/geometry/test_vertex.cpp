@@ -35,8 +35,8 @@ int set_up(void**) {
     *column = core::Array<float>(g_allocator, kRows);
     column->fill_zero();
   }
-  geometry::allocate(g_allocator, g->mesh, &g->vertices);
-  geometry::allocate(g_allocator, g->mesh, &g->first);
+  geometry::allocate(g_allocator, g->mesh, 0, &g->vertices);
+  geometry::allocate(g_allocator, g->mesh, 0, &g->first);
   return 0;
 }
 int tear_down(void**) {

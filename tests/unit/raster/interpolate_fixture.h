@@ -66,11 +66,11 @@ void finish(size_t count) {
 }
 
 /// All columns of the batch equal those of `first`.
-void compare_blocks(const char* name) {
+inline void compare_blocks(const char* name) {
   const size_t bytes = g->fragments.block.size() * sizeof(float);
   if (memcmp(g->fragments.block.data(), g->first.block.data(), bytes) != 0) fail_msg("%s: other bits", name);
 }
-void keep_block() {
+inline void keep_block() {
   memcpy(g->first.block.data(), g->fragments.block.data(), g->fragments.block.size() * sizeof(float));
 }
 

@@ -38,9 +38,9 @@ int set_up(void**) {
   g->mesh.triangle_count = kTriangles;
   g->mesh.indices = core::Array<uint32_t>(g_allocator, kVertices);
   for (uint32_t i = 0; i < kVertices; ++i) g->mesh.indices[i] = i;
-  geometry::allocate(g_allocator, g->mesh, &g->vertices);
-  shade::allocate(g_allocator, &g->workspace);
-  shade::allocate(g_allocator, &g->first);
+  geometry::allocate(g_allocator, g->mesh, 0, &g->vertices);
+  shade::allocate(g_allocator, 0, &g->workspace);
+  shade::allocate(g_allocator, 0, &g->first);
   return 0;
 }
 int tear_down(void**) {
@@ -173,8 +173,8 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
   for_each_target([&](const core::SimdTarget& target, bool first) {
     Random random = {seed};
     make_scene(&random, fragments);
-    const shade::DrawShading shading = {&g->mesh, &g->vertices,         &g->material, frequency, 1.0f, 3,
-                                        0,        raster::kBarycentrics};
+    const shade::DrawShading shading = {&g->mesh, &g->vertices,          &g->material, frequency, 1.0f, 3,
+                                        0,        raster::kBarycentrics, nullptr};
     shade::shade_batch(target, shading, g->lights, kEye, &g->workspace);
     for (int c = 0; c < 4; ++c) {
       float *got = g->workspace.columns.radiance.channel[c], *kept = g->first.columns.radiance.channel[c];

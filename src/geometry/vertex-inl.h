@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What every kernel that transforms vertices shares, so that the same inputs give the same bits.
+
+#if defined(SHD_GEOMETRY_VERTEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_GEOMETRY_VERTEX_INL_H_
+#undef SHD_GEOMETRY_VERTEX_INL_H_
+#else
+#define SHD_GEOMETRY_VERTEX_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "geometry/vertex.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::geometry::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::Normalize;
+using simd::HWY_NAMESPACE::Vec3V;
+
+/// Row `row` of a column-major 4x4 matrix times (p, 1).
+template <class D, class V>
+HWY_INLINE V TransformRow(D d, const float* m, int row, const Vec3V<V>& p) {
+  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), p.x), hn::Mul(hn::Set(d, m[4 + row]), p.y));
+  return hn::Add(hn::Add(xy, hn::Mul(hn::Set(d, m[8 + row]), p.z)), hn::Set(d, m[12 + row]));
+}
+
+/// Row `row` of a column-major 3x3 matrix times n.
+template <class D, class V>
+HWY_INLINE V TransformNormalRow(D d, const float* m, int row, const Vec3V<V>& n) {
+  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), n.x), hn::Mul(hn::Set(d, m[3 + row]), n.y));
+  return hn::Add(xy, hn::Mul(hn::Set(d, m[6 + row]), n.z));
+}
+
+template <class DI, class M>
+HWY_INLINE hn::Vec<DI> Bit(DI di, M mask, uint32_t bit) {
+  const hn::RebindToFloat<DI> d;
+  return hn::BitCast(di, hn::IfThenElseZero(mask, hn::BitCast(d, hn::Set(di, static_cast<int32_t>(bit)))));
+}
+
+/// Outcodes of (X, Y, Z, W); `finite` says which lanes are.
+template <class D, class V>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transform, V x, V y, V z, V w,
+                                                   hn::Mask<D> finite) {
+  const hn::RebindToSigned<D> di;
+  const V zero = hn::Zero(d);
+  const V guard = hn::Mul(w, hn::Set(d, kGuardBand));
+  auto code = Bit(di, hn::Lt(x, hn::Mul(w, hn::Set(d, transform.left))), kOutLeft);
+  code = hn::Or(code, Bit(di, hn::Gt(x, hn::Mul(w, hn::Set(d, transform.right))), kOutRight));
+  code = hn::Or(code, Bit(di, hn::Lt(y, hn::Mul(w, hn::Set(d, transform.top))), kOutTop));
+  code = hn::Or(code, Bit(di, hn::Gt(y, hn::Mul(w, hn::Set(d, transform.bottom))), kOutBottom));
+  code = hn::Or(code, Bit(di, hn::Lt(z, zero), kOutNear));
+  code = hn::Or(code, Bit(di, hn::Gt(z, w), kOutFar));
+  code = hn::Or(code, Bit(di, hn::Lt(w, hn::Set(d, kMinW)), kOutBehind));
+  code = hn::Or(code, Bit(di, hn::Or(hn::Gt(hn::Abs(x), guard), hn::Gt(hn::Abs(y), guard)), kOutGuard));
+  return hn::Or(code, Bit(di, hn::Not(finite), kOutNonfinite));
+}
+
+/// Raster coordinate X / W in fixed point, rounded to nearest; 0 in lanes that are not `usable`.
+template <class D, class V>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Snap(D d, V numerator, V w, hn::Mask<D> usable) {
+  const V pixels = hn::IfThenElseZero(usable, hn::Div(numerator, w));
+  return hn::NearestInt(hn::Mul(pixels, hn::Set(d, static_cast<float>(kSubpixels))));
+}
+
+template <class D, class V>
+HWY_INLINE Vec3V<V> WorldPosition(D d, const Transform& transform, const Vec3V<V>& p) {
+  return {TransformRow(d, transform.world, 0, p), TransformRow(d, transform.world, 1, p),
+          TransformRow(d, transform.world, 2, p)};
+}
+
+/// Unit, or 0.
+template <class D, class V>
+HWY_INLINE Vec3V<V> WorldNormal(D d, const Transform& transform, const Vec3V<V>& n) {
+  return Normalize(
+      d, Vec3V<V>{TransformNormalRow(d, transform.normal, 0, n), TransformNormalRow(d, transform.normal, 1, n),
+                  TransformNormalRow(d, transform.normal, 2, n)});
+}
+
+/// Stores (X, Y, Z, W) and what follows from it of rows i and up; `finite` says which lanes are, in all their parts.
+template <class D, class V>
+HWY_INLINE void StoreRaster(D d, const Transform& transform, V x, V y, V z, V w, hn::Mask<D> finite, size_t i,
+                            Vertices& out) {
+  const hn::RebindToSigned<D> di;
+  const auto code = Outcodes(d, transform, x, y, z, w, finite);
+  const auto usable = hn::RebindMask(
+      d, hn::Eq(hn::And(code, hn::Set(di, static_cast<int32_t>(kMustClip | kOutNonfinite))), hn::Zero(di)));
+  hn::StoreInterleaved4(x, y, z, w, d, &out.raster[4 * i]);
+  const V depth = hn::IfThenElseZero(usable, hn::Div(z, w));
+  hn::StoreInterleaved4(Snap(d, x, w, usable), Snap(d, y, w, usable), hn::BitCast(di, depth), code, di,
+                        &out.screen[i].x);
+}
+
+}  // namespace shd::geometry::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_GEOMETRY_VERTEX_INL_H_

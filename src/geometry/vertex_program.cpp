@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/vertex_program.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "core/status.h"
+#include "data/data.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/vertex_program.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "geometry/vertex-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::geometry::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::Normalize;
+using simd::HWY_NAMESPACE::Vec3V;
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vec3V<V> Load3(D d, const float* x, const float* y, const float* z, size_t i) {
+  return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
+}
+template <class D, class V>
+HWY_INLINE void Store3(D d, const Vec3V<V>& v, float* x, float* y, float* z, size_t i) {
+  hn::Store(v.x, d, x + i);
+  hn::Store(v.y, d, y + i);
+  hn::Store(v.z, d, z + i);
+}
+template <class D, class V>
+HWY_INLINE hn::Mask<D> Finite(D d, V x) {
+  return hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff()));
+}
+template <class D, class V>
+HWY_INLINE hn::Mask<D> Finite3(D d, const Vec3V<V>& v) {
+  return hn::And(hn::And(Finite(d, v.x), Finite(d, v.y)), Finite(d, v.z));
+}
+
+/// Vertices [begin, begin + rows) as they are without a program.
+void BeginVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t rows, const VertexColumns& c) {
+  const hn::ScalableTag<float> d;
+  for (size_t i = 0; i < rows; i += hn::Lanes(d)) {
+    const size_t at = begin + i;
+    const auto p = Load3(d, mesh.px.data(), mesh.py.data(), mesh.pz.data(), at);
+    const auto n = Load3(d, mesh.nx.data(), mesh.ny.data(), mesh.nz.data(), at);
+    hn::Store(TransformRow(d, transform.clip, 0, p), d, c.x + i);
+    hn::Store(TransformRow(d, transform.clip, 1, p), d, c.y + i);
+    hn::Store(TransformRow(d, transform.clip, 2, p), d, c.z + i);
+    hn::Store(TransformRow(d, transform.clip, 3, p), d, c.w + i);
+    Store3(d, WorldPosition(d, transform, p), c.px, c.py, c.pz, i);
+    Store3(d, WorldNormal(d, transform, n), c.nx, c.ny, c.nz, i);
+    hn::Store(hn::Load(d, &mesh.u[at]), d, c.u + i);
+    hn::Store(hn::Load(d, &mesh.v[at]), d, c.v + i);
+  }
+}
+
+/// Raster coordinate of a clip coordinate; that of the fixed transform where neither x nor w has changed, so that it
+/// has its bits.
+template <class D, class V>
+HWY_INLINE V RasterCoordinate(D d, const Transform& transform, int axis, V x, V w, hn::Mask<D> same_w,
+                              const Vec3V<V>& p) {
+  const float half = axis == 0 ? transform.half[0] : -transform.half[1];
+  const V mapped = hn::Add(hn::Mul(hn::Set(d, transform.centre[axis]), w), hn::Mul(hn::Set(d, half), x));
+  const auto same = hn::And(same_w, hn::Eq(x, TransformRow(d, transform.clip, axis, p)));
+  return hn::IfThenElse(same, TransformRow(d, transform.raster, axis, p), mapped);
+}
+
+/// Whether a program's lanes i and up of the columns that go to the fragments as they are are finite.
+template <class D>
+HWY_INLINE hn::Mask<D> FiniteAttributes(D d, const VertexColumns& c, uint32_t varying_count, size_t i) {
+  auto finite = hn::And(Finite(d, hn::Load(d, c.u + i)), Finite(d, hn::Load(d, c.v + i)));
+  for (uint32_t k = 0; k < varying_count; ++k) finite = hn::And(finite, Finite(d, hn::Load(d, c.varying[k] + i)));
+  return finite;
+}
+
+/// Vertices [begin, begin + rows) as a program left them.
+void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexColumns& c, size_t begin, size_t rows,
+                    Vertices& out) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  for (size_t i = 0; i < rows; i += hn::Lanes(d)) {
+    const size_t at = begin + i;
+    const auto p = Load3(d, mesh.px.data(), mesh.py.data(), mesh.pz.data(), at);
+    const V z = hn::Load(d, c.z + i), w = hn::Load(d, c.w + i);
+    const auto same_w = hn::Eq(w, TransformRow(d, transform.clip, 3, p));
+    const V x = RasterCoordinate(d, transform, 0, hn::Load(d, c.x + i), w, same_w, p);
+    const V y = RasterCoordinate(d, transform, 1, hn::Load(d, c.y + i), w, same_w, p);
+
+    const Vec3V<V> world = Load3(d, c.px, c.py, c.pz, i), given = Load3(d, c.nx, c.ny, c.nz, i);
+    const auto n = Load3(d, mesh.nx.data(), mesh.ny.data(), mesh.nz.data(), at);
+    const Vec3V<V> fixed = WorldNormal(d, transform, n), unit = Normalize(d, given);
+    const auto same = hn::And(hn::And(hn::Eq(given.x, fixed.x), hn::Eq(given.y, fixed.y)), hn::Eq(given.z, fixed.z));
+
+    auto finite = hn::And(hn::And(Finite(d, x), Finite(d, y)), hn::And(Finite(d, z), Finite(d, w)));
+    finite = hn::And(finite, hn::And(Finite3(d, world), Finite3(d, given)));
+    finite = hn::And(finite, FiniteAttributes(d, c, out.varying_count, i));
+    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, c.u + i), d, &out.world[4 * at]);
+    hn::StoreInterleaved4(hn::IfThenElse(same, fixed.x, unit.x), hn::IfThenElse(same, fixed.y, unit.y),
+                          hn::IfThenElse(same, fixed.z, unit.z), hn::Load(d, c.v + i), d, &out.normal[4 * at]);
+    StoreRaster(d, transform, x, y, z, w, finite, at, out);
+  }
+}
+
+}  // namespace shd::geometry::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::geometry {
+
+HWY_EXPORT(BeginVertices);
+HWY_EXPORT(FinishVertices);
+
+namespace {
+
+static_assert(kVertexBatch % data::kRowPad == 0, "batches are whole vectors");
+
+void call(const VertexProgram& program, const shd_vertices& in, shd_vertex_outputs* out) {
+  try {
+    program.function(&in, out, program.user_data);
+  } catch (const std::exception& error) {
+    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]: %s",
+                                   program.draw, error.what()));
+  } catch (...) {
+    throw core::Failure(
+        core::fail(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]", program.draw));
+  }
+}
+
+/// Calls a program for `count` vertices from `first` on.
+void run(const Mesh& mesh, const VertexProgram& program, size_t first, size_t count, const VertexColumns& c) {
+  shd_vertices in = {};
+  in.struct_size = sizeof in;
+  in.draw = program.draw;
+  in.instance = program.instance;
+  in.first = static_cast<uint32_t>(first);
+  in.count = count;
+  in.px = &mesh.px[first], in.py = &mesh.py[first], in.pz = &mesh.pz[first];
+  in.nx = &mesh.nx[first], in.ny = &mesh.ny[first], in.nz = &mesh.nz[first];
+  in.u = &mesh.u[first], in.v = &mesh.v[first];
+  if (mesh.tx.size()) {
+    in.tx = &mesh.tx[first], in.ty = &mesh.ty[first], in.tz = &mesh.tz[first], in.tw = &mesh.tw[first];
+  }
+  in.object_to_world = program.object_to_world;
+  in.world_to_view = program.view->world_to_view;
+  in.view_to_clip = program.view->view_to_clip;
+  in.eye = program.view->eye;
+  in.uniforms = program.uniforms;
+  shd_vertex_outputs out = {};
+  out.struct_size = sizeof out;
+  out.varying_count = program.varying_count;
+  out.x = c.x, out.y = c.y, out.z = c.z, out.w = c.w;
+  out.px = c.px, out.py = c.py, out.pz = c.pz;
+  out.nx = c.nx, out.ny = c.ny, out.nz = c.nz;
+  out.u = c.u, out.v = c.v;
+  for (uint32_t k = 0; k < program.varying_count; ++k) out.varying[k] = c.varying[k];
+  call(program, in, &out);
+#ifndef NDEBUG
+  if (in.count != count) {
+    throw core::Failure(
+        core::fail(SHD_ERROR_CALLBACK, "material.program.vertex changed the count in render.draws[%u]", program.draw));
+  }
+#endif
+}
+
+}  // namespace
+
+void allocate(const core::Allocator& allocator, VertexColumns* out) {
+  float** const columns[] = {&out->x,  &out->y,  &out->z,  &out->w,  &out->px, &out->py,
+                             &out->pz, &out->nx, &out->ny, &out->nz, &out->u,  &out->v};
+  constexpr size_t kFixed = sizeof columns / sizeof columns[0];
+  out->block = core::Array<float>(allocator, (kFixed + SHD_MAX_VARYINGS) * kVertexBatch);
+  float* next = out->block.data();
+  const auto take = [&] {
+    float* column = next;
+    next += kVertexBatch;
+    return column;
+  };
+  for (float** column : columns) *column = take();
+  for (float*& column : out->varying) column = take();
+}
+
+void run_vertex_program(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
+                        const VertexProgram& program, size_t begin, size_t end, VertexColumns* scratch, Vertices* out) {
+  const uint32_t varying_count = program.varying_count;
+  for (size_t first = begin; first < end; first += kVertexBatch) {
+    const size_t rows = std::min(kVertexBatch, end - first);
+    SHD_DISPATCH(BeginVertices, simd)(mesh, transform, first, rows, *scratch);
+    for (uint32_t k = 0; k < varying_count; ++k) std::fill_n(scratch->varying[k], rows, 0.0f);
+    run(mesh, program, first, std::min<size_t>(rows, mesh.vertex_count - first), *scratch);
+    SHD_DISPATCH(FinishVertices, simd)(mesh, transform, *scratch, first, rows, *out);
+    for (uint32_t k = 0; k < varying_count; ++k) {
+      float* to = &out->varying[first * varying_count + k];
+      for (size_t i = 0; i < rows; ++i) to[i * varying_count] = scratch->varying[k][i];
+    }
+  }
+}
+
+}  // namespace shd::geometry
+#endif  // HWY_ONCE

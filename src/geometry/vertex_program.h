@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <shd/vertices.h>
+#include <shd/view.h>
+
+#include "core/allocator.h"
+#include "core/simd_target.h"
+#include "geometry/mesh.h"
+#include "geometry/vertex.h"
+
+namespace shd::geometry {
+
+/// Most vertices that a program sees at a time; a multiple of data::kRowPad. The columns of a batch stay in L2.
+constexpr size_t kVertexBatch = 512;
+
+/// What a caller's program does to the vertices of one draw, and what it is told.
+struct VertexProgram {
+  shd_vertex_fn function;
+  void* user_data;
+  const void* uniforms;
+  const shd_view* view;
+  const float* object_to_world;
+  uint32_t draw, instance;
+  uint32_t varying_count;
+};
+
+/// What a program writes: scratch of one worker, columns of kVertexBatch elements in one block.
+struct VertexColumns {
+  core::Array<float> block;
+  float *x, *y, *z, *w;  // clip space
+  float *px, *py, *pz;   // position, world space
+  float *nx, *ny, *nz;   // normal, world space
+  float *u, *v;          // texture coordinates
+  float* varying[SHD_MAX_VARYINGS];
+};
+
+/// Throws std::bad_alloc.
+void allocate(const core::Allocator& allocator, VertexColumns* out);
+
+/// As transform_vertices, but that the program may change every vertex before it comes to the raster. A vertex that it
+/// leaves as it was keeps its bits. Throws Failure if the program threw.
+/// @param out  with room for the program's varyings
+void run_vertex_program(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
+                        const VertexProgram& program, size_t begin, size_t end, VertexColumns* scratch, Vertices* out);
+
+}  // namespace shd::geometry

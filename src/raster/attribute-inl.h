@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A value between those of a triangle's vertices.
+
+#if defined(SHD_RASTER_ATTRIBUTE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_RASTER_ATTRIBUTE_INL_H_
+#undef SHD_RASTER_ATTRIBUTE_INL_H_
+#else
+#define SHD_RASTER_ATTRIBUTE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// a0 + b1 (a1 - a0) + b2 (a2 - a0): a constant stays that constant to the bit. Where a difference overflows, the same
+/// on halves.
+template <class D, class V>
+HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
+  const V blend = hn::Add(hn::Add(a0, hn::Mul(b1, hn::Sub(a1, a0))), hn::Mul(b2, hn::Sub(a2, a0)));
+  const auto finite = hn::Lt(hn::Abs(blend), hn::Set(d, __builtin_inff()));
+  if (HWY_LIKELY(hn::AllTrue(d, finite))) return blend;
+  const V half = hn::Set(d, 0.5f), limit = hn::Set(d, 0x1.fffffep126f);
+  const V h0 = hn::Mul(a0, half), h1 = hn::Sub(hn::Mul(a1, half), h0), h2 = hn::Sub(hn::Mul(a2, half), h0);
+  const V halved = hn::Add(hn::Add(h0, hn::Mul(b1, h1)), hn::Mul(b2, h2));
+  const V bounded = hn::Min(hn::Max(halved, hn::Neg(limit)), limit);
+  return hn::IfThenElse(finite, blend, hn::Add(bounded, bounded));
+}
+
+}  // namespace shd::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_RASTER_ATTRIBUTE_INL_H_

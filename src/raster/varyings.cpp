@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "raster/varyings.h"
+
+#include "data/data.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/varyings.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/attribute-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The same vertices in every lane.
+struct OneTriangle {
+  size_t vertex[3];
+
+  /// Component c of vertex k, of rows of `stride`.
+  template <class D>
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, size_t stride, int k, size_t c) const {
+    return hn::Set(d, rows[stride * vertex[k] + c]);
+  }
+};
+
+/// Vertices of their own in each lane. Not a gather: its 32-bit indices end before 16 values of 2^28 vertices do.
+struct TrianglePerLane {
+  const uint32_t* vertex[3];
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> Get(D d, const float* rows, size_t stride, int k, size_t c) const {
+    HWY_ALIGN float lane[data::kRowPad];
+    for (size_t i = 0; i < hn::Lanes(d); ++i) lane[i] = rows[stride * vertex[k][i] + c];
+    return hn::Load(d, lane);
+  }
+};
+
+template <class V>
+struct Weights {
+  V b1, b2;  // of vertices 1 and 2
+};
+
+/// Barycentrics on the screen of raster position (px, py); `perspective` where there are none.
+template <class D, class Triangle, class V = hn::Vec<D>>
+HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& triangle, V px, V py,
+                                    const Weights<V>& perspective) {
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  auto usable = hn::Eq(zero, zero);
+  V x[3], y[3], e[3];
+  for (int k = 0; k < 3; ++k) {
+    const V rx = triangle.Get(d, raster, 4, k, 0), ry = triangle.Get(d, raster, 4, k, 1);
+    const V w = triangle.Get(d, raster, 4, k, 3), reach = hn::Mul(w, hn::Set(d, 0x1p60f));
+    usable = hn::And(usable, hn::Ge(w, hn::Set(d, geometry::kMinW)));
+    usable = hn::And(usable, hn::And(hn::Le(hn::Abs(rx), reach), hn::Le(hn::Abs(ry), reach)));
+    // The pixel becomes the origin before the division: what is left of it is small.
+    x[k] = hn::Div(hn::Sub(rx, hn::Mul(px, w)), w);
+    y[k] = hn::Div(hn::Sub(ry, hn::Mul(py, w)), w);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    e[k] = hn::Sub(hn::Mul(x[i], y[j]), hn::Mul(x[j], y[i]));
+  }
+  const V sum = hn::Add(hn::Add(e[0], e[1]), e[2]);
+  const V size = hn::Add(hn::Add(hn::Abs(e[0]), hn::Abs(e[1])), hn::Abs(e[2]));
+  usable = hn::And(usable, hn::Lt(size, hn::Set(d, __builtin_inff())));
+  usable = hn::And(usable, hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
+  const V inverse = hn::Div(one, hn::IfThenElse(usable, sum, one));
+  const V raw1 = hn::IfThenElse(usable, hn::Mul(e[1], inverse), perspective.b1);
+  const V raw2 = hn::IfThenElse(usable, hn::Mul(e[2], inverse), perspective.b2);
+  const V b1 = hn::Min(hn::Max(raw1, zero), one);
+  return {b1, hn::Min(hn::Max(raw2, zero), hn::Sub(one, b1))};
+}
+
+/// One vector of rows, starting at row `at`.
+template <class D, class Triangle>
+HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Triangle& triangle,
+                                const shd_interpolation* modes, bool any_affine, const Fragments& f, size_t at,
+                                float* const* out) {
+  using V = hn::Vec<D>;
+  const Weights<V> perspective = {hn::Load(d, f.bary[1] + at), hn::Load(d, f.bary[2] + at)};
+  Weights<V> affine = perspective;
+  if (any_affine) {
+    affine =
+        ScreenWeights(d, vertices.raster.data(), triangle, hn::Load(d, f.x + at), hn::Load(d, f.y + at), perspective);
+  }
+  const size_t count = vertices.varying_count;
+  const float* rows = vertices.varying.data();
+  for (size_t c = 0; c < count; ++c) {
+    V value = triangle.Get(d, rows, count, 0, c);
+    if (modes[c] != SHD_INTERPOLATION_FLAT) {
+      const Weights<V>& b = modes[c] == SHD_INTERPOLATION_AFFINE ? affine : perspective;
+      value = Blend(d, value, triangle.Get(d, rows, count, 1, c), triangle.Get(d, rows, count, 2, c), b.b1, b.b2);
+    }
+    hn::Store(value, d, out[c] + at);
+  }
+}
+
+void InterpolateVaryings(const geometry::Vertices& vertices, const shd_interpolation* modes, const Fragments& f,
+                         float* const* out) {
+  const hn::ScalableTag<float> d;
+  const size_t lanes = hn::Lanes(d);
+  bool any_affine = false;
+  for (uint32_t c = 0; c < vertices.varying_count; ++c) any_affine |= modes[c] == SHD_INTERPOLATION_AFFINE;
+  for (size_t at = 0; at < f.count; at += lanes) {
+    // Sorted by triangle: the same at both ends is the same throughout.
+    if (f.triangle[at] == f.triangle[at + lanes - 1]) {
+      const OneTriangle triangle = {{f.vertex[0][at], f.vertex[1][at], f.vertex[2][at]}};
+      InterpolateRows(d, vertices, triangle, modes, any_affine, f, at, out);
+    } else {
+      const TrianglePerLane triangle = {{f.vertex[0] + at, f.vertex[1] + at, f.vertex[2] + at}};
+      InterpolateRows(d, vertices, triangle, modes, any_affine, f, at, out);
+    }
+  }
+}
+
+}  // namespace shd::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::raster {
+
+HWY_EXPORT(InterpolateVaryings);
+
+void allocate(const core::Allocator& allocator, uint32_t count, Varyings* out) {
+  out->block = core::Array<float>(allocator, count * kBatch);
+  out->block.fill_zero();
+  for (uint32_t c = 0; c < count; ++c) out->column[c] = out->block.data() + c * kBatch;
+}
+
+void interpolate_varyings(const core::SimdTarget& simd, const geometry::Vertices& vertices,
+                          const shd_interpolation* modes, const Fragments& fragments, Varyings* out) {
+  SHD_DISPATCH(InterpolateVaryings, simd)(vertices, modes, fragments, out->column);
+}
+
+}  // namespace shd::raster
+#endif  // HWY_ONCE
