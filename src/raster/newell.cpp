@@ -168,9 +168,10 @@ class Newell {
 
   void add(uint32_t whole, const Facet& piece) {
     const auto index = static_cast<uint32_t>(facets_.size());
+    const uint32_t after = next_[whole];
     facets_.push_back(piece);
     place_.push_back(kWaiting);
-    next_.push_back(next_[whole]);
+    next_.push_back(after);
     next_[whole] = index;
     spend(insert_piece(facets_.data(), whole, index, &grid_));
   }
