@@ -28,9 +28,7 @@ void deal_facets(const core::Context& context, const raster::Painting& painting,
     }
   }
   const size_t facets = painting.order.size();
-  const auto at = [&](size_t i) {
-    return i < facets ? painting.facets[painting.order[i]].triangle : rest[i - facets];
-  };
+  const auto at = [&](size_t i) { return i < facets ? painting.facets[painting.order[i]].triangle : rest[i - facets]; };
   raster::deal(context, facets + rest.size(), at, &scene->groups);
 }
 

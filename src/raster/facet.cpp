@@ -151,8 +151,7 @@ Facet make_facet(const geometry::ScreenTriangle& triangle, const PaintRule& rule
 }
 
 float farthest_distance(const geometry::ScreenTriangle& t, const PaintRule& rule) {
-  const double bias =
-      rule.slope_bias != 0.0f ? bias_of(slope_of(t), rule) : static_cast<double>(rule.bias);
+  const double bias = rule.slope_bias != 0.0f ? bias_of(slope_of(t), rule) : static_cast<double>(rule.bias);
   const float z = rule.falls ? std::min({t.z[0], t.z[1], t.z[2]}) : std::max({t.z[0], t.z[1], t.z[2]});
   return biased_distance(z, bias, rule.falls);
 }

@@ -57,14 +57,14 @@ size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, co
     painted[g] = 0;
     for (size_t i = 0; i < group.size(); ++i) {
       const PaintRule& rule = rules[group[i].draw];
-      const float distance =
-          rule.painted ? farthest_distance(group[i], rule) : -std::numeric_limits<float>::infinity();
+      const float distance = rule.painted ? farthest_distance(group[i], rule) : -std::numeric_limits<float>::infinity();
       keys[start[g] + i] = {distance, g, static_cast<uint32_t>(i)};
       painted[g] += rule.painted;
     }
   });
   std::sort(keys.begin(), keys.end(), is_before);
-  deal(context, count, [&](size_t i) { return (*groups)[keys[i].group][keys[i].entry]; }, groups);
+  deal(
+      context, count, [&](size_t i) { return (*groups)[keys[i].group][keys[i].entry]; }, groups);
   size_t total = 0;
   for (uint32_t g = 0; g < parts; ++g) total += painted[g];
   return total;

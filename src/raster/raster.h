@@ -8,7 +8,8 @@
 /// Units:      raster positions in pixels, origin at the top left corner of the picture, y down, centres at +1/2.
 /// Invariants: 8 subpixel bits; a sample belongs to a triangle if it is inside, or on a left or top edge (Direct3D 11.3
 ///             functional specification, 3.4.2.1); triangles meet the depths of a tile in the order they were
-///             submitted, or painted; a value depends on its sample and triangle alone, never on the tile, the batch or the worker.
+///             submitted, or painted; a value depends on its sample and triangle alone, never on the tile, the batch or
+///             the worker.
 ///
 /// | file             | what                                                                 |
 /// |------------------|----------------------------------------------------------------------|

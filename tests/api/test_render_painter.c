@@ -47,8 +47,8 @@ static void make_circle(struct triangles *t, int count)
     for (i = 0; i < count; ++i) {
         const double angle = 0.2 + 6.283185307179586 * i / count, c = cos(angle), s = sin(angle);
         double corner[3][3] = {{-0.8 * c - 0.3 * s, -0.8 * s + 0.3 * c, 0.2},
-                                     {0.8 * c - 0.1 * s, 0.8 * s + 0.1 * c, 0.8},
-                                     {0.8 * c - 0.5 * s, 0.8 * s + 0.5 * c, 0.8}};
+                               {0.8 * c - 0.1 * s, 0.8 * s + 0.1 * c, 0.8},
+                               {0.8 * c - 0.5 * s, 0.8 * s + 0.5 * c, 0.8}};
         add_triangle(t, corner);
     }
 }
@@ -142,8 +142,8 @@ struct hard_case {
     int reversed;
 };
 static const struct hard_case k_hard[] = {
-    {"circle_of_3", make_circle_of_3, 0}, {"circle_of_3/reversed", make_circle_of_3, 1},
-    {"circle_of_5", make_circle_of_5, 0}, {"crossing", make_crossing, 0},
+    {"circle_of_3", make_circle_of_3, 0},    {"circle_of_3/reversed", make_circle_of_3, 1},
+    {"circle_of_5", make_circle_of_5, 0},    {"crossing", make_crossing, 0},
     {"crossing/reversed", make_crossing, 1}, {"tangle", make_tangle, 0},
     {"tangle/reversed", make_tangle, 1},
 };
