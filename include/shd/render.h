@@ -121,8 +121,9 @@ typedef enum shd_visibility {
      * 2^-23. Triangles that overlap in a circle or pass through each other are cut along the plane of one of them; new
      * vertices lie on the grid of 1/256 pixel, so that a sample nearer than that to the cut, or to an edge that was
      * cut, may go to either side, and windows of a picture may differ there. Pieces keep the attributes and ids of
-     * their triangle. At most n + 1024 cuts and 1024 n + 2^22 comparisons for n triangles; what is left then stays as
-     * it is and is counted in order_conflicts. Runs on one thread, and takes about 500 bytes a triangle.
+     * their triangle. Where a piece would have no area on that grid nothing is cut, and there are at most n + 1024 cuts
+     * and 1024 n + 2^22 comparisons for n triangles; what remains wrong is counted in order_conflicts. Runs on one
+     * thread, and takes up to 1000 bytes a triangle.
      */
     SHD_VISIBILITY_NEWELL = 2,
     SHD_VISIBILITY_MAX_ENUM = 0x7fffffff

@@ -8,7 +8,7 @@
 namespace shd::raster {
 
 /// Fills position, normal, wo, uv, derivatives and barycentrics of `fragments` from x, y and the three vertices.
-/// Rows past count up to the next whole vector must repeat the last row; rows are sorted by triangle.
+/// Rows past count up to the next whole vector must repeat the last row.
 ///
 /// Barycentrics of the pixel centre come from the unclipped vertices in homogeneous raster coordinates (Olano and
 /// Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997), so clipping does not touch attributes;

@@ -29,7 +29,8 @@ struct PaintArea {
 /// Fills `order`; adds pieces to `facets`, but for those without a sample.
 ///
 /// Bounds: n + 1024 cuts of n facets, and 1024 n + 2^22 comparisons; what is left then stays in the order that it has.
-/// In between, facets may remain in a wrong order only where they differ by less than tolerance(). Throws.
+/// Up to there, what may remain wrong is a circle none of whose members can be cut: pieces would have no area on the
+/// pixel grid. Throws.
 void newell(const core::Context& context, const PaintArea& area, Painting* painting);
 
 }  // namespace shd::raster
