@@ -57,6 +57,7 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
   out->frequency = draw.frequency;
   out->cull = draw.cull;
   out->depth = {draw.compare, !(draw.flags & SHD_DRAW_KEEP_DEPTH), draw.depth_bias, draw.depth_bias_slope};
+  out->depth_falls = draw.compare == SHD_COMPARE_GREATER || draw.compare == SHD_COMPARE_GREATER_EQUAL;
   out->sample_shading = (draw.flags & SHD_DRAW_SAMPLE_SHADING) != 0;
   out->uniforms = draw.uniforms;
   std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);
@@ -105,6 +106,14 @@ shd_result read_draws(const shd_render_desc& desc, core::Buffer<film::Draw>* out
   return SHD_OK;
 }
 
+/// Draws whose blend goes by order are painted over what is there.
+void ignore_depth(core::Buffer<film::Draw>* draws) {
+  for (size_t i = 0; i < draws->size(); ++i) {
+    film::Draw& draw = (*draws)[i];
+    if (!draw.material || !material::is_unordered(*draw.material)) draw.depth.compare = SHD_COMPARE_ALWAYS;
+  }
+}
+
 /// One side of a region of the picture.
 shd_result check_span(const char* region, const char* start_name, const char* size_name, uint32_t start, uint32_t size,
                       uint32_t least, uint32_t picture) {
@@ -142,6 +151,8 @@ shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
 
 shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
+  SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
+  SHD_TRY(check_zero("render.reserved", desc.reserved));
   SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
   SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
@@ -165,6 +176,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   core::Buffer<film::Draw> draws(context.allocator);
   draws.reserve(desc.draw_count);
   SHD_TRY(read_draws(desc, &draws));
+  if (desc.visibility != SHD_VISIBILITY_DEPTH) ignore_depth(&draws);
   core::Array<const light::Light*> lights(context.allocator, desc.light_count);
   for (size_t i = 0; i < desc.light_count; ++i) {
     SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &lights[i]), "lights", i));
@@ -179,6 +191,8 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.light_count = lights.size();
   frame.progress = desc.progress;
   frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
+  frame.visibility = desc.visibility;
+  frame.counts_conflicts = desc.stats != nullptr;
   film::render(context, frame, stats);
   return SHD_OK;
 }

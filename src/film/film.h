@@ -18,6 +18,7 @@
 /// | frame_memory.h  | the memory that a frame works in, counted                   |
 /// | stopwatch.h     | the time its stages take                                    |
 /// | scene.h         | a frame after its geometry stages                           |
+/// | visibility.h    | the order of painting, where depth does not decide         |
 /// | tile_renderer.h | one tile: what is visible, then what blends, in order       |
 /// | tile_state.h    | that tile while it is drawn                                 |
 /// | tile_area.h     | its place in the framebuffer                                |

@@ -25,6 +25,7 @@ struct Draw {
   shd_frequency frequency;
   shd_cull cull;
   raster::DepthState depth;
+  bool depth_falls;  // with the distance
   bool sample_shading;
   const void* uniforms;  // of the programs of the material
   float object_to_world[16];
@@ -51,6 +52,8 @@ struct Frame {
   size_t light_count;
   shd_progress progress;
   bool counts_hidden;  // samples that fail the depth test before shading
+  shd_visibility visibility;
+  bool counts_conflicts;  // of the order of painting
 };
 
 /// Renders a frame on the context's executor: vertices, assembly and binning in groups of triangles, then tiles.

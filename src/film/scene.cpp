@@ -6,6 +6,7 @@
 #include "core/executor.h"
 #include "data/data.h"
 #include "film/stopwatch.h"
+#include "film/visibility.h"
 #include "geometry/assemble.h"
 #include "geometry/vertex_program.h"
 
@@ -134,6 +135,7 @@ void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd
   stats->vertex_seconds = watch.lap();
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
   stats->assembly_seconds = watch.lap();
+  order_triangles(context, frame, scene, stats);
   raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()), window_box(frame),
                         visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
   stats->binning_seconds = watch.lap();

@@ -15,7 +15,7 @@ struct Scene {
 
   core::Objects<geometry::Vertices> vertices;   // [draw]
   core::Array<geometry::Transform> transforms;  // [draw]
-  core::Objects<raster::Group> groups;          // in submission order
+  core::Objects<raster::Group> groups;          // in submission order, or that of painting
   raster::Bins bins;
 };
 
@@ -23,7 +23,7 @@ struct Scene {
 geometry::PixelBox window_box(const Frame& frame);
 geometry::PixelBox visible_box(const Frame& frame);
 
-/// Transforms, assembles and bins every draw of a frame on the executor. Throws.
+/// Transforms, assembles, orders and bins every draw of a frame on the executor. Throws.
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 
 }  // namespace shd::film

@@ -155,8 +155,8 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
   const hn::RebindToUnsigned<decltype(d)> du;
   const size_t lanes = hn::Lanes(d);
   for (size_t at = 0; at < f.count; at += lanes) {
-    // Sorted by triangle: the same at both ends is the same throughout.
-    if (f.triangle[at] == f.triangle[at + lanes - 1]) {
+    // Pieces of one triangle may have another one between them: the ends do not tell.
+    if (hn::AllTrue(du, hn::Eq(hn::Load(du, f.triangle + at), hn::Set(du, f.triangle[at])))) {
       const OneRow rows[3] = {{f.vertex[0][at]}, {f.vertex[1][at]}, {f.vertex[2][at]}};
       InterpolateRows(d, vertices, rows, eye, wanted, at, f);
     } else {

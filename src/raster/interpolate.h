@@ -20,7 +20,7 @@ enum Interpolated : uint32_t {
 };
 
 /// Fills the wanted columns (Interpolated bits) of `fragments` from x, y and the three vertices; the others are left.
-/// Rows past count up to the next whole vector must repeat the last row; rows are sorted by triangle.
+/// Rows past count up to the next whole vector must repeat the last row.
 ///
 /// Barycentrics of the pixel centre come from the unclipped vertices in homogeneous raster coordinates (Olano and
 /// Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997), so clipping does not touch attributes;

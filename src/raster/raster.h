@@ -8,13 +8,18 @@
 /// Units:      raster positions in pixels, origin at the top left corner of the picture, y down, centres at +1/2.
 /// Invariants: 8 subpixel bits; a sample belongs to a triangle if it is inside, or on a left or top edge (Direct3D 11.3
 ///             functional specification, 3.4.2.1); triangles meet the depths of a tile in the order they were
-///             submitted; a value depends on its sample and triangle alone, never on the tile, the batch or the worker.
+///             submitted, or painted; a value depends on its sample and triangle alone, never on the tile, the batch or
+///             the worker.
 ///
 /// | file             | what                                                                 |
 /// |------------------|----------------------------------------------------------------------|
 /// | sample_pattern.h | where in a pixel its samples lie                                     |
 /// | tile.h           | the tile: depth and the visible triangle of each sample              |
 /// | bin.h            | which triangles touch which tile                                     |
+/// | facet.h          | triangles in depth: which of two may be painted first, and cuts      |
+/// | facet_grid.h     | which of them may meet on the screen                                 |
+/// | painter.h        | the painter's algorithm, and what it gets wrong                      |
+/// | newell.h         | the order of Newell, Newell and Sancha                               |
 /// | edge.h           | edge functions and the depth plane of one triangle                   |
 /// | coverage.h       | kernels: edge functions, depth tests                                 |
 /// | changes.h        | kernel: where neighbouring samples show other triangles               |

@@ -43,8 +43,8 @@ void allocate(const core::Allocator& allocator, uint32_t varying_count, Workspac
 /// Most triangles that one batch may hold at Gouraud frequency: their corners must fit a table.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 
-/// Shades workspace->fragments (at most raster::kBatch rows, or kGouraudTriangles triangles, sorted by triangle)
-/// into workspace->columns.radiance. Runs on the calling thread. Throws Failure if a program threw.
+/// Shades workspace->fragments (at most raster::kBatch rows, or kGouraudTriangles runs of one triangle) into
+/// workspace->columns.radiance. Runs on the calling thread. Throws Failure if a program threw.
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
                  Workspace* workspace);
 

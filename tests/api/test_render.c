@@ -121,6 +121,9 @@ static void view_inf(struct frame *f) { f->desc.view.world_to_view[12] = INFINIT
 static void clip_nan(struct frame *f) { f->desc.view.view_to_clip[15] = NAN; }
 static void clip_inf(struct frame *f) { f->desc.view.view_to_clip[0] = -INFINITY; }
 static void eye_nan(struct frame *f) { f->desc.view.eye[2] = NAN; }
+static void visibility_3(struct frame *f) { f->desc.visibility = (shd_visibility)3; }
+static void visibility_negative(struct frame *f) { f->desc.visibility = (shd_visibility)-1; }
+static void reserved_1(struct frame *f) { f->desc.reserved = 1; }
 static void view_reserved(struct frame *f) { f->desc.view.reserved = 1.0f; }
 static void view_reserved_nan(struct frame *f) { f->desc.view.reserved = NAN; }
 static void framebuffer_null(struct frame *f) { f->desc.framebuffer = NULL; }
@@ -219,6 +222,9 @@ static const struct edit_case k_edits[] = {
     {"view_to_clip/nan", clip_nan, REFUSED, "render.view.view_to_clip[15]: nan"},
     {"view_to_clip/inf", clip_inf, REFUSED, "render.view.view_to_clip[0]: -inf"},
     {"eye/nan", eye_nan, REFUSED, "render.view.eye[2]: nan"},
+    {"visibility/3", visibility_3, REFUSED, "render.visibility: 3 is not in 0..2"},
+    {"visibility/-1", visibility_negative, REFUSED, "render.visibility: 4294967295 is not in 0..2"},
+    {"reserved/1", reserved_1, REFUSED, "render.reserved: 1 is not 0"},
     {"view_reserved/1", view_reserved, REFUSED, "render.view.reserved: 1"},
     {"view_reserved/nan", view_reserved_nan, REFUSED, "render.view.reserved: nan"},
     {"framebuffer/null", framebuffer_null, REFUSED, "render.framebuffer: NULL"},

@@ -43,6 +43,7 @@ struct window_case {
     shd_scene_kind kind;
     uint32_t samples;
     uint32_t width, height; /* of a window */
+    shd_visibility visibility;
 };
 
 static void expect_same(const char *what)
@@ -96,6 +97,7 @@ static void test_windows(void **state)
     int i;
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_scene_open(&s, c->kind, context);
+    s.desc.visibility = c->visibility;
     s.desc.clear_color[0] = 0.1f; /* not a sum of eight, rounded */
     for (i = 0; i < 2; ++i) {
         s.desc.viewport = i ? &k_viewport : NULL;
@@ -262,18 +264,22 @@ static const uint32_t k_samples[] = {1, 2, 4, 8, 16};
 int main(void)
 {
     static const uint32_t k_sizes[][2] = {{64, 64}, {65, 63}, {50, 151}, {203, 17}, {101, 76}, {33, 40}};
-    static struct window_case cases[16];
+    static struct window_case cases[19];
     static struct CMUnitTest tests[32];
     static char names[5][24];
     size_t n = 0, i, made = 0;
-    for (i = 0; i < 16; ++i) {
+    for (i = 0; i < 19; ++i) {
         struct window_case *c = &cases[made++];
-        c->kind = i < 11 ? SHD_SCENE_GLASS : i < 13 ? SHD_SCENE_MIXED : i < 15 ? SHD_SCENE_LIT : SHD_SCENE_FLOOR;
+        c->kind = i < 11 || i == 16  ? SHD_SCENE_GLASS
+                  : i < 13 || i > 16 ? SHD_SCENE_MIXED
+                  : i < 15           ? SHD_SCENE_LIT
+                                     : SHD_SCENE_FLOOR;
+        c->visibility = i < 16 ? SHD_VISIBILITY_DEPTH : SHD_VISIBILITY_PAINTER;
         c->samples = i < 6 ? 4 : i < 11 ? k_samples[i - 6] : 1;
         c->width = k_sizes[i % 6][0];
         c->height = k_sizes[i % 6][1];
-        snprintf(c->name, sizeof c->name, "windows/scene_%d/%ux%u/samples_%u", (int)c->kind, c->width, c->height,
-                 c->samples);
+        snprintf(c->name, sizeof c->name, "windows/scene_%d/%ux%u/samples_%u%s", (int)c->kind, c->width, c->height,
+                 c->samples, c->visibility ? "/painter" : "");
         tests[n++] = (struct CMUnitTest){c->name, test_windows, NULL, NULL, c};
     }
     for (i = 0; i < 5; ++i) {

@@ -249,6 +249,27 @@ void test_uniform_and_gathered(void**) {
   }
 }
 
+/// Rows of a triangle with those of another one between them have the bits that they have under names of their own.
+void test_interrupted(void**) {
+  Random random = {41};
+  for (uint32_t period = 2; period <= 17; ++period) {
+    make_batch(&random, ordinary, 7);
+    for (uint32_t i = 0; i < kBatch; ++i) {
+      set_fragment(i, i % period == period / 2 ? 1 : 0, g->fragments.x[i], g->fragments.y[i]);
+    }
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      uint32_t names[kBatch];
+      memcpy(names, g->fragments.triangle, sizeof names);
+      for (uint32_t i = 0; i < kBatch; ++i) g->fragments.triangle[i] = i;
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+      memcpy(g->fragments.triangle, names, sizeof names);
+      keep_block();
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+      compare_blocks(target.name);
+    });
+  }
+}
+
 /// A row has the same bits in a batch of any size, and rows past the last vector stay as they were.
 void test_counts(void**) {
   Random random = {37};
@@ -306,6 +327,7 @@ int main() {
   for (const scene_case& c : k_scenes)
     tests[n++] = {c.name, test_oracle, nullptr, nullptr, const_cast<scene_case*>(&c)};
   tests[n++] = {"bits/one_triangle_or_gathered", test_uniform_and_gathered, nullptr, nullptr, nullptr};
+  tests[n++] = {"bits/interrupted", test_interrupted, nullptr, nullptr, nullptr};
   tests[n++] = {"bits/counts_1..kBatch", test_counts, nullptr, nullptr, nullptr};
   tests[n++] = {"constant", test_constant, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.raster.interpolate", tests, n, set_up, tear_down);
