@@ -4,7 +4,8 @@
  * @brief Where a frame ends up: linear colour, depth and auxiliary planes.
  *
  * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row. With several samples a pixel, planes hold
- * what a frame leaves of them: colour is their plain average, the other planes are those of the first sample.
+ * what a frame leaves of them: colour and targets are their plain average, the other planes are those of the first
+ * sample.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
@@ -34,6 +35,9 @@ typedef enum shd_aov {
     SHD_AOV_LEVEL = 64,        /**< SHD_PLANE_LOD, _LEVEL: what shd_texture_query_levels has for the diffuse texture */
     SHD_AOV_DRAW = 128,        /**< SHD_PLANE_DRAW */
     SHD_AOV_OVERDRAW = 256,    /**< SHD_PLANE_OVERDRAW */
+    SHD_AOV_TARGET1 = 512,     /**< SHD_PLANE_TARGET1_R, _G, _B, _A: a colour target besides R, G, B, A */
+    SHD_AOV_TARGET2 = 1024,    /**< another */
+    SHD_AOV_TARGET3 = 2048,    /**< another */
     SHD_AOV_MAX_ENUM = 0x7fffffff
 } shd_aov;
 
@@ -41,6 +45,10 @@ typedef enum shd_aov {
  * One column of a framebuffer, width * height elements, row by row from the top. Those after depth are the values of
  * the latest fragment of an opaque draw that the first sample of a pixel shows; blended draws and draws of depth alone
  * leave them.
+ *
+ * Targets are more colours of the same samples: programs write them as shd_radiance.target, anything else writes 0 to
+ * all four channels. They start as 0, blend by the material's blend as colour does, each with its own a (WEIGHTED and
+ * SORTED leave them), and what alpha drops goes by colour's a.
  */
 typedef enum shd_plane {
     SHD_PLANE_R = 0,
@@ -68,6 +76,18 @@ typedef enum shd_plane {
     SHD_PLANE_LEVEL = 22,    /**< uint32_t: the mip level nearest to it */
     SHD_PLANE_DRAW = 23,     /**< uint32_t: index into shd_render_desc.draws, 0xffffffff where nothing was drawn */
     SHD_PLANE_OVERDRAW = 24, /**< uint32_t: how often the first sample was drawn, hidden later or not */
+    SHD_PLANE_TARGET1_R = 25,
+    SHD_PLANE_TARGET1_G = 26,
+    SHD_PLANE_TARGET1_B = 27,
+    SHD_PLANE_TARGET1_A = 28,
+    SHD_PLANE_TARGET2_R = 29,
+    SHD_PLANE_TARGET2_G = 30,
+    SHD_PLANE_TARGET2_B = 31,
+    SHD_PLANE_TARGET2_A = 32,
+    SHD_PLANE_TARGET3_R = 33,
+    SHD_PLANE_TARGET3_G = 34,
+    SHD_PLANE_TARGET3_B = 35,
+    SHD_PLANE_TARGET3_A = 36,
     SHD_PLANE_MAX_ENUM = 0x7fffffff
 } shd_plane;
 

@@ -40,7 +40,7 @@ shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** o
 }
 
 shd_result check_plane_value(const shd_plane& plane) {
-  return check_enum("plane", plane, SHD_PLANE_R, SHD_PLANE_OVERDRAW);
+  return check_enum("plane", plane, SHD_PLANE_R, SHD_PLANE_TARGET3_A);
 }
 
 shd_result check_kind(const shd_plane& plane, bool is_integer) {

@@ -63,7 +63,7 @@ void save(const EncodeJob& job, const char* path) {
 
 // Framebuffers.
 
-constexpr int kPlaneCount = SHD_PLANE_OVERDRAW + 1;
+constexpr int kPlaneCount = SHD_PLANE_TARGET3_A + 1;
 
 /// Planes as channels of a file, by shd_plane.
 constexpr struct {
@@ -95,6 +95,18 @@ constexpr struct {
     {"level", SHD_AOV_LEVEL},
     {"draw", SHD_AOV_DRAW},
     {"overdraw", SHD_AOV_OVERDRAW},
+    {"target1.R", SHD_AOV_TARGET1},
+    {"target1.G", SHD_AOV_TARGET1},
+    {"target1.B", SHD_AOV_TARGET1},
+    {"target1.A", SHD_AOV_TARGET1},
+    {"target2.R", SHD_AOV_TARGET2},
+    {"target2.G", SHD_AOV_TARGET2},
+    {"target2.B", SHD_AOV_TARGET2},
+    {"target2.A", SHD_AOV_TARGET2},
+    {"target3.R", SHD_AOV_TARGET3},
+    {"target3.G", SHD_AOV_TARGET3},
+    {"target3.B", SHD_AOV_TARGET3},
+    {"target3.A", SHD_AOV_TARGET3},
 };
 
 /// Planes of a framebuffer by shd_plane; absent ones are all null.

@@ -90,7 +90,8 @@ void blend_run(TileState* tile, const Run& run) {
     Survivor left;
     for (size_t i = 0; i < f.count; ++i) {
       if (!survival.survives(i, &left)) continue;
-      tile->color.blend(draw.material->blend, left.pixel, left.mask, left.color);
+      tile->color.blend(draw.material->blend, left.pixel, left.mask, left.color,
+                        tile->worker.workspace.columns.radiance, i);
       for (uint32_t rest = left.mask; rest && draw.depth.writes; rest &= rest - 1) {
         *tile->depth_of(first_sample(rest), left.pixel) = left.depth[first_sample(rest)];
       }

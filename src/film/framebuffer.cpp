@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "shade/columns.h"
+
 namespace shd::film {
 namespace {
 
@@ -38,6 +40,14 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
 
 bool has_plane(const Framebuffer& framebuffer, shd_plane plane) {
   return wants_plane(framebuffer.aovs, plane);
+}
+
+uint32_t targets_of(const Framebuffer& framebuffer) {
+  uint32_t targets = 1;
+  for (uint32_t t = 1; t < shade::kMaxTargets; ++t) {
+    if (wants_plane(framebuffer.aovs, target_plane(t))) targets |= 1u << t;
+  }
+  return targets;
 }
 
 size_t byte_size(const Framebuffer& framebuffer) {

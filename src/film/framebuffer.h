@@ -28,6 +28,9 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
 /// True if the framebuffer has the plane.
 bool has_plane(const Framebuffer& framebuffer, shd_plane plane);
 
+/// Bit t is set if there is target t; 0 is colour.
+uint32_t targets_of(const Framebuffer& framebuffer);
+
 /// Bytes of all planes.
 size_t byte_size(const Framebuffer& framebuffer);
 

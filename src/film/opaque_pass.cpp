@@ -58,9 +58,7 @@ void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, u
       i += neighbours;
       continue;
     }
-    FragmentColor color;
-    for (size_t c = 0; c < 4; ++c) color.channel[c] = radiance.channel[c][i];
-    tile_color->write(f.pixel[i], f.mask[i], color);
+    tile_color->write(f.pixel[i], f.mask[i], radiance, i);
     ++i;
   }
 }

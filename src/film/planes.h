@@ -9,7 +9,7 @@
 
 namespace shd::film {
 
-constexpr uint32_t kPlaneCount = SHD_PLANE_OVERDRAW + 1;
+constexpr uint32_t kPlaneCount = SHD_PLANE_TARGET3_A + 1;
 constexpr uint32_t kNoTriangle = 0xffffffffu;
 constexpr uint32_t kNoDraw = 0xffffffffu;
 
@@ -57,11 +57,28 @@ constexpr PlaneInfo kPlanes[kPlaneCount] = {
     {SHD_AOV_LEVEL, true, 0, [](const AovColumns& batch) -> const void* { return batch.level; }},
     {SHD_AOV_DRAW, true, kNoDraw, [](const AovColumns& batch) -> const void* { return batch.draw; }},
     {SHD_AOV_OVERDRAW, true, 0, nullptr},
+    {SHD_AOV_TARGET1, false, 0.0, nullptr},
+    {SHD_AOV_TARGET1, false, 0.0, nullptr},
+    {SHD_AOV_TARGET1, false, 0.0, nullptr},
+    {SHD_AOV_TARGET1, false, 0.0, nullptr},
+    {SHD_AOV_TARGET2, false, 0.0, nullptr},
+    {SHD_AOV_TARGET2, false, 0.0, nullptr},
+    {SHD_AOV_TARGET2, false, 0.0, nullptr},
+    {SHD_AOV_TARGET2, false, 0.0, nullptr},
+    {SHD_AOV_TARGET3, false, 0.0, nullptr},
+    {SHD_AOV_TARGET3, false, 0.0, nullptr},
+    {SHD_AOV_TARGET3, false, 0.0, nullptr},
+    {SHD_AOV_TARGET3, false, 0.0, nullptr},
 };
 
 /// Whether a framebuffer of these shd_aov bits has the plane.
 constexpr bool wants_plane(uint32_t aovs, uint32_t plane) {
   return plane < kPlaneCount && (!kPlanes[plane].aov || (aovs & kPlanes[plane].aov));
+}
+
+/// First plane of target 1, 2 or 3, and of colour as target 0.
+constexpr uint32_t target_plane(uint32_t target) {
+  return target == 0 ? 0 : static_cast<uint32_t>(SHD_PLANE_TARGET1_R) + 4 * (target - 1);
 }
 
 /// Every shd_aov bit.

@@ -7,33 +7,38 @@
 namespace shd::film {
 namespace {
 
-/// Of colours [samples][4].
-void average(const float* from, uint32_t samples, float out[4]) {
+/// Of colours `stride` floats apart.
+void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   const float share = 1.0f / static_cast<float>(samples);
   float sum[4] = {};
-  for (uint32_t s = 0; s < samples; ++s, from += 4) {
+  for (uint32_t s = 0; s < samples; ++s, from += stride) {
     for (size_t c = 0; c < 4; ++c) sum[c] += from[c];
   }
   for (size_t c = 0; c < 4; ++c) out[c] = sum[c] * share;
 }
 
-/// Whether colours [samples][4] are the same, to the bit.
-bool are_same(const float* colors, uint32_t samples) {
+/// Whether colours `stride` floats apart are the same, to the bit.
+bool are_same(const float* colors, uint32_t samples, size_t stride) {
   uint64_t different = 0, first[2];
   std::memcpy(first, colors, sizeof first);
   for (uint32_t s = 1; s < samples; ++s) {
     uint64_t other[2];
-    std::memcpy(other, colors + 4 * s, sizeof other);
+    std::memcpy(other, colors + stride * s, sizeof other);
     different |= (other[0] ^ first[0]) | (other[1] ^ first[1]);
   }
   return different == 0;
 }
 
+Below at(float* color) {
+  return {{color, color + 1, color + 2, color + 3}};
+}
+
 }  // namespace
 
-void allocate(const core::Allocator& allocator, uint32_t samples, SplitSamples* out) {
+void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out) {
   if (samples == 1) return;
-  out->color = core::Array<float>(allocator, samples * 4 * raster::kTilePixels);
+  const size_t floats = size_t{samples} * 4 * static_cast<size_t>(__builtin_popcount(targets));
+  out->color = core::Array<float>(allocator, floats * raster::kTilePixels);
   out->is_split = core::Array<uint8_t>(allocator, raster::kTilePixels);
 }
 
@@ -43,7 +48,11 @@ TileColor::TileColor(const TileArea& area, Framebuffer* framebuffer, SplitSample
       samples_(framebuffer->samples),
       all_((1u << framebuffer->samples) - 1),
       split_(*split) {
-  for (size_t c = 0; c < 4; ++c) plane_[c] = framebuffer->plane[c].data();
+  for (uint32_t targets = targets_of(*framebuffer); targets; targets &= targets - 1) {
+    const auto target = static_cast<uint32_t>(__builtin_ctz(targets));
+    for (uint32_t c = 0; c < 4; ++c) plane_[target_count_][c] = framebuffer->plane[target_plane(target) + c].data();
+    target_[target_count_++] = target;
+  }
 }
 
 void TileColor::load() {
@@ -51,64 +60,73 @@ void TileColor::load() {
 }
 
 /// All samples of a pixel that is not split.
-Below TileColor::whole(uint32_t pixel) const {
-  const size_t at = position(pixel);
-  return {{plane_[0] + at, plane_[1] + at, plane_[2] + at, plane_[3] + at}};
+Below TileColor::whole(uint32_t pixel, uint32_t t) const {
+  const size_t place = position(pixel);
+  return {{plane_[t][0] + place, plane_[t][1] + place, plane_[t][2] + place, plane_[t][3] + place}};
 }
 
 /// The samples of a pixel, apart from each other.
 float* TileColor::split(uint32_t pixel) {
-  float* samples = split_.color.data() + size_t{pixel} * samples_ * 4;
+  float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
   split_.is_split[pixel] = 1;
-  const size_t at = position(pixel);
+  const size_t place = position(pixel);
+  float* to = samples;
   for (uint32_t s = 0; s < samples_; ++s) {
-    for (size_t c = 0; c < 4; ++c) samples[4 * s + c] = plane_[c][at];
+    for (uint32_t t = 0; t < target_count_; ++t) {
+      for (uint32_t c = 0; c < 4; ++c) *to++ = plane_[t][c][place];
+    }
   }
   return samples;
 }
 
-void TileColor::write_some(uint32_t pixel, uint32_t mask, const FragmentColor& color) {
+void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
   float* samples = split(pixel);
-  for (; mask; mask &= mask - 1) std::memcpy(samples + 4 * __builtin_ctz(mask), color.channel, sizeof color.channel);
-}
-
-void TileColor::write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
-  const size_t at = position(pixel);
-  for (size_t c = 0; c < 4; ++c) {
-    const float* column = from.channel[c] + row;
-    for (size_t i = 0; i < count; ++i) plane_[c][at + i] = column[i];
+  for (uint32_t t = 0; t < target_count_; ++t) {
+    float color[4];
+    for (uint32_t c = 0; c < 4; ++c) color[c] = from.channel[4 * target_[t] + c][row];
+    for (uint32_t rest = mask; rest; rest &= rest - 1) {
+      const auto s = static_cast<uint32_t>(__builtin_ctz(rest));
+      std::memcpy(samples + 4 * (s * target_count_ + t), color, sizeof color);
+    }
   }
-  if (samples_ > 1) std::fill_n(split_.is_split.data() + pixel, count, uint8_t{0});
 }
 
 Below TileColor::sample(uint32_t pixel, uint32_t sample) {
-  if (samples_ == 1) return whole(pixel);
-  float* color = split(pixel) + 4 * sample;
-  return {{color, color + 1, color + 2, color + 3}};
+  if (samples_ == 1) return whole(pixel, 0);
+  return at(split(pixel) + 4 * size_t{sample} * target_count_);
 }
 
-void TileColor::blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color) {
-  if (mask == all_ && (samples_ == 1 || !split_.is_split[pixel])) return film::blend(mode, color, whole(pixel));
-  for (; mask; mask &= mask - 1) film::blend(mode, color, sample(pixel, static_cast<uint32_t>(__builtin_ctz(mask))));
+void TileColor::blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
+                      const shade::Radiance& from, size_t row) {
+  const bool is_whole = mask == all_ && (samples_ == 1 || !split_.is_split[pixel]);
+  float* samples = is_whole ? nullptr : split(pixel);
+  for (uint32_t t = 0; t < target_count_; ++t) {
+    FragmentColor over = color;
+    for (uint32_t c = 0; t > 0 && c < 4; ++c) over.channel[c] = from.channel[4 * target_[t] + c][row];
+    if (is_whole) film::blend(mode, over, whole(pixel, t));
+    for (uint32_t rest = is_whole ? 0 : mask; rest; rest &= rest - 1) {
+      const auto s = static_cast<uint32_t>(__builtin_ctz(rest));
+      film::blend(mode, over, at(samples + 4 * (s * target_count_ + t)));
+    }
+  }
 }
 
 void TileColor::resolve() {
   if (samples_ == 1) return;
+  const size_t stride = 4 * size_t{target_count_};
   for (uint32_t first = 0; first < raster::kTilePixels; first += 8) {
     uint64_t eight;
     std::memcpy(&eight, split_.is_split.data() + first, sizeof eight);
     for (uint32_t pixel = first; pixel < first + 8 && eight; ++pixel) {
       if (!split_.is_split[pixel]) continue;
-      const float* samples = split_.color.data() + size_t{pixel} * samples_ * 4;
-      float mean[4];
-      if (are_same(samples, samples_)) {
-        std::memcpy(mean, samples, sizeof mean);
-      } else {
-        average(samples, samples_, mean);
+      for (uint32_t t = 0; t < target_count_; ++t) {
+        const float* samples = split_.color.data() + pixel * samples_ * stride + 4 * t;
+        float mean[4];
+        average(samples, samples_, stride, mean);
+        if (are_same(samples, samples_, stride)) std::memcpy(mean, samples, sizeof mean);
+        for (size_t c = 0; c < 4; ++c) plane_[t][c][position(pixel)] = mean[c];
       }
-      const size_t at = position(pixel);
-      for (size_t c = 0; c < 4; ++c) plane_[c][at] = mean[c];
     }
   }
 }

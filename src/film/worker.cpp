@@ -8,6 +8,7 @@ namespace shd::film {
 Workers::Workers(const core::Context& context, const Frame& frame)
     : context_(context),
       samples_(frame.framebuffer->samples),
+      targets_(targets_of(*frame.framebuffer)),
       workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
   for (size_t i = 0; i < frame.draw_count; ++i) {
@@ -29,8 +30,8 @@ Worker& Workers::get(uint32_t index) {
     worker->covered.attach(allocator);
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
-    allocate(allocator, samples_, &worker->split);
-    shade::allocate(allocator, varying_count_, &worker->workspace);
+    allocate(allocator, samples_, targets_, &worker->split);
+    shade::allocate(allocator, varying_count_, targets_, &worker->workspace);
   }
   return *workers_[index];
 }

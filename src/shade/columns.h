@@ -12,9 +12,12 @@ struct Lobes {
   float* specular[3];  // sum of E max(0, n.h)^p
 };
 
+/// Colour and the targets of SHD_AOV_TARGET1 to 3.
+constexpr uint32_t kMaxTargets = 4;
+
 /// Result of a batch: scene-linear, premultiplied; columns of raster::kBatch.
 struct Radiance {
-  float* channel[4];  // r, g, b, a
+  float* channel[4 * kMaxTargets];  // r, g, b, a of colour, then of each target; null where there is none
 };
 
 /// Columns of one worker besides its Fragments.
@@ -30,10 +33,12 @@ struct Columns {
   uint32_t* row_discard;  // of corners or centroids
 };
 
+/// @param targets  bit t: there is target t; bit 0 is set
 /// Throws std::bad_alloc.
-inline void allocate(const core::Allocator& allocator, Columns* out) {
-  constexpr size_t kColumns = 6 + 4 + 4 + 6 + 4 + 1 + 2;
-  out->block = core::Array<float>(allocator, kColumns * raster::kBatch);
+inline void allocate(const core::Allocator& allocator, uint32_t targets, Columns* out) {
+  constexpr size_t kColumns = 6 + 4 + 6 + 1 + 2;
+  const size_t radiance_columns = 2 * 4 * static_cast<size_t>(__builtin_popcount(targets));
+  out->block = core::Array<float>(allocator, (kColumns + radiance_columns) * raster::kBatch);
   out->block.fill_zero();
   float* next = out->block.data();
   const auto take = [&] {
@@ -46,7 +51,7 @@ inline void allocate(const core::Allocator& allocator, Columns* out) {
     for (float*& column : lobes->specular) column = take();
   }
   for (Radiance* radiance : {&out->radiance, &out->row_radiance}) {
-    for (float*& column : radiance->channel) column = take();
+    for (uint32_t c = 0; c < 4 * kMaxTargets; ++c) radiance->channel[c] = targets >> c / 4 & 1 ? take() : nullptr;
   }
   for (float*& column : out->texture) column = take();
   out->row = reinterpret_cast<uint32_t*>(take());

@@ -77,6 +77,13 @@ void spread(const core::SimdTarget& simd, const DrawShading& shading, const Work
   }
 }
 
+/// 0 in all targets but colour.
+void clear_targets(size_t count, Radiance* radiance) {
+  for (uint32_t c = 4; c < 4 * kMaxTargets; ++c) {
+    if (radiance->channel[c]) std::memset(radiance->channel[c], 0, count * sizeof(float));
+  }
+}
+
 void call(const DrawShading& shading, const shd_fragments& in, shd_radiance* out) {
   const shd_material_program& program = shading.material->program;
   try {
@@ -96,6 +103,7 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, const r
   for (int c = 0; c < 4; ++c) {
     for (size_t i = 0; i < f.count; ++i) radiance->channel[c][i] = c == 3 ? 1.0f : 0.0f;
   }
+  clear_targets(f.count, radiance);
   shd_fragments in = {};
   in.struct_size = sizeof in;
   in.draw = shading.draw;
@@ -115,6 +123,7 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, const r
   out.struct_size = sizeof out;
   out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
   out.a = radiance->channel[3];
+  std::memcpy(out.target, radiance->channel + 4, sizeof out.target);
   if (shading.material->flags & SHD_MATERIAL_DISCARDS) {
     std::memset(discard, 0, f.count * sizeof(uint32_t));
     out.discard = discard;
@@ -155,11 +164,11 @@ const float* const* look_up(const core::SimdTarget& simd, const material::Materi
 
 }  // namespace
 
-void allocate(const core::Allocator& allocator, uint32_t varying_count, Workspace* out) {
+void allocate(const core::Allocator& allocator, uint32_t varying_count, uint32_t targets, Workspace* out) {
   raster::allocate(allocator, varying_count, &out->varyings);
   raster::allocate(allocator, &out->fragments);
   raster::allocate(allocator, &out->rows);
-  allocate(allocator, &out->columns);
+  allocate(allocator, targets, &out->columns);
 }
 
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
@@ -184,11 +193,13 @@ void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const
     if (material.flags & SHD_MATERIAL_DISCARDS) {
       for (size_t i = 0; i < w->fragments.count; ++i) columns.discard[i] = columns.row_discard[columns.row[i]];
     }
-    for (int c = 0; c < 4; ++c) {
+    for (uint32_t c = 0; c < 4 * kMaxTargets; ++c) {
+      if (!columns.radiance.channel[c]) continue;
       spread(simd, shading, *w, columns.row_radiance.channel[c], columns.radiance.channel[c]);
     }
     return;
   }
+  clear_targets(w->fragments.count, &columns.radiance);
   const float* const* texture = look_up(simd, material, w);
   if (material.model == SHD_MODEL_UNLIT) {
     return combine(simd, material, lights, nullptr, texture, w->fragments.count, &columns.radiance);

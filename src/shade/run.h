@@ -38,7 +38,8 @@ struct Workspace {
 };
 
 /// With room for `varying_count` varyings. Throws std::bad_alloc.
-void allocate(const core::Allocator& allocator, uint32_t varying_count, Workspace* out);
+/// @param targets  bit t: there is target t; bit 0, colour, is set
+void allocate(const core::Allocator& allocator, uint32_t varying_count, uint32_t targets, Workspace* out);
 
 /// Most triangles that one batch may hold at Gouraud frequency: their corners must fit a table.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;

@@ -6,7 +6,7 @@
 
 static shd_context *g_context;
 
-#define ALL_AOVS (2 * SHD_AOV_OVERDRAW - 1)
+#define ALL_AOVS (2 * SHD_AOV_TARGET3 - 1)
 
 struct create_case {
     const char *name;
@@ -20,7 +20,7 @@ struct create_case {
 static const struct create_case k_create[] = {
     {"create/1x1", 1, 1, 1, 0, 0, SHD_OK, "", 20},
     {"create/17x3", 17, 3, 1, 0, 0, SHD_OK, "", 1020},
-    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, 0, SHD_OK, "", 5100},
+    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, 0, SHD_OK, "", 7548},
     {"create/64x64_uv", 64, 64, 1, SHD_AOV_UV, 0, SHD_OK, "", 114688},
     {"create/16384x1", 16384, 1, 1, SHD_AOV_TRIANGLE, 0, SHD_OK, "", 393216},
     {"create/1x16384", 1, 16384, 1, SHD_AOV_NORMAL, 0, SHD_OK, "", 524288},
@@ -35,7 +35,7 @@ static const struct create_case k_create[] = {
     {"create/samples_8", 4, 4, 8, 0, 0, SHD_OK, "", 320},
     {"create/samples_16", 4, 4, 16, 0, 0, SHD_OK, "", 320},
     {"create/samples_64", 4, 4, 64, 0, 0, BAD, "framebuffer.samples: 64", 0},
-    {"create/aovs_unknown", 4, 4, 1, 513, 0, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x200 ", 0},
+    {"create/aovs_unknown", 4, 4, 1, 4097, 0, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x1000 ", 0},
     {"create/reserved_5", 4, 4, 1, 0, 5, BAD, "framebuffer.reserved: 5 is not 0", 0},
 };
 
@@ -108,6 +108,11 @@ static const struct plane_case k_planes[] = {
     {"planes/level", SHD_PLANE_LEVEL, SHD_AOV_LEVEL, 0, 1},
     {"planes/draw", SHD_PLANE_DRAW, SHD_AOV_DRAW, 4294967295.0, 1},
     {"planes/overdraw", SHD_PLANE_OVERDRAW, SHD_AOV_OVERDRAW, 0, 1},
+    {"planes/target1_r", SHD_PLANE_TARGET1_R, SHD_AOV_TARGET1, 0, 0},
+    {"planes/target1_a", SHD_PLANE_TARGET1_A, SHD_AOV_TARGET1, 0, 0},
+    {"planes/target2_g", SHD_PLANE_TARGET2_G, SHD_AOV_TARGET2, 0, 0},
+    {"planes/target3_b", SHD_PLANE_TARGET3_B, SHD_AOV_TARGET3, 0, 0},
+    {"planes/target3_a", SHD_PLANE_TARGET3_A, SHD_AOV_TARGET3, 0, 0},
 };
 
 static union {
@@ -182,8 +187,8 @@ static void test_bad_u32_reads(void **state)
                       "out.stride: 6");
     shd_assert_result("absent", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_DRAW, out), SHD_ERROR_NOT_FOUND,
                       "plane: 23");
-    shd_assert_result("unknown", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)25, out), BAD,
-                      "plane: 25 is not in 0..24");
+    shd_assert_result("unknown", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)37, out), BAD,
+                      "plane: 37 is not in 0..36");
     shd_assert_result("negative", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
     shd_assert_result("handle", shd_framebuffer_read_u32_plane(NULL, SHD_PLANE_TRIANGLE, out), BAD,
                       "framebuffer: NULL");
@@ -198,8 +203,8 @@ static void test_bad_reads(void **state)
     shd_plane_view view = {pixels, NULL, 1};
     shd_framebuffer_info info = {1, 2, 3, 4, 5};
     (void)state;
-    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)25, out), BAD,
-                      "plane: 25 is not in 0..24");
+    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)37, out), BAD,
+                      "plane: 37 is not in 0..36");
     shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
     shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, none), BAD, "out.data: NULL");
     shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, odd), BAD, "out.stride: 2");

@@ -366,7 +366,7 @@ static void test_frame(void **state)
 /* Every plane becomes a channel of an EXR file. */
 static void test_all_planes(void **state)
 {
-    shd_framebuffer *framebuffer = make_framebuffer(2 * SHD_AOV_OVERDRAW - 1);
+    shd_framebuffer *framebuffer = make_framebuffer(2 * SHD_AOV_TARGET3 - 1);
     shd_bitmap *bitmap = NULL;
     shd_bitmap_info info;
     (void)state;
@@ -374,7 +374,7 @@ static void test_all_planes(void **state)
     shd_framebuffer_release(framebuffer);
     shd_assert_ok(shd_bitmap_load(g_context, io_path("all_planes.exr"), NULL, &bitmap));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
-    assert_int_equal(info.channels, SHD_PLANE_OVERDRAW + 1);
+    assert_int_equal(info.channels, SHD_PLANE_TARGET3_A + 1);
     shd_bitmap_release(bitmap);
 }
 

@@ -10,7 +10,7 @@
 
 #include <shd/shd.h>
 
-enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4, SHD_FRAME_PLANES = SHD_PLANE_OVERDRAW + 1 };
+enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4, SHD_FRAME_PLANES = SHD_PLANE_TARGET3_A + 1 };
 
 /** What a test renders. shd_frame_render fills `plane`, and `u32` for planes of integers; absent ones are NULL. */
 typedef struct shd_frame {

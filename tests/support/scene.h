@@ -464,7 +464,7 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     shd_framebuffer_info info;
     int plane;
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
-    for (plane = SHD_PLANE_R; plane <= SHD_PLANE_OVERDRAW; ++plane) {
+    for (plane = SHD_PLANE_R; plane <= SHD_PLANE_TARGET3_A; ++plane) {
         shd_plane_view view;
         uint32_t x, y;
         if (shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;

@@ -27,8 +27,8 @@ Fixture* g;
 int set_up(void**) {
   g = new Fixture;
   raster::allocate(g_allocator, &g->rows);
-  shade::allocate(g_allocator, &g->columns);
-  shade::allocate(g_allocator, &g->first);
+  shade::allocate(g_allocator, 1, &g->columns);
+  shade::allocate(g_allocator, 1, &g->first);
   return 0;
 }
 int tear_down(void**) {
@@ -101,12 +101,12 @@ void test_combine(void** state) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
       shade::Radiance& out = g->columns.radiance;
-      for (float* channel : out.channel) std::fill_n(channel, kBatch, -77.0f);
+      for (size_t k = 0; k < 4; ++k) std::fill_n(out.channel[k], kBatch, -77.0f);
       const shade::Lobes* lobes = c->model == SHD_MODEL_UNLIT ? nullptr : &g->first.lobes;
       shade::combine(target, g->material, g->lights, lobes, c->texture ? g->first.texture : nullptr, count, &out);
       for (size_t i = 0; i < count; ++i) check_row(i, *c, out);
-      for (const float* channel : out.channel) {
-        for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(channel[i] == -77.0f);
+      for (size_t k = 0; k < 4; ++k) {
+        for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out.channel[k][i] == -77.0f);
       }
     }
     for (int channel = 0; channel < 4; ++channel) {
@@ -131,8 +131,8 @@ void test_range(void**) {
   }
   for_each_target([&](const core::SimdTarget& target, bool) {
     shade::combine(target, g->material, g->lights, &g->first.lobes, g->first.texture, kBatch, &g->columns.radiance);
-    for (const float* channel : g->columns.radiance.channel) {
-      for (size_t i = 0; i < kBatch; ++i) assert_true(std::isfinite(channel[i]));
+    for (size_t c = 0; c < 4; ++c) {
+      for (size_t i = 0; i < kBatch; ++i) assert_true(std::isfinite(g->columns.radiance.channel[c][i]));
     }
   });
 }

@@ -39,8 +39,8 @@ int set_up(void**) {
   g->mesh.indices = core::Array<uint32_t>(g_allocator, kVertices);
   for (uint32_t i = 0; i < kVertices; ++i) g->mesh.indices[i] = i;
   geometry::allocate(g_allocator, g->mesh, 0, &g->vertices);
-  shade::allocate(g_allocator, 0, &g->workspace);
-  shade::allocate(g_allocator, 0, &g->first);
+  shade::allocate(g_allocator, 0, 1, &g->workspace);
+  shade::allocate(g_allocator, 0, 1, &g->first);
   return 0;
 }
 int tear_down(void**) {

@@ -30,8 +30,8 @@ Fixture* g;
 int set_up(void**) {
   g = new Fixture;
   raster::allocate(g_allocator, &g->rows);
-  shade::allocate(g_allocator, &g->columns);
-  shade::allocate(g_allocator, &g->first);
+  shade::allocate(g_allocator, 1, &g->columns);
+  shade::allocate(g_allocator, 1, &g->first);
   return 0;
 }
 int tear_down(void**) {
