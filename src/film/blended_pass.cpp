@@ -82,6 +82,7 @@ void cover_triangle(TileState* tile, const Draw& draw, const geometry::PixelBox&
 }
 
 void blend_run(TileState* tile, const Run& run) {
+  raster::forget_bounds(&tile->worker.tile);
   shade_run(tile, run, tile->box(), [&](const Draw& draw) {
     const raster::Fragments& f = tile->worker.workspace.fragments;
     AovScratch& aovs = tile->worker.aovs;

@@ -36,6 +36,7 @@ bool begin(TileState* tile) {
   } else {
     load_depth(tile->area, tile->framebuffer, &worker.tile);
   }
+  raster::forget_bounds(&worker.tile);
   clear_slots(&worker.tile);
   worker.slots.clear();
   tile->color.load();

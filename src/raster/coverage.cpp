@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raster/coverage.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <type_traits>
@@ -215,10 +216,11 @@ HWY_INLINE void ForEachWide(const Span& s, const Body& body) {
 
 /// body(at, inside, z) for every vector of samples that has some in the triangle; `at` is the place of its first one in
 /// the tile.
+/// @param box  pixels of the tile that the triangle may touch, not empty
 template <Samples kSamples, class Body>
 HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
-                               const Body& body) {
-  Span s = {area.pattern, {}, {}, {}, area.left, area.top};
+                               const geometry::PixelBox& box, const Body& body) {
+  Span s = {area.pattern, {}, {}, box, area.left, area.top};
   bool narrow = true;
   for (int k = 0; k < 3; ++k) {
     s.line[k] = make_edge_line(triangle, k, area.left, area.top);
@@ -227,14 +229,98 @@ HWY_INLINE void ForEachCovered(const geometry::ScreenTriangle& triangle, const C
     if (side == EdgeSide::kInside) s.line[k] = {0, 0, 0};
     narrow &= std::abs(s.line[k].a) <= kNarrowStep && std::abs(s.line[k].b) <= kNarrowStep;
   }
-  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
-  if (geometry::is_empty(box)) return;
   s.slope = make_depth_slope(triangle, state);
-  s.box = {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
   const bool clipped = area.box.max_x - area.box.min_x != kTile - 1;
   if (!narrow) return ForEachWide(s, body);
   clipped ? ForEachNarrow<kSamples, true>(s, body) : ForEachNarrow<kSamples, false>(s, body);
 }
+
+/// Pixels of the tile that a triangle may touch.
+HWY_INLINE geometry::PixelBox BoxInTile(const geometry::ScreenTriangle& triangle, const CoverArea& area) {
+  const geometry::PixelBox box = geometry::intersection(geometry::pixel_box(triangle, area.pattern.extent), area.box);
+  return {box.min_x - area.left, box.min_y - area.top, box.max_x - area.left, box.max_y - area.top};
+}
+
+/// Whether a comparison lets pass what is smaller, or larger, alone.
+constexpr DepthTrend trend_of(shd_compare compare) {
+  switch (compare) {
+    case SHD_COMPARE_LESS:
+    case SHD_COMPARE_LESS_EQUAL: return DepthTrend::kFalling;
+    case SHD_COMPARE_GREATER:
+    case SHD_COMPARE_GREATER_EQUAL: return DepthTrend::kRising;
+    default: return DepthTrend::kUnknown;
+  }
+}
+
+/// The blocks of a tile that a box of its pixels touches.
+struct BlockBox {
+  HWY_INLINE explicit BlockBox(const geometry::PixelBox& box)
+      : first_x(box.min_x >> kBlockBits),
+        first_y(box.min_y >> kBlockBits),
+        last_x(box.max_x >> kBlockBits),
+        last_y(box.max_y >> kBlockBits) {}
+  int32_t first_x, first_y, last_x, last_y;
+};
+
+/// The bounds of a tile for one trend.
+template <DepthTrend kTrend>
+class Bounds {
+ public:
+  static constexpr bool kFalling = kTrend == DepthTrend::kFalling;
+
+  HWY_INLINE explicit Bounds(Tile& tile) : tile_(tile), bounds_(tile.bounds) {
+    if (bounds_.trend == kTrend) return;
+    bounds_.trend = kTrend;
+    for (float& bound : bounds_.bound) bound = kFalling ? 2.0f : -1.0f;  // beyond all depths
+  }
+
+  /// Whether some depth of a triangle may pass in one of the blocks.
+  HWY_NOINLINE bool MayPass(const BlockBox& box, const geometry::ScreenTriangle& triangle) {
+    const float nearest = kFalling ? std::min({triangle.z[0], triangle.z[1], triangle.z[2]})
+                                   : std::max({triangle.z[0], triangle.z[1], triangle.z[2]});
+    for (int32_t y = box.first_y; y <= box.last_y; ++y) {
+      for (int32_t x = box.first_x; x <= box.last_x; ++x) {
+        float& bound = bounds_.bound[y * kBlocksPerRow + x];
+        if (!MayPassBound(nearest, bound)) continue;
+        bound = FarthestOf(x, y);
+        if (MayPassBound(nearest, bound)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// Equal depths may pass some comparisons.
+  static HWY_INLINE bool MayPassBound(float z, float bound) { return kFalling ? z <= bound : z >= bound; }
+
+  HWY_INLINE float FarthestOf(int32_t x, int32_t y) const {
+    const hn::CappedTag<float, kBlock> d;
+    const size_t samples = tile_.samples;
+    auto farthest = hn::Set(d, kFalling ? 0.0f : 1.0f);
+    for (size_t row = 0; row < kBlock; ++row) {
+      const size_t pixel = (static_cast<size_t>(y) * kBlock + row) * kTile + static_cast<size_t>(x) * kBlock;
+      const float* depth = tile_.depth.data() + pixel * samples;
+      for (size_t i = 0; i < kBlock * samples; i += hn::Lanes(d)) {
+        farthest = kFalling ? hn::Max(farthest, hn::Load(d, depth + i)) : hn::Min(farthest, hn::Load(d, depth + i));
+      }
+    }
+    return hn::GetLane(kFalling ? hn::MaxOfLanes(d, farthest) : hn::MinOfLanes(d, farthest));
+  }
+
+  const Tile& tile_;
+  DepthBounds& bounds_;
+};
+
+/// Without bounds.
+template <>
+class Bounds<DepthTrend::kUnknown> {
+ public:
+  HWY_INLINE explicit Bounds(Tile&) {}
+  HWY_INLINE bool MayPass(const BlockBox&, const geometry::ScreenTriangle&) { return true; }
+};
+
+/// Smaller boxes cost less to cover than to look up.
+constexpr int32_t kLeastBoundedPixels = 128;
 
 template <shd_compare kCompare, Samples kSamples>
 void CoverWith(const CoverArea& area, const DepthState& state, const geometry::ScreenTriangle* triangles,
@@ -242,11 +328,19 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   const Tag d;
   const hn::RebindToUnsigned<Tag> du;
   const bool has_slots = first_slot != kNoSlot;
+  const bool is_biased = state.bias != 0.0f || state.slope_bias != 0.0f;
+  Bounds<trend_of(kCompare)> bounds(tile);
+  if (trend_of(kCompare) == DepthTrend::kUnknown && state.writes) forget_bounds(&tile);
   float* depth = tile.depth.data();
   uint32_t* slot = tile.slot.data();
   for (size_t i = 0; i < count; ++i) {
+    const geometry::ScreenTriangle& triangle = triangles[entries[i]];
+    const geometry::PixelBox box = BoxInTile(triangle, area);
+    if (geometry::is_empty(box)) continue;
+    const int32_t pixels = (box.max_x - box.min_x + 1) * (box.max_y - box.min_y + 1);
+    if (pixels >= kLeastBoundedPixels && !is_biased && !bounds.MayPass(BlockBox(box), triangle)) continue;
     const auto id = hn::Set(du, first_slot + static_cast<uint32_t>(i));
-    ForEachCovered<kSamples>(triangles[entries[i]], area, state, [&](size_t at, MaskV inside, V z) {
+    ForEachCovered<kSamples>(triangle, area, state, box, [&](size_t at, MaskV inside, V z) {
       const auto stored = hn::Load(d, depth + at);
       const auto pass = hn::And(inside, Passes<kCompare>(z, stored));
       if (state.writes) hn::Store(hn::IfThenElse(pass, z, stored), d, depth + at);
@@ -277,7 +371,7 @@ void MaskWith(const CoverArea& area, const DepthState& state, const geometry::Sc
   static_assert(hn::MaxLanes(Tag()) <= 16, "two bytes of mask");
   const Tag d;
   const float* depth = tile.depth.data();
-  ForEachCovered<kSamples>(triangle, area, state, [&](size_t at, MaskV inside, V z) {
+  ForEachCovered<kSamples>(triangle, area, state, BoxInTile(triangle, area), [&](size_t at, MaskV inside, V z) {
     const auto pass = hn::And(inside, Passes<kCompare>(z, hn::Load(d, depth + at)));
     AddToMasks(pass, at, area.pattern.count, out.bits);
   });

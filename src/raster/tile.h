@@ -16,11 +16,28 @@ constexpr size_t kTilePixels = size_t{kTile} * kTile;
 
 constexpr uint32_t kNoSlot = 0xffffffffu;
 
+/// Depths are bounded in blocks of kBlock x kBlock pixels.
+constexpr int32_t kBlockBits = 3;
+constexpr int32_t kBlock = 1 << kBlockBits;
+constexpr int32_t kBlocksPerRow = kTile / kBlock;
+
+/// Which way the depths of a tile went since its bounds were found: comparisons that let smaller ones pass, or larger
+/// ones.
+enum class DepthTrend { kUnknown, kFalling, kRising };
+
+/// Hierarchical depth: what no depth of a block lies beyond, so that a triangle that cannot pass is dropped before its
+/// samples are looked at. A bound stays true while depths follow the trend, and is found anew where it does not help.
+struct DepthBounds {
+  DepthTrend trend;
+  float bound[kBlocksPerRow * kBlocksPerRow];  // largest depth if falling, smallest if rising
+};
+
 /// Depth and visible triangle of every sample of one tile, pixels row by row.
 struct Tile {
   uint32_t samples = 0;
   core::Array<float> depth;    // [kTilePixels][samples]
   core::Array<uint32_t> slot;  // [kTilePixels][samples] position in the tile's list of triangles, or kNoSlot
+  DepthBounds bounds;
 };
 
 /// Throws std::bad_alloc.
@@ -28,6 +45,11 @@ inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* o
   out->samples = samples;
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
+}
+
+/// Depths of a tile were written in any way.
+inline void forget_bounds(Tile* tile) {
+  tile->bounds.trend = DepthTrend::kUnknown;
 }
 
 constexpr uint32_t tile_count(uint32_t pixels) {

@@ -29,6 +29,7 @@ void clear(Tile* tile) {
     tile->depth[i] = 1.0f;
     tile->slot[i] = kNoSlot;
   }
+  raster::forget_bounds(tile);
 }
 void copy(const Tile& from, Tile* to) {
   memcpy(to->depth.data(), from.depth.data(), from.samples * kTilePixels * sizeof(float));
@@ -208,6 +209,7 @@ void count_hits(const core::SimdTarget& target, const ScreenTriangle& t, int32_t
     g_tile.slot[i] = kNoSlot;
     g_tile.depth[i] = 1.0f;
   }
+  raster::forget_bounds(&g_tile);
 }
 
 /// Distance along the outline of a box to a point of it.
@@ -417,6 +419,45 @@ void test_compare(void** state) {
   }
 }
 
+/// Triangles over each other, by comparisons that make depths fall, rise or neither: those that are dropped by the
+/// bounds of depths, which masks do not know, had nothing to draw.
+void test_bounds(void**) {
+  static raster::CoverMask mask;
+  const uint32_t entry = 0;
+  for (const uint32_t samples : {1u, 4u}) {
+    set_samples(samples);
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      Random random = {23};
+      clear(&g_tile);
+      int32_t kind = 0, hidden = 0;
+      for (uint32_t n = 0; n < 600; ++n) {
+        ScreenTriangle t = {};
+        for (int k = 0; k < 3; ++k)
+          place(&t, k, random.whole(-64 * 256, 128 * 256), random.whole(-64 * 256, 128 * 256));
+        const float depth = random.real(0.0, 1.0);
+        for (float& z : t.z) z = n % 3 ? depth : random.real(0.0, 1.0);
+        if (!turn(&t)) continue;
+        if (n % 40 == 0) kind = random.whole(SHD_COMPARE_LESS, SHD_COMPARE_ALWAYS);
+        const raster::DepthState state = {static_cast<shd_compare>(n % 40 < 39 ? kind : SHD_COMPARE_ALWAYS), n % 7 != 0,
+                                          0.0f, 0.0f};
+        raster::cover_mask(target, area_at(0, 0, samples), state, t, g_tile, &mask);
+        raster::cover(target, area_at(0, 0, samples), state, &t, &entry, 1, n, &g_tile);
+        bool drawn = false;
+        for (size_t i = 0; i < samples * kTilePixels; ++i) {
+          const auto x = static_cast<int32_t>(i / samples % kTile), y = static_cast<int32_t>(i / samples / kTile);
+          const bool in_box = x >= mask.box.min_x && x <= mask.box.max_x && y >= mask.box.min_y && y <= mask.box.max_y;
+          const bool want = in_box && (mask.bits[i / samples] >> i % samples & 1);
+          if (want != (g_tile.slot[i] == n)) fail_msg("%s: triangle %u, sample %zu", target.name, n, i);
+          drawn |= want;
+        }
+        hidden += !drawn;
+      }
+      assert_true(hidden > 50);
+    });
+  }
+  set_samples(1);
+}
+
 /// Without slots depth alone changes; masks are what the slots of a cleared tile show.
 void test_masks(void**) {
   static raster::CoverMask mask;
@@ -515,6 +556,7 @@ int main() {
   for (const compare_case& c : k_compares) {
     tests[n++] = {c.name, test_compare, nullptr, nullptr, const_cast<compare_case*>(&c)};
   }
+  tests[n++] = {"bounds", test_bounds, nullptr, nullptr, nullptr};
   tests[n++] = {"masks", test_masks, nullptr, nullptr, nullptr};
   tests[n++] = {"box", test_box, nullptr, nullptr, nullptr};
   tests[n++] = {"depth/bias", test_bias, nullptr, nullptr, nullptr};
