@@ -70,15 +70,15 @@ typedef enum shd_fill {
 /**
  * One mesh in the frame.
  *
- * Lines are the rectangles with the edge as their middle, square at its ends and not longer (OpenGL 4.6 core specification,
- * 14.5, for antialiased lines), points the squares around the vertices, both on the 8-bit subpixel grid and covered
- * by the rule for triangles; a width below 1 may fall between samples. Depth runs along a line, does not change across,
- * and is that of the vertex all over a point. Attributes are those of the triangle at the pixel, held inside it; of a
- * triangle without area their mean. What faces the culled way goes as a whole, and what has no area goes if anything is
- * culled. Edges, not what is left of the triangle, are cut at the near and the far plane, and a vertex beyond them has
- * no point. An edge without length has no line.
- * What triangles share each of them draws: the same samples at the same depths, so that SHD_COMPARE_LESS shows it once
- * but a blend that keeps depth adds up.
+ * Its lines are rectangles with the edge as their middle, square at its ends and not longer (OpenGL 4.6 core
+ * specification, 14.5, antialiased lines), its points squares around the vertices, both on the grid of 8 subpixel bits
+ * and covered as triangles are: a width below 1 may fall between samples. Depth runs along a line and does not change
+ * across it; a point has that of its vertex. depth_bias_slope goes by these depths, not by the triangle's. Attributes
+ * are those of the triangle at the pixel, held inside it; without area, their mean. A triangle that faces the culled
+ * way goes as a whole, and one without area goes if either way is culled. Edges are cut at the near and far plane,
+ * which adds none; a vertex beyond has no point, an edge without length no line. What triangles share each of them
+ * draws: the same samples at the same depths, so that SHD_COMPARE_LESS shows it once, but a blend that keeps depth adds
+ * up.
  */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */

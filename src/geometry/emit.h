@@ -15,7 +15,7 @@ inline int64_t twice_area(const ScreenVertex& a, const ScreenVertex& b, const Sc
 
 /// Appends the triangle unless it cannot be seen.
 inline Fate emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-          uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
+                 uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
   const int64_t area = twice_area(a, b, c);
   // Counter-clockwise with y up is negative with y down.
   if (area == 0 || (assembly.cull == SHD_CULL_BACK && area > 0) || (assembly.cull == SHD_CULL_FRONT && area < 0)) {

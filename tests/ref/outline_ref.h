@@ -24,7 +24,7 @@ inline Segment clip_segment(const float a[4], const float b[4]) {
   }
   // Rows of factors of X, Y, Z, W: inside is sum + constant >= 0.
   constexpr long double kGuard = 1048576.0L;
-  const long double planes[7][4] = {{0, 0, 0, 1},       {0, 0, 1, 0},       {0, 0, -1, 1},     {1, 0, 0, kGuard},
+  const long double planes[7][4] = {{0, 0, 0, 1},       {0, 0, 1, 0},      {0, 0, -1, 1},     {1, 0, 0, kGuard},
                                     {-1, 0, 0, kGuard}, {0, 1, 0, kGuard}, {0, -1, 0, kGuard}};
   for (int p = 0; p < 7; ++p) {
     long double at = p == 0 ? -0x1p-100L : 0.0L, slope = 0;

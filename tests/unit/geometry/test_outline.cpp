@@ -128,8 +128,8 @@ struct line_case {
   double reach;   // of its first end, around the picture
 };
 const line_case k_lines[] = {
-    {"line/part_of_a_pixel", 0.3, 0},  {"line/a_pixel", 1, 0},     {"line/short", 10, 0}, {"line/across", 150, 40},
-    {"line/off_screen", 5000, 2500},   {"line/far", 9e5, 1e5},
+    {"line/part_of_a_pixel", 0.3, 0}, {"line/a_pixel", 1, 0},          {"line/short", 10, 0},
+    {"line/across", 150, 40},         {"line/off_screen", 5000, 2500}, {"line/far", 9e5, 1e5},
 };
 constexpr float kWidths[] = {0.0625f, 0.5f, 1.0f, 1.7f, 8.0f, 64.0f};
 
