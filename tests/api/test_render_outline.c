@@ -41,10 +41,14 @@ struct border_case {
     double box[4];
 };
 static const struct border_case k_borders[] = {
-    {"border/width_1", 1, 0, {16, 8, 48, 56}},           {"border/width_2", 1, 2, {16, 8, 48, 56}},
-    {"border/on_centres", 1, 1, {16.5, 8.5, 48.5, 56.5}}, {"border/width_7", 1, 7, {20, 20, 44, 44}},
-    {"border/off_screen", 1, 64, {-20, -60, 90, 120}},    {"border/samples_4", 4, 1.5f, {16.25, 8.75, 48.5, 55}},
-    {"border/samples_16", 16, 3, {10, 8, 61, 50}},        {"border/thin_samples_16", 16, 0.0625f, {10, 8, 61, 50}},
+    {"border/width_1", 1, 0, {16, 8, 48, 56}},
+    {"border/width_2", 1, 2, {16, 8, 48, 56}},
+    {"border/on_centres", 1, 1, {16.5, 8.5, 48.5, 56.5}},
+    {"border/width_7", 1, 7, {20, 20, 44, 44}},
+    {"border/off_screen", 1, 64, {-20, -60, 90, 120}},
+    {"border/samples_4", 4, 1.5f, {16.25, 8.75, 48.5, 55}},
+    {"border/samples_16", 16, 3, {10, 8, 61, 50}},
+    {"border/thin_samples_16", 16, 0.0625f, {10, 8, 61, 50}},
 };
 
 /* A wireframe covers the border and the diagonal of a quad and nothing else: each pixel has the share of its samples.
@@ -359,8 +363,11 @@ static void test_refused(void **state)
     static const struct {
         float width;
         const char *message;
-    } k_widths[] = {{0.0624f, "is not in 0.0625..64"}, {64.01f, "is not in 0.0625..64"}, {-1, "is not in 0.0625..64"},
-                    {NAN, "is not in 0.0625..64"},     {INFINITY, "is not in 0.0625..64"}};
+    } k_widths[] = {{0.0624f, "is not in 0.0625..64"},
+                    {64.01f, "is not in 0.0625..64"},
+                    {-1, "is not in 0.0625..64"},
+                    {NAN, "is not in 0.0625..64"},
+                    {INFINITY, "is not in 0.0625..64"}};
     const uint32_t bad = 3;
     shd_context *context = NULL;
     uint64_t before;
