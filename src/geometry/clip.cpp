@@ -30,11 +30,13 @@ double distance(int plane, const ClipVertex& v) {
   }
 }
 
-/// Where the edge meets the plane; always from the inside vertex, so that both neighbours compute the same.
+/// Where the edge meets the plane; always by the same sums, so that both neighbours compute the same. Steps start from
+/// the end that is nearer to the plane: from a far one they would lose all but its own digits.
 ClipVertex intersect(const ClipVertex& in, const ClipVertex& out, double in_distance, double out_distance) {
-  const double t = in_distance / (in_distance - out_distance);
-  return {in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z), in.w + t * (out.w - in.w),
-          nullptr};
+  const bool from_in = in_distance <= -out_distance;
+  const ClipVertex &a = from_in ? in : out, &b = from_in ? out : in;
+  const double t = (from_in ? in_distance : -out_distance) / (in_distance - out_distance);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w), nullptr};
 }
 
 void clip_plane(int plane, const Polygon& in, Polygon* out) {

@@ -180,7 +180,8 @@ struct Case {
   const char* kind;
 };
 
-[[noreturn]] void fail_case(const Case& c, const char* what, const char* target, int32_t x, int32_t y, uint32_t samples) {
+[[noreturn]] void fail_case(const Case& c, const char* what, const char* target, int32_t x, int32_t y,
+                            uint32_t samples) {
   print_error("fan around %lld %lld:", static_cast<long long>(c.fan->x), static_cast<long long>(c.fan->y));
   for (int i = 0; i < c.fan->count; ++i) {
     const Spoke s = c.fan->spoke[i];
