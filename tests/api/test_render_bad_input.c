@@ -91,7 +91,7 @@ static void test_fan_through_the_eye(void **state)
         for (y = 0; y < EDGE; ++y) {
             for (x = 0; x < EDGE; ++x) {
                 /* The far plane ends the floor 0.6 rows below the horizon. */
-                const int is_sky = y < EDGE / 2, is_floor = y > EDGE / 2 + 1 && reach >= 1e3f;
+                const int is_sky = y<EDGE / 2, is_floor = y> EDGE / 2 + 1 && reach >= 1e3f;
                 const float hits = f.plane[SHD_PLANE_R][y * EDGE + x];
                 const int is_wrong = (is_sky && hits != 0) || (is_floor && hits != 1) || !(hits >= 0 && hits <= 1);
                 if (is_wrong) {
@@ -128,7 +128,8 @@ struct soup_case {
     float reach;
 };
 static const struct soup_case k_soups[] = {
-    {"planes/subpixel", 0.01f}, {"planes/small", 0.2f}, {"planes/large", 30}, {"planes/huge", 1e9f}, {"planes/1e36", 1e36f},
+    {"planes/subpixel", 0.01f}, {"planes/small", 0.2f}, {"planes/large", 30},
+    {"planes/huge", 1e9f},      {"planes/1e36", 1e36f},
 };
 
 /* Whatever is drawn, every plane has numbers. */
@@ -165,8 +166,8 @@ static void test_planes(void **state)
         for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {
             for (i = 0; f.plane[plane] && i < EDGE * EDGE; ++i) {
                 if (isfinite(f.plane[plane][i])) continue;
-                fail_msg("%s, round %u: plane %d is %g at pixel %zu", c->name, round, plane,
-                         (double)f.plane[plane][i], i);
+                fail_msg("%s, round %u: plane %d is %g at pixel %zu", c->name, round, plane, (double)f.plane[plane][i],
+                         i);
             }
         }
         assert_int_equal(f.stats.nonfinite_fragments, 0);
