@@ -82,11 +82,11 @@ size_t pick_kind(Random* random) {
 }
 
 void snap(Grid grid, const raster::SamplePattern& pattern, Random* random, int64_t* x, int64_t* y) {
-  const int64_t pixel_x = *x >> 8 << 8, pixel_y = *y >> 8 << 8;
+  const int64_t pixel_x = *x & ~int64_t{255}, pixel_y = *y & ~int64_t{255};
   const raster::SamplePoint sample = pattern.point[random->bits() % pattern.count];
   if (grid == Grid::kCentre) *x = pixel_x + 128, *y = pixel_y + 128;
   if (grid == Grid::kSample) *x = pixel_x + sample.x, *y = pixel_y + sample.y;
-  if (grid == Grid::kHalf) *x = *x >> 7 << 7, *y = *y >> 7 << 7;
+  if (grid == Grid::kHalf) *x &= ~int64_t{127}, *y &= ~int64_t{127};
 }
 
 Spoke spoke_to(const Fan& fan, int64_t x, int64_t y) {
