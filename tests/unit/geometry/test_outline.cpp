@@ -37,8 +37,8 @@ int set_up(void**) {
     column->fill_zero();
   }
   m.indices = core::Array<uint32_t>(g_allocator, 3 * size_t{kMaxTriangles});
-  geometry::allocate(g_allocator, m, &g->vertices);
-  geometry::allocate(g_allocator, m, &g->one);
+  geometry::allocate(g_allocator, m, 0, &g->vertices);
+  geometry::allocate(g_allocator, m, 0, &g->one);
   g->out.attach(g_allocator);
   return 0;
 }
