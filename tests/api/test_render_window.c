@@ -39,7 +39,7 @@ static void make_framebuffer(shd_scene *s, uint32_t width, uint32_t height, uint
 }
 
 struct window_case {
-    char name[48];
+    char name[64];
     shd_scene_kind kind;
     uint32_t samples;
     uint32_t width, height; /* of a window */
