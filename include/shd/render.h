@@ -59,7 +59,27 @@ typedef enum shd_draw_flag {
     SHD_DRAW_FLAG_MAX_ENUM = 0x7fffffff
 } shd_draw_flag;
 
-/** One mesh in the frame. */
+/** What of a triangle is drawn. */
+typedef enum shd_fill {
+    SHD_FILL_SOLID = 0,
+    SHD_FILL_WIREFRAME = 1, /**< its three edges */
+    SHD_FILL_POINTS = 2,    /**< its three vertices */
+    SHD_FILL_MAX_ENUM = 0x7fffffff
+} shd_fill;
+
+/**
+ * One mesh in the frame.
+ *
+ * Its lines are rectangles with the edge as their middle, square at its ends and not longer (OpenGL 4.6 core
+ * specification, 14.5, antialiased lines), its points squares around the vertices, both on the grid of 8 subpixel bits
+ * and covered as triangles are: a width below 1 may fall between samples. Depth runs along a line and does not change
+ * across it; a point has that of its vertex. depth_bias_slope goes by these depths, not by the triangle's. Attributes
+ * are those of the triangle at the pixel, held inside it; without area, their mean. A triangle that faces the culled
+ * way goes as a whole, and one without area goes if either way is culled. Edges are cut at the near and far plane,
+ * which adds none; a vertex beyond has no point, an edge without length no line. What triangles share each of them
+ * draws: the same samples at the same depths, so that SHD_COMPARE_LESS shows it once, but a blend that keeps depth adds
+ * up.
+ */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
     shd_frequency frequency;      /**< default SHD_FREQUENCY_PHONG */
@@ -80,6 +100,8 @@ typedef struct shd_draw {
     const float *instances;
     size_t instance_count; /**< 0 = once, by object_to_world; with those of all draws up to 2^20 */
     const void *uniforms;  /**< handed to the programs of the material; borrowed for the call; default NULL */
+    shd_fill fill;         /**< default SHD_FILL_SOLID */
+    float fill_width;      /**< across lines and along the sides of points, 1/16..64 pixels; default 0 = 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 

@@ -7,6 +7,7 @@
 
 #include "core/context.h"
 #include "film/framebuffer.h"
+#include "geometry/assemble.h"
 #include "geometry/mesh.h"
 #include "geometry/pixel_box.h"
 #include "geometry/vertex.h"
@@ -28,6 +29,7 @@ struct Draw {
   bool depth_falls;  // with the distance
   bool sample_shading;
   const void* uniforms;  // of the programs of the material
+  geometry::Outline outline;
   float object_to_world[16];
 };
 

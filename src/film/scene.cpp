@@ -91,8 +91,9 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
       const Part& part = parts[i];
       const Draw& draw = frame.draws[part.draw];
       const geometry::Assembly assembly = {
-          draw.mesh, &scene->vertices[part.draw], part.draw,
-          draw.cull, visible_box(frame),          raster::sample_pattern(frame.framebuffer->samples).extent};
+          draw.mesh,   &scene->vertices[part.draw], part.draw,
+          draw.cull,   visible_box(frame),          raster::sample_pattern(frame.framebuffer->samples).extent,
+          draw.outline};
       geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
     }
   });

@@ -2,37 +2,18 @@
 #include "geometry/assemble.h"
 
 #include "geometry/clip.h"
+#include "geometry/emit.h"
+#include "geometry/outline.h"
 
 namespace shd::geometry {
 namespace {
-
-enum class Fate { kOutside, kCulled, kEmpty, kRasterised };
-
-/// Appends the triangle unless it cannot be seen.
-Fate emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-          uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
-  const int64_t area = (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
-  // Counter-clockwise with y up is negative with y down.
-  if (area == 0 || (assembly.cull == SHD_CULL_BACK && area > 0) || (assembly.cull == SHD_CULL_FRONT && area < 0)) {
-    return Fate::kCulled;
-  }
-  const ScreenVertex& second = area > 0 ? b : c;
-  const ScreenVertex& third = area > 0 ? c : b;
-  const ScreenTriangle triangle = {
-      {a.x, second.x, third.x}, {a.y, second.y, third.y}, {a.z, second.z, third.z}, assembly.draw, primitive, 0};
-  const PixelBox box = pixel_box(triangle, assembly.samples);
-  if (is_empty(box)) return Fate::kEmpty;
-  if (is_empty(intersection(box, assembly.visible))) return Fate::kOutside;
-  out->push_back(triangle);
-  return Fate::kRasterised;
-}
 
 /// Clips and emits the fan; the best fate of its pieces counts.
 Fate clip_and_emit(const Assembly& assembly, const uint32_t index[3], uint32_t primitive,
                    core::Buffer<ScreenTriangle>* out) {
   ScreenVertex polygon[kMaxClipped];
   const int count = clip_triangle(*assembly.vertices, index, polygon);
-  Fate fate = Fate::kOutside;
+  Fate fate = Fate::kUnseen;
   for (int i = 2; i < count; ++i) {
     fate = std::max(fate, emit(assembly, polygon[0], polygon[i - 1], polygon[i], primitive, out));
   }
@@ -43,6 +24,7 @@ Fate clip_and_emit(const Assembly& assembly, const uint32_t index[3], uint32_t p
 
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats) {
+  if (assembly.outline.fill != SHD_FILL_SOLID) return assemble_outlines(assembly, begin, end, out, stats);
   const ScreenVertex* screen = assembly.vertices->screen.data();
   for (size_t i = begin; i < end; ++i) {
     const uint32_t* index = &assembly.mesh->indices[3 * i];
@@ -63,10 +45,7 @@ void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<S
     } else {
       fate = emit(assembly, a, b, c, static_cast<uint32_t>(i), out);
     }
-    stats->outside += fate == Fate::kOutside;
-    stats->culled += fate == Fate::kCulled;
-    stats->empty += fate == Fate::kEmpty;
-    stats->rasterised += fate == Fate::kRasterised;
+    count(fate, stats);
   }
   stats->triangles += end - begin;
 }

@@ -13,9 +13,10 @@
 
 namespace shd::geometry {
 
-/// A triangle ready for coverage: on the pixel grid, inside the guard band, with area, turned so that
-/// (x1-x0)(y2-y0) - (x2-x0)(y1-y0) > 0 in raster space (y down). A clipped triangle becomes several of these with the
-/// same primitive. Rows, not columns: each is read once, by the tile that it falls in.
+/// A triangle ready for coverage: on the pixel grid, inside the guard band (halves of outlines up to 32 pixels beyond),
+/// with area, turned so that (x1-x0)(y2-y0) - (x2-x0)(y1-y0) > 0 in raster space (y down). A clipped or outlined
+/// triangle becomes several of these with the same primitive. Rows, not columns: each is read once, by the tile that it
+/// falls in.
 struct ScreenTriangle {
   int32_t x[3], y[3];  // fixed point
   float z[3];          // depth, 0..1
@@ -29,6 +30,15 @@ struct SampleExtent {
   int32_t min_x, max_x, min_y, max_y;
 };
 
+/// What of its triangles a draw shows.
+struct Outline {
+  shd_fill fill;
+  int32_t reach;  // half the width of lines and points, fixed point, > 0
+};
+inline int32_t outline_reach(float width) {
+  return static_cast<int32_t>(width * (kSubpixels / 2) + 0.5f);
+}
+
 /// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a box of
 /// pixels. Throws std::bad_alloc.
 struct Assembly {
@@ -38,6 +48,7 @@ struct Assembly {
   shd_cull cull;
   PixelBox visible;
   SampleExtent samples;
+  Outline outline = {SHD_FILL_SOLID, 0};
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);

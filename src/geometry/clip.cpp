@@ -30,11 +30,13 @@ double distance(int plane, const ClipVertex& v) {
   }
 }
 
-/// Where the edge meets the plane; always from the inside vertex, so that both neighbours compute the same.
+/// Where the edge meets the plane; always by the same sums, so that both neighbours compute the same. Steps start from
+/// the end that is nearer to the plane: from a far one they would lose all but its own digits.
 ClipVertex intersect(const ClipVertex& in, const ClipVertex& out, double in_distance, double out_distance) {
-  const double t = in_distance / (in_distance - out_distance);
-  return {in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z), in.w + t * (out.w - in.w),
-          nullptr};
+  const bool from_in = in_distance <= -out_distance;
+  const ClipVertex &a = from_in ? in : out, &b = from_in ? out : in;
+  const double t = (from_in ? in_distance : -out_distance) / (in_distance - out_distance);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w), nullptr};
 }
 
 void clip_plane(int plane, const Polygon& in, Polygon* out) {
@@ -63,17 +65,20 @@ ScreenVertex project(const ClipVertex& v) {
   return {snap(v.x), snap(v.y), static_cast<float>(clamp(v.z / w, 0.0, 1.0)), 0};
 }
 
+ClipVertex clip_vertex(const Vertices& vertices, uint32_t index) {
+  const float* v = &vertices.raster[4 * size_t{index}];
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]), static_cast<double>(v[3]),
+          &vertices.screen[index]};
+}
+
+constexpr int kPlanes = 7;
+
 }  // namespace
 
 int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out) {
   Polygon polygon[2];
   polygon[0].count = 3;
-  for (int k = 0; k < 3; ++k) {
-    const float* v = &vertices.raster[4 * size_t{index[k]}];
-    polygon[0].vertex[k] = {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]),
-                            static_cast<double>(v[3]), &vertices.screen[index[k]]};
-  }
-  constexpr int kPlanes = 7;
+  for (int k = 0; k < 3; ++k) polygon[0].vertex[k] = clip_vertex(vertices, index[k]);
   int current = 0;
   for (int plane = 0; plane < kPlanes && polygon[current].count >= 3; ++plane) {
     clip_plane(plane, polygon[current], &polygon[1 - current]);
@@ -83,6 +88,22 @@ int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVerte
   if (result.count < 3) return 0;
   for (int i = 0; i < result.count; ++i) out[i] = project(result.vertex[i]);
   return result.count;
+}
+
+bool clip_segment(const Vertices& vertices, uint32_t first, uint32_t second, ScreenVertex out[2]) {
+  ClipVertex a = clip_vertex(vertices, first), b = clip_vertex(vertices, second);
+  for (int plane = 0; plane < kPlanes; ++plane) {
+    const double da = distance(plane, a), db = distance(plane, b);
+    if (da < 0.0 && db < 0.0) return false;
+    if (db < 0.0) {
+      b = intersect(a, b, da, db);
+    } else if (da < 0.0) {
+      a = intersect(b, a, db, da);
+    }
+  }
+  out[0] = project(a);
+  out[1] = project(b);
+  return true;
 }
 
 }  // namespace shd::geometry

@@ -20,4 +20,8 @@ constexpr int kMaxClipped = 42;
 /// @return number of vertices, 0 if nothing is left, else 3..kMaxClipped
 int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out);
 
+/// Cuts the segment between two vertices in the same way; what is left runs from out[0] to out[1].
+/// @return whether anything is left
+bool clip_segment(const Vertices& vertices, uint32_t first, uint32_t second, ScreenVertex out[2]);
+
 }  // namespace shd::geometry

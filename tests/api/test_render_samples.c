@@ -68,7 +68,7 @@ static void test_each_sample_once(void **state)
         shd_frame f;
         shd_frame_open_samples(&f, EDGE, EDGE, samples);
         make_fan(&random, fan);
-        shd_frame_draw(&f, fan, 3 * SPOKES, &one);
+        shd_frame_draw(&f, fan, 3 * SPOKES, &one)->flags = SHD_DRAW_KEEP_DEPTH;
         shd_frame_ambient(&f);
         shd_frame_render(&f);
         for (i = 0; i < EDGE * EDGE; ++i) assert_true(f.plane[SHD_PLANE_R][i] == 1.0f);

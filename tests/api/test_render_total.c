@@ -117,6 +117,21 @@ static void expect_sane(const char *what, const struct frame *f)
     }
 }
 
+/* The same draw as lines and as points, whatever becomes of it. */
+static void expect_sane_outlines(const char *what, struct frame *f)
+{
+    static const float k_widths[] = {0.0625f, 1, 64};
+    size_t i;
+    for (i = 0; i < 6; ++i) {
+        f->draw.fill = i % 2 ? SHD_FILL_POINTS : SHD_FILL_WIREFRAME;
+        f->draw.fill_width = k_widths[i / 2];
+        shd_assert_ok(shd_render(f->context, &f->desc));
+        expect_sane(what, f);
+    }
+    f->draw.fill = SHD_FILL_SOLID;
+    f->draw.fill_width = 0;
+}
+
 static const shd_frequency k_frequencies[] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};
 
 #define BIG 3e38f
@@ -172,6 +187,8 @@ static void test_triangle(void **state)
         assert_int_equal(f.stats.rasterised, c->fate == DRAWN);
         if (c->fate == DRAWN) assert_true(f.stats.fragments > 0);
         if (c->fate != DRAWN) assert_int_equal(f.stats.fragments, 0);
+        expect_sane_outlines(c->name, &f);
+        if (c->fate == DROPPED_NONFINITE) assert_int_equal(f.stats.nonfinite, 1);
         close_frame(&f);
     }
 }
@@ -203,6 +220,7 @@ static void test_random_huge(void **state)
             if (k >= 3) shd_assert_ok(shd_view_from_camera(&camera, &f.desc.view));
             shd_assert_ok(shd_render(f.context, &f.desc));
             expect_sane(what, &f);
+            expect_sane_outlines(what, &f);
         }
         close_frame(&f);
     }
@@ -254,6 +272,7 @@ static void test_matrix(void **state)
         if (!c->draws_something && strcmp(c->name, "clip/max_float") != 0 && strcmp(c->name, "clip/w_tiny") != 0) {
             assert_int_equal(f.stats.fragments, 0);
         }
+        expect_sane_outlines(c->name, &f);
         close_frame(&f);
     }
 }

@@ -39,12 +39,23 @@ static void make_framebuffer(shd_scene *s, uint32_t width, uint32_t height, uint
 }
 
 struct window_case {
-    char name[48];
+    char name[64];
     shd_scene_kind kind;
     uint32_t samples;
     uint32_t width, height; /* of a window */
     shd_visibility visibility;
+    int outlined;
 };
+
+/* Lines and points as wide as pixels and far wider. */
+static void outline_scene(shd_scene *s)
+{
+    size_t i;
+    for (i = 0; i < s->desc.draw_count; ++i) {
+        s->draw[i].fill = i % 3 == 2 ? SHD_FILL_POINTS : SHD_FILL_WIREFRAME;
+        s->draw[i].fill_width = i == 4 ? 40.0f : 0.5f * (float)(i + 1);
+    }
+}
 
 static void expect_same(const char *what)
 {
@@ -98,6 +109,7 @@ static void test_windows(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_scene_open(&s, c->kind, context);
     s.desc.visibility = c->visibility;
+    if (c->outlined) outline_scene(&s);
     s.desc.clear_color[0] = 0.1f; /* not a sum of eight, rounded */
     for (i = 0; i < 2; ++i) {
         s.desc.viewport = i ? &k_viewport : NULL;
@@ -264,22 +276,23 @@ static const uint32_t k_samples[] = {1, 2, 4, 8, 16};
 int main(void)
 {
     static const uint32_t k_sizes[][2] = {{64, 64}, {65, 63}, {50, 151}, {203, 17}, {101, 76}, {33, 40}};
-    static struct window_case cases[19];
+    static struct window_case cases[22];
     static struct CMUnitTest tests[32];
     static char names[5][24];
     size_t n = 0, i, made = 0;
-    for (i = 0; i < 19; ++i) {
+    for (i = 0; i < 22; ++i) {
         struct window_case *c = &cases[made++];
-        c->kind = i < 11 || i == 16  ? SHD_SCENE_GLASS
-                  : i < 13 || i > 16 ? SHD_SCENE_MIXED
-                  : i < 15           ? SHD_SCENE_LIT
-                                     : SHD_SCENE_FLOOR;
-        c->visibility = i < 16 ? SHD_VISIBILITY_DEPTH : SHD_VISIBILITY_PAINTER;
-        c->samples = i < 6 ? 4 : i < 11 ? k_samples[i - 6] : 1;
+        c->outlined = i >= 19;
+        c->kind = i < 11 || i == 16 || c->outlined ? SHD_SCENE_GLASS
+                  : i < 13 || i > 16               ? SHD_SCENE_MIXED
+                  : i < 15                         ? SHD_SCENE_LIT
+                                                   : SHD_SCENE_FLOOR;
+        c->visibility = i >= 16 && i < 20 ? SHD_VISIBILITY_PAINTER : SHD_VISIBILITY_DEPTH;
+        c->samples = i < 6 ? 4 : i < 11 ? k_samples[i - 6] : i == 20 ? 4 : 1;
         c->width = k_sizes[i % 6][0];
         c->height = k_sizes[i % 6][1];
-        snprintf(c->name, sizeof c->name, "windows/scene_%d/%ux%u/samples_%u%s", (int)c->kind, c->width, c->height,
-                 c->samples, c->visibility ? "/painter" : "");
+        snprintf(c->name, sizeof c->name, "windows/scene_%d%s/%ux%u/samples_%u%s", (int)c->kind,
+                 c->outlined ? "_outlined" : "", c->width, c->height, c->samples, c->visibility ? "/painter" : "");
         tests[n++] = (struct CMUnitTest){c->name, test_windows, NULL, NULL, c};
     }
     for (i = 0; i < 5; ++i) {

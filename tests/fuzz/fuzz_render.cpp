@@ -74,6 +74,10 @@ void fill_draw(Source& source, DrawData& data) {
   data.draw.frequency = static_cast<shd_frequency>(source.below(source.one_in(32) ? 100 : 3));
   data.draw.cull = static_cast<shd_cull>(source.below(source.one_in(32) ? 100 : 3));
   fill_matrix(source, data.draw.object_to_world, true);
+  if (source.one_in(3)) {
+    data.draw.fill = static_cast<shd_fill>(source.below(source.one_in(32) ? 100 : 3));
+    data.draw.fill_width = source.one_in(16) ? source.hostile() : 64.0f * std::fabs(source.unit());
+  }
 }
 
 void fill_case(Source& source, Case& c) {

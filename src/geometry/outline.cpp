@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/outline.h"
+
+#include <cmath>
+
+#include "geometry/clip.h"
+#include "geometry/emit.h"
+
+namespace shd::geometry {
+namespace {
+
+/// One triangle on its way.
+struct Outlined {
+  Assembly assembly;  // culls nothing: pieces have no facing of their own
+  uint32_t primitive;
+  core::Buffer<ScreenTriangle>* out;
+};
+
+/// Corners in order around the piece.
+Fate emit_piece(const Outlined& o, const ScreenVertex (&corner)[4]) {
+  const Fate first = emit(o.assembly, corner[0], corner[1], corner[2], o.primitive, o.out);
+  return std::max(first, emit(o.assembly, corner[0], corner[2], corner[3], o.primitive, o.out));
+}
+
+ScreenVertex moved(const ScreenVertex& v, int32_t x, int32_t y) {
+  return {v.x + x, v.y + y, v.z, 0};
+}
+
+Fate emit_point(const Outlined& o, const ScreenVertex& v) {
+  const int32_t r = o.assembly.outline.reach;
+  return emit_piece(o, {moved(v, -r, -r), moved(v, r, -r), moved(v, r, r), moved(v, -r, r)});
+}
+
+Fate emit_line(const Outlined& o, const ScreenVertex& a, const ScreenVertex& b) {
+  const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
+  if (dx == 0.0 && dy == 0.0) return Fate::kCulled;
+  const double scale = static_cast<double>(o.assembly.outline.reach) / std::sqrt(dx * dx + dy * dy);
+  const auto x = static_cast<int32_t>(std::floor(0.5 - dy * scale));
+  const auto y = static_cast<int32_t>(std::floor(0.5 + dx * scale));
+  return emit_piece(o, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)});
+}
+
+/// Neighbours come along a shared edge from either end: whether it starts at the second one, so that they do the same.
+bool starts_at_second(const Vertices& vertices, uint32_t first, uint32_t second) {
+  const float *a = &vertices.raster[4 * size_t{first}], *b = &vertices.raster[4 * size_t{second}];
+  return std::lexicographical_compare(b, b + 4, a, a + 4);
+}
+
+Fate emit_edge(const Outlined& o, uint32_t first, uint32_t second) {
+  const Vertices& vertices = *o.assembly.vertices;
+  if (starts_at_second(vertices, first, second)) std::swap(first, second);
+  const ScreenVertex &a = vertices.screen[first], &b = vertices.screen[second];
+  if (!((a.outcode | b.outcode) & kMustClip)) return emit_line(o, a, b);
+  ScreenVertex end[2];
+  return clip_segment(vertices, first, second, end) ? emit_line(o, end[0], end[1]) : Fate::kUnseen;
+}
+
+/// A triangle that has only one edge, its indices repeating, draws it once.
+Fate emit_edges(const Outlined& o, const uint32_t index[3]) {
+  const bool repeats = index[0] == index[1] || index[1] == index[2] || index[2] == index[0];
+  Fate fate = Fate::kUnseen;
+  bool has_edge = false;
+  for (int k = 0; k < 3 && !(repeats && has_edge); ++k) {
+    const uint32_t first = index[k], second = index[k == 2 ? 0 : k + 1];
+    if (first == second) continue;
+    fate = std::max(fate, emit_edge(o, first, second));
+    has_edge = true;
+  }
+  return has_edge ? fate : Fate::kCulled;
+}
+
+Fate emit_points(const Outlined& o, const uint32_t index[3]) {
+  Fate fate = Fate::kUnseen;
+  for (int k = 0; k < 3; ++k) {
+    const ScreenVertex& v = o.assembly.vertices->screen[index[k]];
+    const bool is_repeated = (k > 0 && index[k] == index[0]) || (k > 1 && index[k] == index[1]);
+    if (is_repeated || v.outcode & kMustClip) continue;
+    fate = std::max(fate, emit_point(o, v));
+  }
+  return fate;
+}
+
+/// Twice the area of what clipping leaves of a triangle.
+int64_t clipped_area(const Vertices& vertices, const uint32_t index[3]) {
+  ScreenVertex polygon[kMaxClipped];
+  const int count = clip_triangle(vertices, index, polygon);
+  int64_t area = 0;
+  for (int i = 2; i < count; ++i) area += twice_area(polygon[0], polygon[i - 1], polygon[i]);
+  return area;
+}
+
+/// Whether all that a triangle could draw is far from the visible pixels; it needs no clipping.
+bool is_far(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+  const int32_t reach = assembly.outline.reach;
+  const ScreenTriangle box = {{std::min({a.x, b.x, c.x}) - reach, std::max({a.x, b.x, c.x}) + reach, a.x},
+                              {std::min({a.y, b.y, c.y}) - reach, std::max({a.y, b.y, c.y}) + reach, a.y},
+                              {},
+                              0,
+                              0,
+                              0};
+  return is_empty(intersection(pixel_box(box, assembly.samples), assembly.visible));
+}
+
+Fate outline(const Outlined& o, shd_cull cull, const uint32_t index[3], bool must_clip) {
+  const Vertices& vertices = *o.assembly.vertices;
+  const ScreenVertex &a = vertices.screen[index[0]], &b = vertices.screen[index[1]], &c = vertices.screen[index[2]];
+  if (!must_clip && is_far(o.assembly, a, b, c)) return Fate::kUnseen;
+  if (cull != SHD_CULL_NONE) {
+    const int64_t area = must_clip ? clipped_area(vertices, index) : twice_area(a, b, c);
+    if (cull == SHD_CULL_BACK ? area >= 0 : area <= 0) return Fate::kCulled;
+  }
+  return o.assembly.outline.fill == SHD_FILL_WIREFRAME ? emit_edges(o, index) : emit_points(o, index);
+}
+
+}  // namespace
+
+void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
+                       shd_render_stats* stats) {
+  const ScreenVertex* screen = assembly.vertices->screen.data();
+  Outlined o = {assembly, 0, out};
+  o.assembly.cull = SHD_CULL_NONE;
+  for (size_t i = begin; i < end; ++i) {
+    const uint32_t* index = &assembly.mesh->indices[3 * i];
+    const uint32_t codes[3] = {screen[index[0]].outcode, screen[index[1]].outcode, screen[index[2]].outcode};
+    const uint32_t any = codes[0] | codes[1] | codes[2];
+    o.primitive = static_cast<uint32_t>(i);
+    if (any & kOutNonfinite) {
+      ++stats->nonfinite;
+    } else if (codes[0] & codes[1] & codes[2] & (kOutNear | kOutFar | kOutBehind)) {
+      ++stats->outside;
+    } else {
+      stats->clipped += (any & kMustClip) != 0;
+      count(outline(o, assembly.cull, index, (any & kMustClip) != 0), stats);
+    }
+  }
+  stats->triangles += end - begin;
+}
+
+}  // namespace shd::geometry

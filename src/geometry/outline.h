@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/assemble.h"
+
+namespace shd::geometry {
+
+/// What assemble() does, for draws that show edges or vertices: each becomes the two triangles of a rectangle. Every
+/// triangle of the mesh counts once, by the best fate among its pieces. The corners of a line are its ends moved by the
+/// same offset, rounded to the pixel grid, so that its halves share their diagonal and neighbours draw the same line.
+void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
+                       shd_render_stats* stats);
+
+}  // namespace shd::geometry
