@@ -200,7 +200,16 @@ typedef struct shd_render_desc {
     const shd_region *viewport;     /**< of the picture, not empty: what NDC -1..1 maps to; NULL = all of it */
     const shd_region *scissor;      /**< of the picture: pixels that may change; NULL = all of them */
     shd_visibility visibility;      /**< default SHD_VISIBILITY_DEPTH */
-    uint32_t reserved;              /**< 0 */
+    /**
+     * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, as are crop, viewport and scissor, with
+     * the framebuffer's samples in each of its pixels; up to 65536 of them a side. A pixel's colour and targets are the plain average
+     * of its n x n; depth and the other planes are those of the top left one. Derivatives, and so footprints of
+     * textures, are those of the large picture, as are raster positions in programs. With `keep` each starts as its
+     * pixel. The large picture is drawn in blocks of up to 1024 x 1024, in memory for one of them; statistics are
+     * the sums over blocks, so that a triangle counts in each.
+     */
+    uint32_t supersampling;
+    uint32_t reserved; /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

@@ -17,6 +17,8 @@
 /// | frame.h         | a whole frame: every stage, group by group and tile by tile |
 /// | frame_memory.h  | the memory that a frame works in, counted                   |
 /// | stopwatch.h     | the time its stages take                                    |
+/// | supersample.h   | the same of a picture n times as large, averaged            |
+/// | stats.h         | its statistics, added up                                    |
 /// | scene.h         | a frame after its geometry stages                           |
 /// | visibility.h    | the order of painting, where depth does not decide         |
 /// | tile_renderer.h | one tile: what is visible, then what blends, in order       |

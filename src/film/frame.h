@@ -51,7 +51,8 @@ struct Frame {
   const light::Light* const* lights;
   size_t light_count;
   shd_progress progress;
-  bool counts_hidden;  // samples that fail the depth test before shading
+  uint32_t supersampling;  // 0 and 1 = off
+  bool counts_hidden;      // samples that fail the depth test before shading
   shd_visibility visibility;
   bool counts_conflicts;  // of the order of painting
 };

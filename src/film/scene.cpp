@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "data/data.h"
+#include "film/stats.h"
 #include "film/stopwatch.h"
 #include "film/visibility.h"
 #include "geometry/assemble.h"
@@ -66,16 +67,6 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
     geometry::run_vertex_program(context.simd, *draw.mesh, transform, vertex_program(frame, draw), part.begin, part.end,
                                  &columns, out);
   });
-}
-
-void add(const shd_render_stats& from, shd_render_stats* to) {
-  to->triangles += from.triangles;
-  to->nonfinite += from.nonfinite;
-  to->outside += from.outside;
-  to->culled += from.culled;
-  to->empty += from.empty;
-  to->rasterised += from.rasterised;
-  to->clipped += from.clipped;
 }
 
 /// Assembles parts into groups; consecutive parts share a group when there are many.
