@@ -24,8 +24,7 @@ typedef struct shd_fragments {
     size_t count;         /**< rows */
     /**
      * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle does
-     * not cover that, the mean of those that show it, of a material that blends or drops rows those that it covers;
-     * with SHD_DRAW_SAMPLE_SHADING the sample
+     * not cover that, the mean of those that it covers; with SHD_DRAW_SAMPLE_SHADING the sample
      */
     const float *x;
     const float *y;            /**< the same from the top edge */

@@ -62,9 +62,9 @@ class Supersampler {
   void render(shd_render_stats* stats) {
     for (uint32_t y = 0; y < area_.height; y += edge()) {
       for (uint32_t x = 0; x < area_.width; x += edge()) {
-        render_block({area_.left + x, area_.top + y, std::min(area_.width - x, edge()),
-                      std::min(area_.height - y, edge())},
-                     stats);
+        render_block(
+            {area_.left + x, area_.top + y, std::min(area_.width - x, edge()), std::min(area_.height - y, edge())},
+            stats);
       }
     }
   }

@@ -65,13 +65,13 @@ ScreenVertex project(const ClipVertex& v) {
 
 }  // namespace
 
-int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out) {
+int clip_triangle(const Vertices& vertices, const uint32_t row[3], ScreenVertex* out) {
   Polygon polygon[2];
   polygon[0].count = 3;
   for (int k = 0; k < 3; ++k) {
-    const float* v = &vertices.raster[4 * size_t{index[k]}];
+    const float* v = &vertices.raster[4 * size_t{row[k]}];
     polygon[0].vertex[k] = {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]),
-                            static_cast<double>(v[3]), &vertices.screen[index[k]]};
+                            static_cast<double>(v[3]), &vertices.screen[row[k]]};
   }
   constexpr int kPlanes = 7;
   int current = 0;

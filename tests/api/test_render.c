@@ -91,7 +91,11 @@ static void supersampling_huge(struct frame *f) { supersample(f, 0xffffffffu, 0,
 static void supersampling_fits(struct frame *f) { supersample(f, 8, 8192, 8192); }
 static void supersampling_wide(struct frame *f) { supersample(f, 16, 4097, 0); }
 static void supersampling_high(struct frame *f) { supersample(f, 3, 0, 21846); }
-static void reserved(struct frame *f) { f->desc.reserved = 1; }
+static void pass_1(struct frame *f) { f->desc.pass_triangles = 1; }
+static void pass_1023(struct frame *f) { f->desc.pass_triangles = 1023; }
+static void pass_1024(struct frame *f) { f->desc.pass_triangles = 1024; }
+static void pass_most(struct frame *f) { f->desc.pass_triangles = 0x7fffffffu; }
+static void pass_2_31(struct frame *f) { f->desc.pass_triangles = 0x80000000u; }
 static void crop_alone(struct frame *f) { f->desc.crop_x = 1; }
 static void crop_beyond(struct frame *f)
 {
@@ -234,7 +238,11 @@ static const struct edit_case k_edits[] = {
      "render.supersampling: 16 times a picture of 4097 x 70 exceeds 65536 pixels a side"},
     {"supersampling/picture_too_high", supersampling_high, REFUSED,
      "render.supersampling: 3 times a picture of 100 x 21846 exceeds 65536 pixels a side"},
-    {"reserved/1", reserved, REFUSED, "render.reserved: 1"},
+    {"pass_triangles/1", pass_1, REFUSED, "render.pass_triangles: 1 is not in 1024..2147483647"},
+    {"pass_triangles/1023", pass_1023, REFUSED, "render.pass_triangles: 1023 is not in 1024..2147483647"},
+    {"pass_triangles/1024", pass_1024, SHD_OK, ""},
+    {"pass_triangles/most", pass_most, SHD_OK, ""},
+    {"pass_triangles/2^31", pass_2_31, REFUSED, "render.pass_triangles: 2147483648 is not in 1024..2147483647"},
     {"flags/unknown", flags, SHD_ERROR_UNSUPPORTED, "render.flags: bits 0x4 "},
     {"clear_color/nan", clear_nan, REFUSED, "render.clear_color[2]: nan is not finite"},
     {"clear_color/inf", clear_inf, REFUSED, "render.clear_color[0]: -inf is not finite"},

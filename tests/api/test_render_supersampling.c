@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames of n x n pixels a pixel: the bits of a larger frame averaged by hand, for any block, worker and SIMD target. */
+/* Frames of n x n pixels a pixel: the bits of a larger frame averaged by hand, for any block, worker and SIMD target.
+ */
 #define _POSIX_C_SOURCE 200809L
 #include "support/fault_allocator.h"
 #include "support/pool.h"

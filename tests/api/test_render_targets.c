@@ -165,7 +165,8 @@ static void test_models_and_keep(void **state)
         for (x = 0; x < SIZE; ++x) {
             for (c = 0; c < 4; ++c) {
                 const double share = x < 33 ? 0.0 : x == 33 ? 0.5 : 1.0;
-                shd_assert_close("edge", x, (double)f.plane[SHD_PLANE_TARGET2_R + c][y * SIZE + x], share * want[c], 1e-7, 0);
+                shd_assert_close("edge", x, (double)f.plane[SHD_PLANE_TARGET2_R + c][y * SIZE + x], share * want[c],
+                                 1e-7, 0);
             }
         }
     }
