@@ -204,11 +204,11 @@ typedef struct shd_render_desc {
     shd_visibility visibility;      /**< default SHD_VISIBILITY_DEPTH */
     /**
      * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, as are crop, viewport and scissor, with
-     * the framebuffer's samples in each of its pixels; up to 65536 of them a side. Colour and targets of a pixel are the
-     * plain average of its n x n; depth and the other planes are those of the top left one. Derivatives, and so footprints of
-     * textures, are those of the large picture, as are raster positions in programs. With `keep` each starts as its
-     * pixel. The large picture is drawn in blocks of up to 1024 x 1024, in memory for one of them; statistics are
-     * the sums over blocks, so that a triangle counts in each.
+     * the framebuffer's samples in each of its pixels; up to 65536 of them a side. Colour and targets of a pixel are
+     * the plain average of its n x n; depth and the other planes are those of the top left one. Derivatives, and
+     * so footprints of textures, are those of the large picture, as are raster positions in programs and the widths of
+     * lines and points. With `keep` each starts as its pixel. The large picture is drawn in blocks of up to 1024 x
+     * 1024, in memory for one of them; statistics are the sums over blocks, so that a triangle counts in each.
      */
     uint32_t supersampling;
     /**

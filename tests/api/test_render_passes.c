@@ -81,10 +81,10 @@ static void paint_varyings(const shd_fragments *in, shd_radiance *out, void *use
         out->g[i] = in->varying[1][i] + in->depth[i];
         out->b[i] = in->varying[2][i] + (float)in->triangle[i];
         out->a[i] = 0.5f;
-        if (!out->target[0].r) continue;
-        out->target[0].r[i] = in->varying[1][i];
-        out->target[2].g[i] = in->x[i];
-        out->target[2].a[i] = 0.25f;
+        if (!out->target[0][0]) continue;
+        out->target[0][0][i] = in->varying[1][i];
+        out->target[2][1][i] = in->x[i];
+        out->target[2][3][i] = 0.25f;
     }
 }
 
