@@ -23,9 +23,8 @@ typedef struct shd_fragments {
     uint32_t draw;        /**< index into shd_render_desc.draws; the same for every row */
     size_t count;         /**< rows */
     /**
-     * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle does
-     * not cover that, the mean of those that show it, of a material that blends or drops rows those that it covers;
-     * with SHD_DRAW_SAMPLE_SHADING the sample
+     * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle
+     * does not cover that, the mean of those that it covers; with SHD_DRAW_SAMPLE_SHADING the sample
      */
     const float *x;
     const float *y;            /**< the same from the top edge */

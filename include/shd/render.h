@@ -94,8 +94,7 @@ typedef struct shd_draw {
     uint32_t reserved;            /**< 0 */
     /**
      * Object-to-world matrices, [instance_count][16], each affine and finite, in place of object_to_world: the mesh is
-     * drawn with each of them as by draws of their own, one after the other; borrowed for the call. While the frame
-     * is drawn each instance takes 64 bytes for every vertex and 4 for each of its varyings, as a draw does.
+     * drawn with each of them as by draws of their own, one after the other; borrowed for the call.
      */
     const float *instances;
     size_t instance_count; /**< 0 = once, by object_to_world; with those of all draws up to 2^20 */
@@ -161,9 +160,12 @@ typedef struct shd_render_stats {
     uint64_t empty;               /**< dropped: between pixel centres */
     uint64_t rasterised;          /**< drawn, hidden or not */
     uint64_t clipped;             /**< of those outside, culled, empty and rasterised: cut by a clip plane */
-    uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows */
+    uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows, in each
+                                       pass (shd_render_desc.pass_triangles) */
     uint64_t nonfinite_fragments; /**< of those: r, g, b or a was NaN or infinite (kept as written) */
-    uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 unless asked for */
+    uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 unless asked for. Draws
+                                       that blend or drop fragments are tested by depths that lag behind as the
+                                       library sees fit */
     uint64_t scratch_bytes;       /**< most working memory in use at a time; depends on the number of workers */
     double vertex_seconds;        /**< wall-clock time of a stage: transforming vertices */
     double assembly_seconds;      /**< finding the triangles that show, and clipping them */
@@ -222,7 +224,27 @@ typedef struct shd_render_desc {
     const shd_region *viewport;     /**< of the picture, not empty: what NDC -1..1 maps to; NULL = all of it */
     const shd_region *scissor;      /**< of the picture: pixels that may change; NULL = all of them */
     shd_visibility visibility;      /**< default SHD_VISIBILITY_DEPTH */
-    uint32_t reserved;              /**< 0 */
+    /**
+     * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, as are crop, viewport and scissor, with
+     * the framebuffer's samples in each of its pixels; up to 65536 of them a side. Colour and targets of a pixel are
+     * the plain average of its n x n; depth and the other planes are those of the top left one. Derivatives, and
+     * so footprints of textures, are those of the large picture, as are raster positions in programs and the widths of
+     * lines and points. With `keep` each starts as its pixel. The large picture is drawn in blocks of up to 1024 x
+     * 1024, in memory for one of them; statistics are the sums over blocks, so that a triangle counts in each.
+     */
+    uint32_t supersampling;
+    /**
+     * Most triangles that are worked on at a time, 1024..2^31-1; 0 = 2^21. A frame of more is drawn in passes: whole
+     * draws, each counting as 16 triangles at least, or parts of one; those of SHD_BLEND_WEIGHTED and SHD_BLEND_SORTED
+     * come together in the last. The framebuffer gets the same bits from any number. Working memory is at most 512
+     * bytes for each of these triangles, 256 for each draw or instance, 24 for each sample of the framebuffer and 16
+     * more for each of its targets, and 8 MiB for each worker; but for triangles that touch dozens of tiles of 64 x 64
+     * pixels (4 bytes each), pieces that triangles are clipped into (48 each), varyings of vertex programs (4 bytes
+     * each, of up to three vertices a triangle), and what comes together in the last pass.
+     * Only with SHD_VISIBILITY_DEPTH: the others put all triangles into one order.
+     */
+    uint32_t pass_triangles;
+    uint32_t reserved; /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

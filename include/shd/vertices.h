@@ -34,8 +34,9 @@ typedef enum shd_interpolation {
 
 /**
  * Neighbouring vertices of one draw, one row each, packed columns of `count` elements; borrowed for the call. Every
- * vertex of the mesh comes once for each instance of the draw, up to 512 at a time; which come together and in which
- * order the calls are made may change.
+ * vertex of a triangle comes for each instance of the draw, up to 512 at a time: once, or where the frame takes several
+ * passes (shd_render_desc.pass_triangles) once or more in each that needs it. Which come together and in which order
+ * the calls are made may change.
  */
 typedef struct shd_vertices {
     uint32_t struct_size;           /**< of the library's struct */

@@ -6,6 +6,7 @@
 #include "abi/handle.h"
 #include "film/frame.h"
 #include "film/frame_memory.h"
+#include "film/supersample.h"
 
 namespace {
 
@@ -14,6 +15,8 @@ using namespace shd::abi;
 
 constexpr uint64_t kMaxItems = 1u << 20;
 constexpr uint32_t kMaxPicture = 65536;
+constexpr uint32_t kMaxSupersampling = 16;
+constexpr uint32_t kLeastPass = 1024, kMostPass = 0x7fffffff, kDefaultPass = 1u << 21;  // triangles
 
 /// Prefixes the field of the latest error with the element it belongs to.
 shd_result in_element(shd_result result, const char* array, size_t index) {
@@ -49,6 +52,8 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
   SHD_TRY(check_zero("draw.reserved", draw.reserved));
   SHD_TRY(check_matrix("draw.object_to_world", draw.object_to_world));
   SHD_TRY(read_handle("draw.mesh", draw.mesh, core::ObjectType::kMesh, &out->mesh));
+  out->begin = 0;
+  out->end = out->mesh->triangle_count;
   out->material = nullptr;
   if (draw.material) SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
   SHD_TRY(check_count("draw.instance_count", draw.instance_count, 0, kMaxItems));
@@ -140,6 +145,12 @@ shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
   const uint32_t height = desc.picture_height ? desc.picture_height : framebuffer.height;
   SHD_TRY(check_count("render.picture_width", width, framebuffer.width, kMaxPicture));
   SHD_TRY(check_count("render.picture_height", height, framebuffer.height, kMaxPicture));
+  const uint32_t factor = std::max(desc.supersampling, 1u), most = kMaxPicture / factor;
+  if (width > most || height > most) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "render.supersampling: %u times a picture of %u x %u exceeds %u pixels a side", factor, width,
+                      height, kMaxPicture);
+  }
   SHD_TRY(check_count("render.crop_x", desc.crop_x, 0, width - framebuffer.width));
   SHD_TRY(check_count("render.crop_y", desc.crop_y, 0, height - framebuffer.height));
   const shd_region all = {0, 0, width, height};
@@ -156,6 +167,8 @@ shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
 shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
+  SHD_TRY(check_count("render.supersampling", desc.supersampling, 0, kMaxSupersampling));
+  if (desc.pass_triangles) SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kLeastPass, kMostPass));
   SHD_TRY(check_zero("render.reserved", desc.reserved));
   SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
@@ -197,7 +210,13 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
   frame.visibility = desc.visibility;
   frame.counts_conflicts = desc.stats != nullptr;
-  film::render(context, frame, stats);
+  frame.supersampling = desc.supersampling;
+  frame.pass_triangles = desc.pass_triangles ? desc.pass_triangles : kDefaultPass;
+  if (frame.supersampling > 1) {
+    film::render_supersampled(context, frame, stats);
+  } else {
+    film::render(context, frame, stats);
+  }
   return SHD_OK;
 }
 

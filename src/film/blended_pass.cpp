@@ -101,7 +101,7 @@ void blend_run(TileState* tile, const Run& run) {
       if (tile->framebuffer.aovs & SHD_AOV_OVERDRAW) count_overdraw(tile->area, left.pixel, &tile->framebuffer);
     }
     if (tile->framebuffer.aovs) {
-      write_aovs(tile->simd(), tile->area, *draw.material, tile->index_of(draw), f, &aovs, &tile->framebuffer);
+      write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, &aovs, &tile->framebuffer);
     }
   });
 }

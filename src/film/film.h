@@ -14,9 +14,13 @@
 /// | framebuffer.h   | Framebuffer: its planes, and which of them there are        |
 /// | planes.h        | what each plane holds and where it comes from               |
 /// | readback.h      | planes to columns, colour to interleaved images             |
-/// | frame.h         | a whole frame: every stage, group by group and tile by tile |
+/// | frame.h         | a whole frame: every stage of each pass, tile by tile       |
 /// | frame_memory.h  | the memory that a frame works in, counted                   |
 /// | stopwatch.h     | the time its stages take                                    |
+/// | supersample.h   | the same of a picture n times as large, averaged            |
+/// | stats.h         | its statistics, added up                                    |
+/// | passes.h        | its draws in passes that fit in memory                      |
+/// | sample_store.h  | what samples hold from one pass to the next                 |
 /// | scene.h         | a frame after its geometry stages                           |
 /// | visibility.h    | the order of painting, where depth does not decide         |
 /// | tile_renderer.h | one tile: what is visible, then what blends, in order       |

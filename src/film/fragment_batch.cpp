@@ -23,11 +23,6 @@ Placing FragmentBatch::placing_of(const geometry::ScreenTriangle& triangle) cons
   return placing;
 }
 
-bool FragmentBatch::covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const {
-  return raster::covers(placing.line, static_cast<int32_t>(pixel % raster::kTile),
-                        static_cast<int32_t>(pixel / raster::kTile), point);
-}
-
 bool FragmentBatch::covers_centre(const Placing& placing, uint32_t pixel) const {
   const int64_t x = pixel % raster::kTile, y = pixel / raster::kTile;
   int64_t sides = 0;
@@ -35,10 +30,31 @@ bool FragmentBatch::covers_centre(const Placing& placing, uint32_t pixel) const 
   return sides >= 0;
 }
 
-/// Moves a row from the middle of its pixel to the samples in the mask, unless the triangle covers the middle.
-void FragmentBatch::place(const Placing& placing, size_t row, uint32_t mask) const {
+/// Samples of a row that the triangle covers, seen or not: what hides the others must not tell, or a fragment would
+/// depend on when batches and passes end. That one sample where a row is a sample.
+uint32_t FragmentBatch::covered_samples(const Placing& placing, size_t row) const {
+  const raster::Fragments& f = worker_.workspace.fragments;
+  if (placing.at_samples || f.mask[row] == tile_.all_samples()) return f.mask[row];
+  const int64_t x = f.pixel[row] % raster::kTile * geometry::kSubpixels;
+  const int64_t y = f.pixel[row] / raster::kTile * geometry::kSubpixels;
+  int64_t corner[3];
+  for (int k = 0; k < 3; ++k) corner[k] = placing.line[k].value + placing.line[k].a * x + placing.line[k].b * y;
+  uint32_t mask = 0;
+  for (uint32_t s = 0; s < tile_.pattern.count; ++s) {
+    const raster::SamplePoint& point = tile_.pattern.point[s];
+    int64_t sides = 0;
+    for (int k = 0; k < 3; ++k) sides |= corner[k] + placing.line[k].a * point.x + placing.line[k].b * point.y;
+    mask |= static_cast<uint32_t>(sides >= 0) << s;
+  }
+  return mask;
+}
+
+/// Moves a row from the middle of its pixel to the samples that the triangle covers, unless it covers the middle.
+void FragmentBatch::place(const Placing& placing, size_t row) const {
   raster::Fragments& f = worker_.workspace.fragments;
-  if (!placing.at_samples && (mask == tile_.all_samples() || covers_centre(placing, f.pixel[row]))) return;
+  if (!placing.at_samples && (f.mask[row] == tile_.all_samples() || covers_centre(placing, f.pixel[row]))) return;
+  const uint32_t mask = covered_samples(placing, row);
+  if (!placing.at_samples && mask == tile_.all_samples()) return;
   const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
   const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
   f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
@@ -61,35 +77,21 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Placi
   }
   f.count += count;
   const Draw& draw = tile_.draw_of(triangle);
-  if (is_plain(*draw.material)) return finish_plain(draw, placing, begin, f.count);
-  finish_by_coverage(triangle, draw, placing, begin, f.count);
+  for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) place(placing, i);
+  if (draw.material->model == SHD_MODEL_PROGRAM) set_depths(triangle, draw, placing, begin, f.count);
+  if (is_plain(*draw.material)) return;
+  const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
+  for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
 }
 
-/// Where the rows of a draw that the visibility buffer shows are shaded.
-void FragmentBatch::finish_plain(const Draw& draw, const Placing& placing, size_t begin, size_t end) {
-  raster::Fragments& f = worker_.workspace.fragments;
-  if (tile_.pattern.count > 1) {
-    for (size_t i = begin; i < end; ++i) place(placing, i, f.mask[i]);
-  }
-  if (draw.material->model != SHD_MODEL_PROGRAM) return;
-  for (size_t i = begin; i < end; ++i) f.depth[i] = *tile_.depth_of(first_sample(f.mask[i]), f.pixel[i]);
-}
-
-/// The same for rows whose masks went by depths that may change before their turn: those must not tell, or a fragment
-/// would depend on when batches end.
-void FragmentBatch::finish_by_coverage(const geometry::ScreenTriangle& triangle, const Draw& draw,
-                                       const Placing& placing, size_t begin, size_t end) {
+/// Depths that a program sees: at the first sample that the triangle covers.
+void FragmentBatch::set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const Placing& placing,
+                               size_t begin, size_t end) {
   raster::Fragments& f = worker_.workspace.fragments;
   const raster::DepthSlope slope = raster::make_depth_slope(triangle, draw.depth);
   for (size_t i = begin; i < end; ++i) {
-    uint32_t mask = f.mask[i];
-    for (uint32_t s = 0; s < tile_.pattern.count && !placing.at_samples && mask != tile_.all_samples(); ++s) {
-      if (covers(placing, f.pixel[i], tile_.pattern.point[s])) mask |= 1u << s;
-    }
-    place(placing, i, mask);
-    worker_.triangles.of[i] = static_cast<uint16_t>(worker_.triangles.count - 1);
-    if (draw.material->model != SHD_MODEL_PROGRAM) continue;
-    const raster::DepthPlane plane = raster::plane_at(slope, tile_.pattern.point[first_sample(mask)]);
+    const uint32_t sample = first_sample(covered_samples(placing, i));
+    const raster::DepthPlane plane = raster::plane_at(slope, tile_.pattern.point[sample]);
     f.depth[i] = raster::depth_at(plane, tile_.left_of(f.pixel[i]), tile_.top_of(f.pixel[i]));
   }
 }
@@ -97,8 +99,7 @@ void FragmentBatch::finish_by_coverage(const geometry::ScreenTriangle& triangle,
 void FragmentBatch::shade(uint32_t draw) {
   const Draw& d = tile_.renderer.frame.draws[draw];
   const Scene& scene = tile_.renderer.scene;
-  const shade::DrawShading shading = {d.mesh,
-                                      &scene.vertices[draw],
+  const shade::DrawShading shading = {&scene.vertices[draw],
                                       d.material,
                                       d.frequency,
                                       scene.transforms[draw].orientation,

@@ -72,14 +72,13 @@ class FragmentBatch {
 
   size_t most_triangles(const geometry::ScreenTriangle& triangle) const;
   Placing placing_of(const geometry::ScreenTriangle& triangle) const;
-  bool covers(const Placing& placing, uint32_t pixel, raster::SamplePoint point) const;
   bool covers_centre(const Placing& placing, uint32_t pixel) const;
-  void place(const Placing& placing, size_t row, uint32_t mask) const;
+  uint32_t covered_samples(const Placing& placing, size_t row) const;
+  void place(const Placing& placing, size_t row) const;
   void append(const geometry::ScreenTriangle& triangle, const Placing& placing, const raster::VisiblePixel* pixels,
               size_t count);
-  void finish_plain(const Draw& draw, const Placing& placing, size_t begin, size_t end);
-  void finish_by_coverage(const geometry::ScreenTriangle& triangle, const Draw& draw, const Placing& placing,
-                          size_t begin, size_t end);
+  void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const Placing& placing, size_t begin,
+                  size_t end);
   void shade(uint32_t draw);
 
   const TileState& tile_;

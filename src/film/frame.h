@@ -30,6 +30,7 @@ struct Draw {
   bool sample_shading;
   const void* uniforms;  // of the programs of the material
   geometry::Outline outline;
+  uint32_t begin, end;  // triangles of the mesh
   float object_to_world[16];
 };
 
@@ -53,12 +54,15 @@ struct Frame {
   const light::Light* const* lights;
   size_t light_count;
   shd_progress progress;
-  bool counts_hidden;  // samples that fail the depth test before shading
+  uint32_t pass_triangles;  // most that are assembled at a time
+  uint32_t supersampling;   // 0 and 1 = off
+  bool counts_hidden;       // samples that fail the depth test before shading
   shd_visibility visibility;
   bool counts_conflicts;  // of the order of painting
 };
 
-/// Renders a frame on the context's executor: vertices, assembly and binning in groups of triangles, then tiles.
+/// Renders a frame on the context's executor, in passes: vertices, assembly and binning in groups of triangles, then
+/// tiles. What triangles a pass has leaves no trace in the framebuffer.
 /// Throws Failure and std::bad_alloc; then the framebuffer may hold part of the frame.
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats);
 

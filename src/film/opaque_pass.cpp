@@ -70,7 +70,7 @@ void write_batch(const Draw& draw, TileState* tile) {
   write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   find_rows(f, &worker.aovs);
-  write_aovs(tile->simd(), tile->area, *draw.material, tile->index_of(draw), f, &worker.aovs, &tile->framebuffer);
+  write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, &worker.aovs, &tile->framebuffer);
 }
 
 }  // namespace

@@ -4,16 +4,21 @@
 #include <algorithm>
 
 #include "core/executor.h"
-#include "data/data.h"
+#include "film/stats.h"
 #include "film/stopwatch.h"
 #include "film/visibility.h"
 #include "geometry/assemble.h"
 #include "geometry/vertex_program.h"
+#include "geometry/vertex_window.h"
 
 namespace shd::film {
 namespace {
 
-/// Part of a draw's vertices or triangles.
+struct Range {
+  size_t begin, end;
+};
+
+/// Part of a draw's rows of vertices or triangles.
 struct Part {
   uint32_t draw;
   size_t begin, end;
@@ -23,14 +28,14 @@ constexpr size_t kVerticesPerPart = 8192;  // a multiple of data::kRowPad
 constexpr size_t kTrianglesPerPart = 16384;
 constexpr size_t kMaxGroups = 256;  // bounds the bin table, whose size is tiles x groups
 
-/// Cuts each draw's `count_of(draw)` items into parts of at most `size`. Throws std::bad_alloc.
-template <class CountOf>
-core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, size_t size, CountOf count_of) {
+/// Cuts the items of each draw, those in range_of(draw), into parts of at most `size`. Throws std::bad_alloc.
+template <class RangeOf>
+core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, size_t size, RangeOf range_of) {
   core::Buffer<Part> parts(context.allocator);
   for (size_t draw = 0; draw < frame.draw_count; ++draw) {
-    const size_t count = count_of(frame.draws[draw]);
-    for (size_t begin = 0; begin < count; begin += size) {
-      parts.push_back({static_cast<uint32_t>(draw), begin, std::min(count, begin + size)});
+    const Range range = range_of(draw);
+    for (size_t begin = range.begin; begin < range.end; begin += size) {
+      parts.push_back({static_cast<uint32_t>(draw), begin, std::min(range.end, begin + size)});
     }
   }
   return parts;
@@ -42,40 +47,48 @@ geometry::VertexProgram vertex_program(const Frame& frame, const Draw& draw) {
           draw.object_to_world, draw.index,        draw.instance, draw.material->varying_count};
 }
 
-void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
-  const geometry::PixelBox visible = visible_box(frame);
-  for (size_t draw = 0; draw < frame.draw_count; ++draw) {
-    const Draw& d = frame.draws[draw];
-    geometry::allocate(context.allocator, *d.mesh, d.material ? d.material->varying_count : 0, &scene->vertices[draw]);
-    scene->transforms[draw] = geometry::make_transform(frame.view, d.object_to_world, frame.viewport, visible);
+/// Vertices of a mesh from `begin` on to the rows of a part, by the draw's program if it has one.
+void transform(const core::Context& context, const Frame& frame, const Part& part, const geometry::NumberedMesh& mesh,
+               size_t begin, Scene* scene, geometry::VertexColumns* scratch) {
+  const Draw& draw = frame.draws[part.draw];
+  const geometry::Transform& matrices = scene->transforms[part.draw];
+  geometry::Vertices* out = &scene->vertices[part.draw];
+  const size_t end = begin + (part.end - part.begin);
+  if (!draw.material || !draw.material->program.vertex) {
+    return geometry::transform_vertices(context.simd, mesh.mesh, matrices, begin, end, part.begin, out);
   }
-  const auto padded_vertices = [](const Draw& draw) { return data::padded(draw.mesh->vertex_count); };
-  const core::Buffer<Part> parts = make_parts(context, frame, kVerticesPerPart, padded_vertices);
-  core::Objects<geometry::VertexColumns> scratch(context.allocator, context.executor.worker_count);
-  core::parallel_for(context, static_cast<uint32_t>(parts.size()), [&](uint32_t i, uint32_t worker) {
-    const Part& part = parts[i];
-    const Draw& draw = frame.draws[part.draw];
-    const geometry::Transform& transform = scene->transforms[part.draw];
-    geometry::Vertices* out = &scene->vertices[part.draw];
-    if (!draw.material || !draw.material->program.vertex) {
-      geometry::transform_vertices(context.simd, *draw.mesh, transform, part.begin, part.end, out);
-      return;
-    }
-    geometry::VertexColumns& columns = scratch[worker];
-    if (columns.block.size() == 0) geometry::allocate(context.allocator, &columns);
-    geometry::run_vertex_program(context.simd, *draw.mesh, transform, vertex_program(frame, draw), part.begin, part.end,
-                                 &columns, out);
-  });
+  if (scratch->block.size() == 0) geometry::allocate(context.allocator, scratch);
+  geometry::run_vertex_program(context.simd, mesh, matrices, vertex_program(frame, draw), begin, end, part.begin,
+                               scratch, out);
 }
 
-void add(const shd_render_stats& from, shd_render_stats* to) {
-  to->triangles += from.triangles;
-  to->nonfinite += from.nonfinite;
-  to->outside += from.outside;
-  to->culled += from.culled;
-  to->empty += from.empty;
-  to->rasterised += from.rasterised;
-  to->clipped += from.clipped;
+/// Rows of a draw's vertices.
+void transform_part(const core::Context& context, const Frame& frame, const Part& part, Scene* scene,
+                    geometry::VertexColumns* scratch) {
+  const geometry::Mesh& mesh = *frame.draws[part.draw].mesh;
+  const geometry::Vertices& rows = scene->vertices[part.draw];
+  if (geometry::is_scattered(rows)) {
+    const geometry::Mesh corners = geometry::gather_corners(context.allocator, mesh, rows, part.begin, part.end);
+    transform(context, frame, part, {corners, rows.corners + part.begin}, 0, scene, scratch);
+  } else {
+    transform(context, frame, part, {mesh, nullptr}, rows.first_index + part.begin, scene, scratch);
+  }
+}
+
+void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
+  const geometry::PixelBox visible = visible_box(frame);
+  for (size_t i = 0; i < frame.draw_count; ++i) {
+    const Draw& draw = frame.draws[i];
+    geometry::allocate_window(context.allocator, *draw.mesh, draw.begin, draw.end,
+                              draw.material ? draw.material->varying_count : 0, &scene->vertices[i]);
+    scene->transforms[i] = geometry::make_transform(frame.view, draw.object_to_world, frame.viewport, visible);
+  }
+  const auto rows = [&](size_t draw) { return Range{0, geometry::row_count(scene->vertices[draw])}; };
+  const core::Buffer<Part> parts = make_parts(context, frame, kVerticesPerPart, rows);
+  core::Objects<geometry::VertexColumns> scratch(context.allocator, context.executor.worker_count);
+  core::parallel_for(context, static_cast<uint32_t>(parts.size()), [&](uint32_t i, uint32_t worker) {
+    transform_part(context, frame, parts[i], scene, &scratch[worker]);
+  });
 }
 
 /// Assembles parts into groups; consecutive parts share a group when there are many.
@@ -90,10 +103,12 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
     for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
       const Part& part = parts[i];
       const Draw& draw = frame.draws[part.draw];
-      const geometry::Assembly assembly = {
-          draw.mesh,   &scene->vertices[part.draw], part.draw,
-          draw.cull,   visible_box(frame),          raster::sample_pattern(frame.framebuffer->samples).extent,
-          draw.outline};
+      const geometry::Assembly assembly = {&scene->vertices[part.draw],
+                                           part.draw,
+                                           draw.cull,
+                                           visible_box(frame),
+                                           raster::sample_pattern(frame.framebuffer->samples).extent,
+                                           draw.outline};
       geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
     }
   });
@@ -104,7 +119,8 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
 size_t group_count(const Frame& frame) {
   size_t parts = 0;
   for (size_t draw = 0; draw < frame.draw_count; ++draw) {
-    parts += (frame.draws[draw].mesh->triangle_count + kTrianglesPerPart - 1) / kTrianglesPerPart;
+    const size_t triangles = frame.draws[draw].end - frame.draws[draw].begin;
+    parts += (triangles + kTrianglesPerPart - 1) / kTrianglesPerPart;
   }
   return std::min(parts, kMaxGroups);
 }
@@ -130,16 +146,16 @@ Scene::Scene(const core::Allocator& allocator, const Frame& frame)
       bins() {}
 
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats) {
-  const auto triangles = [](const Draw& draw) { return size_t{draw.mesh->triangle_count}; };
+  const auto triangles = [&](size_t draw) { return Range{frame.draws[draw].begin, frame.draws[draw].end}; };
   Stopwatch watch;
   transform_all(context, frame, scene);
-  stats->vertex_seconds = watch.lap();
+  stats->vertex_seconds += watch.lap();
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
-  stats->assembly_seconds = watch.lap();
+  stats->assembly_seconds += watch.lap();
   order_triangles(context, frame, scene, stats);
   raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()), window_box(frame),
                         visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
-  stats->binning_seconds = watch.lap();
+  stats->binning_seconds += watch.lap();
 }
 
 }  // namespace shd::film

@@ -31,14 +31,16 @@ bool begin(TileState* tile) {
   if (!tile->color_is_unclear) clear_color(cleared, frame.clear_color, &tile->framebuffer);
   if (!is_whole || is_bare) clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
   if (is_bare) return false;
+  raster::forget_bounds(&worker.tile);
+  clear_slots(&worker.tile);
+  worker.slots.clear();
+  const SampleStore* samples = tile->renderer.samples;
+  if (samples && samples->load(tile->index, &worker)) return true;
   if (is_whole) {
     fill_depth(frame.clear_depth, &worker.tile);
   } else {
     load_depth(tile->area, tile->framebuffer, &worker.tile);
   }
-  raster::forget_bounds(&worker.tile);
-  clear_slots(&worker.tile);
-  worker.slots.clear();
   tile->color.load();
   return true;
 }
@@ -76,6 +78,7 @@ void TileRenderer::render(uint32_t index, Worker* worker) const {
   if (unfinished.sorted) draw_sorted(&tile);
   tile.color.resolve();
   store_depth(tile.area, worker->tile, &tile.framebuffer);
+  if (samples) samples->save(index, *worker);
 }
 
 }  // namespace shd::film

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "film/frame.h"
+#include "film/sample_store.h"
 #include "film/scene.h"
 #include "film/worker.h"
 #include "shade/light_table.h"
@@ -14,6 +15,7 @@ struct TileRenderer {
   const Frame& frame;
   const Scene& scene;
   const shade::LightTable& lights;
+  SampleStore* samples;  // null in a frame of one pass, or of one sample a pixel
 
   /// Draws one tile: draws take effect in order. Opaque ones go to the visibility buffer, and what it shows is shaded
   /// before a draw that must see colours, and at the end; the others are shaded triangle by triangle and blended.

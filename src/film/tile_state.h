@@ -35,7 +35,6 @@ class TileState {
 
   const Draw& draw_of(const Run& run) const { return renderer.frame.draws[run.draw]; }
   const Draw& draw_of(const geometry::ScreenTriangle& triangle) const { return renderer.frame.draws[triangle.draw]; }
-  uint32_t index_of(const Draw& draw) const { return static_cast<uint32_t>(&draw - renderer.frame.draws); }
   const core::SimdTarget& simd() const { return renderer.context.simd; }
 
   /// Pixels of the picture that may change.

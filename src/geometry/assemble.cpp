@@ -9,10 +9,10 @@ namespace shd::geometry {
 namespace {
 
 /// Clips and emits the fan; the best fate of its pieces counts.
-Fate clip_and_emit(const Assembly& assembly, const uint32_t index[3], uint32_t primitive,
+Fate clip_and_emit(const Assembly& assembly, const uint32_t row[3], uint32_t primitive,
                    core::Buffer<ScreenTriangle>* out) {
   ScreenVertex polygon[kMaxClipped];
-  const int count = clip_triangle(*assembly.vertices, index, polygon);
+  const int count = clip_triangle(*assembly.vertices, row, polygon);
   Fate fate = Fate::kUnseen;
   for (int i = 2; i < count; ++i) {
     fate = std::max(fate, emit(assembly, polygon[0], polygon[i - 1], polygon[i], primitive, out));
@@ -25,10 +25,13 @@ Fate clip_and_emit(const Assembly& assembly, const uint32_t index[3], uint32_t p
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats) {
   if (assembly.outline.fill != SHD_FILL_SOLID) return assemble_outlines(assembly, begin, end, out, stats);
-  const ScreenVertex* screen = assembly.vertices->screen.data();
-  for (size_t i = begin; i < end; ++i) {
-    const uint32_t* index = &assembly.mesh->indices[3 * i];
-    const ScreenVertex &a = screen[index[0]], &b = screen[index[1]], &c = screen[index[2]];
+  const Vertices& vertices = *assembly.vertices;
+  const ScreenVertex* screen = vertices.screen.data();
+  const uint32_t first = vertices.first_index;
+  const uint32_t* index = vertices.indices + 3 * (begin - vertices.first_triangle);
+  for (size_t i = begin; i < end; ++i, index += 3) {
+    const uint32_t row[3] = {index[0] - first, index[1] - first, index[2] - first};
+    const ScreenVertex &a = screen[row[0]], &b = screen[row[1]], &c = screen[row[2]];
     const uint32_t any = a.outcode | b.outcode | c.outcode;
     if (any & kOutNonfinite) {
       ++stats->nonfinite;
@@ -41,7 +44,7 @@ void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<S
     Fate fate;
     if (any & kMustClip) {
       ++stats->clipped;
-      fate = clip_and_emit(assembly, index, static_cast<uint32_t>(i), out);
+      fate = clip_and_emit(assembly, row, static_cast<uint32_t>(i), out);
     } else {
       fate = emit(assembly, a, b, c, static_cast<uint32_t>(i), out);
     }

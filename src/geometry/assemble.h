@@ -42,7 +42,6 @@ inline int32_t outline_reach(float width) {
 /// Culls, clips and counts triangles [begin, end) of a draw and appends what can be visible in a box of
 /// pixels. Throws std::bad_alloc.
 struct Assembly {
-  const Mesh* mesh;
   const Vertices* vertices;
   uint32_t draw;
   shd_cull cull;

@@ -65,20 +65,20 @@ ScreenVertex project(const ClipVertex& v) {
   return {snap(v.x), snap(v.y), static_cast<float>(clamp(v.z / w, 0.0, 1.0)), 0};
 }
 
-ClipVertex clip_vertex(const Vertices& vertices, uint32_t index) {
-  const float* v = &vertices.raster[4 * size_t{index}];
+ClipVertex clip_vertex(const Vertices& vertices, uint32_t row) {
+  const float* v = &vertices.raster[4 * size_t{row}];
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]), static_cast<double>(v[3]),
-          &vertices.screen[index]};
+          &vertices.screen[row]};
 }
 
 constexpr int kPlanes = 7;
 
 }  // namespace
 
-int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out) {
+int clip_triangle(const Vertices& vertices, const uint32_t row[3], ScreenVertex* out) {
   Polygon polygon[2];
   polygon[0].count = 3;
-  for (int k = 0; k < 3; ++k) polygon[0].vertex[k] = clip_vertex(vertices, index[k]);
+  for (int k = 0; k < 3; ++k) polygon[0].vertex[k] = clip_vertex(vertices, row[k]);
   int current = 0;
   for (int plane = 0; plane < kPlanes && polygon[current].count >= 3; ++plane) {
     clip_plane(plane, polygon[current], &polygon[1 - current]);

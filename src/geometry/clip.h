@@ -15,10 +15,10 @@ constexpr int kMaxClipped = 42;
 /// Cuts a triangle at W >= kMinW, 0 <= Z <= W and the guard band, and puts what is left on the pixel grid.
 /// Vertices that are inside keep their ScreenVertex; a new vertex depends on its edge alone, not on the triangle, so
 /// neighbours that share a clipped edge still meet. Sutherland and Hodgman, "Reentrant Polygon Clipping" (1974).
-/// @param index   the three vertices
+/// @param row     the three vertices
 /// @param out     [kMaxClipped], in the triangle's winding
 /// @return number of vertices, 0 if nothing is left, else 3..kMaxClipped
-int clip_triangle(const Vertices& vertices, const uint32_t index[3], ScreenVertex* out);
+int clip_triangle(const Vertices& vertices, const uint32_t row[3], ScreenVertex* out);
 
 /// Cuts the segment between two vertices in the same way; what is left runs from out[0] to out[1].
 /// @return whether anything is left

@@ -17,6 +17,7 @@
 /// | normals.h | vertex normals from faces, weighted by area, corner angle or not at all   |
 /// | vertex.h  | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                      |
+/// | vertex_window.h | the vertices that a part of a draw needs                         |
 /// | clip.h    | a triangle cut at the near and far plane and the guard band               |
 /// | pixel_box.h | boxes of pixels                                                            |
 /// | outline.h | edges and vertices of triangles as rectangles                                |

@@ -55,13 +55,13 @@ Fate emit_edge(const Outlined& o, uint32_t first, uint32_t second) {
   return clip_segment(vertices, first, second, end) ? emit_line(o, end[0], end[1]) : Fate::kUnseen;
 }
 
-/// A triangle that has only one edge, its indices repeating, draws it once.
-Fate emit_edges(const Outlined& o, const uint32_t index[3]) {
-  const bool repeats = index[0] == index[1] || index[1] == index[2] || index[2] == index[0];
+/// A triangle that has only one edge, its rows repeating, draws it once.
+Fate emit_edges(const Outlined& o, const uint32_t row[3]) {
+  const bool repeats = row[0] == row[1] || row[1] == row[2] || row[2] == row[0];
   Fate fate = Fate::kUnseen;
   bool has_edge = false;
   for (int k = 0; k < 3 && !(repeats && has_edge); ++k) {
-    const uint32_t first = index[k], second = index[k == 2 ? 0 : k + 1];
+    const uint32_t first = row[k], second = row[k == 2 ? 0 : k + 1];
     if (first == second) continue;
     fate = std::max(fate, emit_edge(o, first, second));
     has_edge = true;
@@ -69,11 +69,11 @@ Fate emit_edges(const Outlined& o, const uint32_t index[3]) {
   return has_edge ? fate : Fate::kCulled;
 }
 
-Fate emit_points(const Outlined& o, const uint32_t index[3]) {
+Fate emit_points(const Outlined& o, const uint32_t row[3]) {
   Fate fate = Fate::kUnseen;
   for (int k = 0; k < 3; ++k) {
-    const ScreenVertex& v = o.assembly.vertices->screen[index[k]];
-    const bool is_repeated = (k > 0 && index[k] == index[0]) || (k > 1 && index[k] == index[1]);
+    const ScreenVertex& v = o.assembly.vertices->screen[row[k]];
+    const bool is_repeated = (k > 0 && row[k] == row[0]) || (k > 1 && row[k] == row[1]);
     if (is_repeated || v.outcode & kMustClip) continue;
     fate = std::max(fate, emit_point(o, v));
   }
@@ -81,9 +81,9 @@ Fate emit_points(const Outlined& o, const uint32_t index[3]) {
 }
 
 /// Twice the area of what clipping leaves of a triangle.
-int64_t clipped_area(const Vertices& vertices, const uint32_t index[3]) {
+int64_t clipped_area(const Vertices& vertices, const uint32_t row[3]) {
   ScreenVertex polygon[kMaxClipped];
-  const int count = clip_triangle(vertices, index, polygon);
+  const int count = clip_triangle(vertices, row, polygon);
   int64_t area = 0;
   for (int i = 2; i < count; ++i) area += twice_area(polygon[0], polygon[i - 1], polygon[i]);
   return area;
@@ -101,15 +101,15 @@ bool is_far(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex&
   return is_empty(intersection(pixel_box(box, assembly.samples), assembly.visible));
 }
 
-Fate outline(const Outlined& o, shd_cull cull, const uint32_t index[3], bool must_clip) {
+Fate outline(const Outlined& o, shd_cull cull, const uint32_t row[3], bool must_clip) {
   const Vertices& vertices = *o.assembly.vertices;
-  const ScreenVertex &a = vertices.screen[index[0]], &b = vertices.screen[index[1]], &c = vertices.screen[index[2]];
+  const ScreenVertex &a = vertices.screen[row[0]], &b = vertices.screen[row[1]], &c = vertices.screen[row[2]];
   if (!must_clip && is_far(o.assembly, a, b, c)) return Fate::kUnseen;
   if (cull != SHD_CULL_NONE) {
-    const int64_t area = must_clip ? clipped_area(vertices, index) : twice_area(a, b, c);
+    const int64_t area = must_clip ? clipped_area(vertices, row) : twice_area(a, b, c);
     if (cull == SHD_CULL_BACK ? area >= 0 : area <= 0) return Fate::kCulled;
   }
-  return o.assembly.outline.fill == SHD_FILL_WIREFRAME ? emit_edges(o, index) : emit_points(o, index);
+  return o.assembly.outline.fill == SHD_FILL_WIREFRAME ? emit_edges(o, row) : emit_points(o, row);
 }
 
 }  // namespace
@@ -120,8 +120,9 @@ void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core:
   Outlined o = {assembly, 0, out};
   o.assembly.cull = SHD_CULL_NONE;
   for (size_t i = begin; i < end; ++i) {
-    const uint32_t* index = &assembly.mesh->indices[3 * i];
-    const uint32_t codes[3] = {screen[index[0]].outcode, screen[index[1]].outcode, screen[index[2]].outcode};
+    const uint32_t row[3] = {row_of(*assembly.vertices, i, 0), row_of(*assembly.vertices, i, 1),
+                             row_of(*assembly.vertices, i, 2)};
+    const uint32_t codes[3] = {screen[row[0]].outcode, screen[row[1]].outcode, screen[row[2]].outcode};
     const uint32_t any = codes[0] | codes[1] | codes[2];
     o.primitive = static_cast<uint32_t>(i);
     if (any & kOutNonfinite) {
@@ -130,7 +131,7 @@ void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core:
       ++stats->outside;
     } else {
       stats->clipped += (any & kMustClip) != 0;
-      count(outline(o, assembly.cull, index, (any & kMustClip) != 0), stats);
+      count(outline(o, assembly.cull, row, (any & kMustClip) != 0), stats);
     }
   }
   stats->triangles += end - begin;

@@ -17,10 +17,12 @@ namespace shd::geometry::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Vec3V;
 
-void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t end, Vertices& out) {
+void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t end, size_t row,
+                       Vertices& out) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   for (size_t i = begin; i < end; i += hn::Lanes(d)) {
+    const size_t to = row + (i - begin);
     const Vec3V<V> p = {hn::Load(d, &mesh.px[i]), hn::Load(d, &mesh.py[i]), hn::Load(d, &mesh.pz[i])};
     const Vec3V<V> n = {hn::Load(d, &mesh.nx[i]), hn::Load(d, &mesh.ny[i]), hn::Load(d, &mesh.nz[i])};
     const V x = TransformRow(d, transform.raster, 0, p), y = TransformRow(d, transform.raster, 1, p);
@@ -35,9 +37,9 @@ void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begi
                                 hn::Mul(hn::Abs(world.z), eighth));
     const auto finite =
         hn::Lt(hn::Add(hn::Mul(clip_sum, eighth), hn::Mul(world_sum, eighth)), hn::Set(d, __builtin_inff()));
-    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, &mesh.u[i]), d, &out.world[4 * i]);
-    hn::StoreInterleaved4(normal.x, normal.y, normal.z, hn::Load(d, &mesh.v[i]), d, &out.normal[4 * i]);
-    StoreRaster(d, transform, x, y, z, w, finite, i, out);
+    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, &mesh.u[i]), d, &out.world[4 * to]);
+    hn::StoreInterleaved4(normal.x, normal.y, normal.z, hn::Load(d, &mesh.v[i]), d, &out.normal[4 * to]);
+    StoreRaster(d, transform, x, y, z, w, finite, to, out);
   }
 }
 
@@ -110,8 +112,7 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
   return transform;
 }
 
-void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out) {
-  const size_t rows = data::padded(mesh.vertex_count);
+void allocate_rows(const core::Allocator& allocator, size_t rows, uint32_t varying_count, Vertices* out) {
   out->screen = core::Array<ScreenVertex>(allocator, rows);
   out->raster = core::Array<float>(allocator, core::checked_mul(rows, 4));
   out->world = core::Array<float>(allocator, core::checked_mul(rows, 4));
@@ -120,9 +121,14 @@ void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varyi
   out->varying_count = varying_count;
 }
 
+void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out) {
+  allocate_rows(allocator, data::padded(mesh.vertex_count), varying_count, out);
+  out->indices = mesh.indices.data();
+}
+
 void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
-                        size_t end, Vertices* out) {
-  SHD_DISPATCH(TransformVertices, simd)(mesh, transform, begin, end, *out);
+                        size_t end, size_t row, Vertices* out) {
+  SHD_DISPATCH(TransformVertices, simd)(mesh, transform, begin, end, row, *out);
 }
 
 }  // namespace shd::geometry

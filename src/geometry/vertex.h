@@ -67,8 +67,8 @@ struct Viewport {
 Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
                          const PixelBox& visible);
 
-/// Transformed vertices of one draw. Rows of four, not columns: a fragment gathers all of a vertex at once, and a
-/// row shares one cache line.
+/// Transformed vertices of one draw or of a part of it. Rows of four, not columns: a fragment gathers all of a vertex
+/// at once, and a row shares one cache line.
 struct Vertices {
   core::Array<ScreenVertex> screen;  // [padded]
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
@@ -76,13 +76,28 @@ struct Vertices {
   core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
   core::Array<float> varying;        // [padded][varying_count] what a vertex program hands on
   uint32_t varying_count = 0;
+
+  // Which rows are the corners of which triangle: see row_of().
+  const uint32_t* indices = nullptr;  // those of the mesh, or its own
+  uint32_t first_triangle = 0;        // indices[0] is a corner of it
+  uint32_t first_index = 0;           // index of row 0
+  core::Array<uint32_t> own_indices;  // one for each corner where its vertices are scattered, else empty
+  const uint32_t* corners = nullptr;  // then the vertex of the mesh that each row is
 };
 
-/// Allocates rows for every vertex of a mesh.
+/// Row of corner k of a triangle of the mesh.
+inline uint32_t row_of(const Vertices& vertices, size_t triangle, size_t k) {
+  return vertices.indices[3 * (triangle - vertices.first_triangle) + k] - vertices.first_index;
+}
+
+/// Makes room for a number of rows, a multiple of data::kRowPad. Throws std::bad_alloc.
+void allocate_rows(const core::Allocator& allocator, size_t rows, uint32_t varying_count, Vertices* out);
+
+/// A row for every vertex of a mesh. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out);
 
-/// Transforms rows [begin, end), multiples of data::kRowPad.
+/// Transforms vertices [begin, end) of a mesh, multiples of data::kRowPad, to rows from `row` on.
 void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
-                        size_t end, Vertices* out);
+                        size_t end, size_t row, Vertices* out);
 
 }  // namespace shd::geometry

@@ -78,7 +78,7 @@ HWY_INLINE hn::Mask<D> FiniteAttributes(D d, const VertexColumns& c, uint32_t va
 
 /// Vertices [begin, begin + rows) as a program left them.
 void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexColumns& c, size_t begin, size_t rows,
-                    Vertices& out) {
+                    size_t row, Vertices& out) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   for (size_t i = 0; i < rows; i += hn::Lanes(d)) {
@@ -97,10 +97,10 @@ void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexCo
     auto finite = hn::And(hn::And(Finite(d, x), Finite(d, y)), hn::And(Finite(d, z), Finite(d, w)));
     finite = hn::And(finite, hn::And(Finite3(d, world), Finite3(d, given)));
     finite = hn::And(finite, FiniteAttributes(d, c, out.varying_count, i));
-    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, c.u + i), d, &out.world[4 * at]);
+    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, c.u + i), d, &out.world[4 * (row + i)]);
     hn::StoreInterleaved4(hn::IfThenElse(same, fixed.x, unit.x), hn::IfThenElse(same, fixed.y, unit.y),
-                          hn::IfThenElse(same, fixed.z, unit.z), hn::Load(d, c.v + i), d, &out.normal[4 * at]);
-    StoreRaster(d, transform, x, y, z, w, finite, at, out);
+                          hn::IfThenElse(same, fixed.z, unit.z), hn::Load(d, c.v + i), d, &out.normal[4 * (row + i)]);
+    StoreRaster(d, transform, x, y, z, w, finite, row + i, out);
   }
 }
 
@@ -129,13 +129,14 @@ void call(const VertexProgram& program, const shd_vertices& in, shd_vertex_outpu
   }
 }
 
-/// Calls a program for `count` vertices from `first` on.
-void run(const Mesh& mesh, const VertexProgram& program, size_t first, size_t count, const VertexColumns& c) {
+/// Calls a program for `count` vertices from `first` on, which are rows `row` and up of its columns.
+void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t number, size_t count, size_t row,
+         const VertexColumns& c) {
   shd_vertices in = {};
   in.struct_size = sizeof in;
   in.draw = program.draw;
   in.instance = program.instance;
-  in.first = static_cast<uint32_t>(first);
+  in.first = number;
   in.count = count;
   in.px = &mesh.px[first], in.py = &mesh.py[first], in.pz = &mesh.pz[first];
   in.nx = &mesh.nx[first], in.ny = &mesh.ny[first], in.nz = &mesh.nz[first];
@@ -151,11 +152,11 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, size_t co
   shd_vertex_outputs out = {};
   out.struct_size = sizeof out;
   out.varying_count = program.varying_count;
-  out.x = c.x, out.y = c.y, out.z = c.z, out.w = c.w;
-  out.px = c.px, out.py = c.py, out.pz = c.pz;
-  out.nx = c.nx, out.ny = c.ny, out.nz = c.nz;
-  out.u = c.u, out.v = c.v;
-  for (uint32_t k = 0; k < program.varying_count; ++k) out.varying[k] = c.varying[k];
+  out.x = c.x + row, out.y = c.y + row, out.z = c.z + row, out.w = c.w + row;
+  out.px = c.px + row, out.py = c.py + row, out.pz = c.pz + row;
+  out.nx = c.nx + row, out.ny = c.ny + row, out.nz = c.nz + row;
+  out.u = c.u + row, out.v = c.v + row;
+  for (uint32_t k = 0; k < program.varying_count; ++k) out.varying[k] = c.varying[k] + row;
   call(program, in, &out);
 #ifndef NDEBUG
   if (in.count != count) {
@@ -163,6 +164,19 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, size_t co
         core::fail(SHD_ERROR_CALLBACK, "material.program.vertex changed the count in render.draws[%u]", program.draw));
   }
 #endif
+}
+
+/// The same for a batch, in one call for all vertices whose numbers follow each other.
+void run_batch(const NumberedMesh& vertices, const VertexProgram& program, size_t first, size_t count,
+               const VertexColumns& c) {
+  const uint32_t* numbers = vertices.numbers;
+  if (!numbers) return run(vertices.mesh, program, first, static_cast<uint32_t>(first), count, 0, c);
+  numbers += first;
+  for (size_t begin = 0, end = 0; begin < count; begin = end) {
+    for (end = begin + 1; end < count && numbers[end] == numbers[end - 1] + 1; ++end) {
+    }
+    run(vertices.mesh, program, first + begin, numbers[begin], end - begin, begin, c);
+  }
 }
 
 }  // namespace
@@ -182,18 +196,20 @@ void allocate(const core::Allocator& allocator, VertexColumns* out) {
   for (float*& column : out->varying) column = take();
 }
 
-void run_vertex_program(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
-                        const VertexProgram& program, size_t begin, size_t end, VertexColumns* scratch, Vertices* out) {
+void run_vertex_program(const core::SimdTarget& simd, const NumberedMesh& vertices, const Transform& transform,
+                        const VertexProgram& program, size_t begin, size_t end, size_t row, VertexColumns* scratch,
+                        Vertices* out) {
+  const Mesh& mesh = vertices.mesh;
   const uint32_t varying_count = program.varying_count;
   for (size_t first = begin; first < end; first += kVertexBatch) {
-    const size_t rows = std::min(kVertexBatch, end - first);
+    const size_t rows = std::min(kVertexBatch, end - first), to = row + (first - begin);
     SHD_DISPATCH(BeginVertices, simd)(mesh, transform, first, rows, *scratch);
     for (uint32_t k = 0; k < varying_count; ++k) std::fill_n(scratch->varying[k], rows, 0.0f);
-    run(mesh, program, first, std::min<size_t>(rows, mesh.vertex_count - first), *scratch);
-    SHD_DISPATCH(FinishVertices, simd)(mesh, transform, *scratch, first, rows, *out);
+    run_batch(vertices, program, first, std::min<size_t>(rows, mesh.vertex_count - first), *scratch);
+    SHD_DISPATCH(FinishVertices, simd)(mesh, transform, *scratch, first, rows, to, *out);
     for (uint32_t k = 0; k < varying_count; ++k) {
-      float* to = &out->varying[first * varying_count + k];
-      for (size_t i = 0; i < rows; ++i) to[i * varying_count] = scratch->varying[k][i];
+      float* column = &out->varying[to * varying_count + k];
+      for (size_t i = 0; i < rows; ++i) column[i * varying_count] = scratch->varying[k][i];
     }
   }
 }

@@ -41,10 +41,17 @@ struct VertexColumns {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, VertexColumns* out);
 
+/// Vertices that a program is called for.
+struct NumberedMesh {
+  const Mesh& mesh;
+  const uint32_t* numbers;  // of its vertices for the program; null = 0, 1 and so on
+};
+
 /// As transform_vertices, but that the program may change every vertex before it comes to the raster. A vertex that it
 /// leaves as it was keeps its bits. Throws Failure if the program threw.
 /// @param out  with room for the program's varyings
-void run_vertex_program(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
-                        const VertexProgram& program, size_t begin, size_t end, VertexColumns* scratch, Vertices* out);
+void run_vertex_program(const core::SimdTarget& simd, const NumberedMesh& vertices, const Transform& transform,
+                        const VertexProgram& program, size_t begin, size_t end, size_t row, VertexColumns* scratch,
+                        Vertices* out);
 
 }  // namespace shd::geometry

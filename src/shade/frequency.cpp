@@ -16,14 +16,14 @@ struct Corner {
   float u, v;
 };
 
-Corner corner(const geometry::Vertices& vertices, uint32_t index) {
-  const float* world = &vertices.world[4 * size_t{index}];
-  const float* normal = &vertices.normal[4 * size_t{index}];
+Corner corner(const geometry::Vertices& vertices, uint32_t row) {
+  const float* world = &vertices.world[4 * size_t{row}];
+  const float* normal = &vertices.normal[4 * size_t{row}];
   return {{world[0], world[1], world[2]}, {normal[0], normal[1], normal[2]}, world[3], normal[3]};
 }
 
-float varying(const geometry::Vertices& vertices, uint32_t index, uint32_t c) {
-  return vertices.varying[size_t{vertices.varying_count} * index + c];
+float varying(const geometry::Vertices& vertices, uint32_t row, uint32_t c) {
+  return vertices.varying[size_t{vertices.varying_count} * row + c];
 }
 
 // In double, where neither sums nor products of floats over- or underflow.
@@ -61,17 +61,17 @@ void set_row(const Corner& c, const float eye[3], uint32_t triangle, size_t row,
 
 }  // namespace
 
-void set_corners(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const float eye[3], uint32_t triangle,
-                 size_t row, raster::Fragments* rows) {
+void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_t triangle, size_t row,
+                 raster::Fragments* rows) {
   for (size_t k = 0; k < 3; ++k) {
-    set_row(corner(vertices, mesh.indices[3 * size_t{triangle} + k]), eye, triangle, row + k, rows);
+    set_row(corner(vertices, geometry::row_of(vertices, triangle, k)), eye, triangle, row + k, rows);
   }
 }
 
-void set_centroid(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const float eye[3], float orientation,
-                  uint32_t triangle, size_t row, raster::Fragments* rows) {
-  const uint32_t* index = &mesh.indices[3 * size_t{triangle}];
-  const Corner a = corner(vertices, index[0]), b = corner(vertices, index[1]), c = corner(vertices, index[2]);
+void set_centroid(const geometry::Vertices& vertices, const float eye[3], float orientation, uint32_t triangle,
+                  size_t row, raster::Fragments* rows) {
+  const auto corner_of = [&](size_t k) { return corner(vertices, geometry::row_of(vertices, triangle, k)); };
+  const Corner a = corner_of(0), b = corner_of(1), c = corner_of(2);
   const Vec3 normal = face_normal(a.p, b.p, c.p);
   const Corner centroid = {{mean(a.p.x, b.p.x, c.p.x), mean(a.p.y, b.p.y, c.p.y), mean(a.p.z, b.p.z, c.p.z)},
                            orientation * normal,
@@ -80,24 +80,27 @@ void set_centroid(const geometry::Mesh& mesh, const geometry::Vertices& vertices
   set_row(centroid, eye, triangle, row, rows);
 }
 
-void set_corner_varyings(const geometry::Mesh& mesh, const geometry::Vertices& vertices, const shd_interpolation* modes,
+void set_corner_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
                          const raster::Fragments& rows, raster::Varyings* out) {
   for (size_t row = 0; row < rows.count; ++row) {
-    const uint32_t* index = &mesh.indices[3 * size_t{rows.triangle[row]}];
+    const uint32_t first = geometry::row_of(vertices, rows.triangle[row], 0);
+    const uint32_t own = geometry::row_of(vertices, rows.triangle[row], row % 3);
     for (uint32_t c = 0; c < vertices.varying_count; ++c) {
-      out->column[c][row] = varying(vertices, index[modes[c] == SHD_INTERPOLATION_FLAT ? 0 : row % 3], c);
+      out->column[c][row] = varying(vertices, modes[c] == SHD_INTERPOLATION_FLAT ? first : own, c);
     }
   }
 }
 
-void set_centroid_varyings(const geometry::Mesh& mesh, const geometry::Vertices& vertices,
-                           const shd_interpolation* modes, const raster::Fragments& rows, raster::Varyings* out) {
+void set_centroid_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
+                           const raster::Fragments& rows, raster::Varyings* out) {
   for (size_t row = 0; row < rows.count; ++row) {
-    const uint32_t* index = &mesh.indices[3 * size_t{rows.triangle[row]}];
+    uint32_t corner[3];
+    for (size_t k = 0; k < 3; ++k) corner[k] = geometry::row_of(vertices, rows.triangle[row], k);
     for (uint32_t c = 0; c < vertices.varying_count; ++c) {
-      const float first = varying(vertices, index[0], c);
+      const float first = varying(vertices, corner[0], c);
       const bool flat = modes[c] == SHD_INTERPOLATION_FLAT;
-      out->column[c][row] = flat ? first : mean(first, varying(vertices, index[1], c), varying(vertices, index[2], c));
+      out->column[c][row] =
+          flat ? first : mean(first, varying(vertices, corner[1], c), varying(vertices, corner[2], c));
     }
   }
 }

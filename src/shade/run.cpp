@@ -41,11 +41,14 @@ void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading
     f->depth[i] = f->depth[f->count - 1];
     f->triangle[i] = f->triangle[f->count - 1];
   }
-  const uint32_t* indices = shading.mesh->indices.data();
+  const geometry::Vertices& vertices = *shading.vertices;
+  const uint32_t* indices = vertices.indices;
+  const uint32_t first_triangle = vertices.first_triangle, first_index = vertices.first_index;
   for (size_t i = 0; i < data::padded(f->count); ++i) {
-    for (size_t k = 0; k < 3; ++k) f->vertex[k][i] = indices[3 * size_t{f->triangle[i]} + k];
+    const uint32_t* corner = indices + 3 * size_t{f->triangle[i] - first_triangle};
+    for (size_t k = 0; k < 3; ++k) f->vertex[k][i] = corner[k] - first_index;
   }
-  raster::interpolate(simd, *shading.vertices, eye, wanted, f);
+  raster::interpolate(simd, vertices, eye, wanted, f);
 }
 
 /// Rows of Gouraud and flat shading, one set for each triangle of the batch; columns.row says which is whose.
@@ -56,9 +59,9 @@ void make_rows(const DrawShading& shading, const float eye[3], Workspace* w) {
   for (size_t i = 0; i < f.count; ++i) {
     if (i == 0 || f.triangle[i] != f.triangle[i - 1]) {
       if (flat) {
-        set_centroid(*shading.mesh, *shading.vertices, eye, shading.orientation, f.triangle[i], next, &w->rows);
+        set_centroid(*shading.vertices, eye, shading.orientation, f.triangle[i], next, &w->rows);
       } else {
-        set_corners(*shading.mesh, *shading.vertices, eye, f.triangle[i], next, &w->rows);
+        set_corners(*shading.vertices, eye, f.triangle[i], next, &w->rows);
       }
       next += flat ? 1 : 3;
     }
@@ -145,9 +148,9 @@ void make_varyings(const core::SimdTarget& simd, const DrawShading& shading, Wor
   if (shading.frequency == SHD_FREQUENCY_PHONG) {
     raster::interpolate_varyings(simd, vertices, modes, w->fragments, &w->varyings);
   } else if (shading.frequency == SHD_FREQUENCY_FLAT) {
-    set_centroid_varyings(*shading.mesh, vertices, modes, w->rows, &w->varyings);
+    set_centroid_varyings(vertices, modes, w->rows, &w->varyings);
   } else {
-    set_corner_varyings(*shading.mesh, vertices, modes, w->rows, &w->varyings);
+    set_corner_varyings(vertices, modes, w->rows, &w->varyings);
   }
 }
 

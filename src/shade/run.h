@@ -6,7 +6,6 @@
 #include <shd/render.h>
 
 #include "core/context.h"
-#include "geometry/mesh.h"
 #include "geometry/vertex.h"
 #include "material/material.h"
 #include "raster/fragments.h"
@@ -18,7 +17,6 @@ namespace shd::shade {
 
 /// What the fragments of one draw are shaded with.
 struct DrawShading {
-  const geometry::Mesh* mesh;
   const geometry::Vertices* vertices;
   const material::Material* material;
   shd_frequency frequency;

@@ -78,6 +78,24 @@ static void picture_largest(struct frame *f)
     f->desc.crop_x = 65536 - 100;
     f->desc.crop_y = 65536 - 70;
 }
+static void supersample(struct frame *f, uint32_t n, uint32_t width, uint32_t height)
+{
+    f->desc.supersampling = n;
+    f->desc.picture_width = width;
+    f->desc.picture_height = height;
+}
+static void supersampling_1(struct frame *f) { supersample(f, 1, 65536, 65536); }
+static void supersampling_10(struct frame *f) { supersample(f, 10, 0, 0); }
+static void supersampling_17(struct frame *f) { supersample(f, 17, 0, 0); }
+static void supersampling_huge(struct frame *f) { supersample(f, 0xffffffffu, 0, 0); }
+static void supersampling_fits(struct frame *f) { supersample(f, 8, 8192, 8192); }
+static void supersampling_wide(struct frame *f) { supersample(f, 16, 4097, 0); }
+static void supersampling_high(struct frame *f) { supersample(f, 3, 0, 21846); }
+static void pass_1(struct frame *f) { f->desc.pass_triangles = 1; }
+static void pass_1023(struct frame *f) { f->desc.pass_triangles = 1023; }
+static void pass_1024(struct frame *f) { f->desc.pass_triangles = 1024; }
+static void pass_most(struct frame *f) { f->desc.pass_triangles = 0x7fffffffu; }
+static void pass_2_31(struct frame *f) { f->desc.pass_triangles = 0x80000000u; }
 static void crop_alone(struct frame *f) { f->desc.crop_x = 1; }
 static void crop_beyond(struct frame *f)
 {
@@ -211,6 +229,20 @@ static const struct edit_case k_edits[] = {
     {"scissor.x/outside", scissor_outside, REFUSED, "render.scissor.x: 101 is not in 0..100"},
     {"scissor.width/beyond", scissor_wide, REFUSED, "render.scissor.width: 51 is not in 0..50"},
     {"scissor.height/beyond", scissor_high, REFUSED, "render.scissor.height: 70 is not in 0..69"},
+    {"supersampling/1", supersampling_1, SHD_OK, ""},
+    {"supersampling/10", supersampling_10, SHD_OK, ""},
+    {"supersampling/17", supersampling_17, REFUSED, "render.supersampling: 17 is not in 0..16"},
+    {"supersampling/uint32_max", supersampling_huge, REFUSED, "render.supersampling: 4294967295 is not in 0..16"},
+    {"supersampling/picture_fits", supersampling_fits, SHD_OK, ""},
+    {"supersampling/picture_too_wide", supersampling_wide, REFUSED,
+     "render.supersampling: 16 times a picture of 4097 x 70 exceeds 65536 pixels a side"},
+    {"supersampling/picture_too_high", supersampling_high, REFUSED,
+     "render.supersampling: 3 times a picture of 100 x 21846 exceeds 65536 pixels a side"},
+    {"pass_triangles/1", pass_1, REFUSED, "render.pass_triangles: 1 is not in 1024..2147483647"},
+    {"pass_triangles/1023", pass_1023, REFUSED, "render.pass_triangles: 1023 is not in 1024..2147483647"},
+    {"pass_triangles/1024", pass_1024, SHD_OK, ""},
+    {"pass_triangles/most", pass_most, SHD_OK, ""},
+    {"pass_triangles/2^31", pass_2_31, REFUSED, "render.pass_triangles: 2147483648 is not in 1024..2147483647"},
     {"flags/unknown", flags, SHD_ERROR_UNSUPPORTED, "render.flags: bits 0x4 "},
     {"clear_color/nan", clear_nan, REFUSED, "render.clear_color[2]: nan is not finite"},
     {"clear_color/inf", clear_inf, REFUSED, "render.clear_color[0]: -inf is not finite"},

@@ -25,6 +25,18 @@ static void open_scene(shd_scene *s, shd_scene_kind kind, uint32_t workers, shd_
     desc.worker_count = workers;
     shd_assert_ok(shd_context_create(&desc, context));
     shd_scene_open(s, kind, *context);
+    { /* without the index of the draw, in which they differ */
+        shd_framebuffer_info info;
+        shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
+        shd_assert_ok(shd_framebuffer_get_info(s->framebuffer, &info));
+        framebuffer.width = info.width;
+        framebuffer.height = info.height;
+        framebuffer.samples = info.samples;
+        framebuffer.aovs = info.aovs & ~(uint32_t)SHD_AOV_DRAW;
+        shd_framebuffer_release(s->framebuffer);
+        shd_assert_ok(shd_framebuffer_create(*context, &framebuffer, &s->framebuffer));
+        s->desc.framebuffer = s->framebuffer;
+    }
 }
 
 static void close_scene(shd_scene *s, shd_context *context)

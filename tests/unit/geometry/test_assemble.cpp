@@ -54,13 +54,13 @@ void transform(bool perspective) {
   t.right = static_cast<float>(kWidth);
   t.bottom = static_cast<float>(kHeight);
   const core::SimdTarget target = best_target();
-  geometry::transform_vertices(target, g->mesh, t, 0, kRows, &g->vertices);
+  geometry::transform_vertices(target, g->mesh, t, 0, kRows, 0, &g->vertices);
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
   shd_render_stats stats = {};
   const geometry::Assembly assembly = {
-      &g->mesh, &g->vertices, 5, cull, geometry::viewport_box(kWidth, kHeight), {128, 128, 128, 128}};
+      &g->vertices, 5, cull, geometry::viewport_box(kWidth, kHeight), {128, 128, 128, 128}};
   geometry::assemble(assembly, begin, end, &g->out, &stats);
   return stats;
 }

@@ -52,7 +52,7 @@ void set_vertex(size_t index, const float* v) {
   geometry::Transform transform = {};
   for (int c = 0; c < 4; ++c) transform.raster[12 + c] = v[c];
   transform.right = transform.bottom = static_cast<float>(kSize);
-  geometry::transform_vertices(best_target(), g->mesh, transform, 0, kRows, &g->one);
+  geometry::transform_vertices(best_target(), g->mesh, transform, 0, kRows, 0, &g->one);
   g->vertices.screen[index] = g->one.screen[0];
   memcpy(&g->vertices.raster[4 * index], &g->one.raster[0], 4 * sizeof(float));
 }
@@ -61,7 +61,7 @@ constexpr geometry::SampleExtent kAnywhere = {0, 255, 0, 255};
 
 shd_render_stats assemble(shd_fill fill, float width, shd_cull cull, size_t count) {
   shd_render_stats stats = {};
-  geometry::Assembly assembly = {&g->mesh, &g->vertices, 5, cull, geometry::viewport_box(kSize, kSize), kAnywhere, {}};
+  geometry::Assembly assembly = {&g->vertices, 5, cull, geometry::viewport_box(kSize, kSize), kAnywhere, {}};
   assembly.outline = {fill, geometry::outline_reach(width)};
   g->out.clear();
   geometry::assemble(assembly, 0, count, &g->out, &stats);

@@ -83,7 +83,7 @@ void test_centroid(void** state) {
   const float normal[3] = {0, 0, 1};
   for (size_t k = 0; k < 3; ++k) set_vertex(k, c->p[k], normal, c->p[k][0], c->p[k][1]);
   raster::Fragments& rows = g->workspace.rows;
-  shade::set_centroid(g->mesh, g->vertices, kEye, c->orientation, 0, 7, &rows);
+  shade::set_centroid(g->vertices, kEye, c->orientation, 0, 7, &rows);
   const Vector a = ref::vector(c->p[0]), b = ref::vector(c->p[1]), d = ref::vector(c->p[2]);
   const Vector centre = 1.0L / 3 * (a + b + d);
   const Vector n = c->has_normal ? c->orientation * ref::unit(ref::cross(b - a, d - a)) : Vector{0, 0, 0};
@@ -110,7 +110,7 @@ void test_random_rows(void**) {
     set_vertex(i, p, n, random.real(0, 1), random.real(0, 1));
   }
   raster::Fragments& rows = g->workspace.rows;
-  for (uint32_t t = 0; t < kTriangles; ++t) shade::set_corners(g->mesh, g->vertices, kEye, t, 3 * t, &rows);
+  for (uint32_t t = 0; t < kTriangles; ++t) shade::set_corners(g->vertices, kEye, t, 3 * t, &rows);
   for (size_t i = 0; i < kVertices; ++i) {
     const float* p = &g->vertices.world[4 * i];
     assert_true(rows.px[i] == p[0] && rows.py[i] == p[1] && rows.pz[i] == p[2] && rows.u[i] == p[3]);
@@ -173,8 +173,8 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
   for_each_target([&](const core::SimdTarget& target, bool first) {
     Random random = {seed};
     make_scene(&random, fragments);
-    const shade::DrawShading shading = {&g->mesh, &g->vertices,          &g->material, frequency, 1.0f, 3,
-                                        0,        raster::kBarycentrics, nullptr};
+    const shade::DrawShading shading = {&g->vertices,          &g->material, frequency, 1.0f, 3, 0,
+                                        raster::kBarycentrics, nullptr};
     shade::shade_batch(target, shading, g->lights, kEye, &g->workspace);
     for (int c = 0; c < 4; ++c) {
       float *got = g->workspace.columns.radiance.channel[c], *kept = g->first.columns.radiance.channel[c];
