@@ -66,14 +66,17 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Placi
                            const raster::VisiblePixel* pixels, size_t count) {
   raster::Fragments& f = worker_.workspace.fragments;
   const size_t begin = f.count;
+  uint32_t* __restrict pixel = f.pixel + begin, * __restrict mask = f.mask + begin;
+  for (size_t i = 0; i < count; ++i) {
+    pixel[i] = pixels[i].position;
+    mask[i] = pixels[i].mask;
+  }
+  std::fill_n(f.triangle + begin, count, triangle.primitive);
+  float* __restrict x = f.x + begin, * __restrict y = f.y + begin;
   const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
   for (size_t i = 0; i < count; ++i) {
-    const uint32_t pixel = pixels[i].position;
-    f.pixel[begin + i] = pixel;
-    f.mask[begin + i] = pixels[i].mask;
-    f.triangle[begin + i] = triangle.primitive;
-    f.x[begin + i] = left + static_cast<float>(pixel % raster::kTile);
-    f.y[begin + i] = top + static_cast<float>(pixel / raster::kTile);
+    x[i] = left + static_cast<float>(static_cast<int32_t>(pixel[i] % raster::kTile));
+    y[i] = top + static_cast<float>(static_cast<int32_t>(pixel[i] / raster::kTile));
   }
   f.count += count;
   const Draw& draw = tile_.draw_of(triangle);

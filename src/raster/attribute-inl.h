@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "raster/fragments.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -26,6 +28,14 @@ HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   const V halved = hn::Add(hn::Add(h0, hn::Mul(b1, h1)), hn::Mul(b2, h2));
   const V bounded = hn::Min(hn::Max(halved, hn::Neg(limit)), limit);
   return hn::IfThenElse(finite, blend, hn::Add(bounded, bounded));
+}
+
+/// Whether a vector of fragments from row `at` on belongs to one triangle. Its ends do not tell: pieces of a triangle
+/// may have another one between them.
+template <class D>
+HWY_INLINE bool ShareTriangle(D, const Fragments& f, size_t at) {
+  const hn::RebindToUnsigned<D> du;
+  return hn::AllTrue(du, hn::Eq(hn::Load(du, f.triangle + at), hn::Set(du, f.triangle[at])));
 }
 
 }  // namespace shd::raster::HWY_NAMESPACE

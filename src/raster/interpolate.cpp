@@ -152,15 +152,16 @@ HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const R
 void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t wanted, Fragments& f) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
-  const hn::RebindToUnsigned<decltype(d)> du;
   const size_t lanes = hn::Lanes(d);
   for (size_t at = 0; at < f.count; at += lanes) {
-    // Pieces of one triangle may have another one between them: the ends do not tell.
-    if (hn::AllTrue(du, hn::Eq(hn::Load(du, f.triangle + at), hn::Set(du, f.triangle[at])))) {
+    if (ShareTriangle(d, f, at)) {
       const OneRow rows[3] = {{f.vertex[0][at]}, {f.vertex[1][at]}, {f.vertex[2][at]}};
       InterpolateRows(d, vertices, rows, eye, wanted, at, f);
     } else {
-      const auto first = [&](int k) { return hn::BitCast(di, hn::ShiftLeft<2>(hn::Load(du, f.vertex[k] + at))); };
+      const auto first = [&](int k) {
+        const hn::RebindToUnsigned<decltype(d)> du;
+        return hn::BitCast(di, hn::ShiftLeft<2>(hn::Load(du, f.vertex[k] + at)));
+      };
       const RowPerLane<decltype(d)> rows[3] = {{first(0)}, {first(1)}, {first(2)}};
       InterpolateRows(d, vertices, rows, eye, wanted, at, f);
     }

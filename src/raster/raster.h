@@ -22,6 +22,7 @@
 /// | newell.h         | the order of Newell, Newell and Sancha                               |
 /// | edge.h           | edge functions and the depth plane of one triangle                   |
 /// | coverage.h       | kernels: edge functions, depth tests                                 |
+/// | depth_bounds-inl.h | hierarchical depth, for those kernels                               |
 /// | changes.h        | kernel: where neighbouring samples show other triangles               |
 /// | fragments.h      | the Fragments table, and the sort of a tile's pixels into it         |
 /// | interpolate.h    | kernel: perspective-correct attributes with derivatives              |

@@ -104,8 +104,7 @@ void InterpolateVaryings(const geometry::Vertices& vertices, const shd_interpola
   bool any_affine = false;
   for (uint32_t c = 0; c < vertices.varying_count; ++c) any_affine |= modes[c] == SHD_INTERPOLATION_AFFINE;
   for (size_t at = 0; at < f.count; at += lanes) {
-    // Sorted by triangle: the same at both ends is the same throughout.
-    if (f.triangle[at] == f.triangle[at + lanes - 1]) {
+    if (ShareTriangle(d, f, at)) {
       const OneTriangle triangle = {{f.vertex[0][at], f.vertex[1][at], f.vertex[2][at]}};
       InterpolateRows(d, vertices, triangle, modes, any_affine, f, at, out);
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shade/run.h"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 
@@ -42,11 +43,10 @@ void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading
     f->triangle[i] = f->triangle[f->count - 1];
   }
   const geometry::Vertices& vertices = *shading.vertices;
-  const uint32_t* indices = vertices.indices;
-  const uint32_t first_triangle = vertices.first_triangle, first_index = vertices.first_index;
-  for (size_t i = 0; i < data::padded(f->count); ++i) {
-    const uint32_t* corner = indices + 3 * size_t{f->triangle[i] - first_triangle};
-    for (size_t k = 0; k < 3; ++k) f->vertex[k][i] = corner[k] - first_index;
+  for (size_t begin = 0, end; begin < data::padded(f->count); begin = end) {
+    const uint32_t triangle = f->triangle[begin];
+    for (end = begin + 1; end < data::padded(f->count) && f->triangle[end] == triangle;) ++end;
+    for (size_t k = 0; k < 3; ++k) std::fill(f->vertex[k] + begin, f->vertex[k] + end, row_of(vertices, triangle, k));
   }
   raster::interpolate(simd, vertices, eye, wanted, f);
 }

@@ -113,6 +113,28 @@ void test_uniform_and_gathered(void**) {
   });
 }
 
+/// Rows of a triangle with those of another one between them.
+void test_interrupted(void**) {
+  shd_interpolation modes[kMax];
+  set_modes(modes, 2);
+  for (uint32_t period = 2; period <= 17; ++period) {
+    make_batch(19, 7, kMax, false);
+    for (uint32_t i = 0; i < kBatch; ++i) {
+      set_fragment(i, i % period == period / 2 ? 1 : 0, g->fragments.x[i], g->fragments.y[i]);
+    }
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      run(target, modes, &g_table->got);
+      uint32_t names[kBatch];
+      memcpy(names, g->fragments.triangle, sizeof names);
+      for (uint32_t i = 0; i < kBatch; ++i) g->fragments.triangle[i] = i;
+      run(target, modes, &g_table->kept);
+      memcpy(g->fragments.triangle, names, sizeof names);
+      if (memcmp(g_table->kept.block.data(), g_table->got.block.data(), sizeof(float) * kMax * kBatch) != 0)
+        fail_msg("%s: other bits, period %u", target.name, period);
+    });
+  }
+}
+
 /// A row has the same bits in a batch of any size, and rows past the last vector stay as they were.
 void test_counts(void**) {
   shd_interpolation modes[kMax];
@@ -169,6 +191,7 @@ int main() {
   const CMUnitTest tests[] = {
       {"oracle", test_oracle, nullptr, nullptr, nullptr},
       {"bits/one_triangle_or_gathered", test_uniform_and_gathered, nullptr, nullptr, nullptr},
+      {"bits/interrupted", test_interrupted, nullptr, nullptr, nullptr},
       {"bits/counts_1..200", test_counts, nullptr, nullptr, nullptr},
       {"extremes", test_extremes, nullptr, nullptr, nullptr},
   };
