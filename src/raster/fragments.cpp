@@ -19,17 +19,24 @@ void visit_columns(Fragments& f, Visit visit) {
   }
 }
 
-/// A run for each triangle that a pixel shows.
-void add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* runs) {
-  const uint32_t* slots = tile.slot.data() + pixel * tile.samples;
+/// A run for each triangle that a pixel shows. Returns how many of its samples show none.
+template <uint32_t kSamples>
+size_t add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* runs) {
+  const uint32_t* slots = tile.slot.data() + pixel * kSamples;
   const auto begin = static_cast<uint16_t>(pixel), end = static_cast<uint16_t>(pixel + 1);
-  for (uint32_t rest = (1u << tile.samples) - 1; rest;) {
+  size_t bare = 0;
+  for (uint32_t rest = (1u << kSamples) - 1; rest;) {
     const uint32_t slot = slots[__builtin_ctz(rest)];
     uint32_t mask = 0;
-    for (uint32_t k = 0; k < tile.samples; ++k) mask |= static_cast<uint32_t>(slots[k] == slot) << k;
-    if (slot != kNoSlot) runs->push_back({slot, begin, end, mask});
+    for (uint32_t k = 0; k < kSamples; ++k) mask |= static_cast<uint32_t>(slots[k] == slot) << k;
+    if (slot != kNoSlot) {
+      runs->push_back({slot, begin, end, mask});
+    } else {
+      bare = static_cast<size_t>(__builtin_popcount(mask));
+    }
     rest &= ~mask;
   }
+  return bare;
 }
 
 /// The first set bit from `from` on, or `count`.
@@ -42,21 +49,38 @@ size_t next_bit(const uint64_t* bits, size_t from, size_t count) {
   }
 }
 
-/// Cuts the covered pixels of a tile into runs.
+/// Cuts the covered pixels of a tile into runs. Returns how many samples show no triangle.
 /// @param changes  where slots are not the slot before
-void find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
-  const uint32_t samples = tile.samples, all = (1u << samples) - 1;
+template <uint32_t kSamples>
+size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
+  constexpr uint32_t kAll = (1u << kSamples) - 1;
+  size_t bare = 0;
   runs->clear();
   for (size_t begin = 0; begin < kTilePixels;) {
-    const uint32_t slot = tile.slot[begin * samples];
-    const size_t end = next_bit(changes, begin * samples + 1, kTilePixels * samples) / samples;
-    if (end > begin) {
-      if (slot != kNoSlot) runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), all});
-      begin = end;
+    const uint32_t slot = tile.slot[begin * kSamples];
+    const size_t end = next_bit(changes, begin * kSamples + 1, kTilePixels * kSamples) / kSamples;
+    if (end == begin) {
+      bare += add_mixed_pixel<kSamples>(tile, begin, runs);
+      ++begin;
       continue;
     }
-    add_mixed_pixel(tile, begin, runs);
-    ++begin;
+    if (slot == kNoSlot) {
+      bare += (end - begin) * kSamples;
+    } else {
+      runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), kAll});
+    }
+    begin = end;
+  }
+  return bare;
+}
+
+size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
+  switch (tile.samples) {
+    case 1: return find_runs<1>(tile, changes, runs);
+    case 2: return find_runs<2>(tile, changes, runs);
+    case 4: return find_runs<4>(tile, changes, runs);
+    case 8: return find_runs<8>(tile, changes, runs);
+    default: return find_runs<16>(tile, changes, runs);
   }
 }
 
@@ -86,13 +110,9 @@ void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_cou
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
   find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
-  find_runs(tile, out->changes.data(), &out->run);
-  out->covered_samples = 0;
+  out->covered_samples = tile.slot.size() - find_runs(tile, out->changes.data(), &out->run);
   for (size_t i = 0; i < out->run.size(); ++i) {
-    const PixelRun& run = out->run[i];
-    const uint32_t pixels = uint32_t{run.end} - run.begin;
-    out->start[run.slot] += pixels;
-    out->covered_samples += tile.samples == 1 ? pixels : pixels * static_cast<uint32_t>(__builtin_popcount(run.mask));
+    out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
   }
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {

@@ -44,6 +44,7 @@ struct Tile {
 inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* out) {
   out->samples = samples;
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
+  out->depth.fill_zero();  // bounds look at pixels outside the frame too
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
 }
 
