@@ -17,7 +17,7 @@
 #define HAS_TSAN 0
 #endif
 
-enum { k_threads = 8, k_rounds = HAS_TSAN ? 6 : 25, k_lookups = 3001 };
+enum { k_threads = 8, k_rounds = HAS_TSAN ? 6 : 25, k_lookups = 3001, k_variants = 3 };
 
 /* What the threads of a test share. */
 struct stage {
@@ -25,7 +25,7 @@ struct stage {
     shd_pool pool;
     shd_context *context;
     shd_scene scene;
-    uint64_t want_frame, want_lookups;
+    uint64_t want_frame, want_lookups, want_variant[k_variants];
     pthread_barrier_t start;
 };
 
@@ -61,11 +61,10 @@ static uint64_t sample(const shd_texture *texture, const shd_sampler *sampler)
     return hash;
 }
 
-/* The shared scene into a framebuffer of the thread's own. */
-static uint64_t render(const shd_scene *scene, shd_context *context)
+/* The shared scene as `frame` has it, into a framebuffer of the thread's own. */
+static uint64_t render_as(const shd_scene *scene, shd_render_desc frame, shd_context *context)
 {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
-    shd_render_desc frame = scene->desc;
     shd_render_stats stats;
     shd_framebuffer_info info;
     shd_framebuffer *framebuffer = NULL;
@@ -85,9 +84,33 @@ static uint64_t render(const shd_scene *scene, shd_context *context)
     return hash;
 }
 
+static uint64_t render(const shd_scene *scene, shd_context *context) { return render_as(scene, scene->desc, context); }
+
+/* In other ways: in two passes, with one draw many times, averaged from a larger picture, in an order of its own. */
+static uint64_t render_variant(const shd_scene *scene, shd_context *context, uint32_t variant)
+{
+    enum { k_copies = 70 }; /* each counts as 16 triangles or more */
+    shd_render_desc frame = scene->desc;
+    shd_draw draws[SHD_SCENE_DRAWS];
+    float copies[k_copies][16];
+    size_t i;
+    memcpy(draws, frame.draws, frame.draw_count * sizeof draws[0]);
+    for (i = 0; i < k_copies; ++i) memcpy(copies[i], draws[0].object_to_world, sizeof copies[i]);
+    if (variant == 0) {
+        draws[0].instances = copies[0];
+        draws[0].instance_count = k_copies;
+        frame.draws = draws;
+        frame.pass_triangles = 1024;
+    }
+    if (variant == 1) frame.supersampling = 3;
+    if (variant == 2) frame.visibility = SHD_VISIBILITY_NEWELL;
+    return render_as(scene, frame, context);
+}
+
 static void open_stage(struct stage *stage, int use_pool, uint32_t workers)
 {
     shd_context_desc desc = shd_context_desc_default();
+    uint32_t i;
     memset(stage, 0, sizeof *stage);
     stage->pool.worker_count = workers;
     stage->pool.order = SHD_POOL_RANDOM;
@@ -105,6 +128,7 @@ static void open_stage(struct stage *stage, int use_pool, uint32_t workers)
     stage->want_frame = shd_scene_render(&stage->scene);
     assert_true(stage->want_frame == shd_scene_reference(SHD_SCENE_SMALL));
     stage->want_lookups = sample(stage->scene.texture[0], stage->scene.sampler[0]);
+    for (i = 0; i < k_variants; ++i) stage->want_variant[i] = render_variant(&stage->scene, stage->context, i);
 }
 
 static void close_stage(struct stage *stage)
@@ -223,6 +247,16 @@ static void act_own_context(struct actor *self)
     }
 }
 
+static void act_render_variants(struct actor *self)
+{
+    uint32_t round;
+    for (round = 0; round < k_rounds; ++round) {
+        const uint32_t variant = (round + self->index) % k_variants;
+        const uint64_t got = render_variant(&self->stage->scene, self->stage->context, variant);
+        self->mistakes += got != self->stage->want_variant[variant];
+    }
+}
+
 typedef void (*act_fn)(struct actor *self);
 struct cast_case {
     const char *name;
@@ -235,13 +269,15 @@ static const struct cast_case k_casts[] = {
     {"sample", {act_sample}, 1, 0, 1},
     {"render/calling_thread", {act_render}, 1, 0, 1},
     {"render/executor_of_the_host", {act_render}, 1, 1, 3},
+    {"variants/calling_thread", {act_render_variants}, 1, 0, 1},
+    {"variants/executor_of_the_host", {act_render_variants}, 1, 1, 3},
     {"create", {act_create}, 1, 0, 1},
     {"references", {act_references}, 1, 0, 1},
     {"errors", {act_fail}, 1, 0, 1},
     {"own_contexts", {act_own_context}, 1, 0, 1},
     {"everything/calling_thread", {act_sample, act_render, act_create, act_references, act_fail}, 5, 0, 1},
     {"everything/executor_of_the_host", {act_render, act_sample, act_own_context, act_create, act_references}, 5, 1, 2},
-    {"built_in/render", {act_render}, 1, 0, 2},
+    {"built_in/render", {act_render, act_render_variants}, 2, 0, 2},
     {"built_in/everything", {act_render, act_sample, act_create, act_references, act_own_context}, 5, 0, 2},
 };
 

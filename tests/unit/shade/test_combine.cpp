@@ -58,8 +58,10 @@ const combine_case k_cases[] = {
 };
 
 void fill(Random* random, const combine_case& c) {
-  g->material.model = c.model;
-  g->material.flags = c.flags;
+  shd_material_desc desc = shd_material_desc_default();
+  desc.model = c.model;
+  desc.flags = c.flags;
+  material::build(desc, nullptr, nullptr, &g->material);
   g->lights.count = c.lights;
   for (int channel = 0; channel < 3; ++channel) {
     g->material.ambient[channel] = random->real(0.0, 2.0);
