@@ -172,7 +172,7 @@ typedef struct shd_render_stats {
     double binning_seconds;       /**< sorting them by distance, if the visibility method does, and into tiles */
     double tile_seconds;          /**< coverage, shading and blending */
     /**
-     * With PAINTER and NEWELL, pairs of triangles, or pieces, that overlap on the screen and where the one painted first
+     * With PAINTER and NEWELL, pairs of triangles, or pieces, that overlap on the screen where the one painted first
      * is nearer somewhere in the overlap, by more than NEWELL sees. Where very many triangles crowd, a lower bound:
      * pairs are looked for in cells of a grid, and in each up to 64 for every triangle in it and 1024 more.
      */
@@ -228,9 +228,9 @@ typedef struct shd_render_desc {
      * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, as are crop, viewport and scissor, with
      * the framebuffer's samples in each of its pixels; up to 65536 of them a side. Colour and targets of a pixel are
      * the plain average of its n x n; depth and the other planes are those of the top left one. Derivatives, and
-     * so footprints of textures, are those of the large picture, as are raster positions in programs and the widths of
-     * lines and points. With `keep` each starts as its pixel. The large picture is drawn in blocks of up to 1024 x
-     * 1024, in memory for one of them; statistics are the sums over blocks, so that a triangle counts in each.
+     * so footprints of textures, are those of the large picture, as are raster positions in programs; lines and points
+     * are n times as wide there. With `keep` each starts as its pixel. The large picture is drawn in blocks of up to
+     * 1024 x 1024, in memory for one of them; statistics are the sums over blocks, so that a triangle counts in each.
      */
     uint32_t supersampling;
     /**

@@ -47,7 +47,15 @@ struct BlockProgress {
 class Supersampler {
  public:
   Supersampler(const core::Context& context, const Frame& frame)
-      : context_(context), frame_(frame), n_(frame.supersampling), large_() {
+      : context_(context),
+        frame_(frame),
+        n_(frame.supersampling),
+        draws_(context.allocator, frame.draw_count),
+        large_() {
+    for (size_t i = 0; i < frame.draw_count; ++i) {
+      draws_[i] = frame.draws[i];
+      draws_[i].outline.reach *= static_cast<int32_t>(n_);
+    }
     const geometry::PixelBox box = geometry::intersection(window_box(frame), frame.scissor);
     area_ = {static_cast<uint32_t>(box.min_x - frame.window.left), static_cast<uint32_t>(box.min_y - frame.window.top),
              static_cast<uint32_t>(box.max_x - box.min_x + 1), static_cast<uint32_t>(box.max_y - box.min_y + 1)};
@@ -93,6 +101,7 @@ class Supersampler {
     const auto n = static_cast<int32_t>(n_);
     large.supersampling = 1;
     large.framebuffer = &large_;
+    large.draws = draws_.data();
     large.window = {n * (frame_.window.left + static_cast<int32_t>(block.left)),
                     n * (frame_.window.top + static_cast<int32_t>(block.top))};
     const geometry::Viewport& v = frame_.viewport;
@@ -150,9 +159,10 @@ class Supersampler {
   const core::Context& context_;
   const Frame& frame_;
   const uint32_t n_;
-  Block area_;         // what the scissor leaves of the framebuffer
-  Framebuffer large_;  // of one block
-  double done_ = 0.0;  // pixels of finished blocks
+  core::Array<Draw> draws_;  // lines and points n times as wide
+  Block area_;               // what the scissor leaves of the framebuffer
+  Framebuffer large_;        // of one block
+  double done_ = 0.0;        // pixels of finished blocks
 };
 
 }  // namespace

@@ -86,6 +86,18 @@ static shd_region times(const shd_region *r, uint32_t n)
     return large;
 }
 
+/* Lines and points: width in pixels of the case; 0 = solid. */
+static float g_fill_width;
+
+static void outline_scene(shd_scene *s, float scale)
+{
+    size_t i;
+    for (i = 0; i < s->desc.draw_count && g_fill_width > 0; ++i) {
+        s->draw[i].fill = i % 2 ? SHD_FILL_POINTS : SHD_FILL_WIREFRAME;
+        s->draw[i].fill_width = g_fill_width * scale;
+    }
+}
+
 /* Draws a case into a framebuffer whose pixels are `size` to a pixel of the case, with or without the library's n. */
 static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *framebuffer, uint32_t size, uint32_t n)
 {
@@ -99,6 +111,7 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     s->desc.scissor = c->scissor.width ? &scissor : NULL;
     s->desc.keep = c->keep;
     s->desc.supersampling = n;
+    outline_scene(s, (float)size);
     fill(framebuffer, size);
     memset(&s->stats, 0xee, sizeof s->stats);
     shd_assert_ok(shd_render(s->context, &s->desc));
@@ -165,6 +178,22 @@ static void test_truth(void **state)
     shd_framebuffer_release(small);
     shd_scene_close(&s);
     shd_context_release(context);
+}
+
+/* Lines and points are as wide in the picture as without. */
+static void test_outlines(void **state)
+{
+    static struct frame_case k_cases[2] = {
+        {"", SHD_SCENE_SMALL, 2, 1, 97, 61, 97, 61, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
+        {"", SHD_SCENE_SMALL, 5, 4, 33, 29, 33, 29, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0}};
+    size_t i;
+    (void)state;
+    g_fill_width = 1.5f;
+    for (i = 0; i < 2; ++i) {
+        void *one = &k_cases[i];
+        test_truth(&one);
+    }
+    g_fill_width = 0;
 }
 
 /* Windows of one picture, whose blocks end elsewhere, have the bits of the whole. */
@@ -364,6 +393,7 @@ int main(void)
     for (i = 0; i < FRAMES; ++i) {
         tests[n++] = (struct CMUnitTest){k_frames[i].name, test_truth, NULL, NULL, (void *)(uintptr_t)&k_frames[i]};
     }
+    tests[n++] = (struct CMUnitTest){"outlines", test_outlines, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"windows", test_windows, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"workers_and_targets", test_workers_and_targets, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"footprints", test_footprints, NULL, NULL, NULL};
