@@ -2,8 +2,6 @@
 #include "film/opaque_pass.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "film/aovs.h"
 #include "film/fragment_batch.h"
@@ -27,14 +25,14 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
 }
 
-/// Rows with a channel that is not finite.
+/// Rows with a channel that is not finite: one that is not itself less itself.
 uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
-  const float *r = radiance.channel[0], *g = radiance.channel[1], *b = radiance.channel[2], *a = radiance.channel[3];
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const float* __restrict r = radiance.channel[0], * __restrict g = radiance.channel[1];
+  const float* __restrict b = radiance.channel[2], * __restrict a = radiance.channel[3];
   uint32_t finite = 0;
   for (size_t i = 0; i < f.count; ++i) {
-    finite += (std::fabs(r[i]) < kInfinity) & (std::fabs(g[i]) < kInfinity) & (std::fabs(b[i]) < kInfinity) &
-              (std::fabs(a[i]) < kInfinity);
+    const float zero = ((r[i] - r[i]) + (g[i] - g[i])) + ((b[i] - b[i]) + (a[i] - a[i]));
+    finite += zero == 0.0f;
   }
   return f.count - finite;
 }
