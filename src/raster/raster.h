@@ -3,7 +3,7 @@
 /// Stage contract: raster, (triangles -> Fragments).
 ///
 /// Input:      geometry::ScreenTriangle in groups, in the order they were submitted; geometry::Vertices for attributes.
-/// Output:     Fragments: the visible point of each triangle in each pixel of one tile that shows it, sorted by
+/// Output:     Fragments: the visible point of each triangle in each pixel of one tile that shows it, in runs of one
 ///             triangle; or the samples that one triangle covers.
 /// Units:      raster positions in pixels, origin at the top left corner of the picture, y down, centres at +1/2.
 /// Invariants: 8 subpixel bits; a sample belongs to a triangle if it is inside, or on a left or top edge (Direct3D 11.3
@@ -11,20 +11,21 @@
 ///             submitted, or painted; a value depends on its sample and triangle alone, never on the tile, the batch or
 ///             the worker.
 ///
-/// | file             | what                                                                 |
-/// |------------------|----------------------------------------------------------------------|
-/// | sample_pattern.h | where in a pixel its samples lie                                     |
-/// | tile.h           | the tile: depth and the visible triangle of each sample              |
-/// | bin.h            | which triangles touch which tile                                     |
-/// | facet.h          | triangles in depth: which of two may be painted first, and cuts      |
-/// | facet_grid.h     | which of them may meet on the screen                                 |
-/// | painter.h        | the painter's algorithm, and what it gets wrong                      |
-/// | newell.h         | the order of Newell, Newell and Sancha                               |
-/// | edge.h           | edge functions and the depth plane of one triangle                   |
-/// | coverage.h       | kernels: edge functions, depth tests                                 |
-/// | depth_bounds-inl.h | hierarchical depth, for those kernels                               |
-/// | changes.h        | kernel: where neighbouring samples show other triangles               |
-/// | fragments.h      | the Fragments table, and the sort of a tile's pixels into it         |
-/// | interpolate.h    | kernel: perspective-correct attributes with derivatives              |
-/// | varyings.h       | kernel: what vertex programs hand on, in three interpolations        |
+/// | file               | what                                                                  |
+/// |--------------------|-----------------------------------------------------------------------|
+/// | sample_pattern.h   | where in a pixel its samples lie                                      |
+/// | tile.h             | the tile: depth and the visible triangle of each sample               |
+/// | bin.h              | which triangles touch which tile                                      |
+/// | facet.h            | triangles in depth: which of two may be painted first, and cuts       |
+/// | facet_grid.h       | which of them may meet on the screen                                  |
+/// | painter.h          | the painter's algorithm, and what it gets wrong                       |
+/// | newell.h           | the order of Newell, Newell and Sancha                                |
+/// | edge.h             | edge functions and the depth plane of one triangle                    |
+/// | coverage.h         | kernels: edge functions, depth tests                                  |
+/// | depth_bounds-inl.h | hierarchical depth, for those kernels                                 |
+/// | changes.h          | kernel: where neighbouring samples show other triangles               |
+/// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
+/// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |
+/// | varyings.h         | kernel: what vertex programs hand on, in three interpolations         |
+/// | attribute-inl.h    | a value between those of three vertices, for those two                |
 #pragma once

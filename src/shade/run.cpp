@@ -87,6 +87,7 @@ void clear_targets(size_t count, Radiance* radiance) {
   }
 }
 
+/// Calls the program; what it throws becomes a Failure.
 void call(const DrawShading& shading, const shd_fragments& in, shd_radiance* out) {
   const shd_material_program& program = shading.material->program;
   try {

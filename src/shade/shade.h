@@ -3,7 +3,7 @@
 /// Stage contract: shade, (lobes + light -> radiance).
 ///
 /// Input:      raster::Fragments of one draw; its Material; the LightTable of the frame.
-/// Output:     Radiance columns: scene-linear, premultiplied by a.
+/// Output:     Radiance columns: scene-linear colour, premultiplied by a, and the targets that programs write.
 /// Units:      positions in world space, irradiance and radiance in the lights' unit.
 /// Invariants: lights accumulate in the order of the table; a row depends on its own inputs alone.
 ///

@@ -4,6 +4,7 @@
 #include "support/fault_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"
+#include "support/watcher.h"
 
 enum { ALL_AOVS = 2 * SHD_AOV_TARGET3 - 1, INSTANCES = 40 };
 
@@ -305,29 +306,16 @@ static void test_workers_and_targets(void **state)
     }
 }
 
-struct watcher {
-    int reports, mistakes, cancel_at;
-    float latest;
-};
-
-static int32_t report(void *user_data, float fraction)
-{
-    struct watcher *w = (struct watcher *)user_data;
-    w->mistakes += !(fraction > w->latest) || !(fraction <= 1.0f);
-    w->latest = fraction;
-    return ++w->reports == w->cancel_at;
-}
-
 static void test_progress(void **state)
 {
-    struct watcher w = {0, 0, 0, 0.0f};
+    shd_watcher w = {0, 0, 0, 0.0f};
     shd_context *context = NULL;
     struct stage t;
     int total, at;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
     open_stage(&t, context, 4, 48);
-    t.scene.desc.progress.report = report;
+    t.scene.desc.progress.report = shd_watch;
     t.scene.desc.progress.user_data = &w;
     (void)render(&t, 1024);
     assert_int_equal(w.mistakes, 0);

@@ -5,6 +5,7 @@
 #include "support/fault_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"
+#include "support/watcher.h"
 
 enum { PLANES = SHD_PLANE_TARGET3_A + 1, ALL_AOVS = 2 * SHD_AOV_TARGET3 - 1 };
 
@@ -303,22 +304,9 @@ static void test_footprints(void **state)
     shd_context_release(context);
 }
 
-struct watcher {
-    int reports, mistakes, cancel_at;
-    float latest;
-};
-
-static int32_t report(void *user_data, float fraction)
-{
-    struct watcher *w = (struct watcher *)user_data;
-    w->mistakes += !(fraction > w->latest) || !(fraction <= 1.0f);
-    w->latest = fraction;
-    return ++w->reports == w->cancel_at;
-}
-
 static void test_progress(void **state)
 {
-    struct watcher w = {0, 0, 0, 0.0f};
+    shd_watcher w = {0, 0, 0, 0.0f};
     shd_context *context = NULL;
     shd_scene s;
     int total, at;
@@ -326,7 +314,7 @@ static void test_progress(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_scene_open(&s, SHD_SCENE_SMALL, context);
     s.desc.supersampling = 12; /* 1200 x 840: two blocks */
-    s.desc.progress.report = report;
+    s.desc.progress.report = shd_watch;
     s.desc.progress.user_data = &w;
     shd_assert_ok(shd_render(context, &s.desc));
     assert_int_equal(w.mistakes, 0);

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* A host that watches the progress of a frame, and cancels it at one of its reports. */
+#ifndef SHD_TESTS_SUPPORT_WATCHER_H
+#define SHD_TESTS_SUPPORT_WATCHER_H
+
+#include <shd/render.h>
+
+/** `mistakes` counts fractions that do not grow or are not in (0, 1]; cancel_at 0 = never. */
+typedef struct shd_watcher {
+    int reports, mistakes, cancel_at;
+    float latest;
+} shd_watcher;
+
+static inline int32_t shd_watch(void *user_data, float fraction)
+{
+    shd_watcher *w = (shd_watcher *)user_data;
+    w->mistakes += !(fraction > w->latest) || !(fraction <= 1.0f);
+    w->latest = fraction;
+    return ++w->reports == w->cancel_at;
+}
+
+#endif /* SHD_TESTS_SUPPORT_WATCHER_H */
