@@ -61,11 +61,9 @@ void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
   core::Buffer<SortedNode>& nodes = tile->worker.unordered.nodes;
   nodes.clear();
   for_each_sample(tile, SHD_BLEND_SORTED, box, [&](const Draw& draw, uint32_t sample, const Survivor& left) {
-    const shd_compare compare = draw.depth.compare;
-    const bool reversed = compare == SHD_COMPARE_GREATER || compare == SHD_COMPARE_GREATER_EQUAL;
     const auto place = static_cast<uint32_t>(sample * raster::kTilePixels + left.pixel);
     const float depth = left.depth[sample];
-    nodes.push_back({place, reversed ? -depth : depth, static_cast<uint32_t>(nodes.size()), left.color});
+    nodes.push_back({place, draw.depth_falls ? -depth : depth, static_cast<uint32_t>(nodes.size()), left.color});
   });
   blend_sorted(&tile->worker.unordered, &tile->color);
 }
