@@ -17,6 +17,11 @@ SHD_BEGIN_DECLS
 /** Vertices and triangles, in object space. */
 typedef struct shd_mesh shd_mesh;
 
+/** Limits of a mesh. */
+enum {
+    SHD_MAX_ATTRIBUTES = 8 /**< columns of the caller's besides positions, normals, uv and tangents */
+};
+
 /** How vertex normals are made when the caller gives none. Degenerate faces contribute nothing. */
 typedef enum shd_normal_weight {
     SHD_NORMAL_WEIGHT_AREA = 0,    /**< sum of face normals times face area (the cross products) */
@@ -62,11 +67,14 @@ typedef struct shd_mesh_desc {
     shd_u32_in indices;
     /** Of triangles a multiple of 3 up to 3 * 2^28, else up to 2^28 + 2; without indices: 0 = vertex_count. */
     size_t index_count;
-    shd_normal_weight normal_weight; /**< default area; used when `normal` is absent */
-    uint32_t flags;                  /**< shd_mesh_flag bits */
-    shd_u16_in indices16;            /**< instead of `indices` */
-    shd_topology topology;           /**< default triangles */
-    uint32_t reserved;               /**< 0 */
+    shd_normal_weight normal_weight;          /**< default area; used when `normal` is absent */
+    uint32_t flags;                           /**< shd_mesh_flag bits */
+    shd_u16_in indices16;                     /**< instead of `indices` */
+    shd_topology topology;                    /**< default triangles */
+    uint32_t reserved;                        /**< 0 */
+    shd_f32_in uv1[2];                        /**< u, v of a second set; both or none (then 0) */
+    shd_f32_in attribute[SHD_MAX_ATTRIBUTES]; /**< colours, coefficients, whatever materials and programs read; each
+                                                   may be absent */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_desc;
 
@@ -82,7 +90,7 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * Copy and check vertices and indices; compute normals if there are none.
  * Refused with the place named: an index >= vertex_count, an index count of triangles that is not a multiple of 3, a
  * position that is not finite (unless SHD_MESH_KEEP_NONFINITE).
- * Normals, uv and tangents that are not finite count as 0.
+ * Normals, uv, tangents and attributes that are not finite count as 0.
  * @param context   retained
  * @param desc      borrowed for the call
  * @param out_mesh  owned; NULL on failure

@@ -49,6 +49,21 @@ void release_handle(Handle* handle, core::ObjectType type) {
   core::release(object_of(handle), static_cast<uint32_t>(type));
 }
 
+/// Retains what an optional handle stands for, from any context; `body` and `object` stay as they are without one.
+template <class Body, class Handle>
+shd_result retain_part(const char* field, Handle* handle, core::ObjectType type, const Body** body,
+                       core::Object** object) {
+  if (!handle) return SHD_OK;
+  Body* found = nullptr;
+  if (const shd_result result = read_handle(field, handle, type, &found)) return result;
+  if (!core::retain(object_of(handle), static_cast<uint32_t>(type))) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not a live handle of its type", field);
+  }
+  *body = found;
+  *object = object_of(handle);
+  return SHD_OK;
+}
+
 /// Wraps a body made with core::create in a handle; on failure the body is destroyed.
 template <class Body, class Handle>
 void make_handle(core::Context& context, core::ObjectType type, Body* body, Handle** out) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <shd/light.h>
 
+#include <algorithm>
+
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/lookup_columns.h"
 #include "light/light.h"
 
 namespace {
@@ -12,17 +15,62 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kLight;
+constexpr double kRightAngle = 1.5707964;  // pi / 2 as a float, rounded up
+
+bool is_zero(const float v[3]) {
+  return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
+}
+
+shd_result check_cone(const shd_light_desc& desc) {
+  SHD_TRY(check_range("light.outer_angle", double{desc.outer_angle}, 0.001, desc.texture ? 1.55 : kRightAngle));
+  return check_range("light.inner_angle", double{desc.inner_angle}, 0.0, double{desc.outer_angle});
+}
+
+shd_result check_texture(const shd_light_desc& desc) {
+  if (desc.sampler && !desc.texture) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "light.sampler: set, but light.texture is NULL");
+  }
+  if (desc.texture && desc.kind != SHD_LIGHT_SPOT && desc.kind != SHD_LIGHT_DIRECTIONAL) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "light.texture: set, but the kind is neither SHD_LIGHT_SPOT nor SHD_LIGHT_DIRECTIONAL");
+  }
+  return SHD_OK;
+}
 
 shd_result check_light_desc(const shd_light_desc& desc) {
-  SHD_TRY(check_enum("light.kind", desc.kind, SHD_LIGHT_POINT, SHD_LIGHT_AMBIENT));
+  SHD_TRY(check_enum("light.kind", desc.kind, SHD_LIGHT_POINT, SHD_LIGHT_SPOT));
   SHD_TRY(check_values("light.intensity", desc.intensity, 3, 0.0, 1e12));
   SHD_TRY(check_finite("light.position", desc.position, 3));
   SHD_TRY(check_finite("light.direction", desc.direction, 3));
-  const float* d = desc.direction;
-  if (desc.kind == SHD_LIGHT_DIRECTIONAL && d[0] == 0.0f && d[1] == 0.0f && d[2] == 0.0f) {
+  SHD_TRY(check_finite("light.up", desc.up, 3));
+  if ((desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT) && is_zero(desc.direction)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "light.direction: (0, 0, 0) has no direction");
   }
+  if (desc.range != 0.0f) SHD_TRY(check_range("light.range", double{desc.range}, 1e-6, 1e12));
+  SHD_TRY(check_cone(desc));
+  SHD_TRY(check_values("light.extent", desc.extent, 2, 1e-6, 1e12));
+  SHD_TRY(check_texture(desc));
   return check_zero("light.reserved", desc.reserved);
+}
+
+shd_result fill(const shd_light_desc& desc, light::LightBody* out) {
+  const texture::Texture* texture = nullptr;
+  out->default_sampler = light::default_sampler();
+  const texture::Sampler* sampler = &out->default_sampler;
+  SHD_TRY(retain_part("light.texture", desc.texture, core::ObjectType::kTexture, &texture, &out->texture_object));
+  SHD_TRY(retain_part("light.sampler", desc.sampler, core::ObjectType::kSampler, &sampler, &out->sampler_object));
+  if (texture) SHD_TRY(check_tables(*texture, *sampler));
+  out->light = light::make_light(desc, texture, sampler);
+  return SHD_OK;
+}
+
+shd_light_desc point(float x, float y, float z, float intensity) {
+  shd_light_desc desc = shd_light_desc_default();
+  desc.position[0] = x;
+  desc.position[1] = y;
+  desc.position[2] = z;
+  for (float& channel : desc.intensity) channel = intensity;
+  return desc;
 }
 
 }  // namespace
@@ -38,7 +86,26 @@ shd_result shd_light_create(shd_context* context, const shd_light_desc* desc, sh
     SHD_TRY(read_desc("light", desc, true, &read));
     SHD_TRY(check_light_desc(read));
     core::Context& owner = context_of(context);
-    make_handle(owner, kType, core::create<light::Light>(owner.allocator, light::make_light(read)), out_light);
+    auto* body = core::create<light::LightBody>(owner.allocator);
+    if (const shd_result result = fill(read, body)) {
+      core::destroy(owner.allocator, body);
+      return result;
+    }
+    make_handle(owner, kType, body, out_light);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_light_preset_descs(shd_light_preset preset, size_t* count, shd_light_desc* descs) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("count", count));
+    SHD_TRY(check_enum("preset", preset, SHD_LIGHT_PRESET_TWO_POINTS, SHD_LIGHT_PRESET_TWO_POINTS));
+    shd_light_desc set[3] = {point(30.0f, 50.0f, 20.0f, 500.0f), point(-30.0f, 50.0f, 0.0f, 500.0f),
+                             point(0.0f, 0.0f, 0.0f, 10.0f)};
+    set[2].kind = SHD_LIGHT_AMBIENT;
+    const size_t room = descs ? std::min<size_t>(*count, 3) : 0;
+    for (size_t i = 0; i < room; ++i) descs[i] = set[i];
+    *count = 3;
     return SHD_OK;
   });
 }

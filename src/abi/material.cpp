@@ -57,21 +57,6 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   return check_programs(desc);
 }
 
-/// Retains what an optional handle stands for, from any context; `body` and `object` stay null without one.
-template <class Body, class Handle>
-shd_result retain_part(const char* field, Handle* handle, core::ObjectType type, const Body** body,
-                       core::Object** object) {
-  if (!handle) return SHD_OK;
-  Body* found = nullptr;
-  SHD_TRY(read_handle(field, handle, type, &found));
-  if (!core::retain(object_of(handle), static_cast<uint32_t>(type))) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not a live handle of its type", field);
-  }
-  *body = found;
-  *object = object_of(handle);
-  return SHD_OK;
-}
-
 shd_result fill(const shd_material_desc& desc, material::Material* out) {
   const texture::Texture* texture = nullptr;
   const texture::Sampler* sampler = nullptr;

@@ -43,6 +43,12 @@ shd_result check_columns(const shd_mesh_desc& desc) {
   }
   SHD_TRY(check_attribute("normal", desc.normal, 3, desc.vertex_count));
   SHD_TRY(check_attribute("uv", desc.uv, 2, desc.vertex_count));
+  SHD_TRY(check_attribute("uv1", desc.uv1, 2, desc.vertex_count));
+  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
+    char field[32];
+    std::snprintf(field, sizeof field, "mesh.attribute[%d]", c);
+    SHD_TRY(check_column(field, desc.attribute[c], desc.vertex_count));
+  }
   return check_attribute("tangent", desc.tangent, 4, desc.vertex_count);
 }
 

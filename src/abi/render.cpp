@@ -196,7 +196,9 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   if (desc.visibility != SHD_VISIBILITY_DEPTH) ignore_depth(&draws);
   core::Array<const light::Light*> lights(context.allocator, desc.light_count);
   for (size_t i = 0; i < desc.light_count; ++i) {
-    SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &lights[i]), "lights", i));
+    const light::LightBody* body = nullptr;
+    SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &body), "lights", i));
+    lights[i] = &body->light;
   }
   frame.view = desc.view;
   frame.keep = desc.keep != 0;

@@ -91,6 +91,17 @@ void copy_tangents(const core::Allocator& allocator, const shd_mesh_desc& desc, 
   }
 }
 
+/// A second set of uv and the caller's own columns, where there are any.
+void copy_attributes(const core::Allocator& allocator, const shd_mesh_desc& desc, Mesh* out) {
+  if (desc.uv1[0].data) {
+    out->u1 = copy_finite(allocator, desc.uv1[0], desc.vertex_count);
+    out->v1 = copy_finite(allocator, desc.uv1[1], desc.vertex_count);
+  }
+  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
+    if (desc.attribute[c].data) out->attribute[c] = copy_finite(allocator, desc.attribute[c], desc.vertex_count);
+  }
+}
+
 /// Bounds of the finite positions, and how many are not.
 void measure(const Mesh& mesh, shd_mesh_info* info) {
   bool any = false;
@@ -120,6 +131,7 @@ void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   mesh.u = copy_finite(allocator, desc.uv[0], count);
   mesh.v = copy_finite(allocator, desc.uv[1], count);
   copy_tangents(allocator, desc, &mesh);
+  copy_attributes(allocator, desc, &mesh);
   mesh.nx = zero_column(allocator, count);
   mesh.ny = zero_column(allocator, count);
   mesh.nz = zero_column(allocator, count);

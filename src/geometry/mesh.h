@@ -14,11 +14,13 @@ namespace shd::geometry {
 struct Mesh {
   uint32_t vertex_count;
   uint32_t triangle_count;
-  core::Array<float> px, py, pz;      // object space
-  core::Array<float> nx, ny, nz;      // object space, unit
-  core::Array<float> u, v;            // 0 if the caller gave none
-  core::Array<float> tx, ty, tz, tw;  // empty if the caller gave none
-  core::Array<uint32_t> indices;      // 3 * triangle_count, each < vertex_count
+  core::Array<float> px, py, pz;                     // object space
+  core::Array<float> nx, ny, nz;                     // object space, unit
+  core::Array<float> u, v;                           // 0 if the caller gave none
+  core::Array<float> tx, ty, tz, tw;                 // empty if the caller gave none
+  core::Array<float> u1, v1;                         // the same
+  core::Array<float> attribute[SHD_MAX_ATTRIBUTES];  // each empty if the caller gave none
+  core::Array<uint32_t> indices;                     // 3 * triangle_count, each < vertex_count
   shd_mesh_info info;
 };
 

@@ -71,6 +71,9 @@ Mesh gather_corners(const core::Allocator& allocator, const Mesh& mesh, const Ve
   gather(mesh.ty, &out.ty);
   gather(mesh.tz, &out.tz);
   gather(mesh.tw, &out.tw);
+  gather(mesh.u1, &out.u1);
+  gather(mesh.v1, &out.v1);
+  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) gather(mesh.attribute[c], &out.attribute[c]);
   return out;
 }
 

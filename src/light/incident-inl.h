@@ -22,25 +22,38 @@ struct Incident {
   V falloff;
 };
 
-/// A point or directional light seen from p. Point: 1 / max(r^2, 1e-8); nothing where r = 0 or r^2 overflows.
+/// t^2 (3 - 2 t) of a spot at the cosine of the angle off its axis.
+template <class D, class V>
+HWY_INLINE V Cone(D d, const Light& light, V cosine) {
+  const V t = hn::Mul(hn::Set(d, light.cone_scale), hn::Sub(cosine, hn::Set(d, light.cone_start)));
+  const V held = hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0f));
+  return hn::Mul(hn::Mul(held, held), hn::Sub(hn::Set(d, 3.0f), hn::Add(held, held)));
+}
+
+/// A light but ambient ones seen from p, without texture and shadow: falloff is E / I. 0 where r = 0 or r^2 overflows.
 template <class D, class V>
 HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
-  const V one = hn::Set(d, 1.0f);
-  if (light.kind == SHD_LIGHT_DIRECTIONAL) {
-    return {{hn::Set(d, light.to_light[0]), hn::Set(d, light.to_light[1]), hn::Set(d, light.to_light[2])}, one};
-  }
+  const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const simd::HWY_NAMESPACE::Vec3V<V> axis = {hn::Set(d, light.to_light[0]), hn::Set(d, light.to_light[1]),
+                                              hn::Set(d, light.to_light[2])};
+  if (light.kind == SHD_LIGHT_DIRECTIONAL) return {axis, one};
   const simd::HWY_NAMESPACE::Vec3V<V> to_light = {hn::Sub(hn::Set(d, light.position[0]), p.x),
                                                   hn::Sub(hn::Set(d, light.position[1]), p.y),
                                                   hn::Sub(hn::Set(d, light.position[2]), p.z)};
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
-  const auto usable = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Lt(squared, hn::Set(d, __builtin_inff())));
+  const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
   const V safe = hn::IfThenElse(usable, squared, one);
   const V inverse = hn::Div(one, hn::Sqrt(safe));
-  const V falloff = hn::IfThenElseZero(usable, hn::Div(one, hn::Max(safe, hn::Set(d, 1e-8f))));
-  return {{hn::IfThenElseZero(usable, hn::Mul(to_light.x, inverse)),
-           hn::IfThenElseZero(usable, hn::Mul(to_light.y, inverse)),
-           hn::IfThenElseZero(usable, hn::Mul(to_light.z, inverse))},
-          falloff};
+  V falloff = hn::IfThenElseZero(usable, hn::Div(one, hn::Max(safe, hn::Set(d, 1e-8f))));
+  const simd::HWY_NAMESPACE::Vec3V<V> l = {hn::IfThenElseZero(usable, hn::Mul(to_light.x, inverse)),
+                                           hn::IfThenElseZero(usable, hn::Mul(to_light.y, inverse)),
+                                           hn::IfThenElseZero(usable, hn::Mul(to_light.z, inverse))};
+  if (light.range > 0.0f) {
+    const V ratio = hn::Mul(safe, hn::Set(d, light.inverse_range_squared));
+    falloff = hn::Mul(falloff, hn::Max(hn::Sub(one, hn::Mul(ratio, ratio)), zero));
+  }
+  if (light.kind == SHD_LIGHT_SPOT) falloff = hn::Mul(falloff, Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l)));
+  return {l, falloff};
 }
 
 }  // namespace shd::light::HWY_NAMESPACE

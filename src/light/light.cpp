@@ -1,23 +1,93 @@
 // SPDX-License-Identifier: MIT
 #include "light/light.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "data/trig.h"
 #include "data/vec3.h"
 
 namespace shd::light {
+namespace {
 
-Light make_light(const shd_light_desc& desc) {
+using data::Vec3;
+
+Vec3 cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+void store(Vec3 from, float to[3]) {
+  to[0] = 0.0f + from.x;  // no -0
+  to[1] = 0.0f + from.y;
+  to[2] = 0.0f + from.z;
+}
+
+/// Axes around the direction of a light: up as near to the wanted one as it goes.
+void set_axes(const shd_light_desc& desc, Light* light) {
+  const Vec3 way = data::normalized({desc.direction[0], desc.direction[1], desc.direction[2]});
+  const Vec3 back = {0.0f - way.x, 0.0f - way.y, 0.0f - way.z};
+  const Vec3 wanted = data::normalized({desc.up[0], desc.up[1], desc.up[2]});
+  Vec3 right = cross(wanted, back);
+  if (!(data::dot(right, right) > 1e-8f)) {
+    const bool along_x = std::fabs(back.x) > 0.5f;
+    right = cross(along_x ? Vec3{0.0f, 0.0f, 1.0f} : Vec3{1.0f, 0.0f, 0.0f}, back);
+  }
+  right = data::normalized(right);
+  store(back, light->to_light);
+  store(right, light->right);
+  store(data::normalized(cross(back, right)), light->up);
+}
+
+/// cos(x) for x in [0, pi / 2].
+double cosine(double x) {
+  const double t = data::tan(0.5 * x), square = t * t;
+  return (1.0 - square) / (1.0 + square);
+}
+
+void set_cone(const shd_light_desc& desc, Light* light) {
+  const double outer = cosine(desc.outer_angle), inner = cosine(desc.inner_angle);
+  light->cone_start = static_cast<float>(outer);
+  light->cone_scale = static_cast<float>(1.0 / std::max(inner - outer, 1e-6));
+  light->outer_tangent = static_cast<float>(data::tan(std::min(double{desc.outer_angle}, 1.57)));
+}
+
+}  // namespace
+
+LightBody::~LightBody() {
+  core::release(texture_object, static_cast<uint32_t>(core::ObjectType::kTexture));
+  core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));
+}
+
+Light make_light(const shd_light_desc& desc, const texture::Texture* texture, const texture::Sampler* sampler) {
   Light light = {};
   light.kind = desc.kind;
   for (int c = 0; c < 3; ++c) light.intensity[c] = desc.intensity[c];
-  if (desc.kind == SHD_LIGHT_POINT) {
+  const bool is_local = desc.kind == SHD_LIGHT_POINT || desc.kind == SHD_LIGHT_SPOT;
+  const bool is_aimed = desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT;
+  if (is_local || (is_aimed && texture)) {
     for (int c = 0; c < 3; ++c) light.position[c] = desc.position[c];
-  } else if (desc.kind == SHD_LIGHT_DIRECTIONAL) {
-    const data::Vec3 way = data::normalized({desc.direction[0], desc.direction[1], desc.direction[2]});
-    light.to_light[0] = 0.0f - way.x;
-    light.to_light[1] = 0.0f - way.y;
-    light.to_light[2] = 0.0f - way.z;
+  }
+  if (is_local && desc.range > 0.0f) {
+    light.range = desc.range;
+    light.inverse_range_squared = static_cast<float>(1.0 / (double{desc.range} * desc.range));
+  }
+  if (is_aimed) set_axes(desc, &light);
+  if (desc.kind == SHD_LIGHT_SPOT) set_cone(desc, &light);
+  if (!texture) return light;
+  light.texture = texture;
+  light.sampler = sampler;
+  for (int c = 0; c < 2; ++c) {
+    light.slide_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
   }
   return light;
+}
+
+texture::Sampler default_sampler() {
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = SHD_FILTER_BILINEAR;
+  desc.wrap_u = desc.wrap_v = SHD_WRAP_BORDER;
+  for (float& channel : desc.border) channel = 0.0f;
+  return texture::make_sampler(desc);
 }
 
 }  // namespace shd::light

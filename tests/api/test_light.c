@@ -8,7 +8,7 @@ static void edit_nothing(shd_light_desc *d) { (void)d; }
 static void edit_size(shd_light_desc *d) { d->struct_size = 4; }
 static void edit_directional(shd_light_desc *d) { d->kind = SHD_LIGHT_DIRECTIONAL; }
 static void edit_ambient(shd_light_desc *d) { d->kind = SHD_LIGHT_AMBIENT; }
-static void edit_kind(shd_light_desc *d) { d->kind = (shd_light_kind)3; }
+static void edit_kind(shd_light_desc *d) { d->kind = (shd_light_kind)4; }
 static void edit_kind_negative(shd_light_desc *d) { d->kind = (shd_light_kind)-1; }
 static void edit_dark(shd_light_desc *d) { d->intensity[0] = d->intensity[1] = d->intensity[2] = 0; }
 static void edit_minus_zero(shd_light_desc *d) { d->intensity[1] = -0.0f; }
@@ -64,7 +64,7 @@ static const struct create_case k_create[] = {
     {"create/direction_flt_max", edit_long_direction, SHD_OK, ""},
     {"create/direction_0_of_a_point_light", edit_zero_direction_of_point, SHD_OK, ""},
     {"create/struct_size_4", edit_size, BAD, "light.struct_size: 4"},
-    {"create/kind_3", edit_kind, BAD, "light.kind: 3 is not in 0..2"},
+    {"create/kind_4", edit_kind, BAD, "light.kind: 4 is not in 0..3"},
     {"create/kind_negative", edit_kind_negative, BAD, "light.kind: "},
     {"create/intensity_1.1e12", edit_too_bright, BAD, "light.intensity[2]: 1.1e+12 is not in 0..1e+12"},
     {"create/intensity_negative", edit_negative, BAD, "light.intensity[0]: -1e-30"},

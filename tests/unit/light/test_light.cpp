@@ -27,7 +27,7 @@ void test_directional(void** state) {
   desc.kind = SHD_LIGHT_DIRECTIONAL;
   desc.position[1] = 9.0f;
   for (int i = 0; i < 3; ++i) desc.direction[i] = c.direction[i];
-  const shd::light::Light light = shd::light::make_light(desc);
+  const shd::light::Light light = shd::light::make_light(desc, nullptr, nullptr);
   for (size_t i = 0; i < 3; ++i) {
     shd_assert_close(c.name, i, static_cast<double>(light.to_light[i]), c.to_light[i], 1.5e-7, 0);
     if (c.to_light[i] == 0.0) assert_true(!signbit(light.to_light[i]));
@@ -43,7 +43,7 @@ void test_other_kinds(void**) {
       desc.intensity[i] = static_cast<float>(i + 1);
       desc.position[i] = static_cast<float>(i - 5);
     }
-    const shd::light::Light light = shd::light::make_light(desc);
+    const shd::light::Light light = shd::light::make_light(desc, nullptr, nullptr);
     assert_int_equal(light.kind, kind);
     for (int i = 0; i < 3; ++i) {
       assert_true(light.intensity[i] == static_cast<float>(i + 1));

@@ -193,7 +193,7 @@ void test_table(void**) {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = i % 2 ? SHD_LIGHT_AMBIENT : i == 2 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
     desc.intensity[0] = static_cast<float>(i);
-    light[i] = light::make_light(desc);
+    light[i] = light::make_light(desc, nullptr, nullptr);
     pointers[i] = &light[i];
   }
   g->lights = shade::make_light_table(g_allocator, pointers, 5);

@@ -159,7 +159,7 @@ void set_light(const float* direction) {
   desc.kind = SHD_LIGHT_DIRECTIONAL;
   for (int c = 0; c < 3; ++c) desc.direction[c] = direction[c];
   g->lights.count = 1;
-  g->lights.lights[0] = light::make_light(desc);
+  g->lights.lights[0] = light::make_light(desc, nullptr, nullptr);
 }
 
 void set_material(shd_model model) {

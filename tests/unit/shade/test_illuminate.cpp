@@ -45,7 +45,7 @@ light::Light point_light(const float* position, float intensity) {
     desc.position[c] = position[c];
     desc.intensity[c] = intensity * (1.0f + 0.25f * static_cast<float>(c));
   }
-  return light::make_light(desc);
+  return light::make_light(desc, nullptr, nullptr);
 }
 light::Light directional_light(const float* direction, float intensity) {
   shd_light_desc desc = shd_light_desc_default();
@@ -54,7 +54,7 @@ light::Light directional_light(const float* direction, float intensity) {
     desc.direction[c] = direction[c];
     desc.intensity[c] = intensity * (1.0f + 0.25f * static_cast<float>(c));
   }
-  return light::make_light(desc);
+  return light::make_light(desc, nullptr, nullptr);
 }
 
 void set_row(size_t i, Vector p, Vector n, Vector wo) {
