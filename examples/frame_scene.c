@@ -92,7 +92,8 @@ static shd_result create_materials(shd_context *context, struct scene *scene)
 {
     shd_material_desc floor = shd_material_desc_default(), ball = shd_material_desc_default();
     shd_result result;
-    floor.diffuse_texture = scene->tiles;
+    floor.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    floor.slot[SHD_SLOT_DIFFUSE].texture = scene->tiles;
     ball.model = SHD_MODEL_BLINN_PHONG;
     ball.ambient[0] = 0.02f, ball.ambient[1] = 0.05f, ball.ambient[2] = 0.06f;
     ball.diffuse[0] = 0.05f, ball.diffuse[1] = 0.3f, ball.diffuse[2] = 0.4f;

@@ -48,8 +48,11 @@ Material make_material(shd_context* context, const Options& options, const Surfa
     desc.ambient[c] = surface.diffuse[c] * average[c];
     desc.specular[c] = options.specular.value_or(surface.specular[c]);
   }
-  desc.diffuse_texture = texture;
-  desc.diffuse_sampler = sampler;
+  if (texture) {
+    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    desc.slot[SHD_SLOT_DIFFUSE].texture = texture;
+    desc.slot[SHD_SLOT_DIFFUSE].sampler = sampler;
+  }
   Material material;
   check(shd_material_create(context, &desc, material.out()), "material \"" + surface.name + "\"");
   return material;

@@ -9,6 +9,7 @@
 #ifndef SHD_FRAGMENTS_H
 #define SHD_FRAGMENTS_H
 
+#include <shd/mesh.h>
 #include <shd/vertices.h>
 
 SHD_BEGIN_DECLS
@@ -44,6 +45,13 @@ typedef struct shd_fragments {
      * frequency that of the vertex, at flat the mean of the triangle's three; flat ones are the first vertex's.
      */
     const float *varying[SHD_MAX_VARYINGS];
+    /**
+     * Tangent in world space, of any length, and handedness: that of the mesh, interpolated; without one, that of the
+     * triangle, unit; 0 where neither uv nor tangents tell. The bitangent is tw (n x t)
+     */
+    const float *tx, *ty, *tz, *tw;
+    const float *u1, *v1;                       /**< the second set; 0 if the mesh has none */
+    const float *attribute[SHD_MAX_ATTRIBUTES]; /**< of the mesh, interpolated; NULL where it has none */
 } shd_fragments;
 
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */

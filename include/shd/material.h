@@ -10,9 +10,7 @@
 #define SHD_MATERIAL_H
 
 #include <shd/context.h>
-#include <shd/fragments.h>
-#include <shd/sampler.h>
-#include <shd/texture.h>
+#include <shd/slot.h>
 #include <shd/vertices.h>
 
 SHD_BEGIN_DECLS
@@ -21,24 +19,97 @@ SHD_BEGIN_DECLS
 typedef struct shd_material shd_material;
 
 /**
- * Reflectance model. n: unit normal, l: unit vector to the light, v: to the eye, h = (v + l) / |v + l|,
- * E = I / r^2 for a point light and I for a directional one, k_d times the diffuse texture if there is one.
+ * Reflectance model: the radiance L towards the eye. n: unit normal, l: unit vector to a light, v: to the eye,
+ * h = (v + l) / |v + l|, E: what the light gives (shd/light.h), sums over all lights but ambient ones, whose sum is
+ * I_a. k_d, k_a, k_s, p and so on are constants of the material times their slots. "Specular" terms are 0 where n.l <=
+ * 0 (but see SHD_SPECULAR_UNGATED) and where v + l = 0; 0^0 = 1. Every model adds the emission, and multiplies I_a by
+ * the occlusion.
  */
 typedef enum shd_model {
     /** k_a I_a + sum of k_d E max(0, n.l) */
     SHD_MODEL_LAMBERT = 0,
-    /** Lambert + sum of k_s E max(0, n.h)^p; 0 where v + l = 0 (Blinn 1977) */
+    /** Lambert + sum of k_s E max(0, n.h)^p (Blinn 1977) */
     SHD_MODEL_BLINN_PHONG = 1,
     /** program.fragment */
     SHD_MODEL_PROGRAM = 2,
     /** k_d, whatever the lights and the frequency */
     SHD_MODEL_UNLIT = 3,
+    /** Lambert + sum of k_s E max(0, v.r)^p with r = 2 (n.l) n - l (Phong 1975) */
+    SHD_MODEL_PHONG = 4,
+    /**
+     * k_a I_a + sum of (k_d / pi + k_s N max(0, n.h)^p) E max(0, n.l), N = (p + 2)(p + 4) / (8 pi (2^(-p/2) + p)):
+     * reflects no more than it gets where k_d + k_s <= 1 (Giesen, "Phong and Blinn-Phong Normalization Factors", 2009)
+     */
+    SHD_MODEL_BLINN_PHONG_NORMALIZED = 5,
+    /** k_d (I_a + sum of E max(0, n.l)) + sum of E k_s max(0, n.h)^p (Shirley and Marschner, "Fundamentals of Computer
+     * Graphics", 2009, 10.2) */
+    SHD_MODEL_COMBINED = 6,
+    /**
+     * k_w w + (1 - k_w) c with k_w the mean of (1 + n.l) / 2 over the lights, 1/2 without any: w = warm + warm_mix k_d,
+     * c = cool + cool_mix k_d (Gooch et al., "A Non-Photorealistic Lighting Model", 1998)
+     */
+    SHD_MODEL_GOOCH = 7,
+    /** Lambert + the specular term of Blinn-Phong with n.l rounded up to a multiple of 1 / toon_steps and max(0, n.h)^p
+     * to 0 below 1/2, else 1 */
+    SHD_MODEL_TOON = 8,
+    /**
+     * Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
+     * (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = roughness^2 held at 0.001 or more,
+     * F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
+     * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v)
+     */
+    SHD_MODEL_METALLIC_ROUGHNESS = 9,
+    /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space */
+    SHD_MODEL_MATCAP = 10,
+    /** To look at: (n + 1) / 2 */
+    SHD_MODEL_SHOW_NORMAL = 11,
+    /** To look at: (u - floor(u), v - floor(v), 0) */
+    SHD_MODEL_SHOW_UV = 12,
+    /** To look at: the level of detail of the diffuse texture, from blue (0) over green to red (its last level) */
+    SHD_MODEL_SHOW_LEVEL = 13,
+    /** To look at: the barycentric coordinates in the triangle */
+    SHD_MODEL_SHOW_BARYCENTRICS = 14,
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
+/** How the texels of SHD_SLOT_NORMAL, t in 0..1, stand for a normal (x, y, z) in tangent space. */
+typedef enum shd_normal_encoding {
+    SHD_NORMAL_XYZ = 0, /**< (x, y, z) = 2 t - 1 */
+    SHD_NORMAL_XY = 1,  /**< (x, y) = 2 t - 1, z = sqrt(1 - x^2 - y^2) */
+    /**
+     * XYZ with the length of the mean normal as the fourth channel, as shd_mip_build() makes it: surfaces that shrink
+     * to few pixels get the roughness that their bumps had (Toksvig, "Mipmapping Normal Maps", 2005)
+     */
+    SHD_NORMAL_TOKSVIG = 2,
+    /**
+     * (x / z, y / z) and their squares, not in 0..1: what shd_normal_moments() makes. Likewise, from the variance
+     * (Olano and Baker, "LEAN Mapping", 2010, for lobes that are round)
+     */
+    SHD_NORMAL_MOMENTS = 3,
+    SHD_NORMAL_MAX_ENUM = 0x7fffffff
+} shd_normal_encoding;
+
+/** How SHD_SLOT_HEIGHT tilts normals. */
+typedef enum shd_bump {
+    SHD_BUMP_NONE = 0, /**< not at all: parallax alone */
+    /**
+     * The surface moved along n by bump_scale h, in world units: n - bump_scale grad h, with the gradient on the
+     * surface from the exact derivative of the filtered height in u and v (Mikkelsen, "Bump Mapping Unparametrized
+     * Surfaces on the GPU", 2010). Filters without derivatives use differences over a texel.
+     */
+    SHD_BUMP_GRADIENT = 1,
+    /**
+     * (-s (h(u + 1/w, v) - h(u, v)), -s (h(u, v + 1/h) - h(u, v)), 1) in tangent space, with s = bump_scale:
+     * differences over one texel, whatever the size of the surface (after Blinn, "Simulation of Wrinkled Surfaces",
+     * 1978)
+     */
+    SHD_BUMP_TEXEL = 2,
+    SHD_BUMP_MAX_ENUM = 0x7fffffff
+} shd_bump;
+
 /**
  * How a fragment's colour c and opacity a meet the colour d and opacity A of a sample. Models give c = a L with the
- * radiance L and a = opacity times the diffuse texture's alpha; L itself with STRAIGHT and OPAQUE.
+ * radiance L and a = opacity times its slot and the alpha of the diffuse slot; L itself with STRAIGHT and OPAQUE.
  */
 typedef enum shd_blend_mode {
     SHD_BLEND_OPAQUE = 0,        /**< c, and for A the a of a program or 1 of a model */
@@ -71,6 +142,8 @@ typedef enum shd_material_flag {
     SHD_MATERIAL_DISCARDS = 4,
     /** Keep the first round(a samples) of a pixel's samples and drop the others. */
     SHD_ALPHA_TO_COVERAGE = 8,
+    /** Turn normals around on triangles seen from behind. */
+    SHD_DOUBLE_SIDED = 16,
     SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
 } shd_material_flag;
 
@@ -94,14 +167,32 @@ typedef struct shd_material_desc {
     float specular[3];            /**< k_s, 0..1e6; default 0.5 */
     float exponent;               /**< p, 0..1e6; default 64 */
     float opacity;                /**< of models, 0..1; default 1 */
-    shd_texture *diffuse_texture; /**< multiplies k_d; NULL = none; retained */
-    shd_sampler *diffuse_sampler; /**< NULL = default sampler; retained */
     shd_material_program program; /**< default none */
     shd_blend_mode blend;         /**< default SHD_BLEND_OPAQUE */
     float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
     uint32_t varying_count;       /**< what program.vertex writes for fragments, 0..16; 0 without it */
     shd_interpolation interpolation[SHD_MAX_VARYINGS]; /**< of each varying; default SHD_INTERPOLATION_PERSPECTIVE */
     uint32_t reserved;                                 /**< 0 */
+    shd_slot slot[SHD_SLOT_COUNT];                     /**< by SHD_SLOT_...; default constants */
+    float emission[3];                                 /**< 0..1e12; default 0, so that its slot needs it set */
+    float metallic;                                    /**< 0..1; default 0 */
+    float roughness;                                   /**< 0..1; default 0.5 */
+    float ior;                                         /**< of METALLIC_ROUGHNESS without metal, 1..10; default 1.5 */
+    float occlusion_strength;                          /**< 0..1; default 1 */
+    float warm[3], cool[3];                            /**< of GOOCH, 0..1e6; default (0.4, 0.4, 0), (0, 0, 0.4) */
+    float warm_mix, cool_mix;                          /**< 0..1; default 0.6, 0.2 */
+    uint32_t toon_steps;                               /**< 1..256; default 3 */
+    shd_normal_encoding normal_encoding;               /**< default SHD_NORMAL_XYZ */
+    float normal_scale; /**< multiplies x and y of mapped normals, -1e3..1e3; default 1 */
+    shd_bump bump;      /**< default SHD_BUMP_NONE */
+    float bump_scale;   /**< -1e6..1e6; default 1 */
+    /**
+     * At Phong frequency, how far below the surface the height 0 lies, in world units, with 1 on it: all textures are
+     * looked up where the line of sight meets the heights (parallax occlusion mapping, Tatarchuk 2006). 0..1e6; 0 =
+     * off, the default. The triangles themselves stay where they are.
+     */
+    float parallax_depth;
+    uint32_t parallax_steps; /**< most lookups of the height a fragment, 2..256; default 24 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 
@@ -118,6 +209,16 @@ static inline shd_material_desc shd_material_desc_default(void)
     }
     desc.exponent = 64.0f;
     desc.opacity = 1.0f;
+    for (c = 0; c < SHD_SLOT_COUNT; ++c) desc.slot[c].uv_transform[0] = desc.slot[c].uv_transform[4] = 1.0f;
+    desc.roughness = 0.5f;
+    desc.ior = 1.5f;
+    desc.occlusion_strength = 1.0f;
+    desc.warm[0] = desc.warm[1] = desc.cool[2] = 0.4f;
+    desc.warm_mix = 0.6f;
+    desc.cool_mix = 0.2f;
+    desc.toon_steps = 3;
+    desc.normal_scale = desc.bump_scale = 1.0f;
+    desc.parallax_steps = 24;
     return desc;
 }
 

@@ -6,6 +6,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/lookup_columns.h"
 #include "material/material.h"
 
 namespace {
@@ -15,7 +16,7 @@ using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
 constexpr uint32_t kFlags =
-    SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE;
+    SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE | SHD_DOUBLE_SIDED;
 
 shd_result check_programs(const shd_material_desc& desc) {
   SHD_TRY(check_count("material.varying_count", desc.varying_count, 0, SHD_MAX_VARYINGS));
@@ -40,8 +41,33 @@ shd_result check_programs(const shd_material_desc& desc) {
   return SHD_OK;
 }
 
+shd_result check_metal(const shd_material_desc& desc) {
+  SHD_TRY(check_values("material.emission", desc.emission, 3, 0.0, 1e12));
+  SHD_TRY(check_range("material.metallic", double{desc.metallic}, 0.0, 1.0));
+  SHD_TRY(check_range("material.roughness", double{desc.roughness}, 0.0, 1.0));
+  SHD_TRY(check_range("material.ior", double{desc.ior}, 1.0, 10.0));
+  return check_range("material.occlusion_strength", double{desc.occlusion_strength}, 0.0, 1.0);
+}
+
+shd_result check_drawing(const shd_material_desc& desc) {
+  SHD_TRY(check_values("material.warm", desc.warm, 3, 0.0, 1e6));
+  SHD_TRY(check_values("material.cool", desc.cool, 3, 0.0, 1e6));
+  SHD_TRY(check_range("material.warm_mix", double{desc.warm_mix}, 0.0, 1.0));
+  SHD_TRY(check_range("material.cool_mix", double{desc.cool_mix}, 0.0, 1.0));
+  return check_count("material.toon_steps", desc.toon_steps, 1, 256);
+}
+
+shd_result check_surface(const shd_material_desc& desc) {
+  SHD_TRY(check_enum("material.normal_encoding", desc.normal_encoding, 0, SHD_NORMAL_MOMENTS));
+  SHD_TRY(check_range("material.normal_scale", double{desc.normal_scale}, -1e3, 1e3));
+  SHD_TRY(check_enum("material.bump", desc.bump, 0, SHD_BUMP_TEXEL));
+  SHD_TRY(check_range("material.bump_scale", double{desc.bump_scale}, -1e6, 1e6));
+  SHD_TRY(check_range("material.parallax_depth", double{desc.parallax_depth}, 0.0, 1e6));
+  return check_count("material.parallax_steps", desc.parallax_steps, 2, 256);
+}
+
 shd_result check_material_desc(const shd_material_desc& desc) {
-  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_UNLIT));
+  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_SHOW_BARYCENTRICS));
   SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
@@ -54,17 +80,59 @@ shd_result check_material_desc(const shd_material_desc& desc) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "material.flags: SHD_MATERIAL_DISCARDS, but the model is not SHD_MODEL_PROGRAM");
   }
+  SHD_TRY(check_metal(desc));
+  SHD_TRY(check_drawing(desc));
+  SHD_TRY(check_surface(desc));
   return check_programs(desc);
 }
 
+/// A message about a field of a slot.
+struct SlotField {
+  SlotField(uint32_t slot, const char* name) { std::snprintf(text, sizeof text, "material.slot[%u].%s", slot, name); }
+  char text[48];
+};
+
+/// Texture and sampler of a slot, retained.
+shd_result take_parts(const shd_slot& desc, uint32_t slot, material::SlotParts* parts, material::Material* out) {
+  const SlotField texture(slot, "texture"), sampler(slot, "sampler");
+  if (!desc.texture)
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL, but the source is a texture", texture.text);
+  SHD_TRY(check_count(SlotField(slot, "uv_set").text, desc.uv_set, 0, 1));
+  SHD_TRY(check_count(SlotField(slot, "channel").text, desc.channel, 0, 3));
+  SHD_TRY(check_finite(SlotField(slot, "uv_transform").text, desc.uv_transform, 6));
+  SHD_TRY(
+      retain_part(texture.text, desc.texture, core::ObjectType::kTexture, &parts->texture, &out->texture_object[slot]));
+  SHD_TRY(
+      retain_part(sampler.text, desc.sampler, core::ObjectType::kSampler, &parts->sampler, &out->sampler_object[slot]));
+  if (!parts->sampler || check_tables(*parts->texture, *parts->sampler) == SHD_OK) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: its filter needs a table that the texture lacks", sampler.text);
+}
+
+shd_result take_slot(const shd_slot& desc, uint32_t slot, material::SlotParts* parts, material::Material* out) {
+  const SlotField source(slot, "source");
+  SHD_TRY(check_enum(source.text, desc.source, SHD_SOURCE_CONSTANT, SHD_SOURCE_PROCEDURE));
+  const bool only_textures = slot == SHD_SLOT_HEIGHT || slot == SHD_SLOT_MATCAP;
+  if (only_textures && desc.source != SHD_SOURCE_CONSTANT && desc.source != SHD_SOURCE_TEXTURE) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes a texture or nothing", source.text,
+                      enum_bits(desc.source));
+  }
+  if (desc.source != SHD_SOURCE_TEXTURE && (desc.texture || desc.sampler)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but a texture or sampler is set", source.text,
+                      enum_bits(desc.source));
+  }
+  if (desc.source == SHD_SOURCE_TEXTURE) return take_parts(desc, slot, parts, out);
+  if (desc.source == SHD_SOURCE_VERTEX) {
+    return check_count(SlotField(slot, "attribute").text, desc.attribute, 0, SHD_MAX_ATTRIBUTES - 1);
+  }
+  if (desc.source == SHD_SOURCE_PROCEDURE)
+    return check_not_null(SlotField(slot, "procedure").text, reinterpret_cast<const void*>(desc.procedure));
+  return SHD_OK;
+}
+
 shd_result fill(const shd_material_desc& desc, material::Material* out) {
-  const texture::Texture* texture = nullptr;
-  const texture::Sampler* sampler = nullptr;
-  SHD_TRY(retain_part("material.diffuse_texture", desc.diffuse_texture, core::ObjectType::kTexture, &texture,
-                      &out->texture_object));
-  SHD_TRY(retain_part("material.diffuse_sampler", desc.diffuse_sampler, core::ObjectType::kSampler, &sampler,
-                      &out->sampler_object));
-  material::build(desc, texture, sampler, out);
+  material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) SHD_TRY(take_slot(desc.slot[i], i, &parts[i], out));
+  material::build(desc, parts, out);
   return SHD_OK;
 }
 

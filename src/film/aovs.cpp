@@ -5,23 +5,19 @@
 #include <type_traits>
 
 #include "raster/interpolate.h"
-#include "texture/lod.h"
+#include "shade/show.h"
 #include "texture/profile.h"
-#include "texture/sample.h"
 
 namespace shd::film {
 namespace {
 
 /// What shd_texture_query_levels has for the diffuse texture; 0 without.
 void find_levels(const core::SimdTarget& simd, const material::Material& material, const raster::Fragments& f,
-                 AovScratch* scratch) {
-  std::fill_n(scratch->lod, f.count, 0.0f);
+                 float* const scratch_uv[6], AovScratch* scratch) {
+  shade::find_levels(simd, material, f, scratch_uv, scratch->lod);
   std::fill_n(scratch->level, f.count, 0u);
-  if (!material.diffuse_texture) return;
-  const texture::Texture& texture = *material.diffuse_texture;
-  const texture::Sampler& sampler = *material.diffuse_sampler;
-  const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
-  texture::sample_lod(texture, sampler, texture::lod_range(texture, sampler), simd, lookups, scratch->lod);
+  if (!material::has_slot(material, SHD_SLOT_DIFFUSE) || !material.slot[SHD_SLOT_DIFFUSE].texture) return;
+  const texture::Sampler& sampler = *material.slot[SHD_SLOT_DIFFUSE].sampler;
   for (size_t i = 0; i < f.count; ++i) scratch->level[i] = texture::nearest_level(sampler, scratch->lod[i]);
 }
 
@@ -49,9 +45,9 @@ void find_rows(const raster::Fragments& f, AovScratch* scratch) {
 }
 
 void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
-                const raster::Fragments& f, AovScratch* scratch, Framebuffer* framebuffer) {
+                const raster::Fragments& f, float* const scratch_uv[6], AovScratch* scratch, Framebuffer* framebuffer) {
   if (!scratch->row_count) return;
-  if (framebuffer->aovs & SHD_AOV_LEVEL) find_levels(simd, material, f, scratch);
+  if (framebuffer->aovs & SHD_AOV_LEVEL) find_levels(simd, material, f, scratch_uv, scratch);
   if (framebuffer->aovs & SHD_AOV_DRAW) std::fill_n(scratch->draw, f.count, draw);
   const AovColumns columns = {f, scratch->lod, scratch->level, scratch->draw};
   for (uint32_t p = 0; p < kPlaneCount; ++p) {

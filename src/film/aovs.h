@@ -29,7 +29,8 @@ void find_rows(const raster::Fragments& fragments, AovScratch* scratch);
 
 /// Writes every AOV but overdraw of the rows of a shaded batch of one draw.
 void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
-                const raster::Fragments& fragments, AovScratch* scratch, Framebuffer* framebuffer);
+                const raster::Fragments& fragments, float* const scratch_uv[6], AovScratch* scratch,
+                Framebuffer* framebuffer);
 
 /// The first sample of a pixel was drawn once more; the framebuffer has SHD_PLANE_OVERDRAW.
 void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);

@@ -101,7 +101,8 @@ void blend_run(TileState* tile, const Run& run) {
       if (tile->framebuffer.aovs & SHD_AOV_OVERDRAW) count_overdraw(tile->area, left.pixel, &tile->framebuffer);
     }
     if (tile->framebuffer.aovs) {
-      write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, &aovs, &tile->framebuffer);
+      write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, tile->worker.workspace.columns.uv, &aovs,
+                 &tile->framebuffer);
     }
   });
 }

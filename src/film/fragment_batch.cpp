@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "film/fragment_batch.h"
 
+#include "shade/needs.h"
+
 namespace shd::film {
 namespace {
 
@@ -81,7 +83,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Placi
   f.count += count;
   const Draw& draw = tile_.draw_of(triangle);
   for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) place(placing, i);
-  if (draw.material->model == SHD_MODEL_PROGRAM) set_depths(triangle, draw, placing, begin, f.count);
+  if (shade::shows_rows(*draw.material)) set_depths(triangle, draw, placing, begin, f.count);
   if (is_plain(*draw.material)) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
   for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
@@ -110,7 +112,7 @@ void FragmentBatch::shade(uint32_t draw) {
                                       d.instance,
                                       columns_of(tile_.framebuffer.aovs),
                                       d.uniforms};
-  shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view.eye, &worker_.workspace);
+  shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }
 

@@ -68,7 +68,8 @@ void write_batch(const Draw& draw, TileState* tile) {
   write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   find_rows(f, &worker.aovs);
-  write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, &worker.aovs, &tile->framebuffer);
+  write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
+             &tile->framebuffer);
 }
 
 }  // namespace

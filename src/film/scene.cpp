@@ -8,8 +8,10 @@
 #include "film/stopwatch.h"
 #include "film/visibility.h"
 #include "geometry/assemble.h"
+#include "geometry/attributes.h"
 #include "geometry/vertex_program.h"
 #include "geometry/vertex_window.h"
+#include "shade/needs.h"
 
 namespace shd::film {
 namespace {
@@ -54,6 +56,7 @@ void transform(const core::Context& context, const Frame& frame, const Part& par
   const geometry::Transform& matrices = scene->transforms[part.draw];
   geometry::Vertices* out = &scene->vertices[part.draw];
   const size_t end = begin + (part.end - part.begin);
+  geometry::transform_attributes(mesh.mesh, matrices, begin, end, part.begin, out);
   if (!draw.material || !draw.material->program.vertex) {
     return geometry::transform_vertices(context.simd, mesh.mesh, matrices, begin, end, part.begin, out);
   }
@@ -81,6 +84,10 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
     const Draw& draw = frame.draws[i];
     geometry::allocate_window(context.allocator, *draw.mesh, draw.begin, draw.end,
                               draw.material ? draw.material->varying_count : 0, &scene->vertices[i]);
+    if (draw.material) {
+      geometry::allocate_attributes(context.allocator, *draw.mesh, shade::needed_extras(*draw.material),
+                                    &scene->vertices[i]);
+    }
     scene->transforms[i] = geometry::make_transform(frame.view, draw.object_to_world, frame.viewport, visible);
   }
   const auto rows = [&](size_t draw) { return Range{0, geometry::row_count(scene->vertices[draw])}; };

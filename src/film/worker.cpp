@@ -9,6 +9,7 @@ Workers::Workers(const core::Context& context, const Frame& frame)
     : context_(context),
       samples_(frame.framebuffer->samples),
       targets_(targets_of(*frame.framebuffer)),
+      light_count_(frame.light_count),
       workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
   for (size_t i = 0; i < frame.draw_count; ++i) {
@@ -31,7 +32,7 @@ Worker& Workers::get(uint32_t index) {
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
     allocate(allocator, samples_, targets_, &worker->split);
-    shade::allocate(allocator, varying_count_, targets_, &worker->workspace);
+    shade::allocate(allocator, {varying_count_, targets_, light_count_}, &worker->workspace);
   }
   return *workers_[index];
 }

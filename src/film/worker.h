@@ -54,6 +54,7 @@ class Workers {
  private:
   const core::Context& context_;
   const uint32_t samples_, targets_;
+  const size_t light_count_;
   uint32_t varying_count_ = 0;  // most of a draw
   core::Array<Worker*> workers_;
 };

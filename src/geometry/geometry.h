@@ -20,6 +20,7 @@
 /// | vertex_program.h | the same with a program of the caller's in between                          |
 /// | vertex-inl.h     | what those two kernels share                                                |
 /// | vertex_window.h  | the vertices that a part of a draw needs                                    |
+/// | attributes.h     | tangents, a second uv set and the caller's columns at the same rows         |
 /// | clip.h           | a triangle cut at the near and far plane and the guard band                 |
 /// | pixel_box.h      | boxes of pixels                                                             |
 /// | outline.h        | edges and vertices of triangles as rectangles                               |

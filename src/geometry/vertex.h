@@ -76,6 +76,10 @@ struct Vertices {
   core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
   core::Array<float> varying;        // [padded][varying_count] what a vertex program hands on
   uint32_t varying_count = 0;
+  core::Array<float> tangent;       // [padded][4] x, y, z (world space), handedness; or empty
+  core::Array<float> texture1;      // [padded][4] u, v of the second set, 0, 0; or empty
+  core::Array<float> attribute[2];  // [padded][4] columns of the mesh, 0 where it lacks them; or empty
+  bool has_attribute[SHD_MAX_ATTRIBUTES] = {};
 
   // Which rows are the corners of which triangle: see row_of().
   const uint32_t* indices = nullptr;  // those of the mesh, or its own

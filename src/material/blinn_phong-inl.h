@@ -29,6 +29,15 @@ HWY_INLINE V BlinnPhong(D d, const simd::HWY_NAMESPACE::Vec3V<V>& n, const simd:
   return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::Pow(d, cosine, exponent));
 }
 
+/// N = (p + 2)(p + 4) / (8 pi (2^(-p/2) + p)): the inverse of the integral of (n.h)^p n.l over the directions l for wo
+/// = n (Giesen, "Phong and Blinn-Phong Normalization Factors", 2009).
+template <class D, class V>
+HWY_INLINE V BlinnPhongNorm(D d, V p) {
+  const V falling = simd::HWY_NAMESPACE::Exp2(d, hn::Mul(p, hn::Set(d, -0.5f)));
+  const V above = hn::Mul(hn::Add(p, hn::Set(d, 2.0f)), hn::Add(p, hn::Set(d, 4.0f)));
+  return hn::Div(above, hn::Mul(hn::Set(d, 25.1327412f), hn::Add(falling, p)));
+}
+
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,31 +1,85 @@
 // SPDX-License-Identifier: MIT
 #include "material/material.h"
 
+#include <algorithm>
+
 namespace shd::material {
-Material::~Material() {
-  core::release(texture_object, static_cast<uint32_t>(core::ObjectType::kTexture));
-  core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));
+namespace {
+
+Slot build_slot(const shd_slot& desc, const SlotParts& parts, const texture::Sampler& default_sampler) noexcept {
+  constexpr float kIdentity[6] = {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f};
+  Slot slot = {};
+  slot.source = desc.source;
+  if (desc.source == SHD_SOURCE_TEXTURE) {
+    slot.uv_set = desc.uv_set;
+    slot.channel = desc.channel;
+    slot.texture = parts.texture;
+    slot.sampler = parts.sampler ? parts.sampler : &default_sampler;
+    std::copy_n(desc.uv_transform, 6, slot.uv_transform);
+    slot.is_transformed = !std::equal(kIdentity, kIdentity + 6, slot.uv_transform);
+  } else if (desc.source == SHD_SOURCE_VERTEX) {
+    slot.attribute = desc.attribute;
+  } else if (desc.source == SHD_SOURCE_PROCEDURE) {
+    slot.procedure = desc.procedure;
+    slot.user_data = desc.user_data;
+  }
+  return slot;
 }
 
-void build(const shd_material_desc& desc, const texture::Texture* diffuse_texture,
-           const texture::Sampler* diffuse_sampler, Material* out) noexcept {
+/// Reflectance at normal incidence of a surface with this index of refraction.
+float dielectric_of(float ior) noexcept {
+  const double ratio = (double{ior} - 1.0) / (double{ior} + 1.0);
+  return static_cast<float>(ratio * ratio);
+}
+
+void build_surface(const shd_material_desc& desc, Material* out) noexcept {
+  out->normal_encoding = desc.normal_encoding;
+  out->normal_scale = desc.normal_scale;
+  out->bump = desc.bump;
+  out->bump_scale = desc.bump_scale;
+  out->parallax_depth = desc.parallax_depth;
+  out->parallax_steps = desc.parallax_steps;
+}
+
+}  // namespace
+
+Material::~Material() {
+  for (int i = 0; i < SHD_SLOT_COUNT; ++i) {
+    core::release(texture_object[i], static_cast<uint32_t>(core::ObjectType::kTexture));
+    core::release(sampler_object[i], static_cast<uint32_t>(core::ObjectType::kSampler));
+  }
+}
+
+void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT], Material* out) noexcept {
   out->model = desc.model;
   out->flags = desc.flags;
-  for (int c = 0; c < 3; ++c) {
-    out->ambient[c] = desc.ambient[c];
-    out->diffuse[c] = desc.diffuse[c];
-    out->specular[c] = desc.specular[c];
-  }
+  std::copy_n(desc.ambient, 3, out->ambient);
+  std::copy_n(desc.diffuse, 3, out->diffuse);
+  std::copy_n(desc.specular, 3, out->specular);
+  std::copy_n(desc.emission, 3, out->emission);
+  std::copy_n(desc.warm, 3, out->warm);
+  std::copy_n(desc.cool, 3, out->cool);
   out->exponent = desc.exponent;
+  out->metallic = desc.metallic;
+  out->roughness = desc.roughness;
+  out->dielectric = dielectric_of(desc.ior);
+  out->occlusion_strength = desc.occlusion_strength;
+  out->warm_mix = desc.warm_mix;
+  out->cool_mix = desc.cool_mix;
+  out->toon_steps = static_cast<float>(desc.toon_steps);
+  build_surface(desc, out);
   out->program = desc.program;
   out->varying_count = desc.varying_count;
-  for (int c = 0; c < SHD_MAX_VARYINGS; ++c) out->interpolation[c] = desc.interpolation[c];
+  std::copy_n(desc.interpolation, SHD_MAX_VARYINGS, out->interpolation);
   out->blend = desc.blend;
   out->opacity = desc.opacity;
   out->alpha_cutoff = desc.alpha_cutoff;
   out->default_sampler = texture::make_sampler(shd_sampler_desc_default());
-  out->diffuse_texture = diffuse_texture;
-  out->diffuse_sampler = diffuse_sampler ? diffuse_sampler : &out->default_sampler;
+  out->slots = 0;
+  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+    out->slot[i] = build_slot(desc.slot[i], parts[i], out->default_sampler);
+    if (is_set(out->slot[i])) out->slots |= 1u << i & info_of(desc.model).slots;
+  }
 }
 
 }  // namespace shd::material

@@ -13,10 +13,12 @@ void visit_columns(Fragments& f, Visit visit) {
     visit(reinterpret_cast<void**>(column));
   }
   for (float** column :
-       {&f.x,  &f.y,  &f.depth, &f.bary[0], &f.bary[1], &f.bary[2], &f.px,   &f.py,   &f.pz,   &f.nx,  &f.ny,
-        &f.nz, &f.ox, &f.oy,    &f.oz,      &f.u,       &f.v,       &f.dudx, &f.dvdx, &f.dudy, &f.dvdy}) {
+       {&f.x,  &f.y,     &f.depth, &f.bary[0], &f.bary[1], &f.bary[2], &f.px,   &f.py,   &f.pz,   &f.nx,   &f.ny,
+        &f.nz, &f.ox,    &f.oy,    &f.oz,      &f.u,       &f.v,       &f.dudx, &f.dvdx, &f.dudy, &f.dvdy, &f.u1,
+        &f.v1, &f.du1dx, &f.dv1dx, &f.du1dy,   &f.dv1dy,   &f.tx,      &f.ty,   &f.tz,   &f.tw}) {
     visit(reinterpret_cast<void**>(column));
   }
+  for (float*& column : f.attribute) visit(reinterpret_cast<void**>(&column));
 }
 
 /// A run for each triangle that a pixel shows. Returns how many of its samples show none.

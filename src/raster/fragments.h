@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <shd/mesh.h>
+
 #include "core/allocator.h"
 #include "core/simd_target.h"
 #include "raster/tile.h"
@@ -32,6 +34,11 @@ struct Fragments {
   float *u, *v;         // texture coordinates
   float *dudx, *dvdx;   // per pixel to the right
   float *dudy, *dvdy;   // per pixel down
+  float *u1, *v1;       // the second set, and its derivatives
+  float *du1dx, *dv1dx;
+  float *du1dy, *dv1dy;
+  float *tx, *ty, *tz, *tw;              // tangent of the mesh, world space, any length; handedness
+  float* attribute[SHD_MAX_ATTRIBUTES];  // of the mesh
 };
 
 /// Throws std::bad_alloc.

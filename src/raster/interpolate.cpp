@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "raster/interpolate.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "data/data.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/interpolate.cpp"
 #include <hwy/foreach_target.h>
@@ -96,10 +101,10 @@ HWY_INLINE V FiniteOrZero(D d, V x) {
 
 /// A texture coordinate with its derivatives.
 template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void Coordinate(D d, const float* values, const Rows (&rows)[3], const Barycentric<V>& b, size_t at,
+HWY_INLINE void Coordinate(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b, size_t at,
                            float* out, float* out_dx, float* out_dy) {
-  const V a0 = rows[0].Get(d, values, 3);
-  const V corner1 = rows[1].Get(d, values, 3), corner2 = rows[2].Get(d, values, 3);
+  const V a0 = rows[0].Get(d, values, c);
+  const V corner1 = rows[1].Get(d, values, c), corner2 = rows[2].Get(d, values, c);
   const V a1 = hn::Sub(corner1, a0), a2 = hn::Sub(corner2, a0);
   hn::Store(Blend(d, a0, corner1, corner2, b.b1, b.b2), d, out + at);
   hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dx, a1), hn::Mul(b.b2_dx, a2))), d, out_dx + at);
@@ -133,6 +138,24 @@ HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const 
   hn::Store(o.z, d, f.oz + at);
 }
 
+/// What only some materials read.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
+                                  const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
+  if (wanted & kTexture1 && vertices.texture1.size()) {
+    Coordinate(d, vertices.texture1.data(), 0, rows, b, at, f.u1, f.du1dx, f.du1dy);
+    Coordinate(d, vertices.texture1.data(), 1, rows, b, at, f.v1, f.dv1dx, f.dv1dy);
+  }
+  if (wanted & kTangent && vertices.tangent.size()) {
+    float* const out[4] = {f.tx, f.ty, f.tz, f.tw};
+    for (int c = 0; c < 4; ++c) hn::Store(Attribute(d, vertices.tangent.data(), c, rows, b), d, out[c] + at);
+  }
+  for (int k = 0; wanted & kAttributes && k < SHD_MAX_ATTRIBUTES; ++k) {
+    const core::Array<float>& four = vertices.attribute[k / 4];
+    if (four.size()) hn::Store(Attribute(d, four.data(), k % 4, rows, b), d, f.attribute[k] + at);
+  }
+}
+
 /// One vector of rows, starting at row `at`.
 template <class D, class Rows>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
@@ -144,9 +167,11 @@ HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const R
     hn::Store(b.b2, d, f.bary[2] + at);
   }
   InterpolateSpace(d, vertices, rows, b, eye, wanted, at, f);
-  if (!(wanted & kTexture)) return;
-  Coordinate(d, vertices.world.data(), rows, b, at, f.u, f.dudx, f.dudy);
-  Coordinate(d, vertices.normal.data(), rows, b, at, f.v, f.dvdx, f.dvdy);
+  if (wanted & kTexture) {
+    Coordinate(d, vertices.world.data(), 3, rows, b, at, f.u, f.dudx, f.dudy);
+    Coordinate(d, vertices.normal.data(), 3, rows, b, at, f.v, f.dvdx, f.dvdy);
+  }
+  InterpolateExtras(d, vertices, rows, b, wanted, at, f);
 }
 
 void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t wanted, Fragments& f) {
@@ -179,6 +204,14 @@ HWY_EXPORT(Interpolate);
 void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments) {
   SHD_DISPATCH(Interpolate, simd)(vertices, eye, wanted, *fragments);
+  const auto clear = [&](float* const* begin, float* const* end) {
+    for (; begin != end; ++begin) std::fill_n(*begin, data::padded(fragments->count), 0.0f);
+  };
+  Fragments& f = *fragments;
+  float* const texture1[] = {f.u1, f.v1, f.du1dx, f.dv1dx, f.du1dy, f.dv1dy};
+  float* const tangent[] = {f.tx, f.ty, f.tz, f.tw};
+  if (wanted & kTexture1 && vertices.texture1.size() == 0) clear(std::begin(texture1), std::end(texture1));
+  if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
 }
 
 }  // namespace shd::raster

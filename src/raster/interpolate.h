@@ -16,7 +16,10 @@ enum Interpolated : uint32_t {
   kToEye = 4,
   kTexture = 8,  // uv and its derivatives
   kBarycentrics = 16,
-  kInterpolateAll = 31
+  kTexture1 = 32,  // the second uv and its derivatives
+  kTangent = 64,
+  kAttributes = 128,
+  kInterpolateAll = 255
 };
 
 /// Fills the wanted columns (Interpolated bits) of `fragments` from x, y and the three vertices; the others are left.
@@ -24,7 +27,8 @@ enum Interpolated : uint32_t {
 ///
 /// Barycentrics of the pixel centre come from the unclipped vertices in homogeneous raster coordinates (Olano and
 /// Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997), so clipping does not touch attributes;
-/// they are clamped to the triangle. Derivatives are the exact ones of that quotient; 0 where they leave the range of
+/// they are clamped to the triangle. A second uv and tangents that the vertices lack are 0, attributes are left.
+/// Derivatives are the exact ones of that quotient; 0 where they leave the range of
 /// float. Finite vertices give finite rows. The error is that of the cross products: a pixel position rounded to 2^-24
 /// of its value, over the triangle's size. Largest |error| of a barycentric coordinate measured in a frame of 2048^2:
 /// 5e-5 for triangles of 1 to 300 pixels, 4e-3 for 0.1 pixel.

@@ -10,11 +10,11 @@
 
 namespace shd::shade {
 
-/// L = k_a I_a + k_d t D + k_s S for `count` rows, with D and S the lobes and t the texture (null = 1); k_d t without
-/// lobes. Where the
-/// material has_opacity(), a is that times t, and L times a unless its blend takes them apart; else 1.
+/// What `count` rows send to the eye, from the lobes of the material's model (of models without lights the first lobe
+/// is what they show) and the values of its slots, with the emission. Where the material has_opacity(), a is opacity
+/// times its slots, and L is multiplied by a unless its blend takes them apart; else 1.
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
-             const Lobes* lobes, const float* const texture[4], size_t count, Radiance* out);
+             const Lobes& lobes, const Parameters& parameters, size_t count, Radiance* out);
 
 /// out[i] = b0 in[row] + b1 in[row + 1] + b2 in[row + 2] with row = rows[i] and the barycentrics of row i.
 void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* rows,

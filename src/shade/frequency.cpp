@@ -43,6 +43,28 @@ Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }
 
+/// Component c of four at three vertices, in the shares of each; 0 where there are none.
+float mixed(const core::Array<float>& rows, const uint32_t vertex[3], size_t c, int corner) {
+  if (rows.size() == 0) return 0.0f;
+  const auto at = [&](int k) { return rows[4 * size_t{vertex[k]} + c]; };
+  return corner < 0 ? mean(at(0), at(1), at(2)) : at(corner);
+}
+
+/// What only some materials read.
+/// @param corner  of the triangle; negative = its centroid
+void set_extras(const geometry::Vertices& vertices, uint32_t triangle, int corner, size_t row,
+                raster::Fragments* rows) {
+  uint32_t vertex[3];
+  for (size_t k = 0; k < 3; ++k) vertex[k] = geometry::row_of(vertices, triangle, k);
+  float* const tangent[4] = {rows->tx, rows->ty, rows->tz, rows->tw};
+  for (size_t c = 0; c < 4; ++c) tangent[c][row] = mixed(vertices.tangent, vertex, c, corner);
+  rows->u1[row] = mixed(vertices.texture1, vertex, 0, corner);
+  rows->v1[row] = mixed(vertices.texture1, vertex, 1, corner);
+  for (size_t c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
+    rows->attribute[c][row] = mixed(vertices.attribute[c / 4], vertex, c % 4, corner);
+  }
+}
+
 void set_row(const Corner& c, const float eye[3], uint32_t triangle, size_t row, raster::Fragments* rows) {
   const Vec3 o = data::normalized(Vec3{eye[0], eye[1], eye[2]} - c.p);
   rows->triangle[row] = triangle;
@@ -65,6 +87,7 @@ void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_
                  raster::Fragments* rows) {
   for (size_t k = 0; k < 3; ++k) {
     set_row(corner(vertices, geometry::row_of(vertices, triangle, k)), eye, triangle, row + k, rows);
+    set_extras(vertices, triangle, static_cast<int>(k), row + k, rows);
   }
 }
 
@@ -78,6 +101,7 @@ void set_centroid(const geometry::Vertices& vertices, const float eye[3], float 
                            mean(a.u, b.u, c.u),
                            mean(a.v, b.v, c.v)};
   set_row(centroid, eye, triangle, row, rows);
+  set_extras(vertices, triangle, -1, row, rows);
 }
 
 void set_corner_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/allocator.h"
 #include "light/light.h"
@@ -11,21 +12,20 @@ namespace shd::shade {
 /// Lights of a frame, in the caller's order; ambient ones are summed apart.
 struct LightTable {
   float ambient[3];                  // I_a
-  size_t count;                      // point and directional lights
+  size_t count;                      // of the others
   core::Array<light::Light> lights;  // [count]
+  core::Array<float> x, y, z;        // [padded] positions
+  core::Array<float> reach;          // [padded] square of the range and a bit more; infinity without
+  bool any_range;                    // some light ends
+};
+
+/// A light that may reach some row of a batch.
+struct ActiveLight {
+  const light::Light* light;
+  const float* factor[3];  // by row, by channel; null = 1
 };
 
 /// Gathers `count` lights. Throws std::bad_alloc.
-inline LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count) {
-  LightTable table = {{0.0f, 0.0f, 0.0f}, 0, core::Array<light::Light>(allocator, count)};
-  for (size_t i = 0; i < count; ++i) {
-    if (lights[i]->kind == SHD_LIGHT_AMBIENT) {
-      for (int c = 0; c < 3; ++c) table.ambient[c] += lights[i]->intensity[c];
-    } else {
-      table.lights[table.count++] = *lights[i];
-    }
-  }
-  return table;
-}
+LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count);
 
 }  // namespace shd::shade

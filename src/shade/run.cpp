@@ -2,35 +2,24 @@
 #include "shade/run.h"
 
 #include <algorithm>
-#include <cstring>
-#include <exception>
 
-#include "core/status.h"
 #include "data/data.h"
 #include "raster/interpolate.h"
 #include "shade/combine.h"
+#include "shade/cull.h"
+#include "shade/frames.h"
 #include "shade/frequency.h"
 #include "shade/illuminate.h"
-#include "texture/texture.h"
+#include "shade/modulation.h"
+#include "shade/needs.h"
+#include "shade/parallax.h"
+#include "shade/parameters.h"
+#include "shade/program.h"
+#include "shade/show.h"
+#include "shade/surface.h"
 
 namespace shd::shade {
 namespace {
-
-/// What shading reads of the fragments, as raster::Interpolated bits.
-uint32_t needed_columns(const DrawShading& shading, const LightTable& lights) {
-  const material::Material& material = *shading.material;
-  const bool is_program = material.model == SHD_MODEL_PROGRAM;
-  if (shading.frequency == SHD_FREQUENCY_PHONG && is_program) return raster::kInterpolateAll;
-  uint32_t needed = material.diffuse_texture ? uint32_t{raster::kTexture} : 0;
-  if (shading.frequency == SHD_FREQUENCY_GOURAUD) needed |= raster::kBarycentrics;
-  if (shading.frequency != SHD_FREQUENCY_PHONG || material.model == SHD_MODEL_UNLIT) return needed;
-  needed |= raster::kNormal;
-  if (material.model == SHD_MODEL_BLINN_PHONG) needed |= raster::kToEye;
-  for (size_t i = 0; i < lights.count; ++i) {
-    if (lights.lights[i].kind == SHD_LIGHT_POINT) needed |= raster::kPosition;
-  }
-  return needed;
-}
 
 /// Completes x, y, depth, triangle to vertices and interpolated attributes.
 void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
@@ -80,65 +69,11 @@ void spread(const core::SimdTarget& simd, const DrawShading& shading, const Work
   }
 }
 
-/// 0 in all targets but colour.
-void clear_targets(size_t count, Radiance* radiance) {
-  for (uint32_t c = 4; c < 4 * kMaxTargets; ++c) {
-    if (radiance->channel[c]) std::memset(radiance->channel[c], 0, count * sizeof(float));
-  }
-}
-
-/// Calls the program; what it throws becomes a Failure.
-void call(const DrawShading& shading, const shd_fragments& in, shd_radiance* out) {
-  const shd_material_program& program = shading.material->program;
-  try {
-    program.fragment(&in, out, program.user_data);
-  } catch (const std::exception& error) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "material.program.fragment threw in render.draws[%u]: %s",
-                                   shading.draw, error.what()));
-  } catch (...) {
-    throw core::Failure(
-        core::fail(SHD_ERROR_CALLBACK, "material.program.fragment threw in render.draws[%u]", shading.draw));
-  }
-}
-
-/// Runs the program for rows whose varyings, if the material has any, are in `varyings`.
-void run_program(const DrawShading& shading, const raster::Fragments& f, const raster::Varyings& varyings,
-                 uint32_t* discard, Radiance* radiance) {
-  for (int c = 0; c < 4; ++c) {
-    for (size_t i = 0; i < f.count; ++i) radiance->channel[c][i] = c == 3 ? 1.0f : 0.0f;
-  }
-  clear_targets(f.count, radiance);
-  shd_fragments in = {};
-  in.struct_size = sizeof in;
-  in.draw = shading.draw;
-  in.count = f.count;
-  in.x = f.x, in.y = f.y, in.depth = f.depth;
-  in.px = f.px, in.py = f.py, in.pz = f.pz;
-  in.nx = f.nx, in.ny = f.ny, in.nz = f.nz;
-  in.ox = f.ox, in.oy = f.oy, in.oz = f.oz;
-  in.u = f.u, in.v = f.v;
-  in.dudx = f.dudx, in.dvdx = f.dvdx, in.dudy = f.dudy, in.dvdy = f.dvdy;
-  in.triangle = f.triangle;
-  in.instance = shading.instance;
-  in.uniforms = shading.uniforms;
-  in.varying_count = shading.material->varying_count;
-  for (uint32_t c = 0; c < in.varying_count; ++c) in.varying[c] = varyings.column[c];
-  shd_radiance out = {};
-  out.struct_size = sizeof out;
-  out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
-  out.a = radiance->channel[3];
-  std::memcpy(out.target, radiance->channel + 4, sizeof out.target);
-  if (shading.material->flags & SHD_MATERIAL_DISCARDS) {
-    std::memset(discard, 0, f.count * sizeof(uint32_t));
-    out.discard = discard;
-  }
-  call(shading, in, &out);
-#ifndef NDEBUG
-  if (in.count != f.count) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK,
-                                   "material.program.fragment changed the count in render.draws[%u]", shading.draw));
-  }
-#endif
+/// Normals of rows to the fragments.
+void spread_normals(const core::SimdTarget& simd, const DrawShading& shading, Workspace* w) {
+  spread(simd, shading, *w, w->rows.nx, w->fragments.nx);
+  spread(simd, shading, *w, w->rows.ny, w->fragments.ny);
+  spread(simd, shading, *w, w->rows.nz, w->fragments.nz);
 }
 
 /// Varyings of the rows that a program is about to see.
@@ -155,67 +90,118 @@ void make_varyings(const core::SimdTarget& simd, const DrawShading& shading, Wor
   }
 }
 
-/// Diffuse texture at the fragments, or null.
-const float* const* look_up(const core::SimdTarget& simd, const material::Material& material, Workspace* w) {
-  if (!material.diffuse_texture) return nullptr;
+/// Lobes of rows under the lights that reach them, those with a texture or a shadow a few at a time.
+void light_rows(const core::SimdTarget& simd, const material::Material& material, const Shape& shape,
+                const LightTable& lights, const raster::Fragments& rows, Workspace* w, Lobes* out) {
+  const bool all_count = material.model == SHD_MODEL_GOOCH;
+  size_t count = lights.count;
+  if (all_count) {
+    for (size_t i = 0; i < count; ++i) w->reaching[i] = static_cast<uint32_t>(i);
+  } else {
+    count = cull_lights(simd, lights, rows, w->reaching.data());
+  }
+  LightGroup group = {false, false};
+  for (size_t next = 0; !group.finishes; group.continues = true) {
+    size_t taken = 0, modulated = 0;
+    for (; next < count; ++next, ++taken) {
+      const light::Light& light = lights.lights[w->reaching[next]];
+      w->active[taken] = {&light, {nullptr, nullptr, nullptr}};
+      if (all_count || !is_modulated(light)) continue;
+      if (modulated == kModulated) break;
+      w->active[taken] = modulate(simd, light, rows, modulated++, &w->columns);
+    }
+    group.finishes = next == count;
+    illuminate(simd, material, shape, w->active.data(), taken, rows, group, out);
+  }
+}
+
+/// Colour of models without lights, into the first lobe of the fragments.
+void show(const core::SimdTarget& simd, const DrawShading& shading, const shd_view& view, Workspace* w) {
+  const material::Material& material = *shading.material;
   const raster::Fragments& f = w->fragments;
-  const texture::Lookups lookups = {f.count, f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy, nullptr, nullptr, nullptr};
-  float* alpha = has_opacity(material) ? w->columns.texture[3] : nullptr;
-  texture::sample(*material.diffuse_texture, *material.diffuse_sampler, simd, lookups,
-                  {{w->columns.texture[0], w->columns.texture[1], w->columns.texture[2], alpha}, {}, {}});
-  return w->columns.texture;
+  float* const* out = w->columns.lobes.lobe[0];
+  switch (material.model) {
+    case SHD_MODEL_MATCAP: return show_matcap(simd, material, view, f, &w->columns);
+    case SHD_MODEL_SHOW_NORMAL: return show_normals(f, out);
+    case SHD_MODEL_SHOW_UV: return show_uv(f, out);
+    case SHD_MODEL_SHOW_LEVEL: return show_levels(simd, material, f, &w->columns);
+    case SHD_MODEL_SHOW_BARYCENTRICS: return show_barycentrics(f, out);
+    default: return;
+  }
+}
+
+/// Radiance of a model.
+void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
+                 const shd_view& view, Workspace* w) {
+  const material::Material& material = *shading.material;
+  const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
+  Columns& columns = w->columns;
+  raster::Fragments& rows = per_fragment ? w->fragments : w->rows;
+  const material::ModelInfo info = material::info_of(material.model);
+  Parameters parameters = {};
+  clear_targets(w->fragments.count, &columns.radiance);
+  make_bases({shading, rows, w->varyings, per_fragment}, &rows, &columns);
+  if (per_fragment && material.parallax_depth > 0.0f && material::has_slot(material, SHD_SLOT_HEIGHT)) {
+    shift_by_heights(simd, {shading, rows, w->varyings, true}, &rows, &columns);
+  }
+  Shape shape = {};
+  if (info.has_normal)
+    shape = shape_surface(simd, {shading, rows, w->varyings, per_fragment}, &rows, &columns, &parameters);
+  if (!per_fragment && (shading.frequency == SHD_FREQUENCY_FLAT || !info.lobes)) spread_normals(simd, shading, w);
+  look_up_slots(simd, {shading, w->fragments, w->varyings, true}, ~material::kShapingSlots, &columns, &parameters);
+  if (info.lobes) {
+    light_rows(simd, material, shape, lights, rows, w, per_fragment ? &columns.lobes : &columns.row_lobes);
+    for (uint32_t k = 0; k < info.lobes && !per_fragment; ++k) {
+      for (int c = 0; c < 3; ++c) spread(simd, shading, *w, columns.row_lobes.lobe[k][c], columns.lobes.lobe[k][c]);
+    }
+  } else {
+    show(simd, shading, view, w);
+  }
+  combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
+}
+
+/// Radiance of the caller's program.
+void shade_program(const core::SimdTarget& simd, const DrawShading& shading, Workspace* w) {
+  const material::Material& material = *shading.material;
+  const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
+  Columns& columns = w->columns;
+  raster::Fragments& rows = per_fragment ? w->fragments : w->rows;
+  if (shading.vertices->tangent.size() == 0) {
+    make_bases({shading, rows, w->varyings, per_fragment}, &rows, &columns);
+  }
+  if (material.flags & SHD_DOUBLE_SIDED) face_normals(*shading.vertices, shading.orientation, &rows);
+  uint32_t* discard = per_fragment ? columns.discard : columns.row_discard;
+  make_varyings(simd, shading, w);
+  run_program(shading, rows, w->varyings, discard, per_fragment ? &columns.radiance : &columns.row_radiance);
+  if (per_fragment) return;
+  if (shading.frequency == SHD_FREQUENCY_FLAT) spread_normals(simd, shading, w);
+  if (material.flags & SHD_MATERIAL_DISCARDS) {
+    for (size_t i = 0; i < w->fragments.count; ++i) columns.discard[i] = columns.row_discard[columns.row[i]];
+  }
+  for (uint32_t c = 0; c < 4 * kMaxTargets; ++c) {
+    if (!columns.radiance.channel[c]) continue;
+    spread(simd, shading, *w, columns.row_radiance.channel[c], columns.radiance.channel[c]);
+  }
 }
 
 }  // namespace
 
-void allocate(const core::Allocator& allocator, uint32_t varying_count, uint32_t targets, Workspace* out) {
-  raster::allocate(allocator, varying_count, &out->varyings);
+void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Workspace* out) {
+  raster::allocate(allocator, size.varying_count, &out->varyings);
   raster::allocate(allocator, &out->fragments);
   raster::allocate(allocator, &out->rows);
-  allocate(allocator, targets, &out->columns);
+  allocate(allocator, size.targets, &out->columns);
+  out->reaching = core::Array<uint32_t>(allocator, data::padded(size.light_count));
+  out->active = core::Array<ActiveLight>(allocator, data::padded(size.light_count));
 }
 
-void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
-                 Workspace* w) {
-  const material::Material& material = *shading.material;
-  const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
-  Columns& columns = w->columns;
-  complete_fragments(simd, shading, eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
-  if (!per_fragment) make_rows(shading, eye, w);
-  if (shading.frequency == SHD_FREQUENCY_FLAT) {
-    spread_centroids(columns.row, w->fragments.count, w->rows.nx, w->fragments.nx);
-    spread_centroids(columns.row, w->fragments.count, w->rows.ny, w->fragments.ny);
-    spread_centroids(columns.row, w->fragments.count, w->rows.nz, w->fragments.nz);
-  }
-  const raster::Fragments& rows = per_fragment ? w->fragments : w->rows;
-
-  if (material.model == SHD_MODEL_PROGRAM) {
-    uint32_t* discard = per_fragment ? columns.discard : columns.row_discard;
-    make_varyings(simd, shading, w);
-    run_program(shading, rows, w->varyings, discard, per_fragment ? &columns.radiance : &columns.row_radiance);
-    if (per_fragment) return;
-    if (material.flags & SHD_MATERIAL_DISCARDS) {
-      for (size_t i = 0; i < w->fragments.count; ++i) columns.discard[i] = columns.row_discard[columns.row[i]];
-    }
-    for (uint32_t c = 0; c < 4 * kMaxTargets; ++c) {
-      if (!columns.radiance.channel[c]) continue;
-      spread(simd, shading, *w, columns.row_radiance.channel[c], columns.radiance.channel[c]);
-    }
-    return;
-  }
-  clear_targets(w->fragments.count, &columns.radiance);
-  const float* const* texture = look_up(simd, material, w);
-  if (material.model == SHD_MODEL_UNLIT) {
-    return combine(simd, material, lights, nullptr, texture, w->fragments.count, &columns.radiance);
-  }
-  illuminate(simd, material, lights, rows, per_fragment ? &columns.lobes : &columns.row_lobes);
-  if (!per_fragment) {
-    for (int c = 0; c < 3; ++c) {
-      spread(simd, shading, *w, columns.row_lobes.diffuse[c], columns.lobes.diffuse[c]);
-      spread(simd, shading, *w, columns.row_lobes.specular[c], columns.lobes.specular[c]);
-    }
-  }
-  combine(simd, material, lights, &columns.lobes, texture, w->fragments.count, &columns.radiance);
+void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
+                 const shd_view& view, Workspace* w) {
+  complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
+  if (shading.frequency != SHD_FREQUENCY_PHONG) make_rows(shading, view.eye, w);
+  if (shading.material->model == SHD_MODEL_PROGRAM) return shade_program(simd, shading, w);
+  if (shows_rows(*shading.material)) make_varyings(simd, shading, w);
+  shade_model(simd, shading, lights, view, w);
 }
 
 }  // namespace shd::shade

@@ -33,18 +33,26 @@ struct Workspace {
   raster::Fragments rows;       // corners or centroids
   raster::Varyings varyings;    // of the fragments at Phong frequency, else of the rows
   Columns columns;
+  core::Array<uint32_t> reaching;   // [padded] lights of a batch, by index in their table
+  core::Array<ActiveLight> active;  // [padded] the same
 };
 
-/// With room for `varying_count` varyings. Throws std::bad_alloc.
-/// @param targets  bit t: there is target t; bit 0, colour, is set
-void allocate(const core::Allocator& allocator, uint32_t varying_count, uint32_t targets, Workspace* out);
+/// What workspaces need room for.
+struct WorkspaceSize {
+  uint32_t varying_count;
+  uint32_t targets;  // bit t: there is target t; bit 0, colour, is set
+  size_t light_count;
+};
+
+/// Throws std::bad_alloc.
+void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Workspace* out);
 
 /// Most triangles that one batch may hold at Gouraud frequency: their corners must fit a table.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 
 /// Shades workspace->fragments (at most raster::kBatch rows, or kGouraudTriangles runs of one triangle) into
 /// workspace->columns.radiance. Runs on the calling thread. Throws Failure if a program threw.
-void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights, const float eye[3],
-                 Workspace* workspace);
+void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
+                 const shd_view& view, Workspace* workspace);
 
 }  // namespace shd::shade

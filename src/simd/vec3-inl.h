@@ -30,6 +30,23 @@ HWY_INLINE Vec3V<V> Sum(const Vec3V<V>& a, const Vec3V<V>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
 
+template <class V>
+HWY_INLINE Vec3V<V> Scaled(const Vec3V<V>& a, V s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// a where the mask is set, else b.
+template <class M, class V>
+HWY_INLINE Vec3V<V> Select(M mask, const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
+}
+
 /// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. For lengths in about 1e-18..1e18.
 template <class D, class V>
 HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {

@@ -6,7 +6,7 @@
 #include <shd/io.h>
 #include <shd/shd.h>
 
-enum { LARGEST = 1024 };
+enum { LARGEST = 4096 };
 
 struct kind_case {
     const char *name;

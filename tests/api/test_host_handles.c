@@ -101,8 +101,9 @@ static shd_result make_material(struct fixture *f, void *texture, void *sampler)
     shd_material_desc desc = shd_material_desc_default();
     shd_material *material = NULL;
     shd_result result;
-    desc.diffuse_texture = (shd_texture *)texture;
-    desc.diffuse_sampler = (shd_sampler *)sampler;
+    if (texture) desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
+    desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)sampler;
     result = shd_material_create(f->context, &desc, &material);
     assert_int_equal(material != NULL, result == SHD_OK);
     shd_material_release(material);
@@ -168,8 +169,8 @@ static const struct entry k_entries[] = {
     {"shd_framebuffer_read_plane", k_framebuffer, framebuffer_plane, "framebuffer: ", 0},
     {"shd_framebuffer_read_u32_plane", k_framebuffer, framebuffer_u32_plane, "framebuffer: ", 0},
     {"shd_framebuffer_read_color", k_framebuffer, framebuffer_color, "framebuffer: ", 0},
-    {"shd_material_create/texture", k_texture, material_texture, "material.diffuse_texture: ", 1},
-    {"shd_material_create/sampler", k_sampler, material_sampler, "material.diffuse_sampler: ", 1},
+    {"shd_material_create/texture", k_texture, material_texture, "material.slot[0].texture: ", 1},
+    {"shd_material_create/sampler", k_sampler, material_sampler, "material.slot[0].sampler: ", 1},
     {"shd_render/framebuffer", k_framebuffer, render_framebuffer, "render.framebuffer: ", 0},
     {"shd_render/mesh", k_mesh, render_mesh, "render.draws[0]: draw.mesh: ", 0},
     {"shd_render/material", k_material, render_material, "render.draws[0]: draw.material: ", 1},

@@ -267,7 +267,8 @@ static void test_two_contexts(void **state)
         open_context(&a);
         open_context(&b);
         shd_assert_ok(create_texture(a.context, &texture));
-        desc.diffuse_texture = (shd_texture *)texture;
+        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+        desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
         shd_assert_ok(shd_material_create(b.context, &desc, &material));
         release_texture(texture);
         for (i = 0; i < 3; ++i) {

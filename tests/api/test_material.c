@@ -7,6 +7,7 @@
 
 static shd_context *g_context;
 static shd_light *g_light;
+static shd_texture *g_texture;
 
 static void program(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -26,10 +27,10 @@ static void edit_program(shd_material_desc *d)
 static void edit_program_missing(shd_material_desc *d) { d->model = SHD_MODEL_PROGRAM; }
 static void edit_program_unused(shd_material_desc *d) { d->program.fragment = program; }
 static void edit_unlit(shd_material_desc *d) { d->model = SHD_MODEL_UNLIT; }
-static void edit_model(shd_material_desc *d) { d->model = (shd_model)4; }
+static void edit_model(shd_material_desc *d) { d->model = (shd_model)15; }
 static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
 static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
-static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 16; }
+static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 32; }
 static void edit_black(shd_material_desc *d)
 {
     memset(d->ambient, 0, sizeof d->ambient);
@@ -99,8 +100,17 @@ static void edit_interpolation_negative(shd_material_desc *d)
     d->interpolation[2] = (shd_interpolation)-1;
 }
 static void edit_reserved(shd_material_desc *d) { d->reserved = 1; }
-static void edit_light_as_texture(shd_material_desc *d) { d->diffuse_texture = (shd_texture *)(void *)g_light; }
-static void edit_light_as_sampler(shd_material_desc *d) { d->diffuse_sampler = (shd_sampler *)(void *)g_light; }
+static void edit_light_as_texture(shd_material_desc *d)
+{
+    d->slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    d->slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)(void *)g_light;
+}
+static void edit_light_as_sampler(shd_material_desc *d)
+{
+    d->slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    d->slot[SHD_SLOT_DIFFUSE].texture = g_texture;
+    d->slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)(void *)g_light;
+}
 
 struct create_case {
     const char *name;
@@ -119,13 +129,13 @@ static const struct create_case k_create[] = {
     {"create/all_1e6", edit_largest, SHD_OK, ""},
     {"create/struct_size_16", edit_size, BAD, "material.struct_size: 16"},
     {"create/unlit", edit_unlit, SHD_OK, ""},
-    {"create/model_4", edit_model, BAD, "material.model: 4 is not in 0..3"},
+    {"create/model_15", edit_model, BAD, "material.model: 15 is not in 0..14"},
     {"create/model_negative", edit_model_negative, BAD, "material.model: "},
     {"create/program_without_fragment", edit_program_missing, BAD,
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},
     {"create/fragment_without_program", edit_program_unused, BAD,
      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM"},
-    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x10 "},
+    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x20 "},
     {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[0]: -1 is not in 0..1e+06"},
     {"create/ambient_nan", edit_ambient_nan, BAD, "material.ambient[2]: "},
     {"create/diffuse_1.5e6", edit_diffuse_above, BAD, "material.diffuse[1]: 1.5e+06"},
@@ -150,8 +160,8 @@ static const struct create_case k_create[] = {
     {"create/interpolation_3", edit_interpolation, BAD, "material.interpolation[15]: 3 is not in 0..2"},
     {"create/interpolation_negative", edit_interpolation_negative, BAD, "material.interpolation[2]: "},
     {"create/reserved", edit_reserved, BAD, "material.reserved: 1 is not 0"},
-    {"create/light_as_texture", edit_light_as_texture, BAD, "material.diffuse_texture: not a live handle of its type"},
-    {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.diffuse_sampler: not a live handle of its type"},
+    {"create/light_as_texture", edit_light_as_texture, BAD, "material.slot[0].texture: not a live handle of its type"},
+    {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.slot[0].sampler: not a live handle of its type"},
 };
 
 static void test_create(void **state)
@@ -222,8 +232,9 @@ static void test_parts_retained(void **state)
     shd_material *material = NULL;
     (void)state;
     open_parts(&p);
-    desc.diffuse_texture = p.texture;
-    desc.diffuse_sampler = p.sampler;
+    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    desc.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
+    desc.slot[SHD_SLOT_DIFFUSE].sampler = p.sampler;
     shd_assert_ok(shd_material_create(p.context, &desc, &material));
     shd_texture_release(p.texture);
     shd_sampler_release(p.sampler);
@@ -245,45 +256,54 @@ static void test_parts_after_refusal(void **state)
     (void)state;
     open_parts(&p);
     before = p.memory.live_bytes;
-    desc.diffuse_texture = p.texture;
-    desc.diffuse_sampler = (shd_sampler *)(void *)p.texture;
+    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    desc.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
+    desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)(void *)p.texture;
     shd_assert_result("sampler", shd_material_create(p.context, &desc, &material), BAD,
-                      "material.diffuse_sampler: not a live handle of its type");
+                      "material.slot[0].sampler: not a live handle of its type");
     assert_null(material);
     assert_int_equal(p.memory.live_bytes, before);
     shd_assert_ok(look_up(&p));
     shd_texture_release(p.texture);
     shd_assert_result("texture", look_up(&p), BAD, "texture: not a live handle of its type");
-    desc.diffuse_sampler = p.sampler;
+    desc.slot[SHD_SLOT_DIFFUSE].sampler = p.sampler;
     shd_assert_result("released", shd_material_create(p.context, &desc, &material), BAD,
-                      "material.diffuse_texture: not a live handle of its type");
+                      "material.slot[0].texture: not a live handle of its type");
     shd_sampler_release(p.sampler);
     shd_context_release(p.context);
     shd_assert_all_freed("parts_after_refusal", &p.memory);
 }
 
-/* Either alone is fine. */
+/* A texture without sampler is fine. */
 static void test_one_part(void **state)
 {
     struct parts p;
-    shd_material_desc textured = shd_material_desc_default(), sampled = shd_material_desc_default();
-    shd_material *a = NULL, *b = NULL;
+    shd_material_desc textured = shd_material_desc_default();
+    shd_material *a = NULL;
     (void)state;
     open_parts(&p);
-    textured.diffuse_texture = p.texture;
-    sampled.diffuse_sampler = p.sampler;
+    textured.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    textured.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
     shd_assert_ok(shd_material_create(p.context, &textured, &a));
-    shd_assert_ok(shd_material_create(p.context, &sampled, &b));
     shd_context_release(p.context);
     shd_texture_release(p.texture);
-    shd_sampler_release(p.sampler);
     shd_assert_ok(look_up(&p));
-    shd_material_release(b);
+    shd_sampler_release(p.sampler);
     shd_material_release(a);
     shd_assert_all_freed("one_part", &p.memory);
 }
 
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
+
+static shd_result make_texture(shd_texture **out)
+{
+    static const unsigned char texel[4] = {1, 2, 3, 4};
+    shd_texture_desc desc = shd_texture_desc_default();
+    desc.width = desc.height = 1;
+    desc.format = SHD_FORMAT_RGBA8;
+    desc.texels = texel;
+    return shd_texture_create(g_context, &desc, out);
+}
 
 int main(void)
 {
@@ -292,6 +312,7 @@ int main(void)
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
     if (shd_light_create(g_context, NULL, &g_light) != SHD_OK) return 1;
+    if (make_texture(&g_texture) != SHD_OK) return 1;
     for (i = 0; i < COUNT(k_create); ++i) {
         tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
     }
@@ -300,6 +321,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"parts/after_refusal", test_parts_after_refusal, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"parts/one_of_two", test_one_part, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.material", tests, n, NULL, NULL);
+    shd_texture_release(g_texture);
     shd_light_release(g_light);
     shd_context_release(g_context);
     return failed;

@@ -212,11 +212,12 @@ static shd_material_desc make_textured(shd_frame *f)
     texture.width = texture.height = 64;
     texture.texels = texels;
     texture.tables = SHD_TABLE_MIPMAP;
-    shd_assert_ok(shd_texture_create(f->context, &texture, &material.diffuse_texture));
+    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    shd_assert_ok(shd_texture_create(f->context, &texture, &material.slot[SHD_SLOT_DIFFUSE].texture));
     sampler.filter = SHD_FILTER_TRILINEAR;
     sampler.wrap_u = sampler.wrap_v = SHD_WRAP_REPEAT;
     sampler.lod_bias = 0.25f;
-    shd_assert_ok(shd_sampler_create(f->context, &sampler, &material.diffuse_sampler));
+    shd_assert_ok(shd_sampler_create(f->context, &sampler, &material.slot[SHD_SLOT_DIFFUSE].sampler));
     return material;
 }
 
@@ -231,6 +232,7 @@ static void test_levels(void **state)
     shd_lookups lookups = shd_lookups_default();
     shd_levels levels = {{lod, 0}, {level, 0}};
     shd_material_desc material;
+    const shd_slot *slot = &material.slot[SHD_SLOT_DIFFUSE];
     shd_frame f;
     shd_frame_open_aovs(&f, WIDTH, HEIGHT, samples, ALL_AOVS);
     set_perspective(&f);
@@ -245,7 +247,7 @@ static void test_levels(void **state)
     lookups.dvdx.data = f.plane[SHD_PLANE_DVDX];
     lookups.dudy.data = f.plane[SHD_PLANE_DUDY];
     lookups.dvdy.data = f.plane[SHD_PLANE_DVDY];
-    shd_assert_ok(shd_texture_query_levels(material.diffuse_texture, material.diffuse_sampler, &lookups, &levels));
+    shd_assert_ok(shd_texture_query_levels(slot->texture, slot->sampler, &lookups, &levels));
     for (i = 0; i < WIDTH * HEIGHT; ++i) {
         const double xx = hypot((double)lookups.dudx.data[i], (double)lookups.dvdx.data[i]);
         const double yy = hypot((double)lookups.dudy.data[i], (double)lookups.dvdy.data[i]);
@@ -262,8 +264,8 @@ static void test_levels(void **state)
     }
     for (i = 0; i < 7; ++i) different += kinds[i] > 0;
     assert_true(different >= 4);
-    shd_texture_release(material.diffuse_texture);
-    shd_sampler_release(material.diffuse_sampler);
+    shd_texture_release(material.slot[SHD_SLOT_DIFFUSE].texture);
+    shd_sampler_release(material.slot[SHD_SLOT_DIFFUSE].sampler);
     shd_frame_close(&f);
 }
 

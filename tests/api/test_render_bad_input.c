@@ -156,7 +156,8 @@ static void test_planes(void **state)
         texture_desc.tables = SHD_TABLE_MIPMAP;
         shd_assert_ok(shd_texture_create(f.context, &texture_desc, &texture));
         material.model = SHD_MODEL_BLINN_PHONG;
-        material.diffuse_texture = texture;
+        material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+        material.slot[SHD_SLOT_DIFFUSE].texture = texture;
         shd_frame_draw(&f, soup, 3 * TRIANGLES, &material);
         f.draw[0].fill = (shd_fill)(round / 3);
         f.draw[0].fill_width = 2.5f;

@@ -47,7 +47,8 @@ static void open_frame(struct frame *f, const float *positions, uint32_t vertice
     texture.tables = SHD_TABLE_MIPMAP;
     shd_assert_ok(shd_texture_create(f->context, &texture, &f->texture));
     material.model = SHD_MODEL_BLINN_PHONG;
-    material.diffuse_texture = f->texture;
+    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    material.slot[SHD_SLOT_DIFFUSE].texture = f->texture;
     shd_assert_ok(shd_material_create(f->context, &material, &f->material));
     shd_assert_ok(shd_light_create(f->context, &light, &f->light[0]));
     light.kind = SHD_LIGHT_AMBIENT;

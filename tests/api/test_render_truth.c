@@ -229,14 +229,15 @@ static void test_texels(void **state)
     texture.width = k_width;
     texture.height = k_height;
     texture.texels = texels;
-    shd_assert_ok(shd_texture_create(f.context, &texture, &material.diffuse_texture));
+    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    shd_assert_ok(shd_texture_create(f.context, &texture, &material.slot[SHD_SLOT_DIFFUSE].texture));
     sampler.filter = SHD_FILTER_NEAREST;
-    shd_assert_ok(shd_sampler_create(f.context, &sampler, &material.diffuse_sampler));
+    shd_assert_ok(shd_sampler_create(f.context, &sampler, &material.slot[SHD_SLOT_DIFFUSE].sampler));
     for (c = 0; c < 3; ++c) material.diffuse[c] = 1.0f;
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
     shd_frame_draw(&f, quad, 6, &material);
-    shd_texture_release(material.diffuse_texture); /* the material has them */
-    shd_sampler_release(material.diffuse_sampler);
+    shd_texture_release(material.slot[SHD_SLOT_DIFFUSE].texture); /* the material has them */
+    shd_sampler_release(material.slot[SHD_SLOT_DIFFUSE].sampler);
     light.kind = SHD_LIGHT_DIRECTIONAL;
     light.direction[1] = 0.0f;
     light.direction[2] = -1.0f;

@@ -142,7 +142,8 @@ bool make_objects(shd_context* context, const Case& c, Objects& o) {
               shd_framebuffer_create(context, &c.framebuffer, &o.framebuffer) == SHD_OK;
   for (size_t i = 0; i < c.draw_count && made; ++i) {
     shd_material_desc material = c.draws[i].material;
-    if (c.draws[i].textured) material.diffuse_texture = o.texture;
+    if (c.draws[i].textured) material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    material.slot[SHD_SLOT_DIFFUSE].texture = o.texture;
     made = make_mesh(context, c.draws[i].mesh, &o.meshes[i]) &&
            shd_material_create(context, &material, &o.materials[i]) == SHD_OK;
   }

@@ -171,8 +171,9 @@ static shd_result create_textured_material(shd_context *context, void **out)
     shd_result result = create_texture(context, &texture);
     if (result == SHD_OK) result = create_sampler(context, &sampler);
     if (result == SHD_OK) {
-        desc.diffuse_texture = (shd_texture *)texture;
-        desc.diffuse_sampler = (shd_sampler *)sampler;
+        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+        desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
+        desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)sampler;
         result = shd_material_create(context, &desc, &material);
     } else {
         assert_null(sampler);

@@ -295,14 +295,16 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
     desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
     desc.exponent = which == 2 ? 7.5f : 64.0f;
     if (which < SHD_SCENE_TEXTURES) {
-        desc.diffuse_texture = s->texture[which];
-        desc.diffuse_sampler = which == 1 ? NULL : s->sampler[which];
+        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[which];
+        desc.slot[SHD_SLOT_DIFFUSE].sampler = which == 1 ? NULL : s->sampler[which];
     } else if (which == 4) {
         desc.flags = SHD_SPECULAR_UNGATED;
     } else if (which == 5) {
         desc.flags = SHD_AMBIENT_PER_LIGHT;
-        desc.diffuse_texture = s->texture[0];
-        desc.diffuse_sampler = s->sampler[1];
+        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[0];
+        desc.slot[SHD_SLOT_DIFFUSE].sampler = s->sampler[1];
     } else if (which == 6) {
         desc.model = SHD_MODEL_PROGRAM;
         desc.program.fragment = shd_scene_program;

@@ -18,7 +18,7 @@ const core::Allocator g_allocator = {core::default_allocator()};
 
 struct Fixture {
   material::Material material;
-  shade::LightTable lights = {{0, 0, 0}, 0, {}};
+  shade::LightTable lights = {};
   raster::Fragments rows;
   shade::Columns columns, first;
 };
@@ -57,11 +57,18 @@ const combine_case k_cases[] = {
     {"blinn_phong/ambient_per_light/2", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 2, true},
 };
 
+shade::Parameters parameters(bool texture) {
+  shade::Parameters p = {};
+  if (texture) std::copy_n(g->first.slot[SHD_SLOT_DIFFUSE], 4, p.value[SHD_SLOT_DIFFUSE]);
+  return p;
+}
+
 void fill(Random* random, const combine_case& c) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = c.model;
   desc.flags = c.flags;
-  material::build(desc, nullptr, nullptr, &g->material);
+  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::build(desc, parts, &g->material);
   g->lights.count = c.lights;
   for (int channel = 0; channel < 3; ++channel) {
     g->material.ambient[channel] = random->real(0.0, 2.0);
@@ -69,10 +76,10 @@ void fill(Random* random, const combine_case& c) {
     g->material.specular[channel] = random->real(0.0, 2.0);
     g->lights.ambient[channel] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
-      g->first.lobes.diffuse[channel][i] = random->real(0.0, 10.0);
+      g->first.lobes.lobe[0][channel][i] = random->real(0.0, 10.0);
       // What Lambert's model must not read.
-      g->first.lobes.specular[channel][i] = c.model == SHD_MODEL_LAMBERT ? NAN : random->real(0.0, 10.0);
-      g->first.texture[channel][i] = random->real(0.0, 1.0);
+      g->first.lobes.lobe[1][channel][i] = c.model == SHD_MODEL_LAMBERT ? NAN : random->real(0.0, 10.0);
+      g->first.slot[SHD_SLOT_DIFFUSE][channel][i] = random->real(0.0, 1.0);
     }
   }
 }
@@ -82,15 +89,15 @@ void check_row(size_t i, const combine_case& c, const shade::Radiance& got) {
   const double times = c.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
   for (int channel = 0; channel < 3; ++channel) {
     const material::Material& m = g->material;
-    const double t = c.texture ? double{g->first.texture[channel][i]} : 1.0;
+    const double t = c.texture ? double{g->first.slot[SHD_SLOT_DIFFUSE][channel][i]} : 1.0;
     if (c.model == SHD_MODEL_UNLIT) {
       shd_assert_close("channel", i, got.channel[channel][i], t * m.diffuse[channel], 0.0, 0x1p-24);
       continue;
     }
     const double ambient = times * m.ambient[channel] * g->lights.ambient[channel];
-    const double diffuse = t * m.diffuse[channel] * g->first.lobes.diffuse[channel][i];
+    const double diffuse = t * m.diffuse[channel] * g->first.lobes.lobe[0][channel][i];
     const double specular =
-        c.model == SHD_MODEL_BLINN_PHONG ? double{m.specular[channel]} * g->first.lobes.specular[channel][i] : 0.0;
+        c.model == SHD_MODEL_BLINN_PHONG ? double{m.specular[channel]} * g->first.lobes.lobe[1][channel][i] : 0.0;
     shd_assert_close("channel", i, got.channel[channel][i], ambient + diffuse + specular, 0.0, 5 * 0x1p-24);
   }
   assert_true(got.channel[3][i] == 1.0f);
@@ -104,8 +111,7 @@ void test_combine(void** state) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
       shade::Radiance& out = g->columns.radiance;
       for (size_t k = 0; k < 4; ++k) std::fill_n(out.channel[k], kBatch, -77.0f);
-      const shade::Lobes* lobes = c->model == SHD_MODEL_UNLIT ? nullptr : &g->first.lobes;
-      shade::combine(target, g->material, g->lights, lobes, c->texture ? g->first.texture : nullptr, count, &out);
+      shade::combine(target, g->material, g->lights, g->first.lobes, parameters(c->texture), count, &out);
       for (size_t i = 0; i < count; ++i) check_row(i, *c, out);
       for (size_t k = 0; k < 4; ++k) {
         for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out.channel[k][i] == -77.0f);
@@ -128,11 +134,11 @@ void test_range(void**) {
     g->material.ambient[channel] = g->material.diffuse[channel] = g->material.specular[channel] = 1e6f;
     g->lights.ambient[channel] = 1e12f * 1048576.0f;
     for (size_t i = 0; i < kBatch; ++i) {
-      g->first.lobes.diffuse[channel][i] = g->first.lobes.specular[channel][i] = 1e20f * 1048576.0f;
+      g->first.lobes.lobe[0][channel][i] = g->first.lobes.lobe[1][channel][i] = 1e20f * 1048576.0f;
     }
   }
   for_each_target([&](const core::SimdTarget& target, bool) {
-    shade::combine(target, g->material, g->lights, &g->first.lobes, g->first.texture, kBatch, &g->columns.radiance);
+    shade::combine(target, g->material, g->lights, g->first.lobes, parameters(true), kBatch, &g->columns.radiance);
     for (size_t c = 0; c < 4; ++c) {
       for (size_t i = 0; i < kBatch; ++i) assert_true(std::isfinite(g->columns.radiance.channel[c][i]));
     }
@@ -155,7 +161,7 @@ void test_corners(void**) {
   memcpy(column, in, sizeof in);
   memcpy(row_column, rows, sizeof rows);
   for_each_target([&](const core::SimdTarget& target, bool first) {
-    float *out = g->columns.texture[0], *wanted = g->first.texture[0];
+    float *out = g->columns.slot[SHD_SLOT_DIFFUSE][0], *wanted = g->first.slot[SHD_SLOT_DIFFUSE][0];
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
       g->rows.count = count;
       std::fill_n(out, kBatch, -77.0f);

@@ -27,20 +27,21 @@ struct Fixture {
   geometry::Mesh mesh = {};
   geometry::Vertices vertices;
   material::Material material;
-  shade::LightTable lights = {{0, 0, 0}, 0, core::Array<light::Light>(g_allocator, 4)};
+  shade::LightTable lights = {};
   shade::Workspace workspace, first;
 };
 Fixture* g;
 
 int set_up(void**) {
   g = new Fixture;
+  g->lights.lights = core::Array<light::Light>(g_allocator, 4);
   g->mesh.vertex_count = kVertices;
   g->mesh.triangle_count = kTriangles;
   g->mesh.indices = core::Array<uint32_t>(g_allocator, kVertices);
   for (uint32_t i = 0; i < kVertices; ++i) g->mesh.indices[i] = i;
   geometry::allocate(g_allocator, g->mesh, 0, &g->vertices);
-  shade::allocate(g_allocator, 0, 1, &g->workspace);
-  shade::allocate(g_allocator, 0, 1, &g->first);
+  shade::allocate(g_allocator, {0, 1, 4}, &g->workspace);
+  shade::allocate(g_allocator, {0, 1, 4}, &g->first);
   return 0;
 }
 int tear_down(void**) {
@@ -166,7 +167,8 @@ void set_material(shd_model model) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
   desc.exponent = 1.0f;
-  material::build(desc, nullptr, nullptr, &g->material);
+  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::build(desc, parts, &g->material);
 }
 
 void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) {
@@ -175,7 +177,9 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
     make_scene(&random, fragments);
     const shade::DrawShading shading = {&g->vertices,          &g->material, frequency, 1.0f, 3, 0,
                                         raster::kBarycentrics, nullptr};
-    shade::shade_batch(target, shading, g->lights, kEye, &g->workspace);
+    shd_view view = {};
+    for (int c = 0; c < 3; ++c) view.eye[c] = kEye[c];
+    shade::shade_batch(target, shading, g->lights, view, &g->workspace);
     for (int c = 0; c < 4; ++c) {
       float *got = g->workspace.columns.radiance.channel[c], *kept = g->first.columns.radiance.channel[c];
       if (first) memcpy(kept, got, fragments * sizeof(float));

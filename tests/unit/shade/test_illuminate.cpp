@@ -21,7 +21,8 @@ const core::Allocator g_allocator = {core::default_allocator()};
 
 struct Fixture {
   material::Material material;
-  shade::LightTable lights = {{0, 0, 0}, 0, core::Array<light::Light>(g_allocator, 16)};
+  shade::LightTable lights;
+  shade::ActiveLight active[16];
   raster::Fragments rows;
   shade::Columns columns, first;
 };
@@ -29,6 +30,7 @@ Fixture* g;
 
 int set_up(void**) {
   g = new Fixture;
+  g->lights.lights = core::Array<light::Light>(g_allocator, 16);
   raster::allocate(g_allocator, &g->rows);
   shade::allocate(g_allocator, 1, &g->columns);
   shade::allocate(g_allocator, 1, &g->first);
@@ -69,6 +71,12 @@ Vector random_unit(Random* random) {
     const Vector v = {random->in(-1.0, 1.0), random->in(-1.0, 1.0), random->in(-1.0, 1.0)};
     if (ref::length(v) > 0.1L && ref::length(v) < 1.0L) return ref::unit(v);
   }
+}
+
+/// Lobes of the fixture's rows under its lights.
+void illuminate(const core::SimdTarget& target, shade::Lobes* out) {
+  for (size_t k = 0; k < g->lights.count; ++k) g->active[k] = {&g->lights.lights[k], {nullptr, nullptr, nullptr}};
+  shade::illuminate(target, g->material, {}, g->active, g->lights.count, g->rows, {false, true}, out);
 }
 
 struct model_case {
@@ -149,22 +157,22 @@ void check_row(size_t i, const model_case& c) {
         (2e-6L + 2.5e-7L * c.exponent * (1 + 2 / std::max(t.half, 1e-9L))) * received + 3e-39L * light.intensity[0];
     ambiguous |= fabsl(t.n_dot_l) < 1e-6L || t.half < 1e-6L;
     if (t.half > 0.5L && t.falloff > 1e-30L && g->lights.count == 1) {
-      g_diffuse = std::max(g_diffuse, static_cast<double>(fabsl(g->first.lobes.diffuse[0][i] - diffuse) / received));
+      g_diffuse = std::max(g_diffuse, static_cast<double>(fabsl(g->first.lobes.lobe[0][0][i] - diffuse) / received));
       if (c.model == SHD_MODEL_BLINN_PHONG && !ambiguous) {
-        g_specular = std::max(g_specular, static_cast<double>(fabsl(g->first.lobes.specular[0][i] - specular) /
+        g_specular = std::max(g_specular, static_cast<double>(fabsl(g->first.lobes.lobe[1][0][i] - specular) /
                                                               received / (2 + c.exponent)));
       }
     }
   }
   for (int channel = 0; channel < 3; ++channel) {
     const double scale = 1.0 + 0.25 * channel;
-    shd_assert_close("diffuse", i, g->first.lobes.diffuse[channel][i] / scale, static_cast<double>(diffuse),
+    shd_assert_close("diffuse", i, g->first.lobes.lobe[0][channel][i] / scale, static_cast<double>(diffuse),
                      static_cast<double>(diffuse_bound), 0.0);
     if (c.model != SHD_MODEL_BLINN_PHONG) continue;
     if (ambiguous) {
-      assert_true(std::isfinite(g->first.lobes.specular[channel][i]));
+      assert_true(std::isfinite(g->first.lobes.lobe[1][channel][i]));
     } else {
-      shd_assert_close("specular", i, g->first.lobes.specular[channel][i] / scale, static_cast<double>(specular),
+      shd_assert_close("specular", i, g->first.lobes.lobe[1][channel][i] / scale, static_cast<double>(specular),
                        static_cast<double>(specular_bound), 0.0);
     }
   }
@@ -174,13 +182,13 @@ void check_row(size_t i, const model_case& c) {
 void illuminate_everywhere(const model_case& c) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     shade::Columns& out = first ? g->first : g->columns;
-    shade::illuminate(target, g->material, g->lights, g->rows, &out.lobes);
+    illuminate(target, &out.lobes);
     if (first) return;
     for (int channel = 0; channel < 3; ++channel) {
       const size_t bytes = g->rows.count * sizeof(float);
-      if (memcmp(out.lobes.diffuse[channel], g->first.lobes.diffuse[channel], bytes) != 0 ||
+      if (memcmp(out.lobes.lobe[0][channel], g->first.lobes.lobe[0][channel], bytes) != 0 ||
           (c.model == SHD_MODEL_BLINN_PHONG &&
-           memcmp(out.lobes.specular[channel], g->first.lobes.specular[channel], bytes) != 0)) {
+           memcmp(out.lobes.lobe[1][channel], g->first.lobes.lobe[1][channel], bytes) != 0)) {
         fail_msg("%s: other bits", target.name);
       }
     }
@@ -253,8 +261,8 @@ void test_edge(void** state) {
   illuminate_everywhere(model);
   for (size_t i = 0; i < g->rows.count; ++i) {
     const double intensity = double{c->intensity};
-    shd_assert_close("diffuse", i, g->first.lobes.diffuse[0][i], intensity * c->diffuse, 1e-30, 2e-6);
-    shd_assert_close("specular", i, g->first.lobes.specular[0][i], intensity * c->specular, 1e-30, 2e-5);
+    shd_assert_close("diffuse", i, g->first.lobes.lobe[0][0][i], intensity * c->diffuse, 1e-30, 2e-6);
+    shd_assert_close("specular", i, g->first.lobes.lobe[1][0][i], intensity * c->specular, 1e-30, 2e-5);
   }
 }
 
@@ -272,8 +280,8 @@ void test_gating(void**) {
     illuminate_everywhere(model);
     // l = (0.8, -0.6, 0), v + l = (0.8, 0.4, 0): (n.h)^2 = 0.16 / 0.8.
     for (size_t i = 0; i < 40; ++i) {
-      assert_true(g->first.lobes.diffuse[0][i] == 0.0f);
-      shd_assert_close("specular", i, g->first.lobes.specular[0][i], flags ? 0.2 : 0.0, 0.0, 2e-6);
+      assert_true(g->first.lobes.lobe[0][0][i] == 0.0f);
+      shd_assert_close("specular", i, g->first.lobes.lobe[1][0][i], flags ? 0.2 : 0.0, 0.0, 2e-6);
     }
   }
 }
@@ -291,8 +299,8 @@ void test_order(void**) {
     for (size_t i = 0; i < 64; ++i) set_row(i, {0, 0, 0}, {0, 1, 0}, {0, 1, 0});
     illuminate_everywhere(model);
     const float want = large_first ? 1e8f : 1e8f + 21.0f;
-    assert_true(g->first.lobes.diffuse[0][0] == want);
-    assert_true(g->first.lobes.specular[0][63] == want);
+    assert_true(g->first.lobes.lobe[0][0][0] == want);
+    assert_true(g->first.lobes.lobe[1][0][63] == want);
   }
 }
 
@@ -307,15 +315,14 @@ void test_tails(void**) {
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
       g->rows.count = count;
-      std::fill_n(g->columns.lobes.diffuse[0], 6 * kBatch, -77.0f);
-      shade::illuminate(target, g->material, g->lights, g->rows, &g->columns.lobes);
+      std::fill_n(g->columns.lobes.lobe[0][0], 6 * kBatch, -77.0f);
+      illuminate(target, &g->columns.lobes);
       for (int channel = 0; channel < 3; ++channel) {
-        assert_memory_equal(g->columns.lobes.diffuse[channel], g->first.lobes.diffuse[channel], count * sizeof(float));
-        assert_memory_equal(g->columns.lobes.specular[channel], g->first.lobes.specular[channel],
-                            count * sizeof(float));
+        assert_memory_equal(g->columns.lobes.lobe[0][channel], g->first.lobes.lobe[0][channel], count * sizeof(float));
+        assert_memory_equal(g->columns.lobes.lobe[1][channel], g->first.lobes.lobe[1][channel], count * sizeof(float));
         for (size_t i = data::padded(count); i < kBatch; ++i) {
-          assert_true(g->columns.lobes.diffuse[channel][i] == -77.0f);
-          assert_true(g->columns.lobes.specular[channel][i] == -77.0f);
+          assert_true(g->columns.lobes.lobe[0][channel][i] == -77.0f);
+          assert_true(g->columns.lobes.lobe[1][channel][i] == -77.0f);
         }
       }
     }
@@ -344,8 +351,8 @@ void test_finite(void** state) {
     illuminate_everywhere(*c);
     for (size_t i = 0; i < kBatch; ++i) {
       for (int channel = 0; channel < 3; ++channel) {
-        const float d = g->first.lobes.diffuse[channel][i];
-        const float s = c->model == SHD_MODEL_BLINN_PHONG ? g->first.lobes.specular[channel][i] : 0.0f;
+        const float d = g->first.lobes.lobe[0][channel][i];
+        const float s = c->model == SHD_MODEL_BLINN_PHONG ? g->first.lobes.lobe[1][channel][i] : 0.0f;
         if (!std::isfinite(d) || !std::isfinite(s) || d < 0.0f || s < 0.0f)
           fail_msg("row %zu: %g %g", i, double{d}, double{s});
       }

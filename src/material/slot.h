@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include <shd/slot.h>
+
+#include "texture/texture.h"
+
+namespace shd::material {
+
+/// A checked shd_slot.
+struct Slot {
+  shd_slot_source source;
+  uint32_t uv_set, channel, attribute;
+  const texture::Texture* texture;  // null but with SHD_SOURCE_TEXTURE
+  const texture::Sampler* sampler;  // never null with a texture
+  bool is_transformed;              // uv_transform is not the identity
+  float uv_transform[6];
+  shd_slot_fn procedure;
+  void* user_data;
+};
+
+/// A slot that says more than its constant.
+inline bool is_set(const Slot& slot) {
+  return slot.source != SHD_SOURCE_CONSTANT;
+}
+
+/// Columns that a slot writes.
+constexpr uint32_t slot_channels(uint32_t slot) {
+  switch (slot) {
+    case SHD_SLOT_DIFFUSE:
+    case SHD_SLOT_NORMAL: return 4;
+    case SHD_SLOT_AMBIENT:
+    case SHD_SLOT_SPECULAR:
+    case SHD_SLOT_EMISSION:
+    case SHD_SLOT_MATCAP: return 3;
+    default: return 1;
+  }
+}
+
+/// Slots that are looked up where the model runs; the others are for every fragment.
+constexpr uint32_t kShapingSlots =
+    1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
+
+/// Whether two slots read the same texels at the same places.
+inline bool share_lookups(const Slot& a, const Slot& b) {
+  if (a.texture != b.texture || a.sampler != b.sampler || a.uv_set != b.uv_set) return false;
+  for (int i = 0; i < 6; ++i) {
+    if (a.uv_transform[i] != b.uv_transform[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace shd::material

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "shade/frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/data.h"
+
+namespace shd::shade {
+namespace {
+
+/// body(triangle, begin, end) for neighbouring rows of a triangle, up to the next whole vector.
+template <class Body>
+void for_each_triangle(const raster::Fragments& rows, const Body& body) {
+  for (size_t begin = 0, end; begin < rows.count; begin = end) {
+    const uint32_t triangle = rows.triangle[begin];
+    for (end = begin + 1; end < rows.count && rows.triangle[end] == triangle;) ++end;
+    body(triangle, begin, end == rows.count ? data::padded(end) : end);
+  }
+}
+
+struct Frame {
+  float dpdu[3], dpdv[3];
+  float tangent[3], side;
+};
+
+/// In double, where products of floats neither over- nor underflow.
+Frame frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t triangle) {
+  double p[3][3], uv[3][2];
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t row = 4 * size_t{geometry::row_of(vertices, triangle, k)};
+    for (size_t c = 0; c < 3; ++c) p[k][c] = double{vertices.world[row + c]};
+    const bool has_second = vertices.texture1.size() != 0;
+    uv[k][0] = uv_set == 0 ? double{vertices.world[row + 3]} : has_second ? double{vertices.texture1[row]} : 0.0;
+    uv[k][1] = uv_set == 0 ? double{vertices.normal[row + 3]} : has_second ? double{vertices.texture1[row + 1]} : 0.0;
+  }
+  const double du1 = uv[1][0] - uv[0][0], dv1 = uv[1][1] - uv[0][1];
+  const double du2 = uv[2][0] - uv[0][0], dv2 = uv[2][1] - uv[0][1];
+  const double area = du1 * dv2 - du2 * dv1;
+  Frame frame = {};
+  double dpdu[3], dpdv[3], squared = 0.0, largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const double e1 = p[1][c] - p[0][c], e2 = p[2][c] - p[0][c];
+    dpdu[c] = (e1 * dv2 - e2 * dv1) / area;
+    dpdv[c] = (e2 * du1 - e1 * du2) / area;
+    squared += dpdu[c] * dpdu[c];
+    largest = std::fmax(largest, std::fmax(std::fabs(dpdu[c]), std::fabs(dpdv[c])));
+  }
+  if (area == 0.0 || !(squared > 0.0) || !(largest < 1e18)) return frame;
+  const double length = std::sqrt(squared);
+  for (int c = 0; c < 3; ++c) {
+    frame.dpdu[c] = static_cast<float>(dpdu[c]);
+    frame.dpdv[c] = static_cast<float>(dpdv[c]);
+    frame.tangent[c] = static_cast<float>(dpdu[c] / length);
+  }
+  frame.side = area > 0.0 ? 1.0f : -1.0f;
+  return frame;
+}
+
+/// Whether the eye sees the back of a triangle: the sign of its area on the screen, for vertices behind the eye too.
+bool is_seen_from_behind(const geometry::Vertices& vertices, float orientation, uint32_t triangle) {
+  double v[3][3];
+  for (size_t k = 0; k < 3; ++k) {
+    const float* raster = &vertices.raster[4 * size_t{geometry::row_of(vertices, triangle, k)}];
+    v[k][0] = double{raster[0]};
+    v[k][1] = double{raster[1]};
+    v[k][2] = double{raster[3]};
+  }
+  const double area = v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) -
+                      v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
+                      v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+  return area * double{orientation} > 0.0;  // y runs down
+}
+
+}  // namespace
+
+void make_frames(const geometry::Vertices& vertices, float orientation, uint32_t uv_set, bool sets_tangents,
+                 raster::Fragments* rows, Columns* columns) {
+  for_each_triangle(*rows, [&](uint32_t triangle, size_t begin, size_t end) {
+    const Frame frame = frame_of(vertices, uv_set, triangle);
+    for (int c = 0; c < 3; ++c) {
+      std::fill(columns->frame[c] + begin, columns->frame[c] + end, frame.dpdu[c]);
+      std::fill(columns->frame[3 + c] + begin, columns->frame[3 + c] + end, frame.dpdv[c]);
+    }
+    if (!sets_tangents) return;
+    std::fill(rows->tx + begin, rows->tx + end, frame.tangent[0]);
+    std::fill(rows->ty + begin, rows->ty + end, frame.tangent[1]);
+    std::fill(rows->tz + begin, rows->tz + end, frame.tangent[2]);
+    // w (n x t) runs with v: n x dp/du does where uv turn with the triangle.
+    std::fill(rows->tw + begin, rows->tw + end, orientation * frame.side);
+  });
+}
+
+void face_normals(const geometry::Vertices& vertices, float orientation, raster::Fragments* rows) {
+  for_each_triangle(*rows, [&](uint32_t triangle, size_t begin, size_t end) {
+    if (!is_seen_from_behind(vertices, orientation, triangle)) return;
+    for (float* column : {rows->nx, rows->ny, rows->nz}) {
+      for (size_t i = begin; i < end; ++i) column[i] = -column[i];
+    }
+  });
+}
+
+}  // namespace shd::shade

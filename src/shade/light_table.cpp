@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "shade/light_table.h"
+
+#include <utility>
+
+#include "data/data.h"
+
+namespace shd::shade {
+
+LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count) {
+  LightTable table = {};
+  table.lights = core::Array<light::Light>(allocator, count);
+  for (core::Array<float>* column : {&table.x, &table.y, &table.z, &table.reach}) {
+    *column = core::Array<float>(allocator, data::padded(count));
+    column->fill_zero();
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const light::Light& light = *lights[i];
+    if (light.kind == SHD_LIGHT_AMBIENT) {
+      for (int c = 0; c < 3; ++c) table.ambient[c] += light.intensity[c];
+      continue;
+    }
+    const size_t k = table.count++;
+    table.lights[k] = light;
+    table.x[k] = light.position[0];
+    table.y[k] = light.position[1];
+    table.z[k] = light.position[2];
+    // Farther, by more than distances are rounded, the falloff is 0.
+    table.reach[k] = light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
+    table.any_range |= light.range > 0.0f;
+  }
+  return table;
+}
+
+}  // namespace shd::shade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "core/simd_target.h"
+#include "raster/fragments.h"
+#include "shade/columns.h"
+#include "shade/light_table.h"
+
+namespace shd::shade {
+
+/// Whether something stands between a light and the rows.
+inline bool is_modulated(const light::Light& light) {
+  return light.texture != nullptr;
+}
+
+/// What the texture of a light leaves of it at rows, in columns->factor[k]; columns->uv is scratch.
+ActiveLight modulate(const core::SimdTarget& simd, const light::Light& light, const raster::Fragments& rows, size_t k,
+                     Columns* columns);
+
+}  // namespace shd::shade

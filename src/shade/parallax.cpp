@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "shade/parallax.h"
+
+#include <algorithm>
+
+#include "data/data.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shade/parallax.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::shade::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::Cross;
+using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Scaled;
+using simd::HWY_NAMESPACE::Sum;
+using simd::HWY_NAMESPACE::Vec3V;
+
+/// How far u and v move along each row's line of sight down to `depth`; 0 where the frame spans no area or it is not
+/// finite.
+void FindShift(float depth, const float* const* frame, const raster::Fragments& f, float* du, float* dv) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto load = [&](const float* x, const float* y, const float* z, size_t i) -> Vec3V<V> {
+    return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
+  };
+  const V limit = hn::Set(d, 1e6f), zero = hn::Zero(d);
+  for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
+    const Vec3V<V> n = load(f.nx, f.ny, f.nz, i), wo = load(f.ox, f.oy, f.oz, i);
+    const V cosine = Dot(n, wo);
+    const V steep = hn::Max(hn::Abs(cosine), hn::Set(d, 0.1f));
+    // Away from the eye, along the surface.
+    const Vec3V<V> along =
+        Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Div(hn::Set(d, depth), steep));
+    const Vec3V<V> dpdu = load(frame[0], frame[1], frame[2], i), dpdv = load(frame[3], frame[4], frame[5], i);
+    const Vec3V<V> r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
+    const V area = Dot(dpdu, r1);
+    const auto flat = hn::Eq(area, zero);
+    const V inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(flat, hn::Set(d, 1.0f), area));
+    const V u = hn::Mul(Dot(r1, along), inverse), v = hn::Mul(Dot(r2, along), inverse);
+    const auto usable = hn::AndNot(flat, hn::And(hn::Lt(hn::Abs(u), limit), hn::Lt(hn::Abs(v), limit)));
+    hn::Store(hn::IfThenElseZero(usable, u), d, du + i);
+    hn::Store(hn::IfThenElseZero(usable, v), d, dv + i);
+  }
+}
+
+}  // namespace shd::shade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::shade {
+namespace {
+
+HWY_EXPORT(FindShift);
+
+/// Columns of a march, borrowed from those that are free before the lobes are made.
+struct March {
+  float *u0, *v0;  // on the surface
+  float *du, *dv;  // down to the depth
+  float* height;   // of the texture at the latest step
+  float* above;    // how far the line was above it at the step before
+  float* found;    // part of the way, 0..1; negative until it is known
+};
+
+void move(const March& m, float part, size_t count, float* u, float* v) {
+  for (size_t i = 0; i < count; ++i) {
+    u[i] = m.u0[i] + part * m.du[i];
+    v[i] = m.v0[i] + part * m.dv[i];
+  }
+}
+
+/// Whether all rows know where they end.
+bool step(const March& m, float part, float width, size_t count) {
+  float least = 1.0f;
+  for (size_t i = 0; i < count; ++i) {
+    const float above = (1.0f - part) - m.height[i];
+    const bool hits = !(above > 0.0f) && m.found[i] < 0.0f;
+    const float drop = m.above[i] - above;
+    const float back = drop > 0.0f ? above / drop : 0.0f;  // above <= 0: as far back as the line between steps says
+    const float place = part + width * std::max(back, -1.0f);
+    m.found[i] = hits ? std::max(place, 0.0f) : m.found[i];
+    m.above[i] = above;
+    least = m.found[i] < least ? m.found[i] : least;
+  }
+  return least >= 0.0f;
+}
+
+}  // namespace
+
+void shift_by_heights(const core::SimdTarget& simd, const SlotRows& where, raster::Fragments* fragments,
+                      Columns* columns) {
+  const material::Material& material = *where.shading.material;
+  const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
+  raster::Fragments& f = *fragments;
+  float *u = slot.uv_set ? f.u1 : f.u, *v = slot.uv_set ? f.v1 : f.v;
+  float* const* free = columns->lobes.lobe[0];
+  const March m = {free[0],
+                   free[1],
+                   free[2],
+                   columns->lobes.lobe[1][0],
+                   columns->slot[SHD_SLOT_HEIGHT][0],
+                   columns->lobes.lobe[1][1],
+                   columns->lobes.lobe[1][2]};
+  SHD_DISPATCH(FindShift, simd)(material.parallax_depth, columns->frame, f, m.du, m.dv);
+  std::copy_n(u, f.count, m.u0);
+  std::copy_n(v, f.count, m.v0);
+  std::fill_n(m.found, f.count, -1.0f);
+  std::fill_n(m.above, f.count, 0.0f);
+  const float width = 1.0f / static_cast<float>(material.parallax_steps - 1);
+  for (uint32_t k = 0; k < material.parallax_steps; ++k) {
+    const float part = std::min(static_cast<float>(k) * width, 1.0f);
+    move(m, part, f.count, u, v);
+    texture::Texels out = {};
+    out.channel[slot.channel] = m.height;
+    texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, where, columns), out);
+    if (step(m, part, width, f.count)) break;
+  }
+  for (size_t i = 0; i < f.count; ++i) {
+    const float part = m.found[i] < 0.0f ? 1.0f : m.found[i];
+    u[i] = m.u0[i] + part * m.du[i];
+    v[i] = m.v0[i] + part * m.dv[i];
+  }
+  // Rows up to the next whole vector repeat the last one.
+  std::fill(u + f.count, u + data::padded(f.count), u[f.count - 1]);
+  std::fill(v + f.count, v + data::padded(f.count), v[f.count - 1]);
+}
+
+}  // namespace shd::shade
+#endif  // HWY_ONCE
