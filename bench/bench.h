@@ -53,5 +53,6 @@ void register_scaling();
 void register_quality();
 void register_frame();
 void register_surface();
+void register_lights();
 
 }  // namespace shd::bench

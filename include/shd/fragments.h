@@ -47,7 +47,7 @@ typedef struct shd_fragments {
     const float *varying[SHD_MAX_VARYINGS];
     /**
      * Tangent in world space, of any length, and handedness: that of the mesh, interpolated; without one, that of the
-     * triangle, unit; 0 where neither uv nor tangents tell. The bitangent is tw (n x t)
+     * triangle, unit; 0 where neither uv nor tangents tell. The bitangent tw (n x t) runs against v
      */
     const float *tx, *ty, *tz, *tw;
     const float *u1, *v1;                       /**< the second set; 0 if the mesh has none */

@@ -99,7 +99,7 @@ typedef enum shd_bump {
      */
     SHD_BUMP_GRADIENT = 1,
     /**
-     * (-s (h(u + 1/w, v) - h(u, v)), -s (h(u, v + 1/h) - h(u, v)), 1) in tangent space, with s = bump_scale:
+     * (-s (h(u + 1/w, v) - h(u, v)), -s (h(u, v + 1/h) - h(u, v)), 1) along t, v and n, with s = bump_scale:
      * differences over one texel, whatever the size of the surface (after Blinn, "Simulation of Wrinkled Surfaces",
      * 1978)
      */
@@ -144,6 +144,8 @@ typedef enum shd_material_flag {
     SHD_ALPHA_TO_COVERAGE = 8,
     /** Turn normals around on triangles seen from behind. */
     SHD_DOUBLE_SIDED = 16,
+    /** Mapped normals have their y downwards in the image, along v, as Direct3D draws them; else upwards, as glTF. */
+    SHD_NORMAL_Y_DOWN = 32,
     SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
 } shd_material_flag;
 

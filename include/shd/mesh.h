@@ -59,7 +59,11 @@ typedef struct shd_mesh_desc {
     shd_f32_in position[3]; /**< x, y, z, object space; required unless vertex_count is 0 */
     shd_f32_in normal[3];   /**< x, y, z, object space, any length; all three or none (then computed) */
     shd_f32_in uv[2];       /**< u, v; both or none (then 0) */
-    shd_f32_in tangent[4];  /**< x, y, z, handedness (+1 or -1); all four or none */
+    /**
+     * x, y, z, handedness w (+1 or -1): the bitangent w (n x t) runs upwards in textures, against v, as in glTF 2.0; all
+     * four or none
+     */
+    shd_f32_in tangent[4];
     /**
      * By topology, counter-clockwise = front; NULL = indices16, or 0, 1, 2, ... without either. In strips and fans the
      * largest number (0xffffffff, of indices16 0xffff) is no vertex: the next index starts anew.

@@ -15,8 +15,8 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
-constexpr uint32_t kFlags =
-    SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS | SHD_ALPHA_TO_COVERAGE | SHD_DOUBLE_SIDED;
+constexpr uint32_t kFlags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS |
+                            SHD_ALPHA_TO_COVERAGE | SHD_DOUBLE_SIDED | SHD_NORMAL_Y_DOWN;
 
 shd_result check_programs(const shd_material_desc& desc) {
   SHD_TRY(check_count("material.varying_count", desc.varying_count, 0, SHD_MAX_VARYINGS));

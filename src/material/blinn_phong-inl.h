@@ -26,7 +26,7 @@ HWY_INLINE V BlinnPhong(D d, const simd::HWY_NAMESPACE::Vec3V<V>& n, const simd:
   const V length = hn::Sqrt(hn::IfThenElse(usable, squared, one));
   const V n_dot_h = hn::Div(simd::HWY_NAMESPACE::Dot(n, sum), length);
   const V cosine = hn::Min(hn::Max(n_dot_h, zero), one);
-  return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::Pow(d, cosine, exponent));
+  return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent));
 }
 
 /// N = (p + 2)(p + 4) / (8 pi (2^(-p/2) + p)): the inverse of the integral of (n.h)^p n.l over the directions l for wo

@@ -34,7 +34,8 @@ float dielectric_of(float ior) noexcept {
 
 void build_surface(const shd_material_desc& desc, Material* out) noexcept {
   out->normal_encoding = desc.normal_encoding;
-  out->normal_scale = desc.normal_scale;
+  out->normal_scale[0] = desc.normal_scale;
+  out->normal_scale[1] = desc.flags & SHD_NORMAL_Y_DOWN ? -desc.normal_scale : desc.normal_scale;
   out->bump = desc.bump;
   out->bump_scale = desc.bump_scale;
   out->parallax_depth = desc.parallax_depth;

@@ -34,7 +34,7 @@ struct Material {
   float warm_mix, cool_mix;
   float toon_steps;
   shd_normal_encoding normal_encoding;
-  float normal_scale;
+  float normal_scale[2];  // of x and y
   shd_bump bump;
   float bump_scale;
   float parallax_depth;

@@ -22,7 +22,7 @@ HWY_INLINE V Phong(D d, const simd::HWY_NAMESPACE::Vec3V<V>& n, const simd::HWY_
   const V twice = hn::Add(n_dot_l, n_dot_l);
   const V o_dot_r = hn::Sub(hn::Mul(twice, simd::HWY_NAMESPACE::Dot(n, wo)), simd::HWY_NAMESPACE::Dot(wo, l));
   const V cosine = hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
-  return simd::HWY_NAMESPACE::Pow(d, cosine, exponent);
+  return simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent);
 }
 
 }  // namespace shd::material::HWY_NAMESPACE

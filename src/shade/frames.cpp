@@ -86,8 +86,8 @@ void make_frames(const geometry::Vertices& vertices, float orientation, uint32_t
     std::fill(rows->tx + begin, rows->tx + end, frame.tangent[0]);
     std::fill(rows->ty + begin, rows->ty + end, frame.tangent[1]);
     std::fill(rows->tz + begin, rows->tz + end, frame.tangent[2]);
-    // w (n x t) runs with v: n x dp/du does where uv turn with the triangle.
-    std::fill(rows->tw + begin, rows->tw + end, orientation * frame.side);
+    // w (n x t) runs against v, upwards in the image: n x dp/du runs with it where uv turn with the triangle.
+    std::fill(rows->tw + begin, rows->tw + end, -orientation * frame.side);
   });
 }
 

@@ -13,7 +13,7 @@ namespace shd::shade {
 /// where uv do not tell or leave the range of float. Rows are sorted by triangle; those past count up to the next whole
 /// vector are filled too.
 /// @param orientation    -1 where the draw's matrix mirrors, else 1
-/// @param sets_tangents  also the rows' tangents: unit dp/du, and the side of dp/dv as handedness
+/// @param sets_tangents  also the rows' tangents: unit dp/du, and as handedness the side that dp/dv is not on
 void make_frames(const geometry::Vertices& vertices, float orientation, uint32_t uv_set, bool sets_tangents,
                  raster::Fragments* rows, Columns* columns);
 

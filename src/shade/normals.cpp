@@ -65,20 +65,21 @@ struct Mapped {
 };
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float* const* map, size_t i) {
-  const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d), scale = hn::Set(d, material.normal_scale);
+  const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d);
+  const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
   if (material.normal_encoding == SHD_NORMAL_MOMENTS) {
     const V squares = hn::Add(hn::Load(d, map[2] + i), hn::Load(d, map[3] + i));
     const V spread = hn::Sub(squares, hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
-    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(scale, scale), spread));
-    return {{hn::Mul(a, scale), hn::Mul(b, scale), one}, hn::IfThenElseZero(hn::Gt(half, zero), half)};
+    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(scale_x, scale_x), spread));
+    return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), half)};
   }
   const V x = hn::Sub(hn::Mul(two, a), one), y = hn::Sub(hn::Mul(two, b), one);
   if (material.normal_encoding == SHD_NORMAL_XY) {
     const V rest = hn::Sub(one, hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-    return {{hn::Mul(x, scale), hn::Mul(y, scale), hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
+    return {{hn::Mul(x, scale_x), hn::Mul(y, scale_y), hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
   }
-  const Vec3V<V> m = {hn::Mul(x, scale), hn::Mul(y, scale), hn::Sub(hn::Mul(two, hn::Load(d, map[2] + i)), one)};
+  const Vec3V<V> m = {hn::Mul(x, scale_x), hn::Mul(y, scale_y), hn::Sub(hn::Mul(two, hn::Load(d, map[2] + i)), one)};
   if (material.normal_encoding != SHD_NORMAL_TOKSVIG) return {m, zero};
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);

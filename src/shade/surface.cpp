@@ -39,12 +39,12 @@ float* look_up_height(const core::SimdTarget& simd, const material::Slot& slot, 
   return columns->slot[SHD_SLOT_HEIGHT][0];
 }
 
-/// Height over a texel of u and v, downhill.
+/// Height over a texel of u, downhill, and of v, uphill: bitangents run against v.
 void find_texel_tilt(const core::SimdTarget& simd, const SlotRows& where, Columns* columns) {
   const material::Material& material = *where.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
   const float* height = look_up_height(simd, slot, where, columns);
-  difference_height(simd, slot, where, height, -material.bump_scale, -material.bump_scale, columns);
+  difference_height(simd, slot, where, height, -material.bump_scale, material.bump_scale, columns);
 }
 
 /// Height over the rows' own u and v, in world units, of bump_scale times the texture.

@@ -14,6 +14,29 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// log2((1 + s) / (1 - s)) / s by its series, with z = s^2 up to z^4.
+template <class D, class V>
+HWY_INLINE V AtanhSeries(D d, V z) {
+  V p = hn::Set(d, 0.320598898f);                          // 2 / (9 ln 2)
+  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.412198583f));    // 2 / (7 ln 2)
+  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.577078016f));    // 2 / (5 ln 2)
+  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.961796694f));    // 2 / (3 ln 2)
+  return hn::Add(hn::Mul(p, z), hn::Set(d, 2.88539008f));  // 2 / ln 2
+}
+
+/// 2^f by its series up to f^7.
+template <class D, class V>
+HWY_INLINE V ExpSeries(D d, V f) {
+  V p = hn::Set(d, 1.52527338e-5f);  // ln(2)^7 / 7!
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.54035304e-4f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.33335581e-3f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 9.61812911e-3f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 5.55041087e-2f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.240226507f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.693147181f));
+  return hn::Add(hn::Mul(p, f), hn::Set(d, 1.0f));
+}
+
 /// log2(x). Relative error <= 4e-7 (measured over every positive float: 2.31e-7).
 /// 0 and denormals below 2^-149: -inf; negative or NaN: NaN; +inf: +inf.
 /// Reduction to m in [sqrt(1/2), sqrt(2)) and the series of 2 atanh((m-1)/(m+1)) up to s^9 (Abramowitz and Stegun
@@ -30,13 +53,7 @@ HWY_INLINE V Log2(D d, V x) {
 
   const V one = hn::Set(d, 1.0f);
   const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
-  const V z = hn::Mul(s, s);
-  V p = hn::Set(d, 0.320598898f);                        // 2 / (9 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.412198583f));  // 2 / (7 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.577078016f));  // 2 / (5 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.961796694f));  // 2 / (3 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 2.88539008f));   // 2 / ln 2
-  V y = hn::Add(e, hn::Mul(s, p));
+  V y = hn::Add(e, hn::Mul(s, AtanhSeries(d, hn::Mul(s, s))));
 
   const V infinity = hn::Set(d, __builtin_inff());
   y = hn::IfThenElse(hn::Eq(x, infinity), infinity, y);
@@ -56,14 +73,7 @@ HWY_INLINE V Exp2(D d, V x) {
   t = hn::Min(hn::Max(t, hn::Set(d, -160.0f)), hn::Set(d, 129.0f));
   const V whole = hn::Round(t);
   const V f = hn::Sub(t, whole);
-  V p = hn::Set(d, 1.52527338e-5f);  // ln(2)^7 / 7!
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.54035304e-4f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.33335581e-3f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 9.61812911e-3f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 5.55041087e-2f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.240226507f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.693147181f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.0f));
+  const V p = ExpSeries(d, f);
   // 2^n in two factors, each of which is a normal float; only the last product rounds.
   const auto n = hn::ConvertTo(di, whole);
   const auto half = hn::ShiftRight<1>(n);
@@ -80,6 +90,28 @@ template <class D, class V>
 HWY_INLINE V Pow(D d, V x, V y) {
   const V power = Exp2(d, hn::Mul(y, Log2(d, x)));
   return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), hn::Set(d, 1.0f), power);
+}
+
+/// The same bits for x in 0..1, with fewer steps and without results that are not normal: 0 where x^y or x is below
+/// 2^-126.
+template <class D, class V>
+HWY_INLINE V UnitPow(D d, V x, V y) {
+  const hn::RebindToSigned<D> di;
+  const auto bits = hn::BitCast(di, x);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
+  const V m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  const V one = hn::Set(d, 1.0f);
+  const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
+  const V power = hn::Mul(y, hn::Add(hn::ConvertTo(d, exponent), hn::Mul(s, AtanhSeries(d, hn::Mul(s, s)))));
+
+  const V t = hn::Max(power, hn::Set(d, -126.0f));
+  const V whole = hn::Round(t);
+  const V f = hn::Sub(t, whole);
+  const auto scale = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127)));
+  const V result = hn::Mul(ExpSeries(d, f), hn::BitCast(d, scale));
+  const V kept =
+      hn::IfThenElseZero(hn::And(hn::Ge(power, hn::Set(d, -126.0f)), hn::Ge(x, hn::Set(d, 0x1p-126f))), result);
+  return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), one, kept);
 }
 
 }  // namespace shd::simd::HWY_NAMESPACE

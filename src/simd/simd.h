@@ -9,6 +9,6 @@
 ///
 /// | file           | what                                        | error                            |
 /// |----------------|---------------------------------------------|----------------------------------|
-/// | math-inl.h     | Log2, Exp2, Pow                             | stated at each, tested           |
+/// | math-inl.h     | Log2, Exp2, Pow, UnitPow                    | stated at each, tested           |
 /// | vec3-inl.h     | three-component columns: sum, dot, unit     | the operations' own rounding     |
 #pragma once

@@ -30,7 +30,7 @@ static void edit_unlit(shd_material_desc *d) { d->model = SHD_MODEL_UNLIT; }
 static void edit_model(shd_material_desc *d) { d->model = (shd_model)15; }
 static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
 static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
-static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 32; }
+static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 64; }
 static void edit_black(shd_material_desc *d)
 {
     memset(d->ambient, 0, sizeof d->ambient);
@@ -135,7 +135,7 @@ static const struct create_case k_create[] = {
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},
     {"create/fragment_without_program", edit_program_unused, BAD,
      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM"},
-    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x20 "},
+    {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x40 "},
     {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[0]: -1 is not in 0..1e+06"},
     {"create/ambient_nan", edit_ambient_nan, BAD, "material.ambient[2]: "},
     {"create/diffuse_1.5e6", edit_diffuse_above, BAD, "material.diffuse[1]: 1.5e+06"},

@@ -9,7 +9,7 @@
 namespace shd::tests {
 #ifndef SHD_TESTS_MATH_FUNCTIONS
 #define SHD_TESTS_MATH_FUNCTIONS
-enum Function { kLog2, kExp2, kPow };
+enum Function { kLog2, kExp2, kPow, kUnitPow };
 #endif
 }  // namespace shd::tests
 
@@ -32,6 +32,7 @@ void evaluate(int function, const float* x, const float* y, size_t count, float*
     auto result = a;
     if (function == kLog2) result = simd::HWY_NAMESPACE::Log2(d, a);
     if (function == kExp2) result = simd::HWY_NAMESPACE::Exp2(d, a);
+    if (function == kUnitPow) result = simd::HWY_NAMESPACE::UnitPow(d, a, hn::LoadU(d, y + i));
     if (function == kPow) result = simd::HWY_NAMESPACE::Pow(d, a, hn::LoadU(d, y + i));
     hn::StoreU(result, d, out + i);
   }
@@ -108,7 +109,7 @@ void test_exp2(void**) {
   });
 }
 
-void test_pow(void**) {
+void fill_powers() {
   uint32_t state = 3;
   for (size_t i = 0; i < kCount; ++i) {
     g_x[i] = static_cast<float>(next(&state)) / 4294967296.0f;
@@ -119,12 +120,35 @@ void test_pow(void**) {
     g_x[i] = edges[i][0];
     g_y[i] = edges[i][1];
   }
+}
+
+void test_pow(void**) {
+  fill_powers();
   on_every_target(kPow, [](size_t i) {
     const double x = static_cast<double>(g_x[i]), y = static_cast<double>(g_y[i]);
     const double want = std::pow(x, y);
     const double exponent = x > 0.0 ? std::fmin(std::fabs(y * std::log2(x)), 160.0) : 0.0;
     shd_assert_close("pow", i, g_out[i], want, 1.5e-45, exponent * 4e-7 + 3e-7);
   });
+}
+
+/// What Pow has, to the bit, but for results and bases that are not normal: 0.
+void test_unit_pow(void**) {
+  static float pow[kCount];
+  fill_powers();
+  g_x[7] = 1e-40f, g_y[7] = 0.25f;  // a base
+  g_x[8] = 0.5f, g_y[8] = 126.0f;   // the last normal result
+  g_x[9] = 0.5f, g_y[9] = 126.5f;   // and one beyond
+  HWY_DYNAMIC_DISPATCH(evaluate)(kPow, g_x, g_y, kCount, pow);
+  for (size_t i = 0; i < kCount; ++i) {
+    if (g_y[i] != 0.0f && (pow[i] < 0x1p-126f || g_x[i] < 0x1p-126f)) pow[i] = 0.0f;
+  }
+  on_every_target(kUnitPow, [](size_t i) {
+    if (std::memcmp(&g_out[i], &pow[i], sizeof(float)) != 0) {
+      fail_msg("%g^%g: %g instead of %g", double{g_x[i]}, double{g_y[i]}, double{g_out[i]}, double{pow[i]});
+    }
+  });
+  assert_true(pow[7] == 0.0f && pow[8] == 0x1p-126f && pow[9] == 0.0f);
 }
 
 }  // namespace
@@ -135,6 +159,7 @@ int main() {
       {"log2", shd::tests::test_log2, nullptr, nullptr, nullptr},
       {"exp2", shd::tests::test_exp2, nullptr, nullptr, nullptr},
       {"pow", shd::tests::test_pow, nullptr, nullptr, nullptr},
+      {"unit_pow", shd::tests::test_unit_pow, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests_name("unit.simd.math", tests, nullptr, nullptr);
 }

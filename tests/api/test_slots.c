@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: MIT */
+/* Slots of materials in frames: every source, uv sets and transforms, channels; normals and sides. */
+#include "support/frame.h"
+
+enum { k_size = 16, k_pixels = k_size * k_size };
+
+/* A frame over all of which lies one quad with everything that slots read. */
+typedef struct scene {
+    shd_frame f;
+    shd_material_desc material;
+    shd_texture *texture;
+    shd_sampler *nearest;
+    float quad[48], uv1[2][6], attribute[4][6], tangent[4][6];
+    int has_attributes, has_uv1, flips;
+} scene;
+
+static void open_scene(scene *s)
+{
+    static float texels[4 * 4 * 4];
+    shd_texture_desc texture = shd_texture_desc_default();
+    shd_sampler_desc sampler = shd_sampler_desc_default();
+    int i, c;
+    memset(s, 0, sizeof *s);
+    shd_frame_open(&s->f, k_size, k_size);
+    shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, s->quad);
+    for (i = 0; i < 6; ++i) {
+        s->uv1[0][i] = 0.5f * s->quad[8 * i + 6] + 0.25f;
+        s->uv1[1][i] = 1.0f - s->quad[8 * i + 7];
+        for (c = 0; c < 4; ++c) s->attribute[c][i] = (float)(c + 1) * 0.25f * s->quad[8 * i + (c % 2 ? 6 : 7)];
+    }
+    for (i = 0; i < 16; ++i) {
+        texels[4 * i + 0] = (float)(i % 4) / 4;
+        texels[4 * i + 1] = (float)(i / 4) / 4;
+        texels[4 * i + 2] = (float)i / 16;
+        texels[4 * i + 3] = 1.0f - (float)i / 32;
+    }
+    texture.width = texture.height = 4;
+    texture.format = SHD_FORMAT_RGBA32F;
+    texture.texels = texels;
+    shd_assert_ok(shd_texture_create(s->f.context, &texture, &s->texture));
+    sampler.filter = SHD_FILTER_NEAREST;
+    shd_assert_ok(shd_sampler_create(s->f.context, &sampler, &s->nearest));
+    s->material = shd_material_desc_default();
+    s->material.model = SHD_MODEL_UNLIT;
+    for (c = 0; c < 3; ++c) s->material.diffuse[c] = 1.0f;
+    s->has_attributes = s->has_uv1 = 1;
+}
+
+static void close_scene(scene *s)
+{
+    shd_texture_release(s->texture);
+    shd_sampler_release(s->nearest);
+    shd_frame_close(&s->f);
+}
+
+static void render(scene *s)
+{
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_draw *draw = &s->f.draw[0];
+    int c;
+    desc.vertex_count = 6;
+    for (c = 0; c < 8; ++c) {
+        shd_f32_in *column = c < 3 ? &desc.position[c] : c < 6 ? &desc.normal[c - 3] : &desc.uv[c - 6];
+        column->data = s->quad + c;
+        column->stride = 8 * sizeof(float);
+    }
+    for (c = 0; c < 2 && s->has_uv1; ++c) desc.uv1[c].data = s->uv1[c];
+    for (c = 0; c < 4 && s->has_attributes; ++c) desc.attribute[2 + c].data = s->attribute[c];
+    shd_assert_ok(shd_mesh_create(s->f.context, &desc, &s->f.mesh[0]));
+    shd_assert_ok(shd_material_create(s->f.context, &s->material, &s->f.material[0]));
+    *draw = shd_draw_default();
+    draw->mesh = s->f.mesh[0];
+    draw->material = s->f.material[0];
+    if (s->flips) draw->object_to_world[0] = -1.0f;
+    s->f.desc.draw_count = 1;
+    shd_frame_render(&s->f);
+}
+
+static double u_of(size_t at) { return ((double)(at % k_size) + 0.5) / k_size; }
+static double v_of(size_t at) { return ((double)(at / k_size) + 0.5) / k_size; }
+
+/* Texel channel c at (u, v), repeated. */
+static double texel(double u, double v, int c)
+{
+    const int x = (int)floor((u - floor(u)) * 4), y = (int)floor((v - floor(v)) * 4), i = 4 * y + x;
+    return c == 0 ? x / 4.0 : c == 1 ? y / 4.0 : c == 2 ? i / 16.0 : 1 - i / 32.0;
+}
+
+static shd_slot *textured(scene *s, int slot)
+{
+    s->material.slot[slot].source = SHD_SOURCE_TEXTURE;
+    s->material.slot[slot].texture = s->texture;
+    s->material.slot[slot].sampler = s->nearest;
+    return &s->material.slot[slot];
+}
+
+static void test_texture(void **state)
+{
+    scene s;
+    size_t i;
+    int c;
+    (void)state;
+    open_scene(&s);
+    textured(&s, SHD_SLOT_DIFFUSE);
+    render(&s);
+    for (i = 0; i < k_pixels; ++i) {
+        for (c = 0; c < 3; ++c) {
+            shd_assert_close("texel", i, (double)s.f.plane[c][i], texel(u_of(i), v_of(i), c), 1e-6, 0);
+        }
+        assert_true(s.f.plane[SHD_PLANE_A][i] == 1.0f);
+    }
+    close_scene(&s);
+}
+
+static void test_uv_transform(void **state)
+{
+    /* A quarter turn, and a scale with an offset. */
+    static const float k_transforms[2][6] = {{0, 1, 0.125f, -1, 0, 0.0625f}, {2, 0, 0.5f, 0, 0.5f, -0.25f}};
+    size_t i;
+    int k, c;
+    (void)state;
+    for (k = 0; k < 2; ++k) {
+        const float *t = k_transforms[k];
+        scene s;
+        open_scene(&s);
+        memcpy(textured(&s, SHD_SLOT_DIFFUSE)->uv_transform, t, sizeof k_transforms[k]);
+        render(&s);
+        for (i = 0; i < k_pixels; ++i) {
+            const double u = u_of(i), v = v_of(i);
+            for (c = 0; c < 3; ++c) {
+                const double want = texel((double)t[0] * u + (double)t[1] * v + (double)t[2],
+                                          (double)t[3] * u + (double)t[4] * v + (double)t[5], c);
+                shd_assert_close("texel", i, (double)s.f.plane[c][i], want, 1e-6, 0);
+            }
+        }
+        close_scene(&s);
+    }
+}
+
+/* The second set, and 0 where the mesh has none. */
+static void test_uv_set(void **state)
+{
+    size_t i;
+    int has, c;
+    (void)state;
+    for (has = 0; has < 2; ++has) {
+        scene s;
+        open_scene(&s);
+        s.has_uv1 = has;
+        textured(&s, SHD_SLOT_DIFFUSE)->uv_set = 1;
+        render(&s);
+        for (i = 0; i < k_pixels; ++i) {
+            const double u = has ? 0.5 * u_of(i) + 0.25 : 0, v = has ? 1 - v_of(i) : 0;
+            for (c = 0; c < 3; ++c) shd_assert_close("texel", i, (double)s.f.plane[c][i], texel(u, v, c), 1e-6, 0);
+        }
+        close_scene(&s);
+    }
+}
+
+/* Columns of the mesh, and 1 where it has none. */
+static void test_vertex(void **state)
+{
+    size_t i;
+    int has, c;
+    (void)state;
+    for (has = 0; has < 2; ++has) {
+        scene s;
+        open_scene(&s);
+        s.has_attributes = has;
+        s.material.blend = SHD_BLEND_STRAIGHT;
+        s.material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
+        s.material.slot[SHD_SLOT_DIFFUSE].attribute = 2;
+        render(&s);
+        for (i = 0; i < k_pixels; ++i) {
+            const double a = has ? u_of(i) : 1; /* the fourth column */
+            for (c = 0; c < 3; ++c) {
+                const double value = has ? (c + 1) * 0.25 * (c % 2 ? u_of(i) : v_of(i)) : 1;
+                shd_assert_close("value", i, (double)s.f.plane[c][i], a * value, 1e-6, 0);
+            }
+            shd_assert_close("a", i, (double)s.f.plane[SHD_PLANE_A][i], a, 1e-6, 0);
+        }
+        close_scene(&s);
+    }
+}
+
+/* The last attribute of a mesh has no neighbours: those of a colour read 1. */
+static void test_vertex_end(void **state)
+{
+    scene s;
+    size_t i;
+    (void)state;
+    open_scene(&s);
+    s.material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
+    s.material.slot[SHD_SLOT_DIFFUSE].attribute = 5;
+    render(&s);
+    for (i = 0; i < k_pixels; ++i) {
+        shd_assert_close("r", i, (double)s.f.plane[0][i], u_of(i), 1e-6, 0);
+        assert_true(s.f.plane[1][i] == 1.0f && s.f.plane[2][i] == 1.0f);
+    }
+    close_scene(&s);
+}
+
+static void stripes(const shd_fragments *in, float *const out[4], void *user_data)
+{
+    const float *times = (const float *)user_data;
+    size_t i;
+    for (i = 0; i < in->count; ++i) {
+        out[0][i] = *times * in->u[i];
+        out[1][i] = in->attribute[3] ? in->attribute[3][i] : -1.0f;
+        /* out[2] stays 1 */
+    }
+    if (out[3]) out[0][0] = -1.0f; /* an emission has three columns */
+}
+
+static void test_procedure(void **state)
+{
+    float times = 3.0f;
+    scene s;
+    size_t i;
+    int c;
+    (void)state;
+    open_scene(&s);
+    for (c = 0; c < 3; ++c) {
+        s.material.diffuse[c] = 0.0f;
+        s.material.emission[c] = 2.0f;
+    }
+    s.material.slot[SHD_SLOT_EMISSION].source = SHD_SOURCE_PROCEDURE;
+    s.material.slot[SHD_SLOT_EMISSION].procedure = stripes;
+    s.material.slot[SHD_SLOT_EMISSION].user_data = &times;
+    render(&s);
+    for (i = 0; i < k_pixels; ++i) {
+        shd_assert_close("r", i, (double)s.f.plane[0][i], 6 * u_of(i), 1e-5, 0);
+        shd_assert_close("g", i, (double)s.f.plane[1][i], 2 * 0.5 * u_of(i), 1e-5, 0);
+        assert_true(s.f.plane[2][i] == 2.0f);
+    }
+    close_scene(&s);
+}
+
+/* Opacity from one channel times the diffuse texture's alpha; occlusion of ambient light. */
+static void test_scalars(void **state)
+{
+    scene s;
+    size_t i;
+    int c;
+    (void)state;
+    open_scene(&s);
+    s.material.model = SHD_MODEL_LAMBERT;
+    s.material.blend = SHD_BLEND_PREMULTIPLIED;
+    s.material.opacity = 0.75f;
+    s.material.occlusion_strength = 0.5f;
+    for (c = 0; c < 3; ++c) s.material.ambient[c] = 0.8f;
+    textured(&s, SHD_SLOT_DIFFUSE);
+    textured(&s, SHD_SLOT_OPACITY)->channel = 2;
+    textured(&s, SHD_SLOT_OCCLUSION)->channel = 1;
+    shd_frame_ambient(&s.f);
+    render(&s);
+    for (i = 0; i < k_pixels; ++i) {
+        const double u = u_of(i), v = v_of(i), a = 0.75 * texel(u, v, 2) * texel(u, v, 3);
+        shd_assert_close("a", i, (double)s.f.plane[SHD_PLANE_A][i], a, 1e-6, 0);
+        shd_assert_close("r", i, (double)s.f.plane[0][i], a * 0.8 * (1 + 0.5 * (texel(u, v, 1) - 1)), 1e-6, 0);
+    }
+    close_scene(&s);
+}
+
+/* A texture of one normal over the quad, whose u runs to the right and v down: y is up in the image, or down. */
+static void test_normal(void **state)
+{
+    static const float k_texel[4] = {0.5f + 0.5f * 0.48f, 0.5f + 0.5f * 0.6f, 0.5f + 0.5f * 0.64f, 1.0f};
+    int down, flips;
+    (void)state;
+    for (down = 0; down < 2; ++down) {
+        for (flips = 0; flips < 2; ++flips) {
+            shd_texture_desc desc = shd_texture_desc_default();
+            shd_texture *normals = NULL;
+            scene s;
+            size_t i;
+            open_scene(&s);
+            desc.width = desc.height = 1;
+            desc.format = SHD_FORMAT_RGBA32F;
+            desc.texels = k_texel;
+            shd_assert_ok(shd_texture_create(s.f.context, &desc, &normals));
+            s.material.model = SHD_MODEL_SHOW_NORMAL;
+            s.material.flags = down ? SHD_NORMAL_Y_DOWN : 0;
+            s.material.slot[SHD_SLOT_NORMAL].source = SHD_SOURCE_TEXTURE;
+            s.material.slot[SHD_SLOT_NORMAL].texture = normals;
+            s.flips = flips;
+            render(&s);
+            shd_texture_release(normals);
+            for (i = 0; i < k_pixels; ++i) {
+                const double x = flips ? -0.48 : 0.48, y = down ? -0.6 : 0.6;
+                shd_assert_close("x", i, (double)s.f.plane[0][i], 0.5 + 0.5 * x, 1e-6, 0);
+                shd_assert_close("y", i, (double)s.f.plane[1][i], 0.5 + 0.5 * y, 1e-6, 0);
+                shd_assert_close("z", i, (double)s.f.plane[2][i], 0.5 + 0.5 * 0.64, 1e-6, 0);
+            }
+            close_scene(&s);
+        }
+    }
+}
+
+/* A height that grows to the right: the gradient knows the size of the quad, differences over a texel do not. */
+static void test_bump(void **state)
+{
+    static const float k_ramp[8] = {0, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f};
+    int bump;
+    (void)state;
+    for (bump = SHD_BUMP_NONE; bump <= SHD_BUMP_TEXEL; ++bump) {
+        shd_texture_desc desc = shd_texture_desc_default();
+        shd_texture *heights = NULL;
+        double slope = 0;
+        scene s;
+        open_scene(&s);
+        desc.width = 8;
+        desc.height = 1;
+        desc.format = SHD_FORMAT_R32F;
+        desc.texels = k_ramp;
+        shd_assert_ok(shd_texture_create(s.f.context, &desc, &heights));
+        s.material.model = SHD_MODEL_SHOW_NORMAL;
+        s.material.slot[SHD_SLOT_HEIGHT].source = SHD_SOURCE_TEXTURE;
+        s.material.slot[SHD_SLOT_HEIGHT].texture = heights;
+        s.material.bump = (shd_bump)bump;
+        s.material.bump_scale = 3.0f;
+        render(&s);
+        shd_texture_release(heights);
+        if (bump == SHD_BUMP_GRADIENT) slope = 3.0 * 1.0 / 2; /* from 0 to 1 over a quad of width 2 */
+        if (bump == SHD_BUMP_TEXEL) slope = 3.0 * 0.125;
+        /* in the middle, where no lookup wraps */
+        shd_assert_close("x", 7, (double)s.f.plane[0][7 * k_size + 7], 0.5 - 0.5 * slope / sqrt(1 + slope * slope),
+                         1e-6, 0);
+        shd_assert_close("y", 7, (double)s.f.plane[1][7 * k_size + 7], 0.5, 1e-6, 0);
+        close_scene(&s);
+    }
+}
+
+/* Seen from behind, normals turn around if the material has two sides; a matrix that mirrors is no back. */
+static void test_double_sided(void **state)
+{
+    int both, flips, behind;
+    (void)state;
+    for (both = 0; both < 2; ++both) {
+        for (flips = 0; flips < 2; ++flips) {
+            for (behind = 0; behind < 2; ++behind) {
+                scene s;
+                int i;
+                open_scene(&s);
+                s.material.model = SHD_MODEL_SHOW_NORMAL;
+                s.material.flags = both ? SHD_DOUBLE_SIDED : 0;
+                s.flips = flips;
+                for (i = 0; i < 6 && behind; ++i) {
+                    s.quad[8 * i] = -s.quad[8 * i]; /* the other winding */
+                    s.quad[8 * i + 5] = -1.0f;
+                }
+                render(&s);
+                for (i = 0; i < k_pixels; ++i) {
+                    const float z = behind && !both ? 0.0f : 1.0f;
+                    assert_true(s.f.plane[2][i] == z);
+                }
+                close_scene(&s);
+            }
+        }
+    }
+}
+
+/* What a program is given besides: tangents of triangles, the second uv, attributes. */
+static void look(const shd_fragments *in, shd_radiance *out, void *user_data)
+{
+    int *mistakes = (int *)user_data;
+    size_t i;
+    *mistakes += !in->attribute[2] || !in->attribute[5] || in->attribute[0] || in->attribute[7];
+    for (i = 0; i < in->count; ++i) {
+        *mistakes += !shd_is_close((double)in->tx[i], 1, 1e-6, 0) || in->tw[i] != 1.0f;
+        *mistakes += !shd_is_close((double)in->u1[i], 0.5 * (double)in->u[i] + 0.25, 1e-6, 0);
+        *mistakes += !shd_is_close((double)in->attribute[3][i], 0.5 * (double)in->u[i], 1e-6, 0);
+        out->r[i] = 1.0f;
+    }
+}
+
+static void test_program(void **state)
+{
+    static const shd_frequency k_frequencies[3] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};
+    int mistakes = 0;
+    scene s;
+    int k;
+    (void)state;
+    open_scene(&s);
+    s.material.model = SHD_MODEL_PROGRAM;
+    s.material.program.fragment = look;
+    s.material.program.user_data = &mistakes;
+    render(&s);
+    for (k = 0; k < 3; ++k) {
+        s.f.draw[0].frequency = k_frequencies[k];
+        shd_frame_render(&s.f);
+        assert_true(s.f.plane[0][0] == 1.0f);
+    }
+    assert_int_equal(mistakes, 0);
+    close_scene(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        {"texture", test_texture, NULL, NULL, NULL},
+        {"uv_transform", test_uv_transform, NULL, NULL, NULL},
+        {"uv_set", test_uv_set, NULL, NULL, NULL},
+        {"vertex", test_vertex, NULL, NULL, NULL},
+        {"vertex/end", test_vertex_end, NULL, NULL, NULL},
+        {"procedure", test_procedure, NULL, NULL, NULL},
+        {"scalars", test_scalars, NULL, NULL, NULL},
+        {"normal", test_normal, NULL, NULL, NULL},
+        {"bump", test_bump, NULL, NULL, NULL},
+        {"double_sided", test_double_sided, NULL, NULL, NULL},
+        {"program", test_program, NULL, NULL, NULL},
+    };
+    return _cmocka_run_group_tests("api.slots", tests, sizeof tests / sizeof tests[0], NULL, NULL);
+}
