@@ -4,6 +4,10 @@
 
 #include <shd/light.h>
 
+static shd_context *g_context;
+static shd_texture *g_texture;
+static shd_sampler *g_ripmap;
+
 static void edit_nothing(shd_light_desc *d) { (void)d; }
 static void edit_size(shd_light_desc *d) { d->struct_size = 4; }
 static void edit_directional(shd_light_desc *d) { d->kind = SHD_LIGHT_DIRECTIONAL; }
@@ -44,6 +48,99 @@ static void edit_nan_direction(shd_light_desc *d)
 static void edit_inf_direction(shd_light_desc *d) { d->direction[2] = INFINITY; }
 static void edit_reserved(shd_light_desc *d) { d->reserved = 7; }
 
+static void edit_spot(shd_light_desc *d) { d->kind = SHD_LIGHT_SPOT; }
+static void edit_spot_direction_0(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->direction[1] = 0;
+}
+static void edit_spot_up_along_direction(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->up[1] = -3;
+}
+static void edit_spot_up_0(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->up[1] = 0;
+}
+static void edit_up_nan(shd_light_desc *d) { d->up[0] = (float)NAN; }
+static void edit_range_1e_6(shd_light_desc *d) { d->range = 1e-6f; }
+static void edit_range_negative(shd_light_desc *d) { d->range = -1; }
+static void edit_range_1e_7(shd_light_desc *d) { d->range = 1e-7f; }
+static void edit_range_nan(shd_light_desc *d) { d->range = (float)NAN; }
+static void edit_range_inf(shd_light_desc *d) { d->range = INFINITY; }
+static void edit_outer_half_pi(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->outer_angle = 1.57079637f;
+}
+static void edit_outer_2(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->outer_angle = 2;
+}
+static void edit_outer_0(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->outer_angle = 0;
+}
+static void edit_outer_nan(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->outer_angle = (float)NAN;
+}
+static void edit_inner_is_outer(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->inner_angle = d->outer_angle;
+}
+static void edit_inner_above_outer(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->inner_angle = 1;
+}
+static void edit_inner_negative(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->inner_angle = -0.1f;
+}
+static void edit_extent_0(shd_light_desc *d) { d->extent[0] = 0; }
+static void edit_extent_nan(shd_light_desc *d) { d->extent[1] = (float)NAN; }
+static void edit_texture_of_spot(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->texture = g_texture;
+}
+static void edit_texture_of_directional(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_DIRECTIONAL;
+    d->texture = g_texture;
+}
+static void edit_texture_of_point(shd_light_desc *d) { d->texture = g_texture; }
+static void edit_texture_of_half_pi(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->texture = g_texture;
+    d->outer_angle = 1.57f;
+}
+static void edit_sampler_without_texture(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->sampler = g_ripmap;
+}
+static void edit_sampler_without_table(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->texture = g_texture;
+    d->sampler = g_ripmap;
+}
+static void edit_sampler_as_texture(shd_light_desc *d)
+{
+    d->kind = SHD_LIGHT_SPOT;
+    d->texture = (shd_texture *)(void *)g_ripmap;
+}
+
 struct create_case {
     const char *name;
     void (*edit)(shd_light_desc *desc);
@@ -76,9 +173,35 @@ static const struct create_case k_create[] = {
     {"create/direction_nan", edit_nan_direction, BAD, "light.direction[0]: "},
     {"create/direction_inf", edit_inf_direction, BAD, "light.direction[2]: inf is not finite"},
     {"create/reserved_7", edit_reserved, BAD, "light.reserved: 7 is not 0"},
+    {"create/spot", edit_spot, SHD_OK, ""},
+    {"create/spot/direction_0", edit_spot_direction_0, BAD, "light.direction: (0, 0, 0)"},
+    {"create/spot/up_along_direction", edit_spot_up_along_direction, SHD_OK, ""},
+    {"create/spot/up_0", edit_spot_up_0, SHD_OK, ""},
+    {"create/up_nan", edit_up_nan, BAD, "light.up[0]: "},
+    {"create/range_1e-6", edit_range_1e_6, SHD_OK, ""},
+    {"create/range_negative", edit_range_negative, BAD, "light.range: -1"},
+    {"create/range_1e-7", edit_range_1e_7, BAD, "light.range: 1e-07"},
+    {"create/range_nan", edit_range_nan, BAD, "light.range: "},
+    {"create/range_inf", edit_range_inf, BAD, "light.range: inf"},
+    {"create/outer_half_pi", edit_outer_half_pi, SHD_OK, ""},
+    {"create/outer_2", edit_outer_2, BAD, "light.outer_angle: 2 is not in 0.001.."},
+    {"create/outer_0", edit_outer_0, BAD, "light.outer_angle: 0"},
+    {"create/outer_nan", edit_outer_nan, BAD, "light.outer_angle: "},
+    {"create/inner_is_outer", edit_inner_is_outer, SHD_OK, ""},
+    {"create/inner_above_outer", edit_inner_above_outer, BAD, "light.inner_angle: 1 is not in 0.."},
+    {"create/inner_negative", edit_inner_negative, BAD, "light.inner_angle: -0.1"},
+    {"create/extent_0", edit_extent_0, BAD, "light.extent[0]: 0"},
+    {"create/extent_nan", edit_extent_nan, BAD, "light.extent[1]: "},
+    {"create/texture_of_spot", edit_texture_of_spot, SHD_OK, ""},
+    {"create/texture_of_directional", edit_texture_of_directional, SHD_OK, ""},
+    {"create/texture_of_point", edit_texture_of_point, BAD, "light.texture: set, but the kind is neither"},
+    {"create/texture_of_half_pi", edit_texture_of_half_pi, BAD, "light.outer_angle: 1.57 is not in 0.001..1.55"},
+    {"create/sampler_without_texture", edit_sampler_without_texture, BAD,
+     "light.sampler: set, but light.texture is NULL"},
+    {"create/sampler_without_table", edit_sampler_without_table, BAD,
+     "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP"},
+    {"create/sampler_as_texture", edit_sampler_as_texture, BAD, "light.texture: not a live handle of its type"},
 };
-
-static shd_context *g_context;
 
 static void test_create(void **state)
 {
@@ -123,20 +246,56 @@ static void test_newer_desc(void **state)
     assert_null(light);
 }
 
+/* The course's two points: counted, as far as there is room, all. */
+static void test_preset(void **state)
+{
+    shd_light_desc descs[4] = {{0}};
+    size_t count = 77;
+    (void)state;
+    shd_assert_ok(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, NULL));
+    assert_int_equal(count, 3);
+    count = 1;
+    shd_assert_ok(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs));
+    assert_int_equal(count, 3);
+    assert_int_equal(descs[0].struct_size, sizeof descs[0]);
+    assert_int_equal(descs[1].struct_size, 0);
+    count = 4;
+    shd_assert_ok(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs));
+    assert_int_equal(count, 3);
+    assert_true(descs[0].kind == SHD_LIGHT_POINT && descs[0].position[0] == 30 && descs[0].intensity[2] == 500);
+    assert_true(descs[1].position[0] == -30 && descs[1].position[1] == 50 && descs[1].position[2] == 0);
+    assert_true(descs[2].kind == SHD_LIGHT_AMBIENT && descs[2].intensity[1] == 10);
+    assert_int_equal(descs[3].struct_size, 0);
+    shd_assert_result("preset", shd_light_preset_descs((shd_light_preset)1, &count, descs), BAD, "preset: 1");
+    shd_assert_result("count", shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, NULL, descs), BAD, "count");
+}
+
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_create) + 2];
+    static struct CMUnitTest tests[COUNT(k_create) + 3];
+    static const unsigned char texel[4] = {255, 128, 0, 255};
+    shd_texture_desc texture = shd_texture_desc_default();
+    shd_sampler_desc ripmap = shd_sampler_desc_default();
     size_t n = 0, i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
+    texture.width = texture.height = 1;
+    texture.format = SHD_FORMAT_RGBA8;
+    texture.texels = texel;
+    if (shd_texture_create(g_context, &texture, &g_texture) != SHD_OK) return 1;
+    ripmap.filter = SHD_FILTER_RIPMAP;
+    if (shd_sampler_create(g_context, &ripmap, &g_ripmap) != SHD_OK) return 1;
     for (i = 0; i < COUNT(k_create); ++i) {
         tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
     }
     tests[n++] = (struct CMUnitTest){"create/null_desc", test_null_desc, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"create/newer_desc", test_newer_desc, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"preset", test_preset, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.light", tests, n, NULL, NULL);
+    shd_sampler_release(g_ripmap);
+    shd_texture_release(g_texture);
     shd_context_release(g_context);
     return failed;
 }

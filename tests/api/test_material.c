@@ -8,6 +8,7 @@
 static shd_context *g_context;
 static shd_light *g_light;
 static shd_texture *g_texture;
+static shd_sampler *g_ripmap;
 
 static void program(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -112,6 +113,90 @@ static void edit_light_as_sampler(shd_material_desc *d)
     d->slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)(void *)g_light;
 }
 
+static void edit_last_model(shd_material_desc *d) { d->model = SHD_MODEL_SHOW_BARYCENTRICS; }
+static void edit_exponent_0(shd_material_desc *d) { d->exponent = 0; }
+static void edit_exponent_1e6_of_metal(shd_material_desc *d)
+{
+    d->exponent = 1e6f;
+    d->model = SHD_MODEL_METALLIC_ROUGHNESS;
+}
+static void edit_emission_1e12(shd_material_desc *d) { d->emission[2] = 1e12f; }
+static void edit_emission_negative(shd_material_desc *d) { d->emission[1] = -1e-6f; }
+static void edit_emission_nan(shd_material_desc *d) { d->emission[0] = (float)NAN; }
+static void edit_metallic_1(shd_material_desc *d) { d->metallic = 1; }
+static void edit_metallic_above(shd_material_desc *d) { d->metallic = 1.001f; }
+static void edit_metallic_nan(shd_material_desc *d) { d->metallic = (float)NAN; }
+static void edit_roughness_0(shd_material_desc *d) { d->roughness = 0; }
+static void edit_roughness_negative(shd_material_desc *d) { d->roughness = -0.5f; }
+static void edit_roughness_inf(shd_material_desc *d) { d->roughness = INFINITY; }
+static void edit_ior_1(shd_material_desc *d) { d->ior = 1; }
+static void edit_ior_0(shd_material_desc *d) { d->ior = 0; }
+static void edit_ior_nan(shd_material_desc *d) { d->ior = (float)NAN; }
+static void edit_occlusion_strength_2(shd_material_desc *d) { d->occlusion_strength = 2; }
+static void edit_warm_negative(shd_material_desc *d) { d->warm[0] = -1; }
+static void edit_cool_inf(shd_material_desc *d) { d->cool[2] = INFINITY; }
+static void edit_warm_mix_2(shd_material_desc *d) { d->warm_mix = 2; }
+static void edit_cool_mix_nan(shd_material_desc *d) { d->cool_mix = (float)NAN; }
+static void edit_toon_steps_1(shd_material_desc *d) { d->toon_steps = 1; }
+static void edit_toon_steps_0(shd_material_desc *d) { d->toon_steps = 0; }
+static void edit_toon_steps_257(shd_material_desc *d) { d->toon_steps = 257; }
+static void edit_normal_encoding_4(shd_material_desc *d) { d->normal_encoding = (shd_normal_encoding)4; }
+static void edit_normal_scale_negative(shd_material_desc *d) { d->normal_scale = -1; }
+static void edit_normal_scale_nan(shd_material_desc *d) { d->normal_scale = (float)NAN; }
+static void edit_normal_scale_2e3(shd_material_desc *d) { d->normal_scale = 2e3f; }
+static void edit_bump_3(shd_material_desc *d) { d->bump = (shd_bump)3; }
+static void edit_bump_scale_1e30(shd_material_desc *d) { d->bump_scale = 1e30f; }
+static void edit_bump_scale_nan(shd_material_desc *d) { d->bump_scale = (float)NAN; }
+static void edit_parallax_depth_negative(shd_material_desc *d) { d->parallax_depth = -1; }
+static void edit_parallax_steps_1(shd_material_desc *d) { d->parallax_steps = 1; }
+static void edit_parallax_steps_257(shd_material_desc *d) { d->parallax_steps = 257; }
+static void edit_slot_source_4(shd_material_desc *d) { d->slot[3].source = (shd_slot_source)4; }
+static void edit_slot_texture_missing(shd_material_desc *d) { d->slot[SHD_SLOT_NORMAL].source = SHD_SOURCE_TEXTURE; }
+static void edit_slot_texture_of_constant(shd_material_desc *d) { d->slot[1].texture = g_texture; }
+static void edit_slot_procedure_missing(shd_material_desc *d) { d->slot[2].source = SHD_SOURCE_PROCEDURE; }
+static void edit_slot_attribute_7(shd_material_desc *d)
+{
+    d->slot[2].source = SHD_SOURCE_VERTEX;
+    d->slot[2].attribute = 7;
+}
+static void edit_slot_attribute_8(shd_material_desc *d)
+{
+    d->slot[2].source = SHD_SOURCE_VERTEX;
+    d->slot[2].attribute = 8;
+}
+static void edit_slot_uv_set_1(shd_material_desc *d)
+{
+    d->slot[5].source = SHD_SOURCE_TEXTURE;
+    d->slot[5].texture = g_texture;
+    d->slot[5].uv_set = 1;
+}
+static void edit_slot_uv_set_2(shd_material_desc *d)
+{
+    d->slot[5].source = SHD_SOURCE_TEXTURE;
+    d->slot[5].texture = g_texture;
+    d->slot[5].uv_set = 2;
+}
+static void edit_slot_channel_4(shd_material_desc *d)
+{
+    d->slot[5].source = SHD_SOURCE_TEXTURE;
+    d->slot[5].texture = g_texture;
+    d->slot[5].channel = 4;
+}
+static void edit_slot_transform_nan(shd_material_desc *d)
+{
+    d->slot[5].source = SHD_SOURCE_TEXTURE;
+    d->slot[5].texture = g_texture;
+    d->slot[5].uv_transform[4] = (float)NAN;
+}
+static void edit_height_of_vertices(shd_material_desc *d) { d->slot[SHD_SLOT_HEIGHT].source = SHD_SOURCE_VERTEX; }
+static void edit_matcap_as_procedure(shd_material_desc *d) { d->slot[SHD_SLOT_MATCAP].source = SHD_SOURCE_PROCEDURE; }
+static void edit_slot_sampler_without_table(shd_material_desc *d)
+{
+    d->slot[5].source = SHD_SOURCE_TEXTURE;
+    d->slot[5].texture = g_texture;
+    d->slot[5].sampler = g_ripmap;
+}
+
 struct create_case {
     const char *name;
     void (*edit)(shd_material_desc *desc);
@@ -162,6 +247,57 @@ static const struct create_case k_create[] = {
     {"create/reserved", edit_reserved, BAD, "material.reserved: 1 is not 0"},
     {"create/light_as_texture", edit_light_as_texture, BAD, "material.slot[0].texture: not a live handle of its type"},
     {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.slot[0].sampler: not a live handle of its type"},
+    {"create/last_model", edit_last_model, SHD_OK, ""},
+    {"create/exponent_0", edit_exponent_0, SHD_OK, ""},
+    {"create/exponent_1e6_of_metal", edit_exponent_1e6_of_metal, SHD_OK, ""},
+    {"create/emission_1e12", edit_emission_1e12, SHD_OK, ""},
+    {"create/emission_negative", edit_emission_negative, BAD, "material.emission[1]: -1e-06 is not in 0..1e+12"},
+    {"create/emission_nan", edit_emission_nan, BAD, "material.emission[0]: "},
+    {"create/metallic_1", edit_metallic_1, SHD_OK, ""},
+    {"create/metallic_above", edit_metallic_above, BAD, "material.metallic: 1.001 is not in 0..1"},
+    {"create/metallic_nan", edit_metallic_nan, BAD, "material.metallic: "},
+    {"create/roughness_0", edit_roughness_0, SHD_OK, ""},
+    {"create/roughness_negative", edit_roughness_negative, BAD, "material.roughness: -0.5 is not in 0..1"},
+    {"create/roughness_inf", edit_roughness_inf, BAD, "material.roughness: inf"},
+    {"create/ior_1", edit_ior_1, SHD_OK, ""},
+    {"create/ior_0", edit_ior_0, BAD, "material.ior: 0 is not in 1..10"},
+    {"create/ior_nan", edit_ior_nan, BAD, "material.ior: "},
+    {"create/occlusion_strength_2", edit_occlusion_strength_2, BAD, "material.occlusion_strength: 2 is not in 0..1"},
+    {"create/warm_negative", edit_warm_negative, BAD, "material.warm[0]: -1"},
+    {"create/cool_inf", edit_cool_inf, BAD, "material.cool[2]: inf"},
+    {"create/warm_mix_2", edit_warm_mix_2, BAD, "material.warm_mix: 2 is not in 0..1"},
+    {"create/cool_mix_nan", edit_cool_mix_nan, BAD, "material.cool_mix: "},
+    {"create/toon_steps_1", edit_toon_steps_1, SHD_OK, ""},
+    {"create/toon_steps_0", edit_toon_steps_0, BAD, "material.toon_steps: 0 is not in 1..256"},
+    {"create/toon_steps_257", edit_toon_steps_257, BAD, "material.toon_steps: 257"},
+    {"create/normal_encoding_4", edit_normal_encoding_4, BAD, "material.normal_encoding: 4 is not in 0..3"},
+    {"create/normal_scale_negative", edit_normal_scale_negative, SHD_OK, ""},
+    {"create/normal_scale_nan", edit_normal_scale_nan, BAD, "material.normal_scale: "},
+    {"create/normal_scale_2e3", edit_normal_scale_2e3, BAD, "material.normal_scale: 2000 is not in -1000..1000"},
+    {"create/bump_3", edit_bump_3, BAD, "material.bump: 3 is not in 0..2"},
+    {"create/bump_scale_1e30", edit_bump_scale_1e30, BAD, "material.bump_scale: 1e+30"},
+    {"create/bump_scale_nan", edit_bump_scale_nan, BAD, "material.bump_scale: "},
+    {"create/parallax_depth_negative", edit_parallax_depth_negative, BAD, "material.parallax_depth: -1"},
+    {"create/parallax_steps_1", edit_parallax_steps_1, BAD, "material.parallax_steps: 1 is not in 2..256"},
+    {"create/parallax_steps_257", edit_parallax_steps_257, BAD, "material.parallax_steps: 257"},
+    {"create/slot_source_4", edit_slot_source_4, BAD, "material.slot[3].source: 4 is not in 0..3"},
+    {"create/slot_texture_missing", edit_slot_texture_missing, BAD,
+     "material.slot[9].texture: NULL, but the source is a texture"},
+    {"create/slot_texture_of_constant", edit_slot_texture_of_constant, BAD,
+     "material.slot[1].source: 0, but a texture or sampler is set"},
+    {"create/slot_procedure_missing", edit_slot_procedure_missing, BAD, "material.slot[2].procedure: NULL"},
+    {"create/slot_attribute_7", edit_slot_attribute_7, SHD_OK, ""},
+    {"create/slot_attribute_8", edit_slot_attribute_8, BAD, "material.slot[2].attribute: 8 is not in 0..7"},
+    {"create/slot_uv_set_1", edit_slot_uv_set_1, SHD_OK, ""},
+    {"create/slot_uv_set_2", edit_slot_uv_set_2, BAD, "material.slot[5].uv_set: 2 is not in 0..1"},
+    {"create/slot_channel_4", edit_slot_channel_4, BAD, "material.slot[5].channel: 4 is not in 0..3"},
+    {"create/slot_transform_nan", edit_slot_transform_nan, BAD, "material.slot[5].uv_transform[4]: "},
+    {"create/height_of_vertices", edit_height_of_vertices, BAD,
+     "material.slot[10].source: 2, but this slot takes a texture or nothing"},
+    {"create/matcap_as_procedure", edit_matcap_as_procedure, BAD,
+     "material.slot[11].source: 3, but this slot takes a texture or nothing"},
+    {"create/slot_sampler_without_table", edit_slot_sampler_without_table, BAD,
+     "material.slot[5].sampler: its filter needs a table that the texture lacks"},
 };
 
 static void test_create(void **state)
@@ -309,10 +445,13 @@ int main(void)
 {
     static struct CMUnitTest tests[COUNT(k_create) + 8];
     size_t n = 0, i;
+    shd_sampler_desc ripmap = shd_sampler_desc_default();
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
     if (shd_light_create(g_context, NULL, &g_light) != SHD_OK) return 1;
     if (make_texture(&g_texture) != SHD_OK) return 1;
+    ripmap.filter = SHD_FILTER_RIPMAP;
+    if (shd_sampler_create(g_context, &ripmap, &g_ripmap) != SHD_OK) return 1;
     for (i = 0; i < COUNT(k_create); ++i) {
         tests[n++] = (struct CMUnitTest){k_create[i].name, test_create, NULL, NULL, (void *)&k_create[i]};
     }
@@ -321,6 +460,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"parts/after_refusal", test_parts_after_refusal, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"parts/one_of_two", test_one_part, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.material", tests, n, NULL, NULL);
+    shd_sampler_release(g_ripmap);
     shd_texture_release(g_texture);
     shd_light_release(g_light);
     shd_context_release(g_context);
