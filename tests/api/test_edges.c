@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Edges of meshes by kind against every pair of edges compared, on shapes whose drawings are known; columns; refusals. */
+/* Edges of meshes by kind against every pair of edges compared, on shapes whose drawings are known; columns; refusals.
+ */
 #include "support/shapes.h"
 
 #include <stdlib.h>
@@ -17,7 +18,8 @@ static uint32_t g_vertex[2][k_max_edges], g_triangle[2][k_max_edges], g_kinds[k_
 
 static shd_edges columns(void)
 {
-    const shd_edges out = {{{g_vertex[0], 0}, {g_vertex[1], 0}}, {{g_triangle[0], 0}, {g_triangle[1], 0}}, {g_kinds, 0}};
+    const shd_edges out = {
+        {{g_vertex[0], 0}, {g_vertex[1], 0}}, {{g_triangle[0], 0}, {g_triangle[1], 0}}, {g_kinds, 0}};
     return out;
 }
 
@@ -460,7 +462,8 @@ static void test_bad_arguments(void **state)
                       "mesh: NULL");
     shd_assert_result("desc", shd_mesh_find_edges(mesh, NULL, 20, &out, &count), SHD_ERROR_INVALID_ARGUMENT,
                       "edges: NULL");
-    shd_assert_result("out", shd_mesh_find_edges(mesh, &desc, 1, NULL, &count), SHD_ERROR_INVALID_ARGUMENT, "out: NULL");
+    shd_assert_result("out", shd_mesh_find_edges(mesh, &desc, 1, NULL, &count), SHD_ERROR_INVALID_ARGUMENT,
+                      "out: NULL");
     shd_assert_result("count", shd_mesh_find_edges(mesh, &desc, 1, &out, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out_count: NULL");
     out.triangle[1].stride = 6;
