@@ -34,10 +34,7 @@ static void start_shape(void (*make)(shd_shape *s, uint32_t n), uint32_t n)
     make(&g_shape, n);
 }
 
-static shd_mesh *make_mesh(const shd_frame *f)
-{
-    return shd_shape_mesh(f->context, &g_shape, SHD_MESH_ADJACENCY);
-}
+static shd_mesh *make_mesh(const shd_frame *f) { return shd_shape_mesh(f->context, &g_shape, SHD_MESH_ADJACENCY); }
 
 static void look_from(shd_frame *f, float x, float y, float z)
 {

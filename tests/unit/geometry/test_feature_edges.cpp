@@ -80,8 +80,8 @@ void test_camera(void**) {
     double eye[4];
     geometry::centre_of_projection(view, model, eye);
     for (size_t c = 0; c < 3; ++c) {
-      const double want = (static_cast<double>(camera.eye[c]) - static_cast<double>(model[12 + c])) /
-                          static_cast<double>(model[5 * c]);
+      const double want =
+          (static_cast<double>(camera.eye[c]) - static_cast<double>(model[12 + c])) / static_cast<double>(model[5 * c]);
       shd_assert_close("eye", c, eye[c] / eye[3], want, 3e-5 / std::fabs(static_cast<double>(model[5 * c])), 0);
     }
   }
@@ -128,5 +128,6 @@ int main() {
       {"plain", test_plain, nullptr, nullptr, nullptr},
       {"extreme", test_extreme, nullptr, nullptr, nullptr},
   };
-  return _cmocka_run_group_tests("unit.geometry.feature_edges", tests, sizeof tests / sizeof tests[0], nullptr, nullptr);
+  return _cmocka_run_group_tests("unit.geometry.feature_edges", tests, sizeof tests / sizeof tests[0], nullptr,
+                                 nullptr);
 }
