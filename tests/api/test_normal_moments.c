@@ -138,15 +138,11 @@ static void test_special(void **state)
     static const struct {
         float n[3], want[2];
     } k_rows[] = {
-        {{0, 0, 1}, {0, 0}},
-        {{3, -4, 8}, {0.375f, -0.5f}},
-        {{1e-40f, 0, 1e-40f}, {1, 0}},
-        {{3e38f, 3e38f, 3e38f}, {1, 1}},
-        {{1, 0, 0}, {32, 0}},
-        {{0, -5, 0}, {0, -32}},
+        {{0, 0, 1}, {0, 0}},           {{3, -4, 8}, {0.375f, -0.5f}},
+        {{1e-40f, 0, 1e-40f}, {1, 0}}, {{3e38f, 3e38f, 3e38f}, {1, 1}},
+        {{1, 0, 0}, {32, 0}},          {{0, -5, 0}, {0, -32}},
         {{0, 3, -4}, {0, 19.2f}}, /* backwards: z = length / 32 */
-        {{0, 0, -1}, {0, 0}},
-        {{0, 0, 0}, {0, 0}},
+        {{0, 0, -1}, {0, 0}},          {{0, 0, 0}, {0, 0}},
     };
     const float bad[3] = {k_nan, k_inf, -k_inf};
     shd_context *context = NULL;
@@ -275,8 +271,8 @@ static void test_variance(void **state)
         }
         for (x = 0; x < 4; ++x) sum[x] /= (double)edge * edge;
         want = (sum[2] + sum[3] - sum[0] * sum[0] - sum[1] * sum[1]) / 2;
-        look_up(context, texture, ((float)left + 0.5f * (float)edge) / SIZE,
-                ((float)left + 0.5f * (float)edge) / SIZE, (float)level, got);
+        look_up(context, texture, ((float)left + 0.5f * (float)edge) / SIZE, ((float)left + 0.5f * (float)edge) / SIZE,
+                (float)level, got);
         shd_assert_close("bx", level, (double)got[0], sum[0], 1e-6, 1e-6);
         shd_assert_close("by", level, (double)got[1], sum[1], 1e-6, 1e-6);
         shd_assert_close("variance", level, variance_of(got), want, 2e-7, 1e-5);
@@ -309,7 +305,8 @@ static void test_length(void **state)
         look_up(context, by_length, u, v, ceilf(lod), upper);
         look_up(context, by_length, u, v, lod, got);
         shd_assert_close("length", (size_t)i, (double)got[3],
-                         (double)lower[3] + (double)(lod - floorf(lod)) * ((double)upper[3] - (double)lower[3]), 1e-6, 0);
+                         (double)lower[3] + (double)(lod - floorf(lod)) * ((double)upper[3] - (double)lower[3]), 1e-6,
+                         0);
         assert_true(got[3] <= 1 && got[3] > 0.99f);
         if (lod == 0) assert_true(got[3] == 1);
         if (lod < 4) continue; /* means of many texels, where the two need not agree on which */
