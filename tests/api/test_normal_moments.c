@@ -319,6 +319,49 @@ static void test_length(void **state)
     shd_context_release(context);
 }
 
+/* The same in eight bits, whose codes of 0..255 mean -1..1 and lengths of 0..1. */
+static void test_length_in_codes(void **state)
+{
+    static unsigned char codes[LEVELS + 1][SIZE * SIZE * 4];
+    shd_image images[LEVELS + 1];
+    shd_mip_desc mip = shd_mip_desc_default();
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_context *context = NULL;
+    shd_texture *by_length, *by_codes = NULL;
+    uint32_t i, l;
+    (void)state;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    bumpy(1);
+    for (i = 0; i < SIZE * SIZE * 4; ++i) {
+        codes[0][i] = (unsigned char)(i % 4 == 3 ? 255 : (g_normals[i] + 1) / 2 * 255 + 0.5f);
+    }
+    for (l = 0; l <= LEVELS; ++l) images[l] = make_image(SHD_FORMAT_RGBA8, SIZE >> l, SIZE >> l, codes[l]);
+    mip.semantic = SHD_SEMANTIC_NORMAL;
+    shd_assert_ok(shd_mip_build(context, &images[0], &mip, LEVELS, images + 1));
+    desc.format = SHD_FORMAT_RGBA8;
+    desc.width = desc.height = SIZE;
+    desc.texels = codes[0];
+    desc.tables = SHD_TABLE_MIPMAP;
+    desc.levels = images + 1;
+    desc.level_count = LEVELS;
+    shd_assert_ok(shd_texture_create(context, &desc, &by_codes));
+    by_length = with_levels(context, g_normals, SHD_SEMANTIC_NORMAL);
+    for (i = 0; i <= 4 * LEVELS; ++i) {
+        float got[4], want[4];
+        int c;
+        look_up(context, by_codes, 0.375f, 0.75f, (float)i / 4, got);
+        look_up(context, by_length, 0.375f, 0.75f, (float)i / 4, want);
+        for (c = 0; c < 4; ++c) {
+            const double value = c == 3 ? (double)got[c] : 2 * (double)got[c] - 1;
+            shd_assert_close("channel", (size_t)c, value, (double)want[c], 0.01, 0);
+        }
+        if (i > 8) assert_true(got[3] < 0.95f && got[3] > 0.7f);
+    }
+    shd_texture_release(by_length);
+    shd_texture_release(by_codes);
+    shd_context_release(context);
+}
+
 /* The same bits from any number of workers. */
 static void test_workers(void **state)
 {
@@ -418,6 +461,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"variance/bumpy", test_variance, NULL, NULL, (void *)&k_heights[2]};
     tests[n++] = (struct CMUnitTest){"variance/steep", test_variance, NULL, NULL, (void *)&k_heights[3]};
     tests[n++] = (struct CMUnitTest){"length_of_mean", test_length, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"length_of_mean/rgba8", test_length_in_codes, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"workers", test_workers, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.normal_moments", tests, n, NULL, NULL);
 }
