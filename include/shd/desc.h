@@ -38,6 +38,7 @@ typedef enum shd_desc_kind {
     SHD_DESC_RAY_CONES = 17,         /**< shd_ray_cones */
     SHD_DESC_EXPLANATION = 18,       /**< shd_explanation */
     SHD_DESC_MIP = 19,               /**< shd_mip_desc */
+    SHD_DESC_EDGES = 20,             /**< shd_edges_desc */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

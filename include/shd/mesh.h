@@ -49,6 +49,11 @@ typedef enum shd_mesh_flag {
     SHD_MESH_NONE = 0,
     /** Accept NaN and infinite positions; rendering drops and counts the triangles that use them. */
     SHD_MESH_KEEP_NONFINITE = 1,
+    /**
+     * Find which triangles share each edge, for shd_mesh_find_edges and SHD_FILL_LINES. 12 bytes a triangle, and while
+     * the mesh is made as much again and 12 bytes a vertex; takes time in proportion to both.
+     */
+    SHD_MESH_ADJACENCY = 4,
     SHD_MESH_FLAG_MAX_ENUM = 0x7fffffff
 } shd_mesh_flag;
 

@@ -40,7 +40,8 @@ typedef enum shd_semantic {
     /**
      * Unit vectors, in three or four channels; integer channels hold (n + 1) / 2, of _SRGB formats too. Levels are
      * renormalised; a zero mean becomes (0, 0, 1). A fourth channel receives the length of the mean, at most 1,
-     * from which a specular exponent is widened (Toksvig, "Mipmapping Normal Maps", 2005).
+     * from which a specular exponent is widened (Toksvig, "Mipmapping Normal Maps", 2005); that of the base is the
+     * caller's, 1 for unit vectors.
      */
     SHD_SEMANTIC_NORMAL = 2,
     SHD_SEMANTIC_HEIGHT = 3, /**< as data */
@@ -89,6 +90,23 @@ static inline shd_mip_desc shd_mip_desc_default(void)
  */
 SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_image *base, const shd_mip_desc *desc,
                                                uint32_t level_count, const shd_image *levels);
+
+/**
+ * Turn a normal map into the moments of its slopes, from which lookups get back how rough the normals under a footprint
+ * make a surface, while plain means of normals make it smooth (Olano and Baker, "LEAN Mapping", 2010; without
+ * the mixed moment, as in Baker, "Spectacular Specular: LEAN and CLEAN Specular Highlights", 2011). A texel is (bx, by, bx^2, by^2), (bx, by) = (nx / nz,
+ * ny / nz). Levels are made of the result as SHD_SEMANTIC_DATA, and any filter may read it: from a filtered (bx, by, Mx,
+ * My) come the mean normal normalise(bx, by, 1) and the variance of a slope,
+ * max(0, Mx + My - bx^2 - by^2) / 2, which widens a lobe.
+ * nz is taken as at least 1/32 of the normal's length, so that bx and by are at most 32; normals that point backwards
+ * count as such. A texel that is 0 or not finite is flat: four zeros.
+ * @param normals  three or four channels, as for SHD_SEMANTIC_NORMAL, of any length; borrowed for the call
+ * @param out      of that width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F, not overlapping `normals`. Pixels
+ *                 are written, unspecified on failure of the executor
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_normal_moments(shd_context *context, const shd_image *normals,
+                                                    const shd_image *out);
 
 SHD_END_DECLS
 

@@ -14,6 +14,7 @@
 #ifndef SHD_RENDER_H
 #define SHD_RENDER_H
 
+#include <shd/edges.h>
 #include <shd/framebuffer.h>
 #include <shd/light.h>
 #include <shd/material.h>
@@ -64,6 +65,7 @@ typedef enum shd_fill {
     SHD_FILL_SOLID = 0,
     SHD_FILL_WIREFRAME = 1, /**< its three edges */
     SHD_FILL_POINTS = 2,    /**< its three vertices */
+    SHD_FILL_LINES = 3,     /**< those of its edges that shd_draw.edges names, of a mesh with SHD_MESH_ADJACENCY */
     SHD_FILL_MAX_ENUM = 0x7fffffff
 } shd_fill;
 
@@ -79,6 +81,15 @@ typedef enum shd_fill {
  * which adds none; a vertex beyond has no point, an edge without length no line. What triangles share each of them
  * draws: the same samples at the same depths, so that SHD_COMPARE_LESS shows it once, but a blend that keeps depth adds
  * up.
+ *
+ * SHD_FILL_LINES draws each edge of the mesh once, whichever way its triangles face: `cull` does not apply. It goes with
+ * the first of its triangles, by whose vertices it is drawn and shaded and in whose place it is counted. Silhouettes
+ * are those seen from the point that world_to_view and view_to_clip together show nowhere, which with a camera is
+ * view.eye, or without perspective from the direction that they show nowhere; by object_to_world and the mesh's own
+ * positions, whatever a vertex program makes of them.
+ * A drawing without hidden lines takes two draws: the mesh as it is, without material if nothing but lines is to show,
+ * with depth_bias 1e-5 and depth_bias_slope fill_width / 2 + 1, by which it makes way for lines on its front; then its
+ * lines with SHD_COMPARE_LESS_EQUAL. Lines over everything compare ALWAYS.
  */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
@@ -101,6 +112,8 @@ typedef struct shd_draw {
     const void *uniforms;  /**< handed to the programs of the material; borrowed for the call; default NULL */
     shd_fill fill;         /**< default SHD_FILL_SOLID */
     float fill_width;      /**< across lines and along the sides of points, 1/16..64 pixels; default 0 = 1 */
+    uint32_t edges;        /**< of SHD_FILL_LINES: shd_edge_kind bits; default SHD_EDGE_ALL */
+    float crease_cosine;   /**< of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 
@@ -111,6 +124,8 @@ static inline shd_draw shd_draw_default(void)
     draw.struct_size = (uint32_t)sizeof draw;
     draw.object_to_world[0] = draw.object_to_world[5] = 1.0f;
     draw.object_to_world[10] = draw.object_to_world[15] = 1.0f;
+    draw.edges = SHD_EDGE_ALL;
+    draw.crease_cosine = 0.5f;
     return draw;
 }
 
@@ -156,7 +171,8 @@ typedef struct shd_render_stats {
     uint64_t triangles;           /**< in all draws */
     uint64_t nonfinite;           /**< dropped: a vertex is NaN or infinite after transformation */
     uint64_t outside;             /**< dropped: outside the view volume */
-    uint64_t culled;              /**< dropped: facing the wrong way, or without area on the pixel grid */
+    uint64_t culled;              /**< dropped: facing the wrong way, or without area on the pixel grid, or, of
+                                       SHD_FILL_LINES, without an edge of its own to show */
     uint64_t empty;               /**< dropped: between pixel centres */
     uint64_t rasterised;          /**< drawn, hidden or not */
     uint64_t clipped;             /**< of those outside, culled, empty and rasterised: cut by a clip plane */

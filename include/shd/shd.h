@@ -41,6 +41,7 @@
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>
+#include <shd/edges.h>
 #include <shd/explain.h>
 #include <shd/footprint.h>
 #include <shd/fragments.h>

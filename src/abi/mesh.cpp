@@ -78,7 +78,7 @@ shd_result check_indices(const shd_mesh_desc& desc) {
 shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
   SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
-  SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE));
+  SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_ADJACENCY));
   SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));
   SHD_TRY(check_zero("mesh.reserved", desc.reserved));
   SHD_TRY(check_columns(desc));

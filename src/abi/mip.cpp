@@ -7,6 +7,7 @@
 #include "abi/levels.h"
 #include "image/format.h"
 #include "texture/mip_build.h"
+#include "texture/normal_moments.h"
 #include "texture/storage.h"
 
 namespace {
@@ -51,6 +52,27 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
     SHD_TRY(check_levels("levels", levels, 1, level_count, image.format, image.width, image.height));
     texture::build_levels(context_of(context), image, read, level_count,
                           [&](uint32_t level) { return texture::image_at(levels, level - 1); });
+    return SHD_OK;
+  });
+}
+
+shd_result shd_normal_moments(shd_context* context, const shd_image* normals, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
+    shd_image from, to;
+    SHD_TRY(read_image("normals", normals, &from));
+    SHD_TRY(read_image("out", out, &to));
+    const size_t channels = image::format_info(from.format).channels;
+    if (channels < 3) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "normals.format: normals need 3 or 4 channels, not %zu", channels);
+    }
+    if (to.format != SHD_FORMAT_RGBA16F && to.format != SHD_FORMAT_RGBA32F) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is neither RGBA16F nor RGBA32F",
+                        static_cast<int>(to.format));
+    }
+    SHD_TRY(check_count("out.width", to.width, from.width, from.width));
+    SHD_TRY(check_count("out.height", to.height, from.height, from.height));
+    texture::write_moments(context_of(context), from, to);
     return SHD_OK;
   });
 }

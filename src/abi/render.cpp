@@ -58,9 +58,14 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
   if (draw.material) SHD_TRY(read_handle("draw.material", draw.material, core::ObjectType::kMaterial, &out->material));
   SHD_TRY(check_count("draw.instance_count", draw.instance_count, 0, kMaxItems));
   if (draw.instance_count) SHD_TRY(check_not_null("draw.instances", draw.instances));
-  SHD_TRY(check_enum("draw.fill", draw.fill, 0, SHD_FILL_POINTS));
+  SHD_TRY(check_enum("draw.fill", draw.fill, 0, SHD_FILL_LINES));
   if (draw.fill_width == 0.0f) draw.fill_width = 1.0f;
   SHD_TRY(check_range("draw.fill_width", static_cast<double>(draw.fill_width), 1.0 / 16, 64.0));
+  SHD_TRY(check_flags("draw.edges", draw.edges, SHD_EDGE_ALL));
+  SHD_TRY(check_range("draw.crease_cosine", static_cast<double>(draw.crease_cosine), -1.0, 1.0));
+  if (draw.fill == SHD_FILL_LINES && !out->mesh->has_adjacency) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.mesh: made without SHD_MESH_ADJACENCY");
+  }
   *instances = {draw.instances, draw.instance_count};
   out->frequency = draw.frequency;
   out->cull = draw.cull;
@@ -68,7 +73,7 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
   out->depth_falls = draw.compare == SHD_COMPARE_GREATER || draw.compare == SHD_COMPARE_GREATER_EQUAL;
   out->sample_shading = (draw.flags & SHD_DRAW_SAMPLE_SHADING) != 0;
   out->uniforms = draw.uniforms;
-  out->outline = {draw.fill, geometry::outline_reach(draw.fill_width)};
+  out->outline = {draw.fill, geometry::outline_reach(draw.fill_width), draw.edges, draw.crease_cosine};
   std::memcpy(out->object_to_world, draw.object_to_world, sizeof out->object_to_world);
   return SHD_OK;
 }

@@ -98,6 +98,22 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
   });
 }
 
+geometry::Assembly make_assembly(const Frame& frame, uint32_t index, const geometry::Vertices& vertices) {
+  const Draw& draw = frame.draws[index];
+  geometry::Assembly assembly = {&vertices,
+                                 index,
+                                 draw.cull,
+                                 visible_box(frame),
+                                 raster::sample_pattern(frame.framebuffer->samples).extent,
+                                 draw.outline,
+                                 draw.mesh,
+                                 {draw.outline.edges, static_cast<double>(draw.outline.crease_cosine), {}}};
+  if (draw.outline.fill == SHD_FILL_LINES) {
+    geometry::centre_of_projection(frame.view, draw.object_to_world, assembly.query.eye);
+  }
+  return assembly;
+}
+
 /// Assembles parts into groups; consecutive parts share a group when there are many.
 void assemble_all(const core::Context& context, const Frame& frame, const core::Buffer<Part>& parts, Scene* scene,
                   shd_render_stats* stats) {
@@ -109,13 +125,7 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
     group.attach(context.allocator);
     for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
       const Part& part = parts[i];
-      const Draw& draw = frame.draws[part.draw];
-      const geometry::Assembly assembly = {&scene->vertices[part.draw],
-                                           part.draw,
-                                           draw.cull,
-                                           visible_box(frame),
-                                           raster::sample_pattern(frame.framebuffer->samples).extent,
-                                           draw.outline};
+      const geometry::Assembly assembly = make_assembly(frame, part.draw, scene->vertices[part.draw]);
       geometry::assemble(assembly, part.begin, part.end, &group, &group_stats[g]);
     }
   });

@@ -7,6 +7,7 @@
 #include <shd/render.h>
 
 #include "core/allocator.h"
+#include "geometry/feature_edges.h"
 #include "geometry/mesh.h"
 #include "geometry/pixel_box.h"
 #include "geometry/vertex.h"
@@ -33,7 +34,9 @@ struct SampleExtent {
 /// What of its triangles a draw shows.
 struct Outline {
   shd_fill fill;
-  int32_t reach;  // half the width of lines and points, fixed point, > 0
+  int32_t reach;       // half the width of lines and points, fixed point, > 0
+  uint32_t edges = 0;  // of SHD_FILL_LINES: shd_edge_kind bits
+  float crease_cosine = 0.0f;
 };
 inline int32_t outline_reach(float width) {
   return static_cast<int32_t>(width * (kSubpixels / 2) + 0.5f);
@@ -47,7 +50,9 @@ struct Assembly {
   shd_cull cull;
   PixelBox visible;
   SampleExtent samples;
-  Outline outline = {SHD_FILL_SOLID, 0};
+  Outline outline = {SHD_FILL_SOLID, 0, 0, 0.0f};
+  const Mesh* mesh = nullptr;  // of SHD_FILL_LINES, and which of its edges
+  EdgeQuery query = {};
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);

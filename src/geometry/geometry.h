@@ -15,6 +15,9 @@
 /// |------------------|-----------------------------------------------------------------------------|
 /// | mesh.h           | Mesh, and its making from the caller's columns                              |
 /// | indices.h        | triangles, strips and fans of 16- or 32-bit indices as index triples        |
+/// | edges.h          | which triangles share each edge                                             |
+/// | face.h           | area and normal of one triangle                                             |
+/// | feature_edges.h  | edges of line drawings: silhouettes, creases, borders                       |
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
 /// | vertex.h         | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                          |

@@ -8,6 +8,7 @@
 #include "data/column.h"
 #include "data/data.h"
 #include "data/vec3.h"
+#include "geometry/edges.h"
 #include "geometry/indices.h"
 #include "geometry/normals.h"
 
@@ -140,6 +141,8 @@ void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   mesh.info.vertex_count = mesh.vertex_count;
   mesh.info.triangle_count = mesh.triangle_count;
   measure(mesh, &mesh.info);
+  mesh.has_adjacency = (desc.flags & SHD_MESH_ADJACENCY) != 0;
+  if (mesh.has_adjacency) mesh.across = find_across(allocator, mesh);
   *out = std::move(mesh);
 }
 

@@ -22,6 +22,9 @@ struct Mesh {
   core::Array<float> attribute[SHD_MAX_ATTRIBUTES];  // each empty if the caller gave none
   core::Array<uint32_t> indices;                     // 3 * triangle_count, each < vertex_count
   shd_mesh_info info;
+
+  bool has_adjacency;
+  core::Array<uint32_t> across;  // 3 * triangle_count: see edges.h; empty without adjacency
 };
 
 /// Copies a desc whose fields are in range; throws Failure for indices and positions that are refused, and

@@ -69,6 +69,18 @@ Fate emit_edges(const Outlined& o, const uint32_t row[3]) {
   return has_edge ? fate : Fate::kCulled;
 }
 
+/// Of a triangle the edges that are lines.
+Fate emit_lines(const Outlined& o, const uint32_t row[3]) {
+  uint32_t kinds[3];
+  find_edge_kinds(*o.assembly.mesh, o.assembly.query, o.primitive, kinds);
+  if (!(kinds[0] | kinds[1] | kinds[2])) return Fate::kCulled;
+  Fate fate = Fate::kUnseen;
+  for (int k = 0; k < 3; ++k) {
+    if (kinds[k]) fate = std::max(fate, emit_edge(o, row[k], row[k == 2 ? 0 : k + 1]));
+  }
+  return fate;
+}
+
 Fate emit_points(const Outlined& o, const uint32_t row[3]) {
   Fate fate = Fate::kUnseen;
   for (int k = 0; k < 3; ++k) {
@@ -105,11 +117,15 @@ Fate outline(const Outlined& o, shd_cull cull, const uint32_t row[3], bool must_
   const Vertices& vertices = *o.assembly.vertices;
   const ScreenVertex &a = vertices.screen[row[0]], &b = vertices.screen[row[1]], &c = vertices.screen[row[2]];
   if (!must_clip && is_far(o.assembly, a, b, c)) return Fate::kUnseen;
-  if (cull != SHD_CULL_NONE) {
+  if (cull != SHD_CULL_NONE && o.assembly.outline.fill != SHD_FILL_LINES) {
     const int64_t area = must_clip ? clipped_area(vertices, row) : twice_area(a, b, c);
     if (cull == SHD_CULL_BACK ? area >= 0 : area <= 0) return Fate::kCulled;
   }
-  return o.assembly.outline.fill == SHD_FILL_WIREFRAME ? emit_edges(o, row) : emit_points(o, row);
+  switch (o.assembly.outline.fill) {
+    case SHD_FILL_LINES: return emit_lines(o, row);
+    case SHD_FILL_POINTS: return emit_points(o, row);
+    default: return emit_edges(o, row);
+  }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 /// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
 /// | summed_area.h           | sums over rectangles at the origin                                          |
 /// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
+/// | normal_moments.h        | slopes of normal maps and their squares                                     |
 /// | mip_weights.h           | weights of their kernels along one axis                                     |
 /// | image_list.h            | images of the caller's in an array                                          |
 /// | sample.h                | the filters and their error bounds                                          |

@@ -40,6 +40,7 @@ DEFAULTS(shd_ray_differentials, shd_ray_differentials)
 DEFAULTS(shd_ray_cones, shd_ray_cones)
 DEFAULTS(shd_explanation, shd_explanation)
 DEFAULTS(shd_mip_desc, shd_mip_desc)
+DEFAULTS(shd_edges_desc, shd_edges_desc)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -61,6 +62,7 @@ static const struct kind_case k_kinds[] = {
     {"ray_cones", SHD_DESC_RAY_CONES, sizeof(shd_ray_cones), defaults_shd_ray_cones},
     {"explanation", SHD_DESC_EXPLANATION, sizeof(shd_explanation), defaults_shd_explanation},
     {"mip", SHD_DESC_MIP, sizeof(shd_mip_desc), defaults_shd_mip_desc},
+    {"edges", SHD_DESC_EDGES, sizeof(shd_edges_desc), defaults_shd_edges_desc},
 };
 
 static void test_kind(void **state)

@@ -4,7 +4,7 @@
 #include "support/pool.h"
 #include "support/scene.h"
 
-static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "glass", "small", "moved"};
+static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "glass", "small", "moved", "lines"};
 static const uint32_t k_workers[] = {1, 2, 3, 8, 16};
 enum { k_worker_counts = sizeof k_workers / sizeof k_workers[0], k_runs = 3 };
 
@@ -41,7 +41,7 @@ static int can_run(int simd)
 static void test_targets_and_workers(void **state)
 {
     const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
-    const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED);
+    const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED), lines = shd_scene_reference(SHD_SCENE_LINES);
     int simd, targets = 0;
     (void)state;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
@@ -55,6 +55,7 @@ static void test_targets_and_workers(void **state)
             expect_scene("built-in executor", &desc, SHD_SCENE_MIXED, mixed);
             expect_scene("built-in executor", &desc, SHD_SCENE_GLASS, glass);
             expect_scene("built-in executor", &desc, SHD_SCENE_MOVED, moved);
+            expect_scene("built-in executor", &desc, SHD_SCENE_LINES, lines);
         }
     }
     print_message("%d targets x %d worker counts x %d runs\n", targets, k_worker_counts, k_runs);
@@ -64,7 +65,7 @@ static void test_targets_and_workers(void **state)
 static void test_orders(void **state)
 {
     const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
-    const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED);
+    const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED), lines = shd_scene_reference(SHD_SCENE_LINES);
     int order;
     size_t i;
     (void)state;
@@ -79,6 +80,7 @@ static void test_orders(void **state)
             expect_scene("executor of the host", &desc, SHD_SCENE_MIXED, mixed);
             expect_scene("executor of the host", &desc, SHD_SCENE_GLASS, glass);
             expect_scene("executor of the host", &desc, SHD_SCENE_MOVED, moved);
+            expect_scene("executor of the host", &desc, SHD_SCENE_LINES, lines);
         }
     }
 }
@@ -367,8 +369,8 @@ struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0},   {"lit", 0},     {"glass", 0},
-                                       {"moved", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0},   {"lit", 0},     {"glass", 0},   {"moved", 0},
+                                       {"lines", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -378,7 +380,8 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 4].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 4].hash = shd_scene_reference(SHD_SCENE_LINES);
     k_golden[k_golden_count - 3].hash = lookups_on(NULL);
     filters_on(NULL, filters);
     k_golden[k_golden_count - 2].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);

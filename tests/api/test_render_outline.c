@@ -368,7 +368,7 @@ static void test_refused(void **state)
                     {-1, "is not in 0.0625..64"},
                     {NAN, "is not in 0.0625..64"},
                     {INFINITY, "is not in 0.0625..64"}};
-    const uint32_t bad = 3;
+    const uint32_t bad = 4;
     shd_context *context = NULL;
     uint64_t before;
     shd_scene s;
@@ -388,7 +388,7 @@ static void test_refused(void **state)
     s.draw[1].fill_width = 0;
     memcpy(&s.draw[1].fill, &bad, sizeof bad);
     shd_assert_result("fill", shd_render(context, &s.desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "render.draws[1]: draw.fill: 3 is not in 0..2");
+                      "render.draws[1]: draw.fill: 4 is not in 0..3");
     assert_true(shd_hash_framebuffer(s.framebuffer) == before);
     shd_scene_close(&s);
     shd_context_release(context);

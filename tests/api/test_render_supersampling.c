@@ -99,6 +99,15 @@ static void outline_scene(shd_scene *s, float scale)
     }
 }
 
+/* The scene's own lines are as wide in pixels of the case. */
+static void scale_lines(shd_scene *s, float factor)
+{
+    size_t i;
+    for (i = 0; i < s->desc.draw_count && g_fill_width == 0; ++i) {
+        if (s->draw[i].fill == SHD_FILL_LINES) s->draw[i].fill_width *= factor;
+    }
+}
+
 /* Draws a case into a framebuffer whose pixels are `size` to a pixel of the case, with or without the library's n. */
 static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *framebuffer, uint32_t size, uint32_t n)
 {
@@ -113,9 +122,11 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     s->desc.keep = c->keep;
     s->desc.supersampling = n;
     outline_scene(s, (float)size);
+    scale_lines(s, (float)size);
     fill(framebuffer, size);
     memset(&s->stats, 0xee, sizeof s->stats);
     shd_assert_ok(shd_render(s->context, &s->desc));
+    scale_lines(s, 1.0f / (float)size);
     s->desc.viewport = s->desc.scissor = NULL;
 }
 

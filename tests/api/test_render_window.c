@@ -276,19 +276,20 @@ static const uint32_t k_samples[] = {1, 2, 4, 8, 16};
 int main(void)
 {
     static const uint32_t k_sizes[][2] = {{64, 64}, {65, 63}, {50, 151}, {203, 17}, {101, 76}, {33, 40}};
-    static struct window_case cases[22];
-    static struct CMUnitTest tests[32];
+    static struct window_case cases[24];
+    static struct CMUnitTest tests[34];
     static char names[5][24];
     size_t n = 0, i, made = 0;
-    for (i = 0; i < 22; ++i) {
+    for (i = 0; i < 24; ++i) {
         struct window_case *c = &cases[made++];
-        c->outlined = i >= 19;
-        c->kind = i < 11 || i == 16 || c->outlined ? SHD_SCENE_GLASS
-                  : i < 13 || i > 16               ? SHD_SCENE_MIXED
-                  : i < 15                         ? SHD_SCENE_LIT
-                                                   : SHD_SCENE_FLOOR;
-        c->visibility = i >= 16 && i < 20 ? SHD_VISIBILITY_PAINTER : SHD_VISIBILITY_DEPTH;
-        c->samples = i < 6 ? 4 : i < 11 ? k_samples[i - 6] : i == 20 ? 4 : 1;
+        c->outlined = i >= 19 && i < 22;
+        c->kind = i >= 22                            ? SHD_SCENE_LINES
+                  : i < 11 || i == 16 || c->outlined ? SHD_SCENE_GLASS
+                  : i < 13 || i > 16                 ? SHD_SCENE_MIXED
+                  : i < 15                           ? SHD_SCENE_LIT
+                                                     : SHD_SCENE_FLOOR;
+        c->visibility = (i >= 16 && i < 20) || i == 23 ? SHD_VISIBILITY_PAINTER : SHD_VISIBILITY_DEPTH;
+        c->samples = i < 6 ? 4 : i < 11 ? k_samples[i - 6] : i == 20 || i == 22 ? 4 : 1;
         c->width = k_sizes[i % 6][0];
         c->height = k_sizes[i % 6][1];
         snprintf(c->name, sizeof c->name, "windows/scene_%d%s/%ux%u/samples_%u%s", (int)c->kind,

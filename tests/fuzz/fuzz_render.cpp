@@ -50,7 +50,7 @@ void fill_mesh(Source& source, MeshData& mesh) {
   mesh.uvs = source.one_in(2);
   mesh.indexed = source.one_in(2);
   mesh.vertex_count = mesh.indexed ? source.below(40) : 3 * source.below(14);
-  mesh.flags = source.one_in(64) ? source.word() : !source.one_in(16);
+  mesh.flags = source.one_in(64) ? source.word() : !source.one_in(16) + 4 * !source.one_in(8);
   mesh.normal_weight = source.below(source.one_in(32) ? 100 : 3);
   const bool hostile = source.one_in(2);
   for (int k = 0; k < 8; ++k) {
@@ -75,8 +75,10 @@ void fill_draw(Source& source, DrawData& data) {
   data.draw.cull = static_cast<shd_cull>(source.below(source.one_in(32) ? 100 : 3));
   fill_matrix(source, data.draw.object_to_world, true);
   if (source.one_in(3)) {
-    data.draw.fill = static_cast<shd_fill>(source.below(source.one_in(32) ? 100 : 3));
+    data.draw.fill = static_cast<shd_fill>(source.below(source.one_in(32) ? 100 : 4));
     data.draw.fill_width = source.one_in(16) ? source.hostile() : 64.0f * std::fabs(source.unit());
+    data.draw.edges = source.below(source.one_in(32) ? 100 : 16);
+    data.draw.crease_cosine = source.one_in(32) ? source.hostile() : source.unit();
   }
 }
 

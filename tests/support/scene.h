@@ -21,7 +21,8 @@ typedef enum shd_scene_kind {
     SHD_SCENE_SMALL =
         4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
     SHD_SCENE_MOVED = 5, /* as GLASS with one sample, every vertex moved by a program */
-    SHD_SCENE_KINDS = 6
+    SHD_SCENE_LINES = 6, /* as GLASS, most draws as lines */
+    SHD_SCENE_KINDS = 7
 } shd_scene_kind;
 
 enum {
@@ -228,6 +229,7 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     desc.index_count = g.index_count;
     desc.normal_weight = SHD_NORMAL_WEIGHT_ANGLE;
     desc.flags = which == 3 ? SHD_MESH_KEEP_NONFINITE : SHD_MESH_NONE;
+    if (s->kind == SHD_SCENE_LINES || s->kind == SHD_SCENE_SMALL) desc.flags |= SHD_MESH_ADJACENCY;
     result = shd_mesh_create(s->context, &desc, &s->mesh[which]);
     free(g.vertices);
     free(g.indices);
@@ -346,7 +348,7 @@ static inline shd_result shd_scene_framebuffer(shd_scene *s)
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     desc.width = s->kind == SHD_SCENE_SMALL ? 100 : 203;
     desc.height = s->kind == SHD_SCENE_SMALL ? 70 : 151;
-    desc.samples = s->kind == SHD_SCENE_SMALL ? 2 : s->kind == SHD_SCENE_GLASS ? 4 : 1;
+    desc.samples = s->kind == SHD_SCENE_SMALL ? 2 : s->kind == SHD_SCENE_GLASS || s->kind == SHD_SCENE_LINES ? 4 : 1;
     desc.aovs = SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE;
     if (s->kind == SHD_SCENE_SMALL || s->kind == SHD_SCENE_FLOOR) desc.aovs = 2 * SHD_AOV_OVERDRAW - 1;
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
@@ -390,6 +392,19 @@ static inline void shd_scene_place(shd_scene *s, const shd_scene_placement *p)
     }
 }
 
+/** Draws as lines of every kind, width and depth state. */
+static inline void shd_scene_draw_lines(shd_scene *s, size_t first, size_t step)
+{
+    size_t i;
+    for (i = first; i < s->desc.draw_count; i += step) {
+        s->draw[i].fill = SHD_FILL_LINES;
+        s->draw[i].fill_width = 0.5f * (float)(i + 1);
+        s->draw[i].edges = i % 4 == 3 ? SHD_EDGE_SILHOUETTE : SHD_EDGE_ALL;
+        s->draw[i].crease_cosine = i % 2 ? 0.9f : 0.98f;
+        if (i % 4 == 1) s->draw[i].compare = SHD_COMPARE_LESS_EQUAL;
+    }
+}
+
 /** The frame, once every step is done. */
 static inline void shd_scene_compose(shd_scene *s)
 {
@@ -426,6 +441,8 @@ static inline void shd_scene_compose(shd_scene *s)
         s->draw[7].flags = SHD_DRAW_SAMPLE_SHADING;
         s->draw[8].flags = SHD_DRAW_KEEP_DEPTH;
     }
+    if (s->kind == SHD_SCENE_LINES) shd_scene_draw_lines(s, 1, 1);
+    if (s->kind == SHD_SCENE_SMALL) shd_scene_draw_lines(s, 6, 9);
     s->desc.framebuffer = s->framebuffer;
     s->desc.draws = s->draw;
     s->desc.lights = (const shd_light *const *)s->light;

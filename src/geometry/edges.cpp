@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/edges.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "geometry/face.h"
+
+namespace shd::geometry {
+namespace {
+
+constexpr uint32_t kNoBucket = ~0u;
+
+/// Numbers below `count` in buckets: those of bucket b are item[start[b]] .. item[start[b + 1]], rising.
+struct Buckets {
+  core::Array<uint32_t> start, item;
+};
+
+/// bucket_of(number) is below bucket_count, or kNoBucket.
+template <class BucketOf>
+Buckets make_buckets(const core::Allocator& allocator, uint32_t count, uint32_t bucket_count,
+                     const BucketOf& bucket_of) {
+  Buckets out = {core::Array<uint32_t>(allocator, size_t{bucket_count} + 2), {}};
+  out.start.fill_zero();
+  uint32_t* next = out.start.data() + 1;  // where the next number of a bucket goes; start[b + 1] once all are there
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t bucket = bucket_of(i);
+    if (bucket != kNoBucket) ++next[bucket + 1];
+  }
+  for (uint32_t b = 0; b < bucket_count; ++b) next[b + 1] += next[b];
+  out.item = core::Array<uint32_t>(allocator, next[bucket_count]);
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t bucket = bucket_of(i);
+    if (bucket != kNoBucket) out.item[next[bucket]++] = i;
+  }
+  return out;
+}
+
+/// A position as integers that are equal where it is.
+struct Place {
+  uint32_t x, y, z;
+};
+uint32_t bits_of(float value) {
+  const float positive = value == 0.0f ? 0.0f : value;
+  uint32_t bits;
+  std::memcpy(&bits, &positive, sizeof bits);
+  return bits;
+}
+Place place_of(const Mesh& mesh, uint32_t vertex) {
+  return {bits_of(mesh.px[vertex]), bits_of(mesh.py[vertex]), bits_of(mesh.pz[vertex])};
+}
+bool operator==(const Place& a, const Place& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+bool operator<(const Place& a, const Place& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/// Spreads places over 64 bits. Multiplier and shift of Vigna's splitmix64 (2015).
+uint64_t hash(const Place& p) {
+  uint64_t h = ((uint64_t{p.x} << 32 | p.y) ^ (uint64_t{p.z} << 16)) * 0xbf58476d1ce4e5b9ull;
+  h = (h ^ (h >> 27) ^ p.z) * 0x94d049bb133111ebull;
+  return h ^ (h >> 31);
+}
+
+/// Of every vertex the first one at its place.
+core::Array<uint32_t> weld(const core::Allocator& allocator, const Mesh& mesh) {
+  core::Array<uint32_t> first(allocator, mesh.vertex_count);
+  Buckets buckets = make_buckets(allocator, mesh.vertex_count, mesh.vertex_count, [&](uint32_t vertex) {
+    return static_cast<uint32_t>(((hash(place_of(mesh, vertex)) >> 32) * mesh.vertex_count) >> 32);
+  });
+  for (uint32_t b = 0; b < mesh.vertex_count; ++b) {
+    uint32_t *begin = buckets.item.data() + buckets.start[b], *end = buckets.item.data() + buckets.start[b + 1];
+    std::sort(begin, end, [&](uint32_t i, uint32_t j) {
+      const Place p = place_of(mesh, i), q = place_of(mesh, j);
+      return p == q ? i < j : p < q;
+    });
+    for (uint32_t* i = begin; i < end; ++i) {
+      const bool is_new = i == begin || !(place_of(mesh, *i) == place_of(mesh, i[-1]));
+      first[*i] = is_new ? *i : first[i[-1]];
+    }
+  }
+  return first;
+}
+
+/// The edges of a mesh by number: edge k of triangle t is 3 t + k.
+struct Edges {
+  const Mesh& mesh;
+  const core::Array<uint32_t>& first;  // vertices that stand for all at their place
+
+  uint32_t from(uint32_t edge) const { return first[mesh.indices[edge]]; }
+  uint32_t to(uint32_t edge) const { return first[mesh.indices[edge % 3 == 2 ? edge - 2 : edge + 1]]; }
+  uint32_t low(uint32_t edge) const { return std::min(from(edge), to(edge)); }
+  uint32_t high(uint32_t edge) const { return std::max(from(edge), to(edge)); }
+};
+
+/// The same edge, [begin, end) rising, of that many triangles.
+void tell(const Edges& edges, const uint32_t* begin, const uint32_t* end, core::Array<uint32_t>* across) {
+  uint32_t& told = (*across)[*begin];
+  if (end - begin == 1) {
+    told = kAcrossBorder;
+  } else if (end - begin > 2) {
+    told = kAcrossMany;
+  } else {
+    told = begin[1] / 3 + (edges.from(begin[0]) == edges.from(begin[1]) ? kSameDirection : 0u);
+  }
+}
+
+}  // namespace
+
+core::Array<uint32_t> find_across(const core::Allocator& allocator, const Mesh& mesh) {
+  const core::Array<uint32_t> first = weld(allocator, mesh);
+  const Edges edges = {mesh, first};
+  core::Array<uint32_t> across(allocator, 3 * size_t{mesh.triangle_count});
+  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
+    const uint32_t code = is_face(mesh, t) ? kAcrossBorder : kNotItsEdge;
+    for (uint32_t k = 0; k < 3; ++k) across[3 * size_t{t} + k] = code;
+  }
+  Buckets buckets = make_buckets(allocator, 3 * mesh.triangle_count, mesh.vertex_count, [&](uint32_t edge) {
+    return across[edge] == kNotItsEdge ? kNoBucket : edges.low(edge);
+  });
+  std::fill(across.begin(), across.end(), kNotItsEdge);
+  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    uint32_t *begin = buckets.item.data() + buckets.start[v], *end = buckets.item.data() + buckets.start[v + 1];
+    std::sort(begin, end, [&](uint32_t i, uint32_t j) {
+      return edges.high(i) != edges.high(j) ? edges.high(i) < edges.high(j) : i < j;
+    });
+    while (begin < end) {
+      const uint32_t* same = begin;
+      while (begin < end && edges.high(*begin) == edges.high(*same)) ++begin;
+      tell(edges, same, begin, &across);
+    }
+  }
+  return across;
+}
+
+}  // namespace shd::geometry
