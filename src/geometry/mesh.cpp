@@ -10,6 +10,7 @@
 #include "data/vec3.h"
 #include "geometry/indices.h"
 #include "geometry/normals.h"
+#include "geometry/tangents.h"
 
 namespace shd::geometry {
 namespace {
@@ -137,6 +138,7 @@ void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   mesh.nz = zero_column(allocator, count);
   mesh.info.normalless_count =
       desc.normal[0].data ? copy_normals(desc, &mesh) : compute_normals(allocator, desc.normal_weight, &mesh);
+  if ((desc.flags & SHD_MESH_TANGENTS) && mesh.tx.size() == 0) compute_tangents(allocator, &mesh);
   mesh.info.vertex_count = mesh.vertex_count;
   mesh.info.triangle_count = mesh.triangle_count;
   measure(mesh, &mesh.info);

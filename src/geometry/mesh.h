@@ -17,12 +17,22 @@ struct Mesh {
   core::Array<float> px, py, pz;                     // object space
   core::Array<float> nx, ny, nz;                     // object space, unit
   core::Array<float> u, v;                           // 0 if the caller gave none
-  core::Array<float> tx, ty, tz, tw;                 // empty if the caller gave none
-  core::Array<float> u1, v1;                         // the same
+  core::Array<float> tx, ty, tz, tw;                 // empty unless given or computed
+  core::Array<float> u1, v1;                         // empty if the caller gave none
   core::Array<float> attribute[SHD_MAX_ATTRIBUTES];  // each empty if the caller gave none
   core::Array<uint32_t> indices;                     // 3 * triangle_count, each < vertex_count
   shd_mesh_info info;
 };
+
+/// body(column) for every column of vertices, absent ones too.
+template <class Body>
+void for_each_column(Mesh* mesh, const Body& body) {
+  core::Array<float>* const columns[] = {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz,
+                                         &mesh->u,  &mesh->v,  &mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw,
+                                         &mesh->u1, &mesh->v1};
+  for (core::Array<float>* column : columns) body(column);
+  for (core::Array<float>& column : mesh->attribute) body(&column);
+}
 
 /// Copies a desc whose fields are in range; throws Failure for indices and positions that are refused, and
 /// std::bad_alloc.

@@ -5,24 +5,14 @@
 #include <cstddef>
 
 #include "data/trig.h"
+#include "data/vec3d.h"
 
 namespace shd::geometry {
 namespace {
 
-/// Three components in double. Products of differences of any finite floats neither overflow nor vanish there.
-struct Vec3d {
-  double x, y, z;
-};
-
-Vec3d operator-(Vec3d a, Vec3d b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-double dot(Vec3d a, Vec3d b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Vec3d cross(Vec3d a, Vec3d b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using data::cross;
+using data::dot;
+using data::Vec3d;
 
 Vec3d position(const Mesh& mesh, uint32_t vertex) {
   return {double{mesh.px[vertex]}, double{mesh.py[vertex]}, double{mesh.pz[vertex]}};
