@@ -130,8 +130,9 @@ typedef struct shd_mesh_info {
     uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
     float bounds_min[3];       /**< of the finite positions; 0 if there are none */
     float bounds_max[3];       /**< of the finite positions; 0 if there are none */
-    uint32_t tangentless_count; /**< of SHD_MESH_TANGENTS: vertices whose uv gave no tangent, so that another stands in */
-    uint32_t split_count;       /**< of SHD_MESH_TANGENTS: vertices that were added */
+    uint32_t
+        tangentless_count; /**< of SHD_MESH_TANGENTS: vertices whose uv gave no tangent, so that another stands in */
+    uint32_t split_count;  /**< of SHD_MESH_TANGENTS: vertices that were added */
 } shd_mesh_info;
 
 /**
@@ -161,6 +162,21 @@ SHD_NODISCARD SHD_API shd_result shd_mesh_read_positions(const shd_mesh *mesh, c
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_mesh_read_uv(const shd_mesh *mesh, const shd_f32_out out[2]);
+
+/**
+ * Copy the second set of texture coordinates out; 0 if there were none.
+ * @param out  u, v columns of shd_mesh_info.vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_uv1(const shd_mesh *mesh, const shd_f32_out out[2]);
+
+/**
+ * Copy one of the caller's own columns out; 0 if it was absent.
+ * @param index  0..SHD_MAX_ATTRIBUTES - 1
+ * @param out    column of shd_mesh_info.vertex_count elements
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_attribute(const shd_mesh *mesh, uint32_t index, const shd_f32_out *out);
 
 /**
  * Copy the tangents out, given or computed; 0 if the mesh has none.

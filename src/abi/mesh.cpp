@@ -176,6 +176,22 @@ shd_result shd_mesh_read_tangents(const shd_mesh* mesh, const shd_f32_out out[4]
   });
 }
 
+shd_result shd_mesh_read_uv1(const shd_mesh* mesh, const shd_f32_out out[2]) {
+  return guard([&] {
+    return read_columns(mesh, out, 2, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.u1, columns[1] = &body.v1;
+    });
+  });
+}
+
+shd_result shd_mesh_read_attribute(const shd_mesh* mesh, uint32_t index, const shd_f32_out* out) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_count("index", index, 0, SHD_MAX_ATTRIBUTES - 1));
+    return read_columns(
+        mesh, out, 1, [&](const geometry::Mesh& body, const Column** columns) { columns[0] = &body.attribute[index]; });
+  });
+}
+
 shd_result shd_mesh_read_indices(const shd_mesh* mesh, const shd_u32_out* out) {
   return guard([&]() -> shd_result {
     const geometry::Mesh* body = nullptr;

@@ -16,6 +16,9 @@
 /// | mesh.h           | Mesh, and its making from the caller's columns                              |
 /// | indices.h        | triangles, strips and fans of 16- or 32-bit indices as index triples        |
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
+/// | tangents.h       | tangents to the MikkTSpace convention, and the vertices they add            |
+/// | tangent_groups.h | corners that share a tangent, and its sum                                   |
+/// | weld.h           | vertices of equal columns as one                                            |
 /// | vertex.h         | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                          |
 /// | vertex-inl.h     | what those two kernels share                                                |

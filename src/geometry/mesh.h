@@ -27,9 +27,8 @@ struct Mesh {
 /// body(column) for every column of vertices, absent ones too.
 template <class Body>
 void for_each_column(Mesh* mesh, const Body& body) {
-  core::Array<float>* const columns[] = {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz,
-                                         &mesh->u,  &mesh->v,  &mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw,
-                                         &mesh->u1, &mesh->v1};
+  core::Array<float>* const columns[] = {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz, &mesh->u,
+                                         &mesh->v,  &mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw, &mesh->u1, &mesh->v1};
   for (core::Array<float>* column : columns) body(column);
   for (core::Array<float>& column : mesh->attribute) body(&column);
 }

@@ -100,9 +100,9 @@ class Grouping {
   const uint32_t corner_count_;
   core::Array<uint32_t> welded_;  // [vertex]
   core::Array<TriangleKind> kind_;
-  core::Array<Vec3d> along_u_;       // [triangle]
-  core::Array<uint32_t> forward_;    // [corner]: the corner at the same vertex across the edge to the next corner
-  core::Array<uint32_t> backward_;   // across the edge from the previous corner
+  core::Array<Vec3d> along_u_;      // [triangle]
+  core::Array<uint32_t> forward_;   // [corner]: the corner at the same vertex across the edge to the next corner
+  core::Array<uint32_t> backward_;  // across the edge from the previous corner
 };
 
 /// Pairs the corners [begin, end) around one vertex, ascending, across the edges they share: the first triangle that

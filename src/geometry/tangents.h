@@ -19,11 +19,11 @@ namespace shd::geometry {
 /// - triangles without uv area add nothing; they take the sign of the first group that reaches them;
 /// - corners without a group (of triangles with two corners in one place or a position that is not finite, or that no
 ///   group could take) get the first group at their vertex, or the fallback.
-/// Not kept of the generator: quadrilaterals, the threshold of angles (180 degrees, all of a group), and (1, 0, 0) where
-/// this has the fallback.
-/// A vertex whose corners get tangents that differ gives the first of them to itself, and one to each copy of its that
-/// is added at the end, in order of vertices. Counts go to info.tangentless_count and info.split_count.
-/// Throws std::bad_alloc. |error| of a component <= 2e-7 against the exact sum unless the directions nearly cancel.
+/// Not kept of the generator: quadrilaterals, the threshold of angles (180 degrees, all of a group), and (1, 0, 0)
+/// where this has the fallback. A vertex whose corners get tangents that differ gives the first of them to itself, and
+/// one to each copy of its that is added at the end, in order of vertices. Counts go to info.tangentless_count and
+/// info.split_count. Throws std::bad_alloc. |error| of a component <= 2e-7 against the exact sum unless the directions
+/// nearly cancel.
 void compute_tangents(const core::Allocator& allocator, Mesh* mesh);
 
 /// A unit vector perpendicular to n: the x axis laid into its plane, or the y axis where n is within 26 degrees of x.

@@ -25,7 +25,9 @@ typedef struct shd_ref_tangents {
   double* strength;     /* length of the sum / sum of lengths; 0 for the fallback */
 } shd_ref_tangents;
 
-static inline double shd_ref_dot3(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline double shd_ref_dot3(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static inline int shd_ref_unit3(double* a) {
   const double size = sqrt(shd_ref_dot3(a, a));
@@ -38,8 +40,12 @@ static inline int shd_ref_unit3(double* a) {
 static inline const float* shd_ref_row(const shd_ref_tangents* m, size_t corner) {
   return m->vertex[m->indices[corner]];
 }
-static inline size_t shd_ref_next(size_t corner) { return corner / 3 * 3 + (corner + 1) % 3; }
-static inline size_t shd_ref_previous(size_t corner) { return corner / 3 * 3 + (corner + 2) % 3; }
+static inline size_t shd_ref_next(size_t corner) {
+  return corner / 3 * 3 + (corner + 1) % 3;
+}
+static inline size_t shd_ref_previous(size_t corner) {
+  return corner / 3 * 3 + (corner + 2) % 3;
+}
 
 /* Positions, normals and uv of two corners are equal. */
 static inline int shd_ref_same(const shd_ref_tangents* m, size_t a, size_t b) {

@@ -125,7 +125,8 @@ void seam() {  // same places, another uv
 void sphere() {
   grid(16, 12);
   for_each_vertex([](float* row, uint32_t) {
-    const double a = 6.283185307179586 * static_cast<double>(row[6]), b = 3.141592653589793 * static_cast<double>(row[7]);
+    const double a = 6.283185307179586 * static_cast<double>(row[6]),
+                 b = 3.141592653589793 * static_cast<double>(row[7]);
     set_normal(row, std::cos(a) * std::sin(b), std::cos(b), -std::sin(a) * std::sin(b));
     for (int c = 0; c < 3; ++c) row[c] = row[3 + c];
   });
