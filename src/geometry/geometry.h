@@ -18,6 +18,10 @@
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
 /// | tangents.h       | tangents to the MikkTSpace convention, and the vertices they add            |
 /// | tangent_groups.h | corners that share a tangent, and its sum                                   |
+/// | tessellate.h     | triangles cut into smaller ones, and their vertices                         |
+/// | edges.h          | edges of a mesh, and how many parts each has                                |
+/// | row_pattern.h    | a triangle with sides of given parts, in rows                               |
+/// | displace.h       | vertices moved along their normals by a texture                             |
 /// | weld.h           | vertices of equal columns as one                                            |
 /// | vertex.h         | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                          |

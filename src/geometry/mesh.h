@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <shd/mesh.h>
@@ -24,14 +25,20 @@ struct Mesh {
   shd_mesh_info info;
 };
 
-/// body(column) for every column of vertices, absent ones too.
-template <class Body>
-void for_each_column(Mesh* mesh, const Body& body) {
-  core::Array<float>* const columns[] = {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz, &mesh->u,
-                                         &mesh->v,  &mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw, &mesh->u1, &mesh->v1};
-  for (core::Array<float>* column : columns) body(column);
-  for (core::Array<float>& column : mesh->attribute) body(&column);
+constexpr size_t kMaxColumns = 14 + SHD_MAX_ATTRIBUTES;
+
+/// body(column) for every column of vertices, absent ones too. For Mesh and const Mesh.
+template <class AnyMesh, class Body>
+void for_each_column(AnyMesh* mesh, const Body& body) {
+  for (auto* column : {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz, &mesh->u, &mesh->v, &mesh->tx,
+                       &mesh->ty, &mesh->tz, &mesh->tw, &mesh->u1, &mesh->v1}) {
+    body(column);
+  }
+  for (auto& column : mesh->attribute) body(&column);
 }
+
+/// Sets the counts and bounds of info that follow from the columns: all but those of normals and tangents.
+void measure(Mesh* mesh);
 
 /// Copies a desc whose fields are in range; throws Failure for indices and positions that are refused, and
 /// std::bad_alloc.

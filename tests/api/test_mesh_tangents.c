@@ -78,7 +78,10 @@ static void degenerate_end(struct strip *s)
 }
 static void normal_zero(struct strip *s) { memset(s->n, 0, sizeof s->n); }
 static void normal_nan(struct strip *s) { s->n[1][0] = s->n[2][WIDE] = k_nan; }
-static void normal_computed(struct strip *s) { s->desc.normal[0].data = s->desc.normal[1].data = s->desc.normal[2].data = NULL; }
+static void normal_computed(struct strip *s)
+{
+    s->desc.normal[0].data = s->desc.normal[1].data = s->desc.normal[2].data = NULL;
+}
 static void no_triangles(struct strip *s) { s->desc.index_count = 0; }
 static void one_place(struct strip *s) { memset(s->p, 0, sizeof s->p); }
 static void empty(struct strip *s)
