@@ -58,14 +58,14 @@ typedef struct shd_tessellation_desc {
      * middle; one that passes the eye has max_segments, one behind it 1. Borrowed for the call; NULL = world units.
      */
     const shd_view *view;
-    const float *object_to_world;      /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
-    const shd_texture *displacement;   /**< channel r is the height; borrowed for the call; NULL = nothing moves */
-    const shd_sampler *sampler;        /**< of `displacement`; borrowed for the call; NULL = the default sampler */
-    size_t max_triangles;              /**< refused if there would be more; 1..2^28; default 2^24 */
-    float amplitude;                   /**< [object units], -1e12..1e12; 0 = nothing moves; default 0 */
-    float offset;                      /**< height that stays where it is, -1e12..1e12; default 0 */
-    float lod;                         /**< of the lookups, log2 of base texels, -32..32; default 0 */
-    uint32_t reserved;                 /**< 0 */
+    const float *object_to_world;    /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
+    const shd_texture *displacement; /**< channel r is the height; borrowed for the call; NULL = nothing moves */
+    const shd_sampler *sampler;      /**< of `displacement`; borrowed for the call; NULL = the default sampler */
+    size_t max_triangles;            /**< refused if there would be more; 1..2^28; default 2^24 */
+    float amplitude;                 /**< [object units], -1e12..1e12; 0 = nothing moves; default 0 */
+    float offset;                    /**< height that stays where it is, -1e12..1e12; default 0 */
+    float lod;                       /**< of the lookups, log2 of base texels, -32..32; default 0 */
+    uint32_t reserved;               /**< 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_tessellation_desc;
 

@@ -18,8 +18,9 @@
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
 /// | tangents.h       | tangents to the MikkTSpace convention, and the vertices they add            |
 /// | tangent_groups.h | corners that share a tangent, and its sum                                   |
-/// | tessellate.h     | triangles cut into smaller ones, and their vertices                         |
+/// | tessellate.h     | a mesh of smaller triangles, with all its columns                           |
 /// | edges.h          | edges of a mesh, and how many parts each has                                |
+/// | cut.h            | the vertices and triangles of a mesh whose edges have parts                 |
 /// | row_pattern.h    | a triangle with sides of given parts, in rows                               |
 /// | displace.h       | vertices moved along their normals by a texture                             |
 /// | weld.h           | vertices of equal columns as one                                            |
