@@ -27,14 +27,18 @@ typedef enum shd_tessellation_mode {
     SHD_TESSELLATION_MODE_MAX_ENUM = 0x7fffffff
 } shd_tessellation_mode;
 
-/** Normals of a displaced mesh. */
+/**
+ * Normals of a displaced mesh. Faces count by area, over the vertices that shared position and normal before they were
+ * moved, so that seams of uv stay smooth and creases stay creases.
+ */
 typedef enum shd_displaced_normals {
     /**
-     * Of the displaced surface: sums of face normals times face area, over the vertices that shared position and normal
-     * before they were moved, so that seams of uv stay smooth and creases stay creases.
+     * The normals there were, tilted by the slope of the heights: n - grad h, with the gradient on the faces around
+     * before they were moved. Coarse triangles with smooth normals do not show.
      */
-    SHD_DISPLACED_NORMALS_COMPUTED = 0,
-    SHD_DISPLACED_NORMALS_KEPT = 1, /**< of the surface before it was moved */
+    SHD_DISPLACED_NORMALS_TILTED = 0,
+    SHD_DISPLACED_NORMALS_KEPT = 1,  /**< as they were */
+    SHD_DISPLACED_NORMALS_FACES = 2, /**< those of the faces around after they were moved */
     SHD_DISPLACED_NORMALS_MAX_ENUM = 0x7fffffff
 } shd_displaced_normals;
 
@@ -52,7 +56,7 @@ typedef struct shd_tessellation_desc {
     float edge_length;             /**< ADAPTIVE: longest part [pixels], without `view` [world units]; > 0; default 8 */
     uint32_t width;                /**< ADAPTIVE with `view`: of the picture, 1..65536; default 1024 */
     uint32_t height;               /**< ADAPTIVE with `view`: of the picture, 1..65536; default 1024 */
-    shd_displaced_normals normals; /**< default computed; used where displacement takes place */
+    shd_displaced_normals normals; /**< default tilted; used where displacement takes place */
     /**
      * ADAPTIVE: the size of an edge in the picture is that of a line of its length across the line of sight at its
      * middle; one that passes the eye has max_segments, one behind it 1. Borrowed for the call; NULL = world units.
@@ -93,10 +97,12 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
  * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv; a height
  * that is not finite, or moves it beyond the range of float, counts as 0. Vertices at one position move together, by
  * the mean of what each would move by, so that seams of uv and creases stay closed; a sheet whose two sides are faces at
- * the same positions does not move. Tangents are laid into the plane of the new normals.
+ * the same positions does not move. Tangents are laid into the plane of the new normals. Heights are looked up at the
+ * vertices alone: parts longer than two texels of the level `lod` skip some.
  *
  * Refused with the field named, before anything is allocated: more than max_triangles. An edge with an end that is not
- * finite has 1 part in ADAPTIVE mode.
+ * finite has 1 part in ADAPTIVE mode. normalless_count, tangentless_count and split_count of the new mesh's info are
+ * those of `mesh`.
  * @param context   retained by the new mesh
  * @param mesh      concurrent reads
  * @param desc      borrowed for the call

@@ -39,7 +39,7 @@ shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
   }
   SHD_TRY(check_count("tessellation.width", desc.width, 1, 65536));
   SHD_TRY(check_count("tessellation.height", desc.height, 1, 65536));
-  SHD_TRY(check_enum("tessellation.normals", desc.normals, 0, SHD_DISPLACED_NORMALS_KEPT));
+  SHD_TRY(check_enum("tessellation.normals", desc.normals, 0, SHD_DISPLACED_NORMALS_FACES));
   if (desc.view) SHD_TRY(check_view(*desc.view));
   if (desc.object_to_world) SHD_TRY(check_finite("tessellation.object_to_world", desc.object_to_world, 16));
   SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, kMaximumTriangles));

@@ -175,7 +175,7 @@ static void edge_length_nan(shd_tessellation_desc *d) { d->edge_length = (float)
 static void edge_length_inf(shd_tessellation_desc *d) { d->edge_length = (float)INFINITY; }
 static void width_0(shd_tessellation_desc *d) { d->width = 0; }
 static void height_65537(shd_tessellation_desc *d) { d->height = 65537; }
-static void normals_2(shd_tessellation_desc *d) { d->normals = (shd_displaced_normals)2; }
+static void normals_3(shd_tessellation_desc *d) { d->normals = (shd_displaced_normals)3; }
 static void max_triangles_0(shd_tessellation_desc *d) { d->max_triangles = 0; }
 static void max_triangles_max(shd_tessellation_desc *d) { d->max_triangles = SIZE_MAX; }
 static void amplitude_1e30(shd_tessellation_desc *d) { d->amplitude = 1e30f; }
@@ -232,7 +232,7 @@ static const struct refusal {
     {"refused/edge_length_inf", edge_length_inf, "tessellation.edge_length: inf is not above 0"},
     {"refused/width_0", width_0, "tessellation.width: 0 is not in 1..65536"},
     {"refused/height_65537", height_65537, "tessellation.height: 65537 is not in 1..65536"},
-    {"refused/normals_2", normals_2, "tessellation.normals: 2 is not in 0..1"},
+    {"refused/normals_3", normals_3, "tessellation.normals: 3 is not in 0..2"},
     {"refused/max_triangles_0", max_triangles_0, "tessellation.max_triangles: 0 is not in 1..268435456"},
     {"refused/max_triangles_size_max", max_triangles_max, "tessellation.max_triangles: 18446744073709551615 is not in"},
     {"refused/amplitude_1e30", amplitude_1e30, "tessellation.amplitude: 1e+30 is not in -1e+12..1e+12"},
@@ -438,6 +438,55 @@ static void test_normals_of_a_ramp(void **state)
     shd_texture_release(ramp);
 }
 
+/* A constant height leaves TILTED normals where they were; normals of FACES are those that a mesh of the displaced
+   vertices computes by area. */
+static void test_normals_of_options(void **state)
+{
+    shd_mesh *square = make_square(g_context, 0), *cube = make_cube(g_context, 1), *a, *b, *again = NULL;
+    shd_texture *constant = make_heights(g_context, 0.5f, 0), *noise = make_heights(g_context, 0, 1);
+    shd_tessellation_desc desc = uniform(13);
+    shd_mesh_desc mesh_desc = shd_mesh_desc_default();
+    struct readback r, kept;
+    uint32_t i, c;
+    (void)state;
+    desc.amplitude = 0.4f;
+    desc.displacement = constant;
+    a = tessellated(g_context, cube, &desc);
+    desc.normals = SHD_DISPLACED_NORMALS_KEPT;
+    b = tessellated(g_context, cube, &desc);
+    r = read_mesh(a);
+    kept = read_mesh(b);
+    for (i = 0; i < r.vertex_count; ++i) {
+        for (c = 0; c < 6; ++c) shd_assert_close("tilted", 6 * i + c, r.column[c][i], kept.column[c][i], 3e-7, 0);
+    }
+    drop(&r);
+    drop(&kept);
+    shd_mesh_release(a);
+    shd_mesh_release(b);
+
+    desc.displacement = noise;
+    desc.normals = SHD_DISPLACED_NORMALS_FACES;
+    a = tessellated(g_context, square, &desc);
+    r = read_mesh(a);
+    mesh_desc.vertex_count = r.vertex_count;
+    for (c = 0; c < 3; ++c) mesh_desc.position[c].data = r.column[c];
+    mesh_desc.indices.data = r.index;
+    mesh_desc.index_count = 3 * (size_t)r.triangle_count;
+    shd_assert_ok(shd_mesh_create(g_context, &mesh_desc, &again));
+    kept = read_mesh(again);
+    for (i = 0; i < r.vertex_count; ++i) {
+        for (c = 3; c < 6; ++c) shd_assert_close("faces", 3 * i + c, r.column[c][i], kept.column[c][i], 1.5e-7, 0);
+    }
+    drop(&r);
+    drop(&kept);
+    shd_mesh_release(a);
+    shd_mesh_release(again);
+    shd_mesh_release(square);
+    shd_mesh_release(cube);
+    shd_texture_release(constant);
+    shd_texture_release(noise);
+}
+
 static int compare_sides(const void *a, const void *b) { return memcmp(a, b, 6 * sizeof(float)); }
 
 /* Every side of a triangle, by the bits of its positions, runs once in each direction. */
@@ -471,13 +520,14 @@ struct closed_case {
     shd_displaced_normals normals;
 };
 static const struct closed_case k_closed[] = {
-    {"closed/creases_constant", 0, 0, 0, SHD_DISPLACED_NORMALS_COMPUTED},
-    {"closed/creases_noise", 0, 1, 0, SHD_DISPLACED_NORMALS_COMPUTED},
+    {"closed/creases_constant", 0, 0, 0, SHD_DISPLACED_NORMALS_TILTED},
+    {"closed/creases_noise", 0, 1, 0, SHD_DISPLACED_NORMALS_TILTED},
     {"closed/creases_noise_kept", 0, 1, 0, SHD_DISPLACED_NORMALS_KEPT},
-    {"closed/creases_noise_adaptive", 0, 1, 1, SHD_DISPLACED_NORMALS_COMPUTED},
-    {"closed/smooth_constant", 1, 0, 0, SHD_DISPLACED_NORMALS_COMPUTED},
-    {"closed/smooth_noise", 1, 1, 0, SHD_DISPLACED_NORMALS_COMPUTED},
-    {"closed/smooth_noise_adaptive", 1, 1, 1, SHD_DISPLACED_NORMALS_COMPUTED},
+    {"closed/creases_noise_adaptive", 0, 1, 1, SHD_DISPLACED_NORMALS_TILTED},
+    {"closed/smooth_constant", 1, 0, 0, SHD_DISPLACED_NORMALS_TILTED},
+    {"closed/smooth_noise", 1, 1, 0, SHD_DISPLACED_NORMALS_TILTED},
+    {"closed/smooth_noise_faces", 1, 1, 0, SHD_DISPLACED_NORMALS_FACES},
+    {"closed/smooth_noise_adaptive", 1, 1, 1, SHD_DISPLACED_NORMALS_TILTED},
 };
 
 /* A cube whose sides meet in seams of uv, and of normals unless smooth, stays closed when displaced. Where it is
@@ -688,7 +738,7 @@ static void test_out_of_memory(void **state)
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_refusals) + COUNT(k_closed) + COUNT(k_heights) + 9];
+    static struct CMUnitTest tests[COUNT(k_refusals) + COUNT(k_closed) + COUNT(k_heights) + 10];
     size_t n = 0, i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -707,6 +757,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"empty", test_empty, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"heights", test_heights, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"normals_of_a_ramp", test_normals_of_a_ramp, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"normals_of_options", test_normals_of_options, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"nonfinite", test_nonfinite, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bits", test_bits, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"out_of_memory", test_out_of_memory, NULL, NULL, NULL};
