@@ -54,5 +54,6 @@ void register_quality();
 void register_frame();
 void register_surface();
 void register_lights();
+void register_mesh();
 
 }  // namespace shd::bench

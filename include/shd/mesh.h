@@ -50,6 +50,11 @@ typedef enum shd_mesh_flag {
     /** Accept NaN and infinite positions; rendering drops and counts the triangles that use them. */
     SHD_MESH_KEEP_NONFINITE = 1,
     /**
+     * Compute tangents when none are given; see @ref tangents. Vertices may be added after the caller's, so that
+     * shd_mesh_info.vertex_count is vertex_count + split_count.
+     */
+    SHD_MESH_TANGENTS = 2,
+    /**
      * Find which triangles share each edge, for shd_mesh_find_edges and SHD_FILL_LINES. 12 bytes a triangle, and while
      * the mesh is made as much again and 12 bytes a vertex; takes time in proportion to both.
      */
@@ -64,10 +69,7 @@ typedef struct shd_mesh_desc {
     shd_f32_in position[3]; /**< x, y, z, object space; required unless vertex_count is 0 */
     shd_f32_in normal[3];   /**< x, y, z, object space, any length; all three or none (then computed) */
     shd_f32_in uv[2];       /**< u, v; both or none (then 0) */
-    /**
-     * x, y, z, handedness w (+1 or -1): the bitangent w (n x t) runs upwards in textures, against v, as in glTF 2.0; all
-     * four or none
-     */
+    /** x, y, z, object space, and handedness, +1 or -1; see @ref tangents. All four or none; kept as they are. */
     shd_f32_in tangent[4];
     /**
      * By topology, counter-clockwise = front; NULL = indices16, or 0, 1, 2, ... without either. In strips and fans the
@@ -100,6 +102,18 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * Refused with the place named: an index >= vertex_count, an index count of triangles that is not a multiple of 3, a
  * position that is not finite (unless SHD_MESH_KEEP_NONFINITE).
  * Normals, uv, tangents and attributes that are not finite count as 0.
+ *
+ * @anchor tangents
+ * Tangents: the tangent t points to growing u, in the plane of the normal n; the bitangent is handedness * cross(n, t)
+ * and points to falling v, up in the picture, as in glTF 2.0. SHD_MESH_TANGENTS computes them to the MikkTSpace
+ * convention (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008) for (u, 1 - v): vertices of equal position,
+ * normal and uv count as one, the directions of the triangles around it are weighted by angle, and those whose uv are
+ * mirrored stay apart. A vertex at which triangles of both kinds meet, or fans that share no edge, becomes several: the
+ * first keeps the caller's number, copies of it with the other tangents come after the caller's vertices, in order of
+ * what they are copies of. Triangles without area in uv, or with two corners in one place, take over the tangent of
+ * their neighbours at each vertex. A vertex without any (its uv degenerate or missing, no triangle, directions that
+ * cancel) gets a unit vector perpendicular to n, of handedness 1 unless mirrored triangles alone meet there: the x axis
+ * laid into the plane of n, or the y axis where |n.x| > 0.9.
  * @param context   retained
  * @param desc      borrowed for the call
  * @param out_mesh  owned; NULL on failure
@@ -121,6 +135,9 @@ typedef struct shd_mesh_info {
     uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
     float bounds_min[3];       /**< of the finite positions; 0 if there are none */
     float bounds_max[3];       /**< of the finite positions; 0 if there are none */
+    uint32_t
+        tangentless_count; /**< of SHD_MESH_TANGENTS: vertices whose uv gave no tangent, so that another stands in */
+    uint32_t split_count;  /**< of SHD_MESH_TANGENTS: vertices that were added */
 } shd_mesh_info;
 
 /**
@@ -136,6 +153,49 @@ SHD_NODISCARD SHD_API shd_result shd_mesh_get_info(const shd_mesh *mesh, shd_mes
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_mesh_read_normals(const shd_mesh *mesh, const shd_f32_out out[3]);
+
+/**
+ * Copy the positions out, object space.
+ * @param out  x, y, z columns of shd_mesh_info.vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_positions(const shd_mesh *mesh, const shd_f32_out out[3]);
+
+/**
+ * Copy the texture coordinates out; 0 if there were none.
+ * @param out  u, v columns of shd_mesh_info.vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_uv(const shd_mesh *mesh, const shd_f32_out out[2]);
+
+/**
+ * Copy the second set of texture coordinates out; 0 if there were none.
+ * @param out  u, v columns of shd_mesh_info.vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_uv1(const shd_mesh *mesh, const shd_f32_out out[2]);
+
+/**
+ * Copy one of the caller's own columns out; 0 if it was absent.
+ * @param index  0..SHD_MAX_ATTRIBUTES - 1
+ * @param out    column of shd_mesh_info.vertex_count elements
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_attribute(const shd_mesh *mesh, uint32_t index, const shd_f32_out *out);
+
+/**
+ * Copy the tangents out, given or computed; 0 if the mesh has none.
+ * @param out  x, y, z and handedness, columns of shd_mesh_info.vertex_count elements; unwanted ones NULL
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_tangents(const shd_mesh *mesh, const shd_f32_out out[4]);
+
+/**
+ * Copy the indices out, as triangles whatever the topology was.
+ * @param out  column of 3 * shd_mesh_info.triangle_count elements, each below shd_mesh_info.vertex_count
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_read_indices(const shd_mesh *mesh, const shd_u32_out *out);
 
 SHD_END_DECLS
 

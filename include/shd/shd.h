@@ -56,6 +56,7 @@
 #include <shd/result.h>
 #include <shd/sampler.h>
 #include <shd/slot.h>
+#include <shd/tessellate.h>
 #include <shd/texture.h>
 #include <shd/vertices.h>
 #include <shd/view.h>

@@ -78,11 +78,31 @@ shd_result check_indices(const shd_mesh_desc& desc) {
 shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
   SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
-  SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_ADJACENCY));
+  SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY));
   SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));
   SHD_TRY(check_zero("mesh.reserved", desc.reserved));
   SHD_TRY(check_columns(desc));
   return check_indices(desc);
+}
+
+using Column = core::Array<float>;
+
+/// Copies the columns that pick(body, columns) points at; one that the mesh lacks reads as 0.
+template <class Pick>
+shd_result read_columns(const shd_mesh* mesh, const shd_f32_out* out, int count, const Pick& pick) {
+  static const char* const kFields[4] = {"out[0]", "out[1]", "out[2]", "out[3]"};
+  const geometry::Mesh* body = nullptr;
+  SHD_TRY(read_handle("mesh", mesh, kType, &body));
+  SHD_TRY(check_not_null("out", out));
+  for (int c = 0; c < count; ++c) SHD_TRY(check_column(kFields[c], out[c], body->vertex_count));
+  const Column* columns[4];
+  pick(*body, columns);
+  for (int c = 0; c < count; ++c) {
+    if (!out[c].data) continue;
+    const Column& column = *columns[c];
+    for (size_t i = 0; i < body->vertex_count; ++i) data::store(out[c], i, column.size() ? column[i] : 0.0f);
+  }
+  return SHD_OK;
 }
 
 }  // namespace
@@ -125,17 +145,61 @@ shd_result shd_mesh_get_info(const shd_mesh* mesh, shd_mesh_info* out_info) {
 }
 
 shd_result shd_mesh_read_normals(const shd_mesh* mesh, const shd_f32_out out[3]) {
+  return guard([&] {
+    return read_columns(mesh, out, 3, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.nx, columns[1] = &body.ny, columns[2] = &body.nz;
+    });
+  });
+}
+
+shd_result shd_mesh_read_positions(const shd_mesh* mesh, const shd_f32_out out[3]) {
+  return guard([&] {
+    return read_columns(mesh, out, 3, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.px, columns[1] = &body.py, columns[2] = &body.pz;
+    });
+  });
+}
+
+shd_result shd_mesh_read_uv(const shd_mesh* mesh, const shd_f32_out out[2]) {
+  return guard([&] {
+    return read_columns(mesh, out, 2, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.u, columns[1] = &body.v;
+    });
+  });
+}
+
+shd_result shd_mesh_read_tangents(const shd_mesh* mesh, const shd_f32_out out[4]) {
+  return guard([&] {
+    return read_columns(mesh, out, 4, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.tx, columns[1] = &body.ty, columns[2] = &body.tz, columns[3] = &body.tw;
+    });
+  });
+}
+
+shd_result shd_mesh_read_uv1(const shd_mesh* mesh, const shd_f32_out out[2]) {
+  return guard([&] {
+    return read_columns(mesh, out, 2, [](const geometry::Mesh& body, const Column** columns) {
+      columns[0] = &body.u1, columns[1] = &body.v1;
+    });
+  });
+}
+
+shd_result shd_mesh_read_attribute(const shd_mesh* mesh, uint32_t index, const shd_f32_out* out) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_count("index", index, 0, SHD_MAX_ATTRIBUTES - 1));
+    return read_columns(
+        mesh, out, 1, [&](const geometry::Mesh& body, const Column** columns) { columns[0] = &body.attribute[index]; });
+  });
+}
+
+shd_result shd_mesh_read_indices(const shd_mesh* mesh, const shd_u32_out* out) {
   return guard([&]() -> shd_result {
     const geometry::Mesh* body = nullptr;
     SHD_TRY(read_handle("mesh", mesh, kType, &body));
     SHD_TRY(check_not_null("out", out));
-    const char* const fields[3] = {"out[0]", "out[1]", "out[2]"};
-    for (int axis = 0; axis < 3; ++axis) SHD_TRY(check_column(fields[axis], out[axis], body->vertex_count));
-    const core::Array<float>* const normals[3] = {&body->nx, &body->ny, &body->nz};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!out[axis].data) continue;
-      for (size_t i = 0; i < body->vertex_count; ++i) data::store(out[axis], i, (*normals[axis])[i]);
-    }
+    SHD_TRY(check_column("out", *out, body->indices.size()));
+    if (!out->data) return SHD_OK;
+    for (size_t i = 0; i < body->indices.size(); ++i) data::store(*out, i, body->indices[i]);
     return SHD_OK;
   });
 }

@@ -2,9 +2,9 @@
 #include "geometry/edges.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "geometry/face.h"
+#include "geometry/weld.h"
 
 namespace shd::geometry {
 namespace {
@@ -36,53 +36,6 @@ Buckets make_buckets(const core::Allocator& allocator, uint32_t count, uint32_t 
   return out;
 }
 
-/// A position as integers that are equal where it is.
-struct Place {
-  uint32_t x, y, z;
-};
-uint32_t bits_of(float value) {
-  const float positive = value == 0.0f ? 0.0f : value;
-  uint32_t bits;
-  std::memcpy(&bits, &positive, sizeof bits);
-  return bits;
-}
-Place place_of(const Mesh& mesh, uint32_t vertex) {
-  return {bits_of(mesh.px[vertex]), bits_of(mesh.py[vertex]), bits_of(mesh.pz[vertex])};
-}
-bool operator==(const Place& a, const Place& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-bool operator<(const Place& a, const Place& b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-}
-
-/// Spreads places over 64 bits. Multiplier and shift of Vigna's splitmix64 (2015).
-uint64_t hash(const Place& p) {
-  uint64_t h = ((uint64_t{p.x} << 32 | p.y) ^ (uint64_t{p.z} << 16)) * 0xbf58476d1ce4e5b9ull;
-  h = (h ^ (h >> 27) ^ p.z) * 0x94d049bb133111ebull;
-  return h ^ (h >> 31);
-}
-
-/// Of every vertex the first one at its place.
-core::Array<uint32_t> weld(const core::Allocator& allocator, const Mesh& mesh) {
-  core::Array<uint32_t> first(allocator, mesh.vertex_count);
-  Buckets buckets = make_buckets(allocator, mesh.vertex_count, mesh.vertex_count, [&](uint32_t vertex) {
-    return static_cast<uint32_t>(((hash(place_of(mesh, vertex)) >> 32) * mesh.vertex_count) >> 32);
-  });
-  for (uint32_t b = 0; b < mesh.vertex_count; ++b) {
-    uint32_t *begin = buckets.item.data() + buckets.start[b], *end = buckets.item.data() + buckets.start[b + 1];
-    std::sort(begin, end, [&](uint32_t i, uint32_t j) {
-      const Place p = place_of(mesh, i), q = place_of(mesh, j);
-      return p == q ? i < j : p < q;
-    });
-    for (uint32_t* i = begin; i < end; ++i) {
-      const bool is_new = i == begin || !(place_of(mesh, *i) == place_of(mesh, i[-1]));
-      first[*i] = is_new ? *i : first[i[-1]];
-    }
-  }
-  return first;
-}
-
 /// The edges of a mesh by number: edge k of triangle t is 3 t + k.
 struct Edges {
   const Mesh& mesh;
@@ -109,7 +62,9 @@ void tell(const Edges& edges, const uint32_t* begin, const uint32_t* end, core::
 }  // namespace
 
 core::Array<uint32_t> find_across(const core::Allocator& allocator, const Mesh& mesh) {
-  const core::Array<uint32_t> first = weld(allocator, mesh);
+  core::Array<uint32_t> first(allocator, mesh.vertex_count);
+  const float* const position[3] = {mesh.px.data(), mesh.py.data(), mesh.pz.data()};
+  weld(allocator, position, 3, mesh.vertex_count, first.data());
   const Edges edges = {mesh, first};
   core::Array<uint32_t> across(allocator, 3 * size_t{mesh.triangle_count});
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {

@@ -19,6 +19,14 @@
 /// | face.h           | area and normal of one triangle                                             |
 /// | feature_edges.h  | edges of line drawings: silhouettes, creases, borders                       |
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
+/// | tangents.h       | tangents to the MikkTSpace convention, and the vertices they add            |
+/// | tangent_groups.h | corners that share a tangent, and its sum                                   |
+/// | tessellate.h     | a mesh of smaller triangles, with all its columns                           |
+/// | split_edges.h    | edges of a mesh, and how many parts each has                                |
+/// | cut.h            | the vertices and triangles of a mesh whose edges have parts                 |
+/// | row_pattern.h    | a triangle with sides of given parts, in rows                               |
+/// | displace.h       | vertices moved along their normals by a texture                             |
+/// | weld.h           | vertices of equal columns as one                                            |
 /// | vertex.h         | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                          |
 /// | vertex-inl.h     | what those two kernels share                                                |

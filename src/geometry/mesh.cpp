@@ -11,6 +11,7 @@
 #include "geometry/edges.h"
 #include "geometry/indices.h"
 #include "geometry/normals.h"
+#include "geometry/tangents.h"
 
 namespace shd::geometry {
 namespace {
@@ -103,24 +104,27 @@ void copy_attributes(const core::Allocator& allocator, const shd_mesh_desc& desc
   }
 }
 
-/// Bounds of the finite positions, and how many are not.
-void measure(const Mesh& mesh, shd_mesh_info* info) {
+}  // namespace
+
+void measure(Mesh* mesh) {
+  shd_mesh_info& info = mesh->info;
+  info.vertex_count = mesh->vertex_count;
+  info.triangle_count = mesh->triangle_count;
+  info.nonfinite_count = 0;
   bool any = false;
-  for (size_t i = 0; i < mesh.vertex_count; ++i) {
-    const float p[3] = {mesh.px[i], mesh.py[i], mesh.pz[i]};
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    const float p[3] = {mesh->px[i], mesh->py[i], mesh->pz[i]};
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-      ++info->nonfinite_count;
+      ++info.nonfinite_count;
       continue;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      if (!any || p[axis] < info->bounds_min[axis]) info->bounds_min[axis] = p[axis];
-      if (!any || p[axis] > info->bounds_max[axis]) info->bounds_max[axis] = p[axis];
+      if (!any || p[axis] < info.bounds_min[axis]) info.bounds_min[axis] = p[axis];
+      if (!any || p[axis] > info.bounds_max[axis]) info.bounds_max[axis] = p[axis];
     }
     any = true;
   }
 }
-
-}  // namespace
 
 void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   const core::Allocator& allocator = context.allocator;
@@ -138,9 +142,8 @@ void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out) {
   mesh.nz = zero_column(allocator, count);
   mesh.info.normalless_count =
       desc.normal[0].data ? copy_normals(desc, &mesh) : compute_normals(allocator, desc.normal_weight, &mesh);
-  mesh.info.vertex_count = mesh.vertex_count;
-  mesh.info.triangle_count = mesh.triangle_count;
-  measure(mesh, &mesh.info);
+  if ((desc.flags & SHD_MESH_TANGENTS) && mesh.tx.size() == 0) compute_tangents(allocator, &mesh);
+  measure(&mesh);
   mesh.has_adjacency = (desc.flags & SHD_MESH_ADJACENCY) != 0;
   if (mesh.has_adjacency) mesh.across = find_across(allocator, mesh);
   *out = std::move(mesh);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <shd/mesh.h>
@@ -17,8 +18,8 @@ struct Mesh {
   core::Array<float> px, py, pz;                     // object space
   core::Array<float> nx, ny, nz;                     // object space, unit
   core::Array<float> u, v;                           // 0 if the caller gave none
-  core::Array<float> tx, ty, tz, tw;                 // empty if the caller gave none
-  core::Array<float> u1, v1;                         // the same
+  core::Array<float> tx, ty, tz, tw;                 // empty unless given or computed
+  core::Array<float> u1, v1;                         // empty if the caller gave none
   core::Array<float> attribute[SHD_MAX_ATTRIBUTES];  // each empty if the caller gave none
   core::Array<uint32_t> indices;                     // 3 * triangle_count, each < vertex_count
   shd_mesh_info info;
@@ -26,6 +27,21 @@ struct Mesh {
   bool has_adjacency;
   core::Array<uint32_t> across;  // 3 * triangle_count: see edges.h; empty without adjacency
 };
+
+constexpr size_t kMaxColumns = 14 + SHD_MAX_ATTRIBUTES;
+
+/// body(column) for every column of vertices, absent ones too. For Mesh and const Mesh.
+template <class AnyMesh, class Body>
+void for_each_column(AnyMesh* mesh, const Body& body) {
+  for (auto* column : {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz, &mesh->u, &mesh->v, &mesh->tx,
+                       &mesh->ty, &mesh->tz, &mesh->tw, &mesh->u1, &mesh->v1}) {
+    body(column);
+  }
+  for (auto& column : mesh->attribute) body(&column);
+}
+
+/// Sets the counts and bounds of info that follow from the columns: all but those of normals and tangents.
+void measure(Mesh* mesh);
 
 /// Copies a desc whose fields are in range; throws Failure for indices and positions that are refused, and
 /// std::bad_alloc.

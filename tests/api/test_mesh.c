@@ -120,7 +120,7 @@ static void edit_misaligned(shd_mesh_desc *d)
 {
     d->position[2].data = (const float *)(const void *)((const char *)k_z + 2);
 }
-static void edit_flags(shd_mesh_desc *d) { d->flags = 0x80000002u; }
+static void edit_flags(shd_mesh_desc *d) { d->flags = 0x80000004u; }
 static void edit_weight(shd_mesh_desc *d) { d->normal_weight = (shd_normal_weight)3; }
 static void edit_weight_negative(shd_mesh_desc *d) { d->normal_weight = (shd_normal_weight)-1; }
 static void edit_half_normal(shd_mesh_desc *d) { d->normal[1].data = k_y; }
@@ -187,7 +187,7 @@ static const struct create_case k_create[] = {
     {"create/position_stride_2", edit_stride_2, BAD, "mesh.position[0].stride: 2 is not a multiple of 4", 0, 0, 0, 0},
     {"create/position_stride_overflow", edit_stride_huge, BAD, "mesh.position[1]: 9 elements of stride", 0, 0, 0, 0},
     {"create/position_misaligned", edit_misaligned, BAD, "mesh.position[2].data: not aligned", 0, 0, 0, 0},
-    {"create/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "mesh.flags: bits 0x80000002", 0, 0, 0, 0},
+    {"create/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "mesh.flags: bits 0x80000004", 0, 0, 0, 0},
     {"create/normal_weight_3", edit_weight, BAD, "mesh.normal_weight: 3 is not in 0..2", 0, 0, 0, 0},
     {"create/normal_weight_negative", edit_weight_negative, BAD, "mesh.normal_weight: ", 0, 0, 0, 0},
     {"create/normal_y_only", edit_half_normal, BAD, "mesh.normal[0].data: NULL", 0, 0, 0, 0},
@@ -224,8 +224,8 @@ static void test_create(void **state)
 static void test_null(void **state)
 {
     shd_mesh *mesh = (shd_mesh *)&g_context;
-    shd_mesh_info info = {1, 2, 3, 4, {5, 6, 7}, {8, 9, 10}};
-    const shd_mesh_info zero = {0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}};
+    shd_mesh_info info = {1, 2, 3, 4, {5, 6, 7}, {8, 9, 10}, 11, 12};
+    const shd_mesh_info zero = {0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}, 0, 0};
     shd_f32_out out[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
     shd_mesh_desc desc = nine();
     (void)state;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/displace.h"
+
+#include <cmath>
+
+#include "core/executor.h"
+#include "data/vec3d.h"
+#include "geometry/tangents.h"
+#include "geometry/weld.h"
+
+namespace shd::geometry {
+namespace {
+
+using data::Vec3d;
+using Column = core::Array<float>;
+
+Vec3d at(const Column& x, const Column& y, const Column& z, size_t i) {
+  return {double{x[i]}, double{y[i]}, double{z[i]}};
+}
+void store(Vec3d a, size_t i, Column* x, Column* y, Column* z) {
+  (*x)[i] = static_cast<float>(a.x);
+  (*y)[i] = static_cast<float>(a.y);
+  (*z)[i] = static_cast<float>(a.z);
+}
+bool fits(Vec3d a) {
+  constexpr double kMost = 3.4028234663852886e38;
+  return std::fabs(a.x) <= kMost && std::fabs(a.y) <= kMost && std::fabs(a.z) <= kMost;
+}
+
+/// The texture at the uv of every vertex, channel r.
+Column sample_heights(const core::Context& context, float lod, const texture::Texture& texture,
+                      const texture::Sampler& sampler, const Mesh& mesh) {
+  constexpr size_t kChunk = 4096;  // vertices per task
+  const size_t count = mesh.vertex_count;
+  Column heights(context.allocator, count);
+  Column lods(context.allocator, kChunk);
+  for (float& value : lods) value = lod;
+  core::parallel_for(context, static_cast<uint32_t>((count + kChunk - 1) / kChunk), [&](uint32_t task, uint32_t) {
+    const size_t first = task * kChunk;
+    texture::Lookups lookups = {};
+    lookups.count = count - first < kChunk ? count - first : kChunk;
+    lookups.u = mesh.u.data() + first;
+    lookups.v = mesh.v.data() + first;
+    lookups.lod = lods.data();
+    texture::Texels out = {};
+    out.channel[0] = heights.data() + first;
+    texture::sample(texture, sampler, context.simd, lookups, out);
+  });
+  return heights;
+}
+
+/// How far the vertices of a place move, by its lowest vertex.
+struct Moves {
+  core::Array<uint32_t> place;
+  core::Array<Vec3d> of_place;
+
+  Vec3d operator[](size_t vertex) const { return of_place[place[vertex]]; }
+};
+
+Moves find_moves(const core::Allocator& allocator, const shd_tessellation_desc& desc, const Column& heights,
+                 const Mesh& mesh) {
+  const size_t count = mesh.vertex_count;
+  Moves moves = {core::Array<uint32_t>(allocator, count), core::Array<Vec3d>(allocator, count)};
+  const float* const columns[3] = {mesh.px.data(), mesh.py.data(), mesh.pz.data()};
+  weld(allocator, columns, 3, count, moves.place.data());
+  core::Array<uint32_t> together(allocator, count);
+  together.fill_zero();
+  moves.of_place.fill_zero();
+  for (size_t i = 0; i < count; ++i) {
+    const double height = double{desc.amplitude} * (double{heights[i]} - double{desc.offset});
+    Vec3d& sum = moves.of_place[moves.place[i]];
+    if (std::isfinite(height)) sum = sum + height * at(mesh.nx, mesh.ny, mesh.nz, i);
+    ++together[moves.place[i]];
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (together[i] == 0) continue;
+    Vec3d& move = moves.of_place[i];
+    move = 1.0 / together[i] * move;
+    if (!fits(at(mesh.px, mesh.py, mesh.pz, i) + move)) move = {0.0, 0.0, 0.0};
+  }
+  return moves;
+}
+
+void move_vertices(const Moves& moves, Mesh* mesh) {
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    store(at(mesh->px, mesh->py, mesh->pz, i) + moves[i], i, &mesh->px, &mesh->py, &mesh->pz);
+  }
+}
+
+/// Which vertices share position and normal, by the lowest of them.
+core::Array<uint32_t> smooth_groups(const core::Allocator& allocator, const Mesh& mesh) {
+  core::Array<uint32_t> group(allocator, mesh.vertex_count);
+  const float* const columns[6] = {mesh.px.data(), mesh.py.data(), mesh.pz.data(),
+                                   mesh.nx.data(), mesh.ny.data(), mesh.nz.data()};
+  weld(allocator, columns, 6, mesh.vertex_count, group.data());
+  return group;
+}
+
+/// The corners of a triangle, their sides and its normal, as long as twice the area.
+struct Face {
+  Vec3d side[3];  // opposite to each corner
+  Vec3d normal;
+};
+Face face_of(const Mesh& mesh, const uint32_t* v) {
+  const Vec3d a = at(mesh.px, mesh.py, mesh.pz, v[0]);
+  const Vec3d b = at(mesh.px, mesh.py, mesh.pz, v[1]);
+  const Vec3d c = at(mesh.px, mesh.py, mesh.pz, v[2]);
+  return {{c - b, a - c, b - a}, data::cross(b - a, c - a)};
+}
+
+/// Tilts normals by the slope of the moves along them; on the faces before they are moved. Vertices whose faces have no
+/// area keep theirs.
+void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>& group, const Moves& moves,
+                  Mesh* mesh) {
+  struct Slope {
+    Vec3d sum;
+    double area;
+  };
+  core::Array<Slope> slopes(allocator, mesh->vertex_count);
+  slopes.fill_zero();
+  for (size_t t = 0; t < mesh->triangle_count; ++t) {
+    const uint32_t* const v = mesh->indices.data() + 3 * t;
+    const Face face = face_of(*mesh, v);
+    const double area = data::length(face.normal);
+    if (!(area > 0.0 && area < INFINITY)) continue;
+    Vec3d across = {0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; ++k) {
+      const double height = data::dot(moves[v[k]], at(mesh->nx, mesh->ny, mesh->nz, v[k]));
+      across = across + height * face.side[k];
+    }
+    const Vec3d gradient = data::cross(1.0 / area * face.normal, across);  // times the area
+    for (int k = 0; k < 3; ++k) {
+      Slope& slope = slopes[group[v[k]]];
+      slope.sum = slope.sum + gradient;
+      slope.area += area;
+    }
+  }
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    const Slope& slope = slopes[group[i]];
+    if (!(slope.area > 0.0)) continue;
+    const Vec3d n = at(mesh->nx, mesh->ny, mesh->nz, i);
+    const Vec3d gradient = 1.0 / slope.area * slope.sum;
+    const Vec3d tilted = data::normalized(n - (gradient - data::dot(gradient, n) * n));
+    if (!data::is_zero(tilted)) store(tilted, i, &mesh->nx, &mesh->ny, &mesh->nz);
+  }
+}
+
+/// Normals from the sums of the faces around; vertices whose faces have no area keep theirs.
+void compute_face_normals(const core::Allocator& allocator, const core::Array<uint32_t>& group, Mesh* mesh) {
+  core::Array<Vec3d> sums(allocator, mesh->vertex_count);
+  sums.fill_zero();
+  for (size_t t = 0; t < mesh->triangle_count; ++t) {
+    const uint32_t* const v = mesh->indices.data() + 3 * t;
+    const Vec3d n = face_of(*mesh, v).normal;
+    if (!(data::dot(n, n) < INFINITY)) continue;
+    for (int k = 0; k < 3; ++k) {
+      Vec3d& sum = sums[group[v[k]]];
+      sum = sum + n;
+    }
+  }
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    const Vec3d n = data::normalized(sums[group[i]]);
+    if (!data::is_zero(n)) store(n, i, &mesh->nx, &mesh->ny, &mesh->nz);
+  }
+}
+
+void turn_tangents(Mesh* mesh) {
+  if (mesh->tx.size() == 0) return;
+  for (size_t i = 0; i < mesh->vertex_count; ++i) {
+    const Vec3d n = at(mesh->nx, mesh->ny, mesh->nz, i);
+    const Vec3d given = at(mesh->tx, mesh->ty, mesh->tz, i);
+    Vec3d t = data::normalized(given - data::dot(n, given) * n);
+    if (data::is_zero(t)) t = fallback_tangent(n);
+    store(t, i, &mesh->tx, &mesh->ty, &mesh->tz);
+  }
+}
+
+}  // namespace
+
+void displace(const core::Context& context, const shd_tessellation_desc& desc, const texture::Texture& texture,
+              const texture::Sampler& sampler, Mesh* mesh) {
+  const core::Allocator& allocator = context.allocator;
+  const Column heights = sample_heights(context, desc.lod, texture, sampler, *mesh);
+  const Moves moves = find_moves(allocator, desc, heights, *mesh);
+  if (desc.normals == SHD_DISPLACED_NORMALS_KEPT) return move_vertices(moves, mesh);
+  const core::Array<uint32_t> group = smooth_groups(allocator, *mesh);
+  if (desc.normals == SHD_DISPLACED_NORMALS_TILTED) tilt_normals(allocator, group, moves, mesh);
+  move_vertices(moves, mesh);
+  if (desc.normals == SHD_DISPLACED_NORMALS_FACES) compute_face_normals(allocator, group, mesh);
+  turn_tangents(mesh);
+}
+
+}  // namespace shd::geometry

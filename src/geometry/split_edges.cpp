@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/split_edges.h"
+
+#include <cmath>
+#include <utility>
+
+#include "data/vec3d.h"
+#include "geometry/weld.h"
+
+namespace shd::geometry {
+namespace {
+
+using data::Vec3d;
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+/// c = a b, column-major.
+void multiply(const float* a, const float* b, double* c) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      double sum = 0.0;
+      for (int k = 0; k < 4; ++k) sum += double{a[4 * k + row]} * double{b[4 * column + k]};
+      c[4 * column + row] = sum;
+    }
+  }
+}
+
+Vec3d row_of(const double* matrix, int row) {
+  return {matrix[row], matrix[4 + row], matrix[8 + row]};
+}
+
+}  // namespace
+
+EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
+    : uniform_(desc.mode == SHD_TESSELLATION_UNIFORM ? desc.segments : 0),
+      most_(desc.max_segments),
+      edge_length_(double{desc.edge_length}),
+      in_pixels_(desc.view != nullptr) {
+  for (int i = 0; i < 16; ++i) {
+    to_world_[i] = desc.object_to_world ? double{desc.object_to_world[i]} : i % 5 == 0 ? 1.0 : 0.0;
+  }
+  if (!in_pixels_) return;
+  double clip[16];
+  multiply(desc.view->view_to_clip, desc.view->world_to_view, clip);
+  const Vec3d w = row_of(clip, 3);
+  w_[0] = w.x, w_[1] = w.y, w_[2] = w.z, w_[3] = clip[15];
+  w_per_length_ = data::length(w);
+  const double across = 0.5 * desc.width * data::length(row_of(clip, 0));
+  const double upwards = 0.5 * desc.height * data::length(row_of(clip, 1));
+  pixels_ = across > upwards ? across : upwards;
+}
+
+uint32_t EdgeFactor::operator()(const Mesh& mesh, uint32_t a, uint32_t b) const {
+  return uniform_ ? uniform_ : adaptive(mesh, a, b);
+}
+
+uint32_t EdgeFactor::adaptive(const Mesh& mesh, uint32_t a, uint32_t b) const {
+  const auto to_world = [&](double x, double y, double z, double w) -> Vec3d {
+    const double* m = to_world_;
+    return {m[0] * x + m[4] * y + m[8] * z + m[12] * w, m[1] * x + m[5] * y + m[9] * z + m[13] * w,
+            m[2] * x + m[6] * y + m[10] * z + m[14] * w};
+  };
+  const double p[3] = {double{mesh.px[a]}, double{mesh.py[a]}, double{mesh.pz[a]}};
+  const double q[3] = {double{mesh.px[b]}, double{mesh.py[b]}, double{mesh.pz[b]}};
+  const double length = data::length(to_world(p[0] - q[0], p[1] - q[1], p[2] - q[2], 0.0));
+  double parts = length / edge_length_;
+  if (in_pixels_) {
+    const Vec3d middle = to_world(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]), 1.0);
+    const double w = w_[0] * middle.x + w_[1] * middle.y + w_[2] * middle.z + w_[3];
+    if (!(w > 0.0)) return w + 0.5 * length * w_per_length_ > 0.0 ? static_cast<uint32_t>(most_) : 1;
+    parts = length * pixels_ / w / edge_length_;
+  }
+  if (std::isnan(parts) || std::isinf(length)) return 1;
+  parts = std::ceil(parts);
+  return static_cast<uint32_t>(parts < 1.0 ? 1.0 : parts > most_ ? most_ : parts);
+}
+
+SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const EdgeFactor& factor) {
+  const size_t side_count = 3 * size_t{mesh.triangle_count};
+  const auto ends = [&](size_t side) {
+    const uint32_t a = mesh.indices[side], b = mesh.indices[side % 3 == 2 ? side - 2 : side + 1];
+    return a < b ? std::pair<uint32_t, uint32_t>{a, b} : std::pair<uint32_t, uint32_t>{b, a};
+  };
+  core::Array<uint32_t> place(allocator, mesh.vertex_count);
+  const float* const position[3] = {mesh.px.data(), mesh.py.data(), mesh.pz.data()};
+  weld(allocator, position, 3, mesh.vertex_count, place.data());
+
+  // Sides by their lower vertex; then for each such vertex the edge to each other one.
+  core::Array<uint32_t> start(allocator, size_t{mesh.vertex_count} + 2);
+  core::Array<uint32_t> sorted(allocator, side_count);
+  start.fill_zero();
+  uint32_t* const next = start.data() + 1;
+  for (size_t side = 0; side < side_count; ++side) ++next[ends(side).first + size_t{1}];
+  for (size_t v = 0; v < mesh.vertex_count; ++v) next[v + 1] += next[v];
+  for (size_t side = 0; side < side_count; ++side) sorted[next[ends(side).first]++] = static_cast<uint32_t>(side);
+
+  SplitEdges out = {core::Buffer<SplitEdge>(allocator), core::Array<uint32_t>(allocator, side_count),
+                    mesh.vertex_count};
+  struct Known {
+    uint32_t from, edge;
+  };
+  core::Array<Known> known(allocator, mesh.vertex_count);  // latest edge that ends there
+  for (Known& k : known) k = {kNone, 0};
+  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    for (uint32_t i = start[v]; i < start[v + size_t{1}]; ++i) {
+      const uint32_t other = ends(sorted[i]).second;
+      if (known[other].from != v) {
+        known[other] = {v, static_cast<uint32_t>(out.edge.size())};
+        const bool swapped = place[other] < place[v];
+        const uint32_t segments = factor(mesh, v, other);
+        out.edge.push_back({swapped ? other : v, swapped ? v : other, segments, out.vertex_count});
+        out.vertex_count += segments - 1;
+      }
+      out.of_side[sorted[i]] = known[other].edge;
+    }
+  }
+  return out;
+}
+
+}  // namespace shd::geometry

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/tangents.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "data/data.h"
+#include "geometry/tangent_groups.h"
+
+namespace shd::geometry {
+namespace {
+
+using data::Vec3d;
+
+/// Tangent and handedness as they are stored; found is false for the fallback.
+struct Tangent {
+  float x, y, z, w;
+  bool found;
+};
+
+bool same(const Tangent& a, const Tangent& b) {
+  return std::memcmp(&a, &b, 4 * sizeof(float)) == 0;
+}
+
+/// A copy of a vertex with a tangent of its own.
+struct Added {
+  uint32_t source;
+  Tangent tangent;
+};
+
+Tangent tangent_of(const Mesh& mesh, const TangentGroups& groups, uint32_t group, uint32_t vertex) {
+  const bool grouped = group != kNoGroup;
+  Vec3d t = grouped ? data::normalized(groups.group[group].sum) : Vec3d{0.0, 0.0, 0.0};
+  const bool found = !data::is_zero(t);
+  if (!found) t = fallback_tangent({double{mesh.nx[vertex]}, double{mesh.ny[vertex]}, double{mesh.nz[vertex]}});
+  const float w = grouped && groups.group[group].mirrored ? -1.0f : 1.0f;
+  return {static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), w, found};
+}
+
+void store(const Tangent& tangent, size_t vertex, Mesh* mesh) {
+  mesh->tx[vertex] = tangent.x;
+  mesh->ty[vertex] = tangent.y;
+  mesh->tz[vertex] = tangent.z;
+  mesh->tw[vertex] = tangent.w;
+  if (!tangent.found) ++mesh->info.tangentless_count;
+}
+
+/// Gives every vertex the tangent of its first corner. True if another corner of one wants something else.
+bool store_first(const TangentGroups& groups, core::Array<uint32_t>* group_of_vertex, Mesh* mesh) {
+  constexpr uint32_t kUnset = kNoGroup - 1;
+  core::Array<uint32_t>& group_of = *group_of_vertex;
+  bool conflict = false;
+  for (size_t v = 0; v < mesh->vertex_count; ++v) group_of[v] = kUnset;
+  for (size_t c = 0; c < groups.of_corner.size(); ++c) {
+    uint32_t& group = group_of[mesh->indices[c]];
+    if (group == kUnset) group = groups.of_corner[c];
+    conflict |= group != groups.of_corner[c];
+  }
+  for (uint32_t v = 0; v < mesh->vertex_count; ++v) {
+    if (group_of[v] == kUnset) group_of[v] = kNoGroup;
+    store(tangent_of(*mesh, groups, group_of[v], v), v, mesh);
+  }
+  return conflict;
+}
+
+/// Corners by vertex, ascending: those of vertex v are corner[start[v]] to corner[start[v + 1]].
+struct CornerLists {
+  core::Array<uint32_t> start, corner;
+};
+
+CornerLists list_corners(const core::Allocator& allocator, const Mesh& mesh) {
+  const size_t corner_count = mesh.indices.size();
+  CornerLists lists = {core::Array<uint32_t>(allocator, size_t{mesh.vertex_count} + 2),
+                       core::Array<uint32_t>(allocator, corner_count)};
+  lists.start.fill_zero();
+  uint32_t* const next = lists.start.data() + 1;
+  for (size_t c = 0; c < corner_count; ++c) ++next[mesh.indices[c] + size_t{1}];
+  for (size_t v = 0; v < mesh.vertex_count; ++v) next[v + 1] += next[v];
+  for (size_t c = 0; c < corner_count; ++c) lists.corner[next[mesh.indices[c]]++] = static_cast<uint32_t>(c);
+  return lists;
+}
+
+/// Sends corners whose tangent is not that of their vertex to copies of it, which come after the vertices.
+core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups& groups,
+                          const core::Array<uint32_t>& group_of_vertex, Mesh* mesh) {
+  const CornerLists lists = list_corners(allocator, *mesh);
+  struct Copy {
+    uint32_t source, vertex;
+  };
+  core::Array<Copy> copies(allocator, groups.group.size());  // latest copy that was made for a group
+  for (Copy& copy : copies) copy = {kNoGroup, 0};
+  core::Buffer<Added> added(allocator);
+  for (uint32_t v = 0; v < mesh->vertex_count; ++v) {
+    const Tangent own = {mesh->tx[v], mesh->ty[v], mesh->tz[v], mesh->tw[v], true};
+    for (uint32_t i = lists.start[v]; i < lists.start[v + size_t{1}]; ++i) {
+      const uint32_t corner = lists.corner[i];
+      const uint32_t group = groups.of_corner[corner];
+      if (group == group_of_vertex[v]) continue;
+      Copy& copy = copies[group];
+      if (copy.source != v) {
+        const Tangent tangent = tangent_of(*mesh, groups, group, v);
+        copy = {v, v};
+        if (!same(tangent, own)) {
+          copy.vertex = mesh->vertex_count + static_cast<uint32_t>(added.size());
+          added.push_back({v, tangent});
+        }
+      }
+      mesh->indices[corner] = copy.vertex;
+    }
+  }
+  return added;
+}
+
+/// Appends copies of vertices, with the tangents they are made for.
+void append(const core::Allocator& allocator, const core::Buffer<Added>& added, Mesh* mesh) {
+  const size_t before = mesh->vertex_count;
+  const size_t after = before + added.size();
+  for_each_column(mesh, [&](core::Array<float>* column) {
+    if (column->size() == 0) return;
+    core::Array<float> larger(allocator, data::padded(after));
+    std::memcpy(larger.data(), column->data(), before * sizeof(float));
+    for (size_t i = before; i < after; ++i) larger[i] = (*column)[added[i - before].source];
+    for (size_t i = after; i < larger.size(); ++i) larger[i] = 0.0f;
+    *column = std::move(larger);
+  });
+  for (size_t i = before; i < after; ++i) store(added[i - before].tangent, i, mesh);
+  mesh->vertex_count = static_cast<uint32_t>(after);
+  mesh->info.split_count = static_cast<uint32_t>(added.size());
+}
+
+}  // namespace
+
+data::Vec3d fallback_tangent(data::Vec3d n) {
+  const bool along_x = std::fabs(n.x) > 0.9;
+  const Vec3d axis = {along_x ? 0.0 : 1.0, along_x ? 1.0 : 0.0, 0.0};
+  return data::normalized(axis - data::dot(n, axis) * n);
+}
+
+void compute_tangents(const core::Allocator& allocator, Mesh* mesh) {
+  core::Array<float>* const columns[4] = {&mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw};
+  for (core::Array<float>* column : columns) {
+    *column = core::Array<float>(allocator, data::padded(mesh->vertex_count));
+    column->fill_zero();
+  }
+  const TangentGroups groups = group_tangents(allocator, *mesh);
+  core::Array<uint32_t> group_of_vertex(allocator, mesh->vertex_count);
+  if (!store_first(groups, &group_of_vertex, mesh)) return;
+  const core::Buffer<Added> added = split(allocator, groups, group_of_vertex, mesh);
+  if (added.size()) append(allocator, added, mesh);
+}
+
+}  // namespace shd::geometry
