@@ -91,7 +91,9 @@ void allocate(const core::Allocator& allocator, const ShadowOptions& options, co
               ShadowMap* out);
 
 /// Replaces the depths of a drawn map by the moments or sums that its filter reads. Throws.
-void build_tables(const core::Context& context, const ShadowOptions& options, ShadowMap* map);
+/// @param allocator  of what stays
+void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
+                  ShadowMap* map);
 
 /// Points that a surface is lit at, packed.
 struct ShadowLookups {

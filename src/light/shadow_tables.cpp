@@ -68,8 +68,9 @@ class Blur {
   const double far_, middle_;
 };
 
-void build_moments(const core::Context& context, const ShadowOptions& options, ShadowMap* map) {
-  core::Array<float> moments(context.allocator, 2 * map->face_stride * map->placement.face_count);
+void build_moments(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
+                   ShadowMap* map) {
+  core::Array<float> moments(allocator, 2 * map->face_stride * map->placement.face_count);
   for (size_t i = 0; i < moments.size(); i += 2) {
     moments[i] = map->placement.far;
     moments[i + 1] = 0.0f;
@@ -87,9 +88,9 @@ void build_moments(const core::Context& context, const ShadowOptions& options, S
 }
 
 /// Sums along a row of the table, then down its columns.
-void build_sums(const core::Context& context, ShadowMap* map) {
+void build_sums(const core::Context& context, const core::Allocator& allocator, ShadowMap* map) {
   const size_t size = map->size, row = 2 * (size + 1), face_sums = row * (size + 1);
-  core::Array<double> sums(context.allocator, core::checked_mul(face_sums, map->placement.face_count));
+  core::Array<double> sums(allocator, core::checked_mul(face_sums, map->placement.face_count));
   const SumScale scale = sum_scale(map->placement);
   core::parallel_for(context, map->placement.face_count * map->size, [&](uint32_t i, uint32_t) {
     const size_t face = i / size, y = i % size;
@@ -118,9 +119,10 @@ void build_sums(const core::Context& context, ShadowMap* map) {
 
 }  // namespace
 
-void build_tables(const core::Context& context, const ShadowOptions& options, ShadowMap* map) {
-  if (options.filter == SHD_SHADOW_VARIANCE) build_moments(context, options, map);
-  if (options.filter == SHD_SHADOW_SUMMED_AREA_VARIANCE) build_sums(context, map);
+void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
+                  ShadowMap* map) {
+  if (options.filter == SHD_SHADOW_VARIANCE) build_moments(context, allocator, options, map);
+  if (options.filter == SHD_SHADOW_SUMMED_AREA_VARIANCE) build_sums(context, allocator, map);
 }
 
 }  // namespace shd::light
