@@ -25,13 +25,14 @@ class Blur {
         far_(static_cast<double>(map.placement.far)),
         middle_(0.5 * (far_ + static_cast<double>(map.placement.near))) {}
 
-  /// @param columns  [size + 2 taps]
-  void run(uint32_t face, uint32_t y, DepthSums* columns, float* out) const {
-    const int32_t size = static_cast<int32_t>(map_.size), taps = static_cast<int32_t>(taps_);
-    const int32_t before = (taps - 1) / 2;
-    for (int32_t x = 0; x < size + taps - 1; ++x) columns[x] = sum_column(face, x - before, y, before);
+  /// A row of the map, its padding included.
+  /// @param columns  [pitch + taps]
+  void run(uint32_t face, int32_t y, DepthSums* columns, float* out) const {
+    const int32_t pitch = static_cast<int32_t>(map_.pitch), taps = static_cast<int32_t>(taps_);
+    const int32_t before = (taps - 1) / 2, first = 0 - static_cast<int32_t>(map_.pad) - before;
+    for (int32_t x = 0; x < pitch + taps - 1; ++x) columns[x] = sum_column(face, first + x, y, before);
     const double weight = 1.0 / (static_cast<double>(taps) * taps);
-    for (int32_t x = 0; x < size; ++x) {
+    for (int32_t x = 0; x < pitch; ++x) {
       DepthSums sum = {0.0, 0.0};
       for (int32_t j = 0; j < taps; ++j) {
         sum.first += columns[x + j].first;
@@ -44,11 +45,11 @@ class Blur {
   }
 
  private:
-  DepthSums sum_column(uint32_t face, int32_t x, uint32_t y, int32_t before) const {
+  DepthSums sum_column(uint32_t face, int32_t x, int32_t y, int32_t before) const {
     const auto size = static_cast<int32_t>(map_.size);
     DepthSums sum = {0.0, 0.0};
     for (int32_t j = 0; j < static_cast<int32_t>(taps_); ++j) {
-      const int32_t row = static_cast<int32_t>(y) + j - before;
+      const int32_t row = y + j - before;
       const bool is_inside = x >= 0 && x < size && row >= 0 && row < size;
       const double depth = is_inside ? static_cast<double>(at(face, x, row)) : far_;
       const double d = std::fmin(depth, far_) - middle_;
@@ -71,17 +72,13 @@ class Blur {
 void build_moments(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
                    ShadowMap* map) {
   core::Array<float> moments(allocator, 2 * map->face_stride * map->placement.face_count);
-  for (size_t i = 0; i < moments.size(); i += 2) {
-    moments[i] = map->placement.far;
-    moments[i + 1] = 0.0f;
-  }
   const Blur blur(options, *map);
-  const size_t columns = map->size + options.taps;
+  const size_t columns = map->pitch + options.taps;
+  const auto rows = static_cast<uint32_t>(map->pitch);
   core::Array<DepthSums> scratch(context.allocator, columns * context.executor.worker_count);
-  core::parallel_for(context, map->placement.face_count * map->size, [&](uint32_t i, uint32_t worker) {
-    const uint32_t face = i / map->size, y = i % map->size;
-    const size_t first = face * map->face_stride + (size_t{y} + map->pad) * map->pitch + map->pad;
-    blur.run(face, y, scratch.data() + worker * columns, moments.data() + 2 * first);
+  core::parallel_for(context, map->placement.face_count * rows, [&](uint32_t i, uint32_t worker) {
+    const int32_t y = static_cast<int32_t>(i % rows) - static_cast<int32_t>(map->pad);
+    blur.run(i / rows, y, scratch.data() + worker * columns, moments.data() + 2 * map->pitch * i);
   });
   map->moments = std::move(moments);
   map->depth = {};
