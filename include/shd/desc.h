@@ -38,6 +38,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_RAY_CONES = 17,         /**< shd_ray_cones */
     SHD_DESC_EXPLANATION = 18,       /**< shd_explanation */
     SHD_DESC_MIP = 19,               /**< shd_mip_desc */
+    SHD_DESC_SHADOW = 20,            /**< shd_shadow_desc */
+    SHD_DESC_SHADOW_RENDER = 21,     /**< shd_shadow_render_desc */
+    SHD_DESC_SHADOW_LOOKUPS = 22,    /**< shd_shadow_lookups */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -35,7 +35,7 @@ shd_result check_shadow_desc(const shd_shadow_desc& desc) {
   SHD_TRY(check_range("shadow.bias_slope", static_cast<double>(desc.bias_slope), 0.0, 1000.0));
   SHD_TRY(check_length("shadow.normal_offset", desc.normal_offset));
   SHD_TRY(check_enum("shadow.casters", desc.casters, 0, SHD_CULL_FRONT));
-  SHD_TRY(check_values("shadow.bleed", &desc.bleed, 1, 0.0, 0.99));
+  SHD_TRY(check_range("shadow.bleed", static_cast<double>(desc.bleed), 0.0, static_cast<double>(0.99f)));
   return check_length("shadow.min_variance", desc.min_variance);
 }
 
