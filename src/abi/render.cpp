@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <shd/render.h>
 
+#include <shd/shadow.h>
+
 #include "abi/desc.h"
 #include "abi/draws.h"
 #include "abi/guard.h"
@@ -190,6 +192,21 @@ shd_result check_render_desc(const shd_render_desc& desc) {
   return SHD_OK;
 }
 
+/// A shadow of a light, or none.
+shd_result read_shadow(const shd_shadow* handle, const light::Light& light, const light::Shadow** out) {
+  *out = nullptr;
+  if (!handle) return SHD_OK;
+  const light::Shadow* shadow = nullptr;
+  SHD_TRY(read_handle("shadow", handle, core::ObjectType::kShadow, &shadow));
+  if (!shadow->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
+  if (shadow->map.placement.kind != light.kind) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: rendered for a light of kind %d, not %d",
+                      static_cast<int>(shadow->map.placement.kind), static_cast<int>(light.kind));
+  }
+  *out = shadow;
+  return SHD_OK;
+}
+
 /// Reads a desc with the memory that the frame is drawn with.
 shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
@@ -206,6 +223,10 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
     SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &body), "render", "lights", i));
     lights[i] = &body->light;
   }
+  core::Array<const light::Shadow*> shadows(context.allocator, desc.shadows ? desc.light_count : 0);
+  for (size_t i = 0; i < shadows.size(); ++i) {
+    SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
+  }
   frame.view = desc.view;
   frame.keep = desc.keep != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
@@ -214,6 +235,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.draw_count = draws.size();
   frame.lights = lights.data();
   frame.light_count = lights.size();
+  frame.shadows = desc.shadows ? shadows.data() : nullptr;
   frame.progress = desc.progress;
   frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
   frame.visibility = desc.visibility;

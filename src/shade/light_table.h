@@ -6,6 +6,7 @@
 
 #include "core/allocator.h"
 #include "light/light.h"
+#include "light/shadow.h"
 
 namespace shd::shade {
 
@@ -17,6 +18,8 @@ struct LightTable {
   core::Array<float> x, y, z;        // [padded] positions
   core::Array<float> reach;          // [padded] square of the range and a bit more; infinity without
   bool any_range;                    // some light ends
+  core::Array<const light::Shadow*> shadows;  // [count], null = none
+  bool any_shadow;
 };
 
 /// A light that may reach some row of a batch.
@@ -25,7 +28,8 @@ struct ActiveLight {
   const float* factor[3];  // by row, by channel; null = 1
 };
 
-/// Gathers `count` lights. Throws std::bad_alloc.
-LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count);
+/// Gathers `count` lights with their shadows; `shadows`, or elements of it, null = none. Throws std::bad_alloc.
+LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count,
+                            const light::Shadow* const* shadows = nullptr);
 
 }  // namespace shd::shade
