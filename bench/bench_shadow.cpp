@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shadow/<filter>/<light>/<target>/<floor or random>/size:<texels>: visibility of 256 Ki points with normals on a floor
-// under 400 posts, row by row or anywhere, from one thread; a map of 256 x 256 texels stays in cache, one of 4096 x 4096
-// does not. shadow/draw/<light>/size: rendering such a map of 4800 triangles; items are texels.
+// under 400 posts, row by row or anywhere, from one thread; a map of 256 x 256 texels stays in cache, one of 4096 x
+// 4096 does not. shadow/draw/<light>/size: rendering such a map of 4800 triangles; items are texels.
 #include <random>
 #include <vector>
 
@@ -39,7 +39,8 @@ class PostScene {
   PostScene(shd_simd simd, shd_light_kind kind, const Filter& filter, uint32_t size) : context_(make_context(simd)) {
     add_box(-1.0f, -0.1f, -1.0f, 1.0f, 0.0f, 1.0f);
     for (int i = 0; i < kPosts * kPosts; ++i) {
-      const float x = -0.95f + 0.1f * static_cast<float>(i % kPosts), z = -0.95f + 0.1f * static_cast<float>(i / kPosts);
+      const float x = -0.95f + 0.1f * static_cast<float>(i % kPosts),
+                  z = -0.95f + 0.1f * static_cast<float>(i / kPosts);
       add_box(x - 0.01f, 0.0f, z - 0.01f, x + 0.01f, 0.02f + 0.003f * static_cast<float>(i % 37), z + 0.01f);
     }
     make_mesh();
@@ -88,8 +89,8 @@ class PostScene {
       y_.push_back(i & 2 ? y1 : y0);
       z_.push_back(i & 4 ? z1 : z0);
     }
-    for (const uint32_t i : {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
-                             1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3}) {
+    for (const uint32_t i :
+         {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3}) {
       indices_.push_back(first + i);
     }
   }
@@ -137,8 +138,8 @@ struct Points {
   }
 };
 
-void run_sample(benchmark::State& state, const Target& target, const Filter& filter, const Light& light,
-                bool is_random, uint32_t size) {
+void run_sample(benchmark::State& state, const Target& target, const Filter& filter, const Light& light, bool is_random,
+                uint32_t size) {
   const PostScene scene(target.simd, light.kind, filter, size);
   const Points points(is_random);
   std::vector<float> out(kPoints);

@@ -10,9 +10,9 @@
 namespace shd::light {
 namespace {
 
-constexpr double kLargest = 1e18;       // coordinate
+constexpr double kLargest = 1e18;        // coordinate
 constexpr double kNearPart = 1.0 / 256;  // of far, at least, where it is fitted
-constexpr double kRounding = 0x1p-20;   // of positions on their way to depths
+constexpr double kRounding = 0x1p-20;    // of positions on their way to depths
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The least m 2^k >= value with m in 8..16.

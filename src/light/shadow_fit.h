@@ -33,11 +33,11 @@ class ShadowFit {
   double along(const float (&axis)[3], const double corner[3]) const;
 
   const Light& light_;
-  ShadowAxes axes_;      // of directional lights and spots
+  ShadowAxes axes_;  // of directional lights and spots
   bool is_cube_;
-  Span across_[2];       // along right and down
-  Span depth_;           // along forward, from the origin of depths; of cubes in the maximum norm
-  double largest_ = 0;   // coordinate
+  Span across_[2];      // along right and down
+  Span depth_;          // along forward, from the origin of depths; of cubes in the maximum norm
+  double largest_ = 0;  // coordinate
   bool is_limited_ = false, has_planes_ = false;
   double near_ = 0, far_ = 0;
 };

@@ -45,7 +45,7 @@ struct FaceVector {
 
 template <class D, class V>
 HWY_INLINE FaceVector<V> ToFace(D d, const ShadowAxes& axes, const Vec3V<V>& a) {
-  const auto dot = [&](const float (&b)[3]) {
+  const auto dot = [&](const float(&b)[3]) {
     return Dot(a, Vec3V<V>{hn::Set(d, b[0]), hn::Set(d, b[1]), hn::Set(d, b[2])});
   };
   return {dot(axes.right), dot(axes.down), dot(axes.forward)};
@@ -134,8 +134,7 @@ HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& 
   const hn::RebindToSigned<D> di;
   const ShadowPlacement& placement = shadow.map.placement;
   const V zero = hn::Zero(d);
-  const auto usable = hn::And(IsFinite(d, normal.x),
-                              hn::And(IsFinite(d, normal.y), IsFinite(d, normal.z)));
+  const auto usable = hn::And(IsFinite(d, normal.x), hn::And(IsFinite(d, normal.y), IsFinite(d, normal.z)));
   const auto has_normal = has_normals ? usable : hn::Lt(zero, zero);
   const V offset = hn::Set(d, shadow.options.normal_offset);
   const auto from_origin = [&](V p, V n, float origin) {
@@ -146,7 +145,8 @@ HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& 
                       from_origin(position.y, normal.y, placement.origin[1]),
                       from_origin(position.z, normal.z, placement.origin[2])};
   if (placement.projection != ShadowProjection::kCube) {
-    Receiver<D> at = PlaceOnFace(d, shadow, ToFace(d, placement.axes, q), ToFace(d, placement.axes, normal), has_normal);
+    Receiver<D> at =
+        PlaceOnFace(d, shadow, ToFace(d, placement.axes, q), ToFace(d, placement.axes, normal), has_normal);
     at.face = hn::Zero(di);
     return at;
   }
@@ -158,7 +158,8 @@ HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& 
 
 /// filter(d, receiver) for every point, in vectors of D.
 template <class D, class Filter>
-HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, float* visibility, const Filter& filter) {
+HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, float* visibility,
+                                const Filter& filter) {
   const D d;
   using V = hn::Vec<D>;
   const size_t lanes = hn::Lanes(d);

@@ -108,7 +108,8 @@ namespace shd::light {
 
 HWY_EXPORT(SampleSummedArea);
 
-void sample_summed_area_variance(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+void sample_summed_area_variance(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in,
+                                 float* visibility) {
   SHD_DISPATCH(SampleSummedArea, simd)(shadow, in, visibility);
 }
 

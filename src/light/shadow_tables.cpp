@@ -60,8 +60,8 @@ class Blur {
   }
   float at(uint32_t face, int32_t x, int32_t y) const {
     const size_t pad = map_.pad;
-    return map_.depth[face * map_.face_stride + (static_cast<size_t>(y) + pad) * map_.pitch +
-                      static_cast<size_t>(x) + pad];
+    return map_
+        .depth[face * map_.face_stride + (static_cast<size_t>(y) + pad) * map_.pitch + static_cast<size_t>(x) + pad];
   }
 
   const ShadowMap& map_;

@@ -12,12 +12,12 @@ namespace shd::shade {
 
 /// Lights of a frame, in the caller's order; ambient ones are summed apart.
 struct LightTable {
-  float ambient[3];                  // I_a
-  size_t count;                      // of the others
-  core::Array<light::Light> lights;  // [count]
-  core::Array<float> x, y, z;        // [padded] positions
-  core::Array<float> reach;          // [padded] square of the range and a bit more; infinity without
-  bool any_range;                    // some light ends
+  float ambient[3];                           // I_a
+  size_t count;                               // of the others
+  core::Array<light::Light> lights;           // [count]
+  core::Array<float> x, y, z;                 // [padded] positions
+  core::Array<float> reach;                   // [padded] square of the range and a bit more; infinity without
+  bool any_range;                             // some light ends
   core::Array<const light::Shadow*> shadows;  // [count], null = none
   bool any_shadow;
 };

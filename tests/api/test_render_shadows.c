@@ -34,7 +34,7 @@ static int set_up(void **state)
 {
     static const float k_low[3][3] = {{-2, -0.2f, -2}, {-0.5f, 0, -0.4f}, {0.5f, 0.9f, 0.2f}};
     static const float k_high[3][3] = {{2, 0, 2}, {0.1f, 0.8f, 0.3f}, {0.9f, 1, 0.8f}};
-    static const unsigned char k_texels[4 * 2 * 2] = {255, 255, 255, 255, 255, 90, 20, 255,
+    static const unsigned char k_texels[4 * 2 * 2] = {255, 255, 255, 255, 255, 90,  20, 255,
                                                       40,  200, 255, 255, 128, 128, 90, 255};
     shd_texture_desc texture_desc = shd_texture_desc_default();
     shd_material_desc material_desc = shd_material_desc_default();
@@ -213,7 +213,8 @@ static void test_refused(void **state)
     (void)state;
     shd_assert_ok(render(lights, shadows, 2));
     shadows[1] = g.empty;
-    shd_assert_result("not_rendered", render(lights, shadows, 2), BAD, "render.shadows[1]: shadow: it was not rendered");
+    shd_assert_result("not_rendered", render(lights, shadows, 2), BAD,
+                      "render.shadows[1]: shadow: it was not rendered");
     shadows[1] = g.of_lamp;
     shd_assert_result("other_kind", render(lights, shadows, 2), BAD, "render.shadows[1]: shadow: rendered for a light");
     shadows[1] = NULL;
@@ -232,5 +233,6 @@ int main(void)
         {"frequencies", test_frequencies, NULL, NULL, NULL},
         {"refused", test_refused, NULL, NULL, NULL},
     };
-    return _cmocka_run_group_tests("api.render_shadows", k_tests, sizeof k_tests / sizeof k_tests[0], set_up, tear_down);
+    return _cmocka_run_group_tests("api.render_shadows", k_tests, sizeof k_tests / sizeof k_tests[0], set_up,
+                                   tear_down);
 }

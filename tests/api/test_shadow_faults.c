@@ -37,7 +37,8 @@ static void sample(const shd_shadow *shadow, float out[k_points])
 
 static void test_faults(void **state)
 {
-    static const float k_low[3] = {-1, -1, -1}, k_high[3] = {1, 0, 1}, k_low2[3] = {0, 1, -2}, k_high2[3] = {2, 1.3f, 2};
+    static const float k_low[3] = {-1, -1, -1}, k_high[3] = {1, 0, 1}, k_low2[3] = {0, 1, -2},
+                       k_high2[3] = {2, 1.3f, 2};
     const struct fault_case *c = (const struct fault_case *)*state;
     shd_fault_allocator memory;
     shd_context_desc context_desc = shd_fault_context_desc(&memory);

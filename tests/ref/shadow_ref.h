@@ -46,7 +46,7 @@ struct ShadowRef {
       out.face = static_cast<uint32_t>(2 * axis + (q[axis] < 0 ? 1 : 0));
       axes = light::cube_axes(out.face);
     }
-    const auto dot = [](const float (&a)[3], const double* b) {
+    const auto dot = [](const float(&a)[3], const double* b) {
       return static_cast<double>(a[0]) * b[0] + static_cast<double>(a[1]) * b[1] + static_cast<double>(a[2]) * b[2];
     };
     const double z = dot(axes.forward, q), scale = static_cast<double>(placement.scale);

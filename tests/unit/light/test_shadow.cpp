@@ -93,8 +93,8 @@ light::ShadowPlacement make_placement(const Case& c) {
 /// Depths in steps, with holes.
 void make_shadow(const Case& c) {
   light::Shadow& shadow = g->shadow;
-  shadow.options = {c.size, c.filter, c.taps, SHD_CULL_NONE, c.filter_size, c.light_size, 0.01f, 0.5f, 0.02f,
-                    c.bleed, c.min_variance};
+  shadow.options = {c.size, c.filter, c.taps, SHD_CULL_NONE, c.filter_size, c.light_size,
+                    0.01f,  0.5f,     0.02f,  c.bleed,       c.min_variance};
   const light::ShadowPlacement placement = make_placement(c);
   allocate(g->context->allocator, shadow.options, placement, &shadow.map);
   const size_t size = c.size;
@@ -123,16 +123,17 @@ void make_points() {
     const double size = g->shadow.options.size;
     light::ShadowAxes axes = placement.axes;
     if (placement.projection == ShadowProjection::kCube) axes = light::cube_axes(static_cast<uint32_t>(i % 6));
-    const double z = random.in(i % 9 ? static_cast<double>(placement.near) : -7.0, 1.2 * static_cast<double>(placement.far));
+    const double z =
+        random.in(i % 9 ? static_cast<double>(placement.near) : -7.0, 1.2 * static_cast<double>(placement.far));
     const double w = placement.projection == ShadowProjection::kOrthographic ? 1.0 : z;
     const double a = w * random.in(-0.55, 0.55) * size / static_cast<double>(placement.scale);
     const double b = w * random.in(-0.55, 0.55) * size / static_cast<double>(placement.scale);
     double n[3] = {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}, length = 0;
     for (int k = 0; k < 3; ++k) length += n[k] * n[k];
     for (size_t k = 0; k < 3; ++k) {
-      g->points[k][i] = static_cast<float>(static_cast<double>(placement.origin[k]) +
-                                           a * static_cast<double>(axes.right[k]) +
-                                           b * static_cast<double>(axes.down[k]) + z * static_cast<double>(axes.forward[k]));
+      g->points[k][i] =
+          static_cast<float>(static_cast<double>(placement.origin[k]) + a * static_cast<double>(axes.right[k]) +
+                             b * static_cast<double>(axes.down[k]) + z * static_cast<double>(axes.forward[k]));
       g->points[3 + k][i] = static_cast<float>(n[k] / std::sqrt(length));
     }
   }
@@ -287,8 +288,8 @@ int main() {
   const struct {
     const char* name;
     void (*run)(void**);
-  } k_tests[] = {{"oracle", test_oracle}, {"targets", test_targets}, {"bad_points", test_bad_points},
-                 {"uniform", test_uniform}};
+  } k_tests[] = {
+      {"oracle", test_oracle}, {"targets", test_targets}, {"bad_points", test_bad_points}, {"uniform", test_uniform}};
   size_t n = 0;
   for (const auto& test : k_tests) {
     for (const Case& c : k_cases) {
