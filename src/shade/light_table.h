@@ -18,7 +18,7 @@ struct LightTable {
   core::Array<float> x, y, z;                 // [padded] positions
   core::Array<float> reach;                   // [padded] square of the range and a bit more; infinity without
   bool any_range;                             // some light ends
-  core::Array<const light::Shadow*> shadows;  // [count], null = none
+  core::Array<const light::Shadow*> shadows;  // [count], null = none; read if any_shadow
   bool any_shadow;
 };
 

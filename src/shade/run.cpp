@@ -106,7 +106,7 @@ void light_rows(const core::SimdTarget& simd, const material::Material& material
     for (; next < count; ++next, ++taken) {
       const light::Light& light = lights.lights[w->reaching[next]];
       w->active[taken] = {&light, {nullptr, nullptr, nullptr}};
-      const light::Shadow* shadow = lights.shadows[w->reaching[next]];
+      const light::Shadow* shadow = lights.any_shadow ? lights.shadows[w->reaching[next]] : nullptr;
       if (all_count || !is_modulated(light, shadow)) continue;
       if (modulated == kModulated) break;
       w->active[taken] = modulate(simd, light, shadow, rows, modulated++, &w->columns);
