@@ -12,16 +12,22 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// n x n places around a point, spread evenly over a square.
+/// n x n places around a point, one in each cell of a square: the canonical arrangement of multi-jittered samples
+/// (Chiu, Shirley and Wang, "Multi-Jittered Sampling", 1994), so that an edge along the map meets them one by one and
+/// not n at a time.
 template <class D, class V>
 struct TapGrid {
   V step, first;
+  float inverse;
 
-  HWY_INLINE TapGrid(D d, uint32_t taps, V half)
-      : step(hn::Mul(half, hn::Set(d, 2.0f / static_cast<float>(taps)))),
-        first(hn::Mul(step, hn::Set(d, 0.5f - 0.5f * static_cast<float>(taps)))) {}
-  HWY_INLINE V offset(D d, uint32_t i) const {
-    return hn::Add(first, hn::Mul(step, hn::Set(d, static_cast<float>(i))));
+  HWY_INLINE TapGrid(D d, uint32_t taps, V half) : inverse(1.0f / static_cast<float>(taps)) {
+    step = hn::Mul(half, hn::Set(d, 2.0f * inverse));
+    first = hn::Mul(half, hn::Set(d, inverse * inverse - 1.0f));
+  }
+  /// Along the axis in which `cell` counts.
+  HWY_INLINE V offset(D d, uint32_t cell, uint32_t other) const {
+    const float place = static_cast<float>(cell) + static_cast<float>(other) * inverse;
+    return hn::Add(first, hn::Mul(step, hn::Set(d, place)));
   }
 };
 
@@ -74,9 +80,9 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     const TapGrid<D, V> search(d, taps, hn::Max(half_width(hn::Set(d, placement.near)), one));
     V sum = zero, count = zero;
     for (uint32_t i = 0; i < taps; ++i) {
-      const V row = hn::Floor(hn::Add(at.y, search.offset(d, i)));
       for (uint32_t j = 0; j < taps; ++j) {
-        const V column = hn::Floor(hn::Add(at.x, search.offset(d, j)));
+        const V column = hn::Floor(hn::Add(at.x, search.offset(d, j, i)));
+        const V row = hn::Floor(hn::Add(at.y, search.offset(d, i, j)));
         const V depth = comparison.depth(d, column, row);
         const auto blocks = hn::Lt(depth, PlaneDepth(d, at, column, row));
         sum = hn::Add(sum, hn::IfThenElseZero(blocks, depth));
@@ -87,9 +93,9 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     const TapGrid<D, V> grid(d, taps, half_width(hn::Div(sum, hn::Max(count, one))));
     V lit = zero;
     for (uint32_t i = 0; i < taps; ++i) {
-      const V y = hn::Add(at.y, grid.offset(d, i));
       for (uint32_t j = 0; j < taps; ++j) {
-        lit = hn::Add(lit, comparison.blend(d, hn::Add(at.x, grid.offset(d, j)), y));
+        const V x = hn::Add(at.x, grid.offset(d, j, i)), y = hn::Add(at.y, grid.offset(d, i, j));
+        lit = hn::Add(lit, comparison.blend(d, x, y));
       }
     }
     const V mean = hn::Div(lit, hn::Set(d, static_cast<float>(taps * taps)));

@@ -139,5 +139,6 @@ int main(void)
         {"steady", test_steady, NULL, NULL, NULL},
         {"casters", test_casters, NULL, NULL, NULL},
     };
-    return _cmocka_run_group_tests("api.shadow_casters", k_tests, sizeof k_tests / sizeof k_tests[0], set_up, tear_down);
+    return _cmocka_run_group_tests("api.shadow_casters", k_tests, sizeof k_tests / sizeof k_tests[0], set_up,
+                                   tear_down);
 }

@@ -157,12 +157,14 @@ struct ShadowRef {
   double pcss(const ShadowPoint& p) const {
     const uint32_t n = options.taps;
     const double search = std::max(half_width(p, static_cast<double>(placement.near)), 1.0);
-    const auto offset = [&](double half, uint32_t i) { return half * ((2.0 * i + 1.0) / n - 1.0); };
+    const auto offset = [&](double half, uint32_t i, uint32_t j) {
+      return half * (2.0 * (i + (j + 0.5) / n) / n - 1.0);
+    };
     double sum = 0, count = 0;
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < n; ++j) {
-        const int column = static_cast<int>(std::floor(p.x + offset(search, j)));
-        const int row = static_cast<int>(std::floor(p.y + offset(search, i)));
+        const int column = static_cast<int>(std::floor(p.x + offset(search, j, i)));
+        const int row = static_cast<int>(std::floor(p.y + offset(search, i, j)));
         const double depth = at(p.face, column, row);
         if (!(depth < plane(p, column, row))) continue;
         sum += depth;
@@ -173,7 +175,7 @@ struct ShadowRef {
     const double half = half_width(p, sum / count);
     double lit_sum = 0;
     for (uint32_t i = 0; i < n; ++i) {
-      for (uint32_t j = 0; j < n; ++j) lit_sum += blend(p, p.x + offset(half, j), p.y + offset(half, i));
+      for (uint32_t j = 0; j < n; ++j) lit_sum += blend(p, p.x + offset(half, j, i), p.y + offset(half, i, j));
     }
     return lit_sum / (n * n);
   }
