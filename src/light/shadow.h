@@ -81,6 +81,12 @@ constexpr uint32_t kReachPart = 8, kPcfReachPart = 4;
 /// Slopes of surfaces against a face count up to this.
 constexpr float kMaxSlope = 64.0f;
 
+/// |slope| across and along the map, added up, of surfaces whose normal is not known: 1 each, over the texels that a
+/// filter of a fixed width compares.
+inline float unknown_steepness(const ShadowOptions& options) {
+  return options.filter == SHD_SHADOW_PCF ? static_cast<float>(options.taps + 1) : 2.0f;
+}
+
 /// Texels around a face that points of its inside may look up.
 uint32_t reach_of(const ShadowOptions& options);
 /// Empty texels that a map has around each face.

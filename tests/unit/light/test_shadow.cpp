@@ -94,7 +94,7 @@ light::ShadowPlacement make_placement(const Case& c) {
 void make_shadow(const Case& c) {
   light::Shadow& shadow = g->shadow;
   shadow.options = {c.size, c.filter, c.taps, SHD_CULL_NONE, c.filter_size, c.light_size,
-                    0.01f,  0.5f,     0.02f,  c.bleed,       c.min_variance};
+                    0.01f,  0.1f,     0.02f,  c.bleed,       c.min_variance};
   const light::ShadowPlacement placement = make_placement(c);
   allocate(g->context->allocator, shadow.options, placement, &shadow.map);
   const size_t size = c.size;
