@@ -11,6 +11,7 @@ namespace shd::light {
 namespace {
 
 constexpr double kLargest = 1e18;        // coordinate
+constexpr double kSmallest = 1e-26;      // extent
 constexpr double kNearPart = 1.0 / 256;  // of far, at least, where it is fitted
 constexpr double kRounding = 0x1p-20;    // of positions on their way to depths
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -125,11 +126,11 @@ void ShadowFit::place_directional(const ShadowOptions& options, ShadowPlacement*
     middle[k] = 0.5 * (across_[k].low + across_[k].high);
     half = std::fmax(half, 0.5 * (across_[k].high - across_[k].low));
   }
-  half = std::fmax(half, std::fmax(largest_ * 1e-4, 1e-9));
+  half = std::fmax(half, std::fmax(largest_ * 1e-4, kSmallest));
   const double texel = rounded_up(half / inner);
   double near = has_planes_ ? near_ : depth_.low, far = has_planes_ ? far_ : depth_.high;
   if (!(near <= far)) near = far = 0.0;
-  const double range = std::fmax(far - near, std::fmax(largest_ * 1e-4, 1e-9));
+  const double range = std::fmax(far - near, std::fmax(largest_ * 1e-4, kSmallest));
   const double depth = 0.5 * (near + far), margin = has_planes_ ? 0.0 : range / 256.0;
   double origin[3];
   for (int k = 0; k < 3; ++k) {
@@ -150,7 +151,7 @@ void ShadowFit::place_around(const ShadowOptions& options, ShadowPlacement* out)
   double near = near_, far = far_;
   if (!has_planes_) {
     far = depth_.high > 0.0 ? 1.01 * depth_.high : 1.0;
-    far = std::fmax(far, 1e-12);
+    far = std::fmax(far, kSmallest);
     near = std::fmax(far * kNearPart, 0.99 * depth_.low < far ? 0.99 * depth_.low : 0.0);
   }
   out->projection = is_cube_ ? ShadowProjection::kCube : ShadowProjection::kPerspective;
