@@ -26,7 +26,7 @@ struct scene_case {
     float size, place[3], bad;
     int bad_count; /* of the 12 coordinates */
     float light[3], direction[3], near_plane, far_plane;
-    float want;    /* behind the square, -1 = any */
+    float want; /* behind the square, -1 = any */
 };
 static const struct scene_case k_scenes[] = {
     {"plain", 1, {0, 0, 0}, 0, 0, {0, 2, 0}, {0, -1, 0}, 0, 0, 0},
@@ -48,8 +48,8 @@ static const struct scene_case k_scenes[] = {
     {"thin_range", 1, {0, 0, 0}, 0, 0, {0, 2, 0}, {0, -1, 0}, 1e-8f, 1e9f, -1},
 };
 
-static const float k_wild[] = {0,     -0.0f, 1e-45f, 1e-30f, 1,    -1.5f,    1e6f,     1e17f,
-                               1e30f, FLT_MAX, -FLT_MAX, NAN, INFINITY, -INFINITY, 3, -2};
+static const float k_wild[] = {0,     -0.0f,   1e-45f,   1e-30f, 1,        -1.5f,     1e6f, 1e17f,
+                               1e30f, FLT_MAX, -FLT_MAX, NAN,    INFINITY, -INFINITY, 3,    -2};
 enum { k_wild_count = sizeof k_wild / sizeof k_wild[0], k_points = k_wild_count * k_wild_count * k_wild_count };
 
 static void sample_wild(const char *name, int filter, const shd_shadow *shadow)
