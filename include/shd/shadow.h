@@ -70,9 +70,9 @@ typedef struct shd_shadow_desc {
      * sun: 0.0093). Neither search nor penumbra is wider than size / 4 texels.
      */
     float light_size;
-    float bias;          /**< depth that points are moved to the light, world length, 0..1e9; default 0 */
-    float bias_slope;    /**< more of that: side of a texel there times |slope| of the surface across and along the map,
-                              both up to 64; without a normal together 2, of PCF n + 1. 0..1000; default 1 */
+    float bias;       /**< depth that points are moved to the light, world length, 0..1e9; default 0 */
+    float bias_slope; /**< more of that: side of a texel there times 1/4 + |slope| of the surface across and along the
+                              map, both up to 64; without a normal 2, of PCF n + 1. 0..1000; default 1 */
     float normal_offset; /**< points are moved along their normal first, world length, 0..1e9; default 0 */
     shd_cull casters;    /**< faces that cast no shadow: BACK, those turned away from the light, or FRONT, those turned
                               to it; default SHD_CULL_NONE. In place of the draws' own */

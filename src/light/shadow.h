@@ -81,6 +81,9 @@ constexpr uint32_t kReachPart = 8, kPcfReachPart = 4;
 /// Slopes of surfaces against a face count up to this.
 constexpr float kMaxSlope = 64.0f;
 
+/// What facets may be steeper than their normals say, added to |slope| across and along the map.
+constexpr float kLeastSteepness = 0.25f;
+
 /// |slope| across and along the map, added up, of surfaces whose normal is not known: 1 each, over the texels that a
 /// filter of a fixed width compares.
 inline float unknown_steepness(const ShadowOptions& options) {

@@ -120,7 +120,8 @@ HWY_INLINE Receiver<D> PlaceOnFace(D d, const Shadow& shadow, const FaceVector<V
   at.dy = hn::Mul(at.texel, slope_y);
   const ShadowOptions& options = shadow.options;
   const V unknown = hn::Set(d, unknown_steepness(options));
-  const V steepness = hn::IfThenElse(has_normal, hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)), unknown);
+  const V known = hn::Add(hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)), hn::Set(d, kLeastSteepness));
+  const V steepness = hn::IfThenElse(has_normal, known, unknown);
   const V guard = hn::Add(hn::Set(d, options.bias + placement.guard),
                           hn::Mul(hn::Set(d, placement.guard_square), hn::Mul(q.forward, q.forward)));
   const V bias = hn::Add(guard, hn::Mul(hn::Set(d, options.bias_slope), hn::Mul(steepness, at.texel)));

@@ -292,6 +292,7 @@ static void test_chebyshev(void **state)
         int i, partial = 0;
         desc.size = 256;
         desc.taps = taps;
+        desc.bias_slope = 0;
         desc.filter = SHD_SHADOW_PCF;
         pcf = shd_boxes_shadow(&edge.boxes, g_context, &desc, edge.light);
         desc.filter = SHD_SHADOW_VARIANCE;
