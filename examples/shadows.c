@@ -24,7 +24,7 @@ static shd_result create_shadows(shd_context *context, const struct scene *scene
         shd_result result;
         desc.filter = filter;
         desc.taps = filter == SHD_SHADOW_PCSS ? 7 : 5;
-        desc.filter_size = 0.1f;            /* of SUMMED_AREA_VARIANCE, in the world */
+        desc.filter_size = 0.1f;                /* of SUMMED_AREA_VARIANCE, in the world */
         desc.light_size = i == 1 ? 0.2f : 0.6f; /* of PCSS: as seen from the scene, and in the world */
         desc.bleed = 0.2f;
         if ((result = shd_shadow_create(context, &desc, &shadows[i])) != SHD_OK) return result;

@@ -30,8 +30,8 @@ uint32_t reach_of(const ShadowOptions& options) {
 uint32_t pad_of(const ShadowOptions& options) {
   switch (options.filter) {
     case SHD_SHADOW_PCF: return options.taps / 2 + 1;
-    case SHD_SHADOW_VARIANCE:
-    case SHD_SHADOW_PCSS: return 1;
+    case SHD_SHADOW_VARIANCE: return 1;
+    case SHD_SHADOW_PCSS: return 2;
     default: return 0;
   }
 }

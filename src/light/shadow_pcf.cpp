@@ -35,12 +35,18 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
     for (uint32_t i = 0; i <= taps; ++i) {
       V lit_row = hn::Zero(d), z = start_z;
       auto index = start;
-      for (uint32_t j = 0; j <= taps; ++j) {
-        const V weight = j == 0 ? first_x : j == taps ? last_x : one;
-        lit_row = hn::Add(lit_row, hn::IfThenElseZero(hn::Le(z, GatherDepths(d, map, index)), weight));
-        index = hn::Add(index, hn::Set(di, 1));
+      const auto compare = [&](V found, V weight) {
+        lit_row = hn::Add(lit_row, hn::IfThenElseZero(hn::Le(z, found), weight));
         z = hn::Add(z, at.dx);
+      };
+      for (uint32_t j = 0; j < taps; j += 2) {
+        V depth, next_depth;
+        GatherPairs(d, map.depth.data(), index, &depth, &next_depth);
+        compare(depth, j == 0 ? first_x : one);
+        compare(next_depth, j + 1 == taps ? last_x : one);
+        index = hn::Add(index, hn::Set(di, 2));
       }
+      if (taps % 2 == 0) compare(GatherDepths(d, map, index), last_x);
       const V weight = i == 0 ? first_y : i == taps ? last_y : one;
       lit = hn::Add(lit, hn::Mul(weight, lit_row));
       all = hn::Add(all, hn::Mul(weight, all_row));  // rounds as `lit` does where everything is

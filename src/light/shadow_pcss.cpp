@@ -43,18 +43,27 @@ struct Comparison {
     const V x = Clamp(d, column, -1.0f, size), y = Clamp(d, row, -1.0f, size);
     return GatherDepths(d, map, TexelIndex(d, map, at.face, x, y));
   }
-  HWY_INLINE V lit(D d, V column, V row) const {
-    return hn::IfThenElseZero(hn::Le(PlaneDepth(d, at, column, row), depth(d, column, row)), hn::Set(d, 1.0f));
-  }
   /// The bilinear mean of four comparisons around a place.
   HWY_INLINE V blend(D d, V x, V y) const {
     const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
     const V left = hn::Sub(x, half), top = hn::Sub(y, half);
-    const V column = hn::Floor(left), row = hn::Floor(top), next_column = hn::Add(column, one);
-    const V fx = hn::Sub(left, column), fy = hn::Sub(top, row), next_row = hn::Add(row, one);
-    const auto mix = [](V a, V b, V f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); };
-    return mix(mix(lit(d, column, row), lit(d, next_column, row), fx),
-               mix(lit(d, column, next_row), lit(d, next_column, next_row), fx), fy);
+    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V fx = hn::Sub(left, column), fy = hn::Sub(top, row);
+    const V plane = PlaneDepth(d, at, column, row);
+    return Mix(lit_pair(d, column, row, plane, fx), lit_pair(d, column, hn::Add(row, one), hn::Add(plane, at.dy), fx),
+               fy);
+  }
+
+ private:
+  static HWY_INLINE V Mix(V a, V b, V f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+  /// Of a texel and its right neighbour.
+  HWY_INLINE V lit_pair(D d, V column, V row, V plane, V fx) const {
+    const auto size = static_cast<float>(map.size);
+    const V x = Clamp(d, column, -2.0f, size), y = Clamp(d, row, -1.0f, size), one = hn::Set(d, 1.0f);
+    V depth, next_depth;
+    GatherPairs(d, map.depth.data(), TexelIndex(d, map, at.face, x, y), &depth, &next_depth);
+    const V lit = hn::IfThenElseZero(hn::Le(plane, depth), one);
+    return Mix(lit, hn::IfThenElseZero(hn::Le(hn::Add(plane, at.dx), next_depth), one), fx);
   }
 };
 

@@ -43,9 +43,7 @@ void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibi
     const ShadowInts<D> index[4] = {start, hn::Add(start, next), below, hn::Add(below, next)};
     Corners<V> mean, variance;
     for (size_t k = 0; k < 4; ++k) {
-      const auto twice = hn::ShiftLeft<1>(index[k]);
-      mean.value[k] = hn::GatherIndex(d, map.moments.data(), twice);
-      variance.value[k] = hn::GatherIndex(d, map.moments.data(), hn::Add(twice, next));
+      GatherPairs(d, map.moments.data(), hn::ShiftLeft<1>(index[k]), &mean.value[k], &variance.value[k]);
     }
     const V middle = mean.blend(d, fx, fy);
     for (size_t k = 0; k < 4; ++k) {
