@@ -50,6 +50,7 @@ void register_texture();
 void register_texture_create();
 void register_texture_worst();
 void register_scaling();
+void register_shadow();
 void register_quality();
 void register_frame();
 void register_surface();

@@ -39,6 +39,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_EXPLANATION = 18,       /**< shd_explanation */
     SHD_DESC_MIP = 19,               /**< shd_mip_desc */
     SHD_DESC_EDGES = 20,             /**< shd_edges_desc */
+    SHD_DESC_SHADOW = 21,            /**< shd_shadow_desc */
+    SHD_DESC_SHADOW_RENDER = 22,     /**< shd_shadow_render_desc */
+    SHD_DESC_SHADOW_LOOKUPS = 23,    /**< shd_shadow_lookups */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

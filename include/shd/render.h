@@ -23,6 +23,8 @@
 
 SHD_BEGIN_DECLS
 
+struct shd_shadow; /* shd/shadow.h */
+
 /** How often the reflectance model runs. Textures are looked up per fragment in every case. */
 typedef enum shd_frequency {
     SHD_FREQUENCY_PHONG = 0,   /**< per fragment, with interpolated and renormalised normals (Phong 1975) */
@@ -261,6 +263,11 @@ typedef struct shd_render_desc {
      */
     uint32_t pass_triangles;
     uint32_t reserved; /**< 0 */
+    /**
+     * [light_count], each NULL or a shadow of shd/shadow.h rendered for a light of that kind: what reaches a fragment
+     * of the light is multiplied by the shadow's visibility at its position, with its shading normal; NULL = none.
+     */
+    const struct shd_shadow *const *shadows;
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

@@ -55,6 +55,7 @@
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>
+#include <shd/shadow.h>
 #include <shd/slot.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <shd/render.h>
 
+#include <shd/shadow.h>
+
 #include "abi/desc.h"
+#include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "film/frame.h"
@@ -13,18 +16,9 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr uint64_t kMaxItems = 1u << 20;
 constexpr uint32_t kMaxPicture = 65536;
 constexpr uint32_t kMaxSupersampling = 16;
 constexpr uint32_t kLeastPass = 1024, kMostPass = 0x7fffffff, kDefaultPass = 1u << 21;  // triangles
-
-/// Prefixes the field of the latest error with the element it belongs to.
-shd_result in_element(shd_result result, const char* array, size_t index) {
-  if (result == SHD_OK) return result;
-  char text[512];
-  std::snprintf(text, sizeof text, "%s", core::last_error());
-  return core::fail(result, "render.%s[%zu]: %s", array, index, text);
-}
 
 shd_result check_matrix(const char* field, const float m[16]) {
   SHD_TRY(check_finite(field, m, 16));
@@ -98,27 +92,41 @@ shd_result append_draw(film::Draw draw, const Instances& instances, core::Buffer
   return SHD_OK;
 }
 
-/// Draws lie struct_size bytes apart, as the caller's header laid them out.
-shd_result read_draws(const shd_render_desc& desc, core::Buffer<film::Draw>* out) {
-  const auto* bytes = reinterpret_cast<const char*>(desc.draws);
+}  // namespace
+
+namespace shd::abi {
+
+shd_result in_element(shd_result result, const char* desc, const char* array, size_t index) {
+  if (result == SHD_OK) return result;
+  char text[512];
+  std::snprintf(text, sizeof text, "%s", core::last_error());
+  return core::fail(result, "%s.%s[%zu]: %s", desc, array, index, text);
+}
+
+shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<film::Draw>* out) {
+  const auto* bytes = reinterpret_cast<const char*>(draws);
   uint32_t stride = 0;
-  if (desc.draw_count) std::memcpy(&stride, bytes, sizeof stride);
-  for (size_t i = 0; i < desc.draw_count; ++i) {
+  if (count) std::memcpy(&stride, bytes, sizeof stride);
+  for (size_t i = 0; i < count; ++i) {
     const char* draw = bytes + i * stride;  // a newer header's size need not be a multiple of our alignment
     uint32_t size;
     std::memcpy(&size, draw, sizeof size);
     if (size != stride) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                        "render.draws[%zu].struct_size: %u differs from that of draws[0], %u", i, size, stride);
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.draws[%zu].struct_size: %u differs from that of draws[0], %u",
+                        desc, i, size, stride);
     }
     film::Draw read = {};
     read.index = static_cast<uint32_t>(i);
     Instances instances = {};
-    SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &read, &instances), "draws", i));
-    SHD_TRY(in_element(append_draw(read, instances, out), "draws", i));
+    SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &read, &instances), desc, "draws", i));
+    SHD_TRY(in_element(append_draw(read, instances, out), desc, "draws", i));
   }
   return SHD_OK;
 }
+
+}  // namespace shd::abi
+
+namespace {
 
 /// Draws whose blend goes by order are painted over what is there.
 void ignore_depth(core::Buffer<film::Draw>* draws) {
@@ -189,6 +197,21 @@ shd_result check_render_desc(const shd_render_desc& desc) {
   return SHD_OK;
 }
 
+/// A shadow of a light, or none.
+shd_result read_shadow(const shd_shadow* handle, const light::Light& light, const light::Shadow** out) {
+  *out = nullptr;
+  if (!handle) return SHD_OK;
+  const light::Shadow* shadow = nullptr;
+  SHD_TRY(read_handle("shadow", handle, core::ObjectType::kShadow, &shadow));
+  if (!shadow->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
+  if (shadow->map.placement.kind != light.kind) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: rendered for a light of kind %d, not %d",
+                      static_cast<int>(shadow->map.placement.kind), static_cast<int>(light.kind));
+  }
+  *out = shadow;
+  return SHD_OK;
+}
+
 /// Reads a desc with the memory that the frame is drawn with.
 shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
@@ -197,13 +220,17 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   SHD_TRY(read_window(desc, &frame));
   core::Buffer<film::Draw> draws(context.allocator);
   draws.reserve(desc.draw_count);
-  SHD_TRY(read_draws(desc, &draws));
+  SHD_TRY(read_draws("render", desc.draws, desc.draw_count, &draws));
   if (desc.visibility != SHD_VISIBILITY_DEPTH) ignore_depth(&draws);
   core::Array<const light::Light*> lights(context.allocator, desc.light_count);
   for (size_t i = 0; i < desc.light_count; ++i) {
     const light::LightBody* body = nullptr;
-    SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &body), "lights", i));
+    SHD_TRY(in_element(read_handle("light", desc.lights[i], core::ObjectType::kLight, &body), "render", "lights", i));
     lights[i] = &body->light;
+  }
+  core::Array<const light::Shadow*> shadows(context.allocator, desc.shadows ? desc.light_count : 0);
+  for (size_t i = 0; i < shadows.size(); ++i) {
+    SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
   frame.view = desc.view;
   frame.keep = desc.keep != 0;
@@ -213,6 +240,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.draw_count = draws.size();
   frame.lights = lights.data();
   frame.light_count = lights.size();
+  frame.shadows = desc.shadows ? shadows.data() : nullptr;
   frame.progress = desc.progress;
   frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
   frame.visibility = desc.visibility;

@@ -21,6 +21,7 @@ enum class ObjectType : uint32_t {
   kMaterial = 4,
   kLight = 5,
   kFramebuffer = 6,
+  kShadow = 7,
 };
 
 /// The memory behind every handle but a context's. It stays mapped, in its context's slabs, until the context

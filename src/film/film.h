@@ -17,6 +17,7 @@
 /// | frame.h          | a whole frame: every stage of each pass, tile by tile       |
 /// | frame_memory.h   | the memory that a frame works in, counted                   |
 /// | stopwatch.h      | the time its stages take                                    |
+/// | shadow_map.h     | the depths that a light sees, drawn as frames               |
 /// | supersample.h    | the same of a picture n times as large, averaged            |
 /// | stats.h          | its statistics, added up                                    |
 /// | passes.h         | its draws in passes that fit in memory                      |

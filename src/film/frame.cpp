@@ -43,7 +43,8 @@ class Progress {
 }  // namespace
 
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats) {
-  const shade::LightTable lights = shade::make_light_table(context.allocator, frame.lights, frame.light_count);
+  const shade::LightTable lights =
+      shade::make_light_table(context.allocator, frame.lights, frame.light_count, frame.shadows);
   const Framebuffer& framebuffer = *frame.framebuffer;
   const uint32_t tiles = raster::tile_count(framebuffer.width) * raster::tile_count(framebuffer.height);
   Passes passes(context.allocator, frame);

@@ -12,6 +12,7 @@
 #include "geometry/pixel_box.h"
 #include "geometry/vertex.h"
 #include "light/light.h"
+#include "light/shadow.h"
 #include "material/material.h"
 #include "raster/coverage.h"
 
@@ -53,6 +54,7 @@ struct Frame {
   size_t draw_count;
   const light::Light* const* lights;
   size_t light_count;
+  const light::Shadow* const* shadows;  // [light_count], or null
   shd_progress progress;
   uint32_t pass_triangles;  // most that are assembled at a time
   uint32_t supersampling;   // 0 and 1 = off

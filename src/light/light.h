@@ -2,15 +2,19 @@
 /// @file
 /// Stage contract: light, (Fragments -> incident light).
 ///
-/// Input:      checked descs; positions of fragments.
+/// Input:      checked descs; positions and normals of fragments; the depths that a light sees.
 /// Output:     one Light each; shade/ gathers those of a frame into a table. What arrives at a point, by direction and
 ///             factor on the intensity.
 /// Units:      intensity scene-linear RGB; positions in world space.
 ///
-/// | file           | what                                                               |
-/// |----------------|--------------------------------------------------------------------|
-/// | incident-inl.h | direction, distance, cone and range of points, spots, directions   |
-/// | projector.h    | textures of lights at points                                       |
+/// | file                  | what                                                                    |
+/// |-----------------------|-------------------------------------------------------------------------|
+/// | incident-inl.h        | direction, distance, cone and range of points, spots, directions        |
+/// | projector.h           | textures of lights at points                                            |
+/// | shadow.h              | Shadow: maps of depths, and kernels: visibility of points by each filter |
+/// | shadow_receiver-inl.h | points and the planes of their surfaces on a map                        |
+/// | shadow_fit.h          | where maps must lie to hold a scene                                     |
+/// | shadow_sums.h         | depths as summed-area tables sum them                                   |
 #pragma once
 
 #include <shd/light.h>

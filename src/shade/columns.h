@@ -53,6 +53,8 @@ struct Columns {
   float* variance;                         // of slopes that a normal map lost
   float *exponent, *alpha_squared, *gain;  // of the rows
   float* factor[kModulated][3];            // of the rows: what texture and shadow leave of a light
+  float* shadow_normal[3];                 // of the rows, before maps and bumps; with shadows
+  float* visibility;                       // of the rows, of a light with texture and shadow
   uint32_t* row;                           // for each fragment, the first of its triangle's rows
   uint32_t* discard;                       // of the fragments: not 0 where a program dropped them
   uint32_t* row_discard;                   // of corners or centroids
@@ -83,6 +85,8 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
   for (float*& column : columns->uv) visit(&column);
   for (float*& column : columns->frame) visit(&column);
   for (float*& column : columns->tilt) visit(&column);
+  for (float*& column : columns->shadow_normal) visit(&column);
+  visit(&columns->visibility);
   for (float** column : {&columns->variance, &columns->exponent, &columns->alpha_squared, &columns->gain})
     visit(column);
   for (auto& factor : columns->factor) {

@@ -7,9 +7,11 @@
 
 namespace shd::shade {
 
-LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count) {
+LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count,
+                            const light::Shadow* const* shadows) {
   LightTable table = {};
   table.lights = core::Array<light::Light>(allocator, count);
+  table.shadows = core::Array<const light::Shadow*>(allocator, count);
   for (core::Array<float>* column : {&table.x, &table.y, &table.z, &table.reach}) {
     *column = core::Array<float>(allocator, data::padded(count));
     column->fill_zero();
@@ -22,6 +24,8 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
     }
     const size_t k = table.count++;
     table.lights[k] = light;
+    table.shadows[k] = shadows ? shadows[i] : nullptr;
+    table.any_shadow |= table.shadows[k] != nullptr;
     table.x[k] = light.position[0];
     table.y[k] = light.position[1];
     table.z[k] = light.position[2];

@@ -35,6 +35,7 @@ uint32_t lit_columns(const Material& material, const LightTable& lights) {
   const material::ModelInfo info = material::info_of(material.model);
   uint32_t needed = raster::kNormal;
   if (info.needs_eye) needed |= raster::kToEye;
+  if (lights.any_shadow) needed |= raster::kPosition;
   for (size_t i = 0; i < lights.count; ++i) {
     if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].texture) needed |= raster::kPosition;
   }

@@ -106,9 +106,10 @@ void light_rows(const core::SimdTarget& simd, const material::Material& material
     for (; next < count; ++next, ++taken) {
       const light::Light& light = lights.lights[w->reaching[next]];
       w->active[taken] = {&light, {nullptr, nullptr, nullptr}};
-      if (all_count || !is_modulated(light)) continue;
+      const light::Shadow* shadow = lights.any_shadow ? lights.shadows[w->reaching[next]] : nullptr;
+      if (all_count || !is_modulated(light, shadow)) continue;
       if (modulated == kModulated) break;
-      w->active[taken] = modulate(simd, light, rows, modulated++, &w->columns);
+      w->active[taken] = modulate(simd, light, shadow, rows, modulated++, &w->columns);
     }
     group.finishes = next == count;
     illuminate(simd, material, shape, w->active.data(), taken, rows, group, out);
@@ -145,6 +146,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
     shift_by_heights(simd, {shading, rows, w->varyings, true}, &rows, &columns);
   }
   Shape shape = {};
+  if (lights.any_shadow && info.lobes) keep_shadow_normals(rows, &columns);
   if (info.has_normal)
     shape = shape_surface(simd, {shading, rows, w->varyings, per_fragment}, &rows, &columns, &parameters);
   if (!per_fragment && (shading.frequency == SHD_FREQUENCY_FLAT || !info.lobes)) spread_normals(simd, shading, w);

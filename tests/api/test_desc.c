@@ -41,6 +41,9 @@ DEFAULTS(shd_ray_cones, shd_ray_cones)
 DEFAULTS(shd_explanation, shd_explanation)
 DEFAULTS(shd_mip_desc, shd_mip_desc)
 DEFAULTS(shd_edges_desc, shd_edges_desc)
+DEFAULTS(shd_shadow_desc, shd_shadow_desc)
+DEFAULTS(shd_shadow_render_desc, shd_shadow_render_desc)
+DEFAULTS(shd_shadow_lookups, shd_shadow_lookups)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -63,6 +66,9 @@ static const struct kind_case k_kinds[] = {
     {"explanation", SHD_DESC_EXPLANATION, sizeof(shd_explanation), defaults_shd_explanation},
     {"mip", SHD_DESC_MIP, sizeof(shd_mip_desc), defaults_shd_mip_desc},
     {"edges", SHD_DESC_EDGES, sizeof(shd_edges_desc), defaults_shd_edges_desc},
+    {"shadow", SHD_DESC_SHADOW, sizeof(shd_shadow_desc), defaults_shd_shadow_desc},
+    {"shadow_render", SHD_DESC_SHADOW_RENDER, sizeof(shd_shadow_render_desc), defaults_shd_shadow_render_desc},
+    {"shadow_lookups", SHD_DESC_SHADOW_LOOKUPS, sizeof(shd_shadow_lookups), defaults_shd_shadow_lookups},
 };
 
 static void test_kind(void **state)

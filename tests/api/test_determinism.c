@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "support/pool.h"
 #include "support/scene.h"
+#include "support/shadow_hash.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "glass", "small", "moved", "lines"};
 static const uint32_t k_workers[] = {1, 2, 3, 8, 16};
@@ -364,13 +365,34 @@ static void test_filters(void **state)
     }
 }
 
+static void test_shadows(void **state)
+{
+    const uint64_t want = shd_shadow_hash(NULL);
+    int simd, workers;
+    (void)state;
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        if (!can_run(simd)) continue;
+        for (workers = 1; workers <= 3; workers += 2) {
+            shd_context_desc desc = shd_context_desc_default();
+            uint64_t got;
+            desc.simd = (shd_simd)simd;
+            desc.worker_count = (uint32_t)workers;
+            got = shd_shadow_hash(&desc);
+            if (got != want) {
+                fail_msg("SIMD target %d, %d workers: hash %016llx, want %016llx", simd, workers,
+                         (unsigned long long)got, (unsigned long long)want);
+            }
+        }
+    }
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0},   {"lit", 0},     {"glass", 0},   {"moved", 0},
-                                       {"lines", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},   {"glass", 0},   {"moved", 0},
+                                       {"lines", 0},   {"lookups", 0},  {"filters", 0}, {"profiles", 0}, {"shadows", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -380,13 +402,14 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 4].hash = shd_scene_reference(SHD_SCENE_LINES);
-    k_golden[k_golden_count - 3].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 4].hash = lookups_on(NULL);
     filters_on(NULL, filters);
-    k_golden[k_golden_count - 2].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 1].hash =
+    k_golden[k_golden_count - 3].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 2].hash =
         shd_hash(SHD_HASH_START, filters + k_plain_cases, sizeof filters - k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 1].hash = shd_shadow_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -432,6 +455,7 @@ int main(int argc, char **argv)
         {"orders", test_orders, NULL, NULL, NULL},
         {"lookups", test_lookups, NULL, NULL, NULL},
         {"filters", test_filters, NULL, NULL, NULL},
+        {"shadows", test_shadows, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

@@ -15,6 +15,7 @@ static struct {
     shd_mesh *mesh;
     shd_texture *texture;
     shd_sampler *sampler;
+    shd_light *light;
 } g_rest;
 
 /* The types behind one signature. `use` hands the handle to a call that must refuse a bad one. */
@@ -162,6 +163,25 @@ static shd_result use_sampler(void *handle)
     return shd_texture_sample(g_rest.texture, (const shd_sampler *)handle, &lookups, &texels);
 }
 
+static shd_result create_shadow(shd_context *context, void **out)
+{
+    shd_shadow_desc desc = shd_shadow_desc_default();
+    shd_shadow *shadow = (shd_shadow *)out;
+    shd_result result;
+    desc.size = 16;
+    result = shd_shadow_create(context, &desc, &shadow);
+    *out = shadow;
+    return result;
+}
+static void retain_shadow(void *handle) { shd_shadow_retain((shd_shadow *)handle); }
+static void release_shadow(void *handle) { shd_shadow_release((shd_shadow *)handle); }
+static shd_result use_shadow(void *handle)
+{
+    shd_shadow_render_desc desc = shd_shadow_render_desc_default();
+    desc.light = g_rest.light;
+    return shd_shadow_render(g_rest.context, (shd_shadow *)handle, &desc);
+}
+
 /* A material that holds the only references to a texture and a sampler. */
 static shd_result create_textured_material(shd_context *context, void **out)
 {
@@ -196,6 +216,8 @@ static const struct type_row k_types[] = {
      "texture: not a live handle of its type"},
     {"sampler", "sampler", create_sampler, retain_sampler, release_sampler, use_sampler,
      "sampler: not a live handle of its type"},
+    {"shadow", "shadow", create_shadow, retain_shadow, release_shadow, use_shadow,
+     "shadow: not a live handle of its type"},
     {"textured_material", "material", create_textured_material, retain_material, release_material, use_material,
      "render.draws[0]: draw.material: not a live handle of its type"},
 };
@@ -203,16 +225,18 @@ enum { k_type_count = sizeof k_types / sizeof k_types[0] };
 
 static shd_result open_rest(void)
 {
-    void *framebuffer = NULL, *mesh = NULL, *texture = NULL, *sampler = NULL;
+    void *framebuffer = NULL, *mesh = NULL, *texture = NULL, *sampler = NULL, *light = NULL;
     shd_result result = shd_context_create(NULL, &g_rest.context);
     if (result == SHD_OK) result = create_framebuffer(g_rest.context, &framebuffer);
     if (result == SHD_OK) result = create_mesh(g_rest.context, &mesh);
     if (result == SHD_OK) result = create_texture(g_rest.context, &texture);
     if (result == SHD_OK) result = create_sampler(g_rest.context, &sampler);
+    if (result == SHD_OK) result = create_light(g_rest.context, &light);
     g_rest.framebuffer = (shd_framebuffer *)framebuffer;
     g_rest.mesh = (shd_mesh *)mesh;
     g_rest.texture = (shd_texture *)texture;
     g_rest.sampler = (shd_sampler *)sampler;
+    g_rest.light = (shd_light *)light;
     return result;
 }
 
@@ -222,6 +246,7 @@ static void close_rest(void)
     shd_mesh_release(g_rest.mesh);
     shd_texture_release(g_rest.texture);
     shd_sampler_release(g_rest.sampler);
+    shd_light_release(g_rest.light);
     shd_context_release(g_rest.context);
 }
 

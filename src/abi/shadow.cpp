@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <shd/shadow.h>
+
+#include "abi/desc.h"
+#include "abi/draws.h"
+#include "abi/guard.h"
+#include "abi/handle.h"
+#include "core/executor.h"
+#include "data/column.h"
+#include "film/shadow_map.h"
+#include "light/shadow.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::abi;
+
+constexpr core::ObjectType kType = core::ObjectType::kShadow;
+constexpr double kMaxLength = 1e9;
+constexpr size_t kChunk = 16384;  // lookups per task
+constexpr uint64_t kMaxTasks = 1u << 20;
+constexpr size_t kStage = 256;  // lookups per copy of strided columns
+
+shd_result check_length(const char* field, float value) {
+  return check_range(field, static_cast<double>(value), 0.0, kMaxLength);
+}
+
+shd_result check_shadow_desc(const shd_shadow_desc& desc) {
+  SHD_TRY(check_count("shadow.size", desc.size, 16, 8192));
+  SHD_TRY(check_enum("shadow.filter", desc.filter, 0, SHD_SHADOW_PCSS));
+  SHD_TRY(check_count("shadow.taps", desc.taps, 1, 15));
+  SHD_TRY(check_length("shadow.filter_size", desc.filter_size));
+  SHD_TRY(check_length("shadow.light_size", desc.light_size));
+  SHD_TRY(check_length("shadow.bias", desc.bias));
+  SHD_TRY(check_range("shadow.bias_slope", static_cast<double>(desc.bias_slope), 0.0, 1000.0));
+  SHD_TRY(check_length("shadow.normal_offset", desc.normal_offset));
+  SHD_TRY(check_enum("shadow.casters", desc.casters, 0, SHD_CULL_FRONT));
+  SHD_TRY(check_range("shadow.bleed", static_cast<double>(desc.bleed), 0.0, static_cast<double>(0.99f)));
+  return check_length("shadow.min_variance", desc.min_variance);
+}
+
+bool is_zero(const float (&v)[3]) {
+  return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
+}
+
+shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& light, film::ShadowFrame* out) {
+  SHD_TRY(check_finite("shadow_render.near_plane", &desc.near_plane, 1));
+  SHD_TRY(check_finite("shadow_render.far_plane", &desc.far_plane, 1));
+  out->near = desc.near_plane;
+  out->far = desc.far_plane;
+  out->has_planes = desc.near_plane != 0.0f || desc.far_plane != 0.0f;
+  if (!out->has_planes) return SHD_OK;
+  const double near = static_cast<double>(desc.near_plane), far = static_cast<double>(desc.far_plane);
+  if (light.kind == SHD_LIGHT_DIRECTIONAL) {
+    SHD_TRY(check_range("shadow_render.near_plane", near, -kMaxLength, kMaxLength));
+  } else {
+    SHD_TRY(check_range("shadow_render.near_plane", near, 1e-9, kMaxLength));
+  }
+  SHD_TRY(check_range("shadow_render.far_plane", far, -kMaxLength, kMaxLength));
+  if (!(near < far)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.far_plane: %g is not above near_plane, %g", far, near);
+  }
+  return SHD_OK;
+}
+
+shd_result check_bounds(const shd_shadow_render_desc& desc, film::ShadowFrame* out) {
+  SHD_TRY(check_finite("shadow_render.bounds_min", desc.bounds_min, 3));
+  SHD_TRY(check_finite("shadow_render.bounds_max", desc.bounds_max, 3));
+  for (int k = 0; k < 3; ++k) {
+    if (desc.bounds_min[k] > desc.bounds_max[k]) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.bounds_max[%d]: %g is below bounds_min, %g", k,
+                        static_cast<double>(desc.bounds_max[k]), static_cast<double>(desc.bounds_min[k]));
+    }
+    out->bounds_min[k] = desc.bounds_min[k];
+    out->bounds_max[k] = desc.bounds_max[k];
+  }
+  out->has_bounds = !is_zero(desc.bounds_min) || !is_zero(desc.bounds_max);
+  return SHD_OK;
+}
+
+shd_result render_shadow(const core::Context& context, const core::Context& owner, const shd_shadow_render_desc& desc,
+                         light::Shadow* shadow) {
+  SHD_TRY(check_zero("shadow_render.reserved", desc.reserved));
+  SHD_TRY(check_count("shadow_render.draw_count", desc.draw_count, 0, kMaxItems));
+  if (desc.draw_count) SHD_TRY(check_not_null("shadow_render.draws", desc.draws));
+  const light::LightBody* body = nullptr;
+  SHD_TRY(read_handle("shadow_render.light", desc.light, core::ObjectType::kLight, &body));
+  if (body->light.kind == SHD_LIGHT_AMBIENT) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.light: AMBIENT casts no shadows");
+  }
+  film::ShadowFrame frame = {};
+  frame.light = &body->light;
+  SHD_TRY(check_planes(desc, body->light, &frame));
+  SHD_TRY(check_bounds(desc, &frame));
+  core::Buffer<film::Draw> draws(context.allocator);
+  SHD_TRY(read_draws("shadow_render", desc.draws, desc.draw_count, &draws));
+  frame.draws = draws.data();
+  frame.draw_count = draws.size();
+  film::render_shadow(context, owner, frame, shadow);
+  return SHD_OK;
+}
+
+/// The columns of one call.
+struct Batch {
+  size_t count;
+  shd_f32_in in[6];
+  shd_f32_out out;
+  bool has_normals, is_packed;
+};
+
+shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out& out, Batch* batch) {
+  static const char* const kNames[6] = {"shadow_lookups.position[0]", "shadow_lookups.position[1]",
+                                        "shadow_lookups.position[2]", "shadow_lookups.normal[0]",
+                                        "shadow_lookups.normal[1]",   "shadow_lookups.normal[2]"};
+  shd_shadow_lookups read = shd_shadow_lookups_default();
+  SHD_TRY(read_desc("shadow_lookups", in, false, &read));
+  SHD_TRY(check_zero("shadow_lookups.reserved", read.reserved));
+  *batch = {read.count, {}, out, read.normal[0].data || read.normal[1].data || read.normal[2].data, true};
+  for (size_t c = 0; c < 6; ++c) {
+    batch->in[c] = c < 3 ? read.position[c] : read.normal[c - 3];
+    if (c >= 3 && !batch->has_normals) continue;
+    SHD_TRY(check_column(kNames[c], batch->in[c], read.count));
+    if (read.count && !batch->in[c].data) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: NULL", kNames[c]);
+    batch->is_packed = batch->is_packed && data::is_packed(batch->in[c].stride);
+  }
+  if (read.count) SHD_TRY(check_not_null("out.data", out.data));
+  batch->is_packed = batch->is_packed && data::is_packed(out.stride);
+  return check_column("out", out, read.count);
+}
+
+light::ShadowLookups part_of(const Batch& batch, size_t first, size_t count) {
+  light::ShadowLookups part = {count, {}, {}};
+  for (size_t c = 0; c < 3; ++c) {
+    part.position[c] = batch.in[c].data + first;
+    if (batch.has_normals) part.normal[c] = batch.in[3 + c].data + first;
+  }
+  return part;
+}
+
+/// Through packed copies.
+void sample_staged(const core::SimdTarget& simd, const light::Shadow& shadow, const Batch& batch, size_t first,
+                   size_t count) {
+  float stage[6][kStage], out[kStage];
+  light::ShadowLookups part = {count, {stage[0], stage[1], stage[2]}, {}};
+  for (size_t c = 0; c < (batch.has_normals ? 6 : 3); ++c) {
+    for (size_t k = 0; k < count; ++k) stage[c][k] = data::load(batch.in[c], first + k);
+    if (c >= 3) part.normal[c - 3] = stage[c];
+  }
+  light::sample_shadow(simd, shadow, part, out);
+  for (size_t k = 0; k < count; ++k) data::store(batch.out, first + k, out[k]);
+}
+
+void sample_batch(const core::Context& context, const light::Shadow& shadow, const Batch& batch) {
+  const size_t size = batch.count / kMaxTasks < kChunk ? kChunk : batch.count / kMaxTasks + 1;
+  const auto tasks = static_cast<uint32_t>(batch.count / size + (batch.count % size != 0));
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
+    const size_t begin = task * size, end = batch.count - begin < size ? batch.count : begin + size;
+    if (batch.is_packed) {
+      return light::sample_shadow(context.simd, shadow, part_of(batch, begin, end - begin), batch.out.data + begin);
+    }
+    for (size_t first = begin; first < end; first += kStage) {
+      sample_staged(context.simd, shadow, batch, first, end - first < kStage ? end - first : kStage);
+    }
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_shadow_create(shd_context* context, const shd_shadow_desc* desc, shd_shadow** out_shadow) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_shadow", out_shadow));
+    *out_shadow = nullptr;
+    SHD_TRY(check_context(context));
+    shd_shadow_desc read = shd_shadow_desc_default();
+    SHD_TRY(read_desc("shadow", desc, true, &read));
+    SHD_TRY(check_shadow_desc(read));
+    core::Context& owner = context_of(context);
+    auto* shadow = core::create<light::Shadow>(owner.allocator);
+    shadow->options = {read.size, read.filter,     read.taps,          read.casters, read.filter_size, read.light_size,
+                       read.bias, read.bias_slope, read.normal_offset, read.bleed,   read.min_variance};
+    make_handle(owner, kType, shadow, out_shadow);
+    return SHD_OK;
+  });
+}
+
+void shd_shadow_retain(shd_shadow* shadow) {
+  retain_handle(shadow, kType);
+}
+
+void shd_shadow_release(shd_shadow* shadow) {
+  release_handle(shadow, kType);
+}
+
+shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd_shadow_render_desc* desc) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_context(context));
+    light::Shadow* body = nullptr;
+    SHD_TRY(read_handle("shadow", shadow, kType, &body));
+    shd_shadow_render_desc read = shd_shadow_render_desc_default();
+    SHD_TRY(read_desc("shadow_render", desc, false, &read));
+    return render_shadow(context_of(context), *object_of(shadow)->context, read, body);
+  });
+}
+
+shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, shd_f32_out out) {
+  return guard([&]() -> shd_result {
+    const light::Shadow* body = nullptr;
+    SHD_TRY(read_handle("shadow", shadow, kType, &body));
+    Batch batch;
+    SHD_TRY(read_batch(lookups, out, &batch));
+    if (!body->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
+    sample_batch(*object_of(shadow)->context, *body, batch);
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

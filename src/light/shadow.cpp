@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "light/shadow.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace shd::light {
+
+ShadowAxes cube_axes(uint32_t face) {
+  const uint32_t axis = face / 2, next = (axis + 1) % 3, last = (axis + 2) % 3;
+  const bool negative = face % 2 != 0;
+  ShadowAxes axes = {};
+  axes.forward[axis] = negative ? -1.0f : 1.0f;
+  axes.right[negative ? last : next] = 1.0f;
+  axes.down[negative ? next : last] = 1.0f;
+  return axes;
+}
+
+uint32_t reach_of(const ShadowOptions& options) {
+  const uint32_t taps = options.taps;
+  switch (options.filter) {
+    case SHD_SHADOW_PCF:
+    case SHD_SHADOW_VARIANCE: return std::min(taps / 2 + 1, options.size / kPcfReachPart);
+    case SHD_SHADOW_SUMMED_AREA_VARIANCE:
+    case SHD_SHADOW_PCSS: return options.size / kReachPart;
+    default: return 1;
+  }
+}
+
+uint32_t pad_of(const ShadowOptions& options) {
+  switch (options.filter) {
+    case SHD_SHADOW_PCF: return options.taps / 2 + 1;
+    case SHD_SHADOW_VARIANCE: return 1;
+    case SHD_SHADOW_PCSS: return 2;
+    default: return 0;
+  }
+}
+
+void allocate(const core::Allocator& allocator, const ShadowOptions& options, const ShadowPlacement& placement,
+              ShadowMap* out) {
+  ShadowMap map = {};
+  map.placement = placement;
+  map.size = options.size;
+  map.pad = pad_of(options);
+  map.pitch = size_t{map.size} + 2 * map.pad;
+  map.face_stride = map.pitch * map.pitch;
+  map.depth = core::Array<float>(allocator, map.face_stride * placement.face_count);
+  std::fill(map.depth.begin(), map.depth.end(), std::numeric_limits<float>::infinity());
+  *out = std::move(map);
+}
+
+void sample_shadow(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+  switch (shadow.options.filter) {
+    case SHD_SHADOW_PCF: return sample_pcf(simd, shadow, in, visibility);
+    case SHD_SHADOW_VARIANCE: return sample_variance(simd, shadow, in, visibility);
+    case SHD_SHADOW_SUMMED_AREA_VARIANCE: return sample_summed_area_variance(simd, shadow, in, visibility);
+    case SHD_SHADOW_PCSS: return sample_pcss(simd, shadow, in, visibility);
+    default: return sample_hard(simd, shadow, in, visibility);
+  }
+}
+
+}  // namespace shd::light

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "light/light.h"
+#include "light/shadow.h"
+
+namespace shd::light {
+
+/// Where maps of a light must reach: grows with every box it is given. In double throughout.
+class ShadowFit {
+ public:
+  explicit ShadowFit(const Light& light);
+
+  /// Corners of a box that casts shadows, world space.
+  void add(const double (&corners)[8][3]);
+  /// The part of the world that needs shadows, in place of that of the boxes, for directional lights.
+  void limit(const float low[3], const float high[3]);
+  /// Depths that are drawn, in place of fitted ones.
+  void set_planes(float near, float far);
+
+  /// Throws Failure where bounds exceed 1e18.
+  ShadowPlacement place(const ShadowOptions& options) const;
+
+ private:
+  struct Span {
+    double low, high;
+    void add(double value);
+    bool is_empty() const { return !(low <= high); }
+  };
+
+  void place_directional(const ShadowOptions& options, ShadowPlacement* out) const;
+  void place_around(const ShadowOptions& options, ShadowPlacement* out) const;
+  double along(const float (&axis)[3], const double corner[3]) const;
+
+  const Light& light_;
+  ShadowAxes axes_;  // of directional lights and spots
+  bool is_cube_;
+  Span across_[2];      // along right and down
+  Span depth_;          // along forward, from the origin of depths; of cubes in the maximum norm
+  double largest_ = 0;  // coordinate
+  bool is_limited_ = false, has_planes_ = false;
+  double near_ = 0, far_ = 0;
+};
+
+/// Spots wider than this have the six faces of a point light [tangent of the half angle].
+constexpr double kMaxSpotTangent = 1.9647596572486523;  // of 1.1 rad
+
+}  // namespace shd::light

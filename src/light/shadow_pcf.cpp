@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "light/shadow.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "light/shadow_pcf.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "light/shadow_receiver-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::light::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows with
+/// Depth Maps", 1987): (n + 1) x (n + 1) texels are compared, each with the surface's plane at its centre, and those of
+/// the outermost rows and columns weighted by the part that a square of n x n texels around the point covers.
+void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+  const ShadowMap& map = shadow.map;
+  const uint32_t taps = shadow.options.taps;
+  ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {
+    using D = decltype(d);
+    using V = hn::Vec<D>;
+    const hn::RebindToSigned<D> di;
+    const V one = hn::Set(d, 1.0f), reach = hn::Set(d, 0.5f * static_cast<float>(taps));
+    const V left = hn::Sub(at.x, reach), top = hn::Sub(at.y, reach);
+    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V last_x = hn::Sub(left, column), last_y = hn::Sub(top, row);
+    const V first_x = hn::Sub(one, last_x), first_y = hn::Sub(one, last_y);
+    const auto pitch = hn::Set(di, static_cast<int32_t>(map.pitch));
+    auto start = TexelIndex(d, map, at.face, column, row);
+    V start_z = PlaneDepth(d, at, column, row);
+    V lit = hn::Zero(d), all = hn::Zero(d), all_row = hn::Zero(d);
+    for (uint32_t j = 0; j <= taps; ++j) all_row = hn::Add(all_row, j == 0 ? first_x : j == taps ? last_x : one);
+    for (uint32_t i = 0; i <= taps; ++i) {
+      V lit_row = hn::Zero(d), z = start_z;
+      auto index = start;
+      const auto compare = [&](V found, V weight) {
+        lit_row = hn::Add(lit_row, hn::IfThenElseZero(hn::Le(z, found), weight));
+        z = hn::Add(z, at.dx);
+      };
+      for (uint32_t j = 0; j < taps; j += 2) {
+        V depth, next_depth;
+        GatherPairs(d, map.depth.data(), index, &depth, &next_depth);
+        compare(depth, j == 0 ? first_x : one);
+        compare(next_depth, j + 1 == taps ? last_x : one);
+        index = hn::Add(index, hn::Set(di, 2));
+      }
+      if (taps % 2 == 0) compare(GatherDepths(d, map, index), last_x);
+      const V weight = i == 0 ? first_y : i == taps ? last_y : one;
+      lit = hn::Add(lit, hn::Mul(weight, lit_row));
+      all = hn::Add(all, hn::Mul(weight, all_row));  // rounds as `lit` does where everything is
+      start = hn::Add(start, pitch);
+      start_z = hn::Add(start_z, at.dy);
+    }
+    return hn::Div(lit, all);
+  });
+}
+
+}  // namespace shd::light::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::light {
+
+HWY_EXPORT(SamplePcf);
+
+void sample_pcf(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+  SHD_DISPATCH(SamplePcf, simd)(shadow, in, visibility);
+}
+
+}  // namespace shd::light
+#endif  // HWY_ONCE

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "light/shadow.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "light/shadow_pcss.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "light/shadow_receiver-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::light::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// n x n places around a point, one in each cell of a square: the canonical arrangement of multi-jittered samples
+/// (Chiu, Shirley and Wang, "Multi-Jittered Sampling", 1994), so that an edge along the map meets them one by one and
+/// not n at a time.
+template <class D, class V>
+struct TapGrid {
+  V step, first;
+  float inverse;
+
+  HWY_INLINE TapGrid(D d, uint32_t taps, V half) : inverse(1.0f / static_cast<float>(taps)) {
+    step = hn::Mul(half, hn::Set(d, 2.0f * inverse));
+    first = hn::Mul(half, hn::Set(d, inverse * inverse - 1.0f));
+  }
+  /// Along the axis in which `cell` counts.
+  HWY_INLINE V offset(D d, uint32_t cell, uint32_t other) const {
+    const float place = static_cast<float>(cell) + static_cast<float>(other) * inverse;
+    return hn::Add(first, hn::Mul(step, hn::Set(d, place)));
+  }
+};
+
+/// Whether the surface's plane is in front of texels (column, row), those outside the map empty.
+template <class D>
+struct Comparison {
+  const ShadowMap& map;
+  const Receiver<D>& at;
+  using V = hn::Vec<D>;
+
+  HWY_INLINE V depth(D d, V column, V row) const {
+    const auto size = static_cast<float>(map.size);
+    const V x = Clamp(d, column, -1.0f, size), y = Clamp(d, row, -1.0f, size);
+    return GatherDepths(d, map, TexelIndex(d, map, at.face, x, y));
+  }
+  /// The bilinear mean of four comparisons around a place.
+  HWY_INLINE V blend(D d, V x, V y) const {
+    const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
+    const V left = hn::Sub(x, half), top = hn::Sub(y, half);
+    const V column = hn::Floor(left), row = hn::Floor(top);
+    const V fx = hn::Sub(left, column), fy = hn::Sub(top, row);
+    const V plane = PlaneDepth(d, at, column, row);
+    return Mix(lit_pair(d, column, row, plane, fx), lit_pair(d, column, hn::Add(row, one), hn::Add(plane, at.dy), fx),
+               fy);
+  }
+
+ private:
+  static HWY_INLINE V Mix(V a, V b, V f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+  /// Of a texel and its right neighbour.
+  HWY_INLINE V lit_pair(D d, V column, V row, V plane, V fx) const {
+    const auto size = static_cast<float>(map.size);
+    const V x = Clamp(d, column, -2.0f, size), y = Clamp(d, row, -1.0f, size), one = hn::Set(d, 1.0f);
+    V depth, next_depth;
+    GatherPairs(d, map.depth.data(), TexelIndex(d, map, at.face, x, y), &depth, &next_depth);
+    const V lit = hn::IfThenElseZero(hn::Le(plane, depth), one);
+    return Mix(lit, hn::IfThenElseZero(hn::Le(hn::Add(plane, at.dx), next_depth), one), fx);
+  }
+};
+
+/// Percentage-closer soft shadows (Fernando, 2005): the mean depth of what blocks the light in the part of the map that
+/// the rays to the light cross, the width of the penumbra that follows from it, and comparisons over that width.
+/// half_width(depth of a blocker, of a receiver, texel) of a penumbra, in texels.
+void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+  const ShadowMap& map = shadow.map;
+  const ShadowPlacement& placement = map.placement;
+  const uint32_t taps = shadow.options.taps;
+  const bool is_perspective = placement.projection != ShadowProjection::kOrthographic;
+  const float most = static_cast<float>(map.size) / static_cast<float>(kReachPart);
+  ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {
+    using D = decltype(d);
+    using V = hn::Vec<D>;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half_light = hn::Set(d, 0.5f * shadow.options.light_size);
+    const auto half_width = [&](V blocker) {
+      const V gap = hn::Mul(half_light, hn::Max(hn::Sub(at.z, blocker), zero));
+      const V length = is_perspective ? hn::Div(gap, hn::Max(blocker, hn::Set(d, placement.near))) : gap;
+      return Clamp(d, hn::Div(length, at.texel), 0.0f, most);
+    };
+    const Comparison<D> comparison = {map, at};
+    const TapGrid<D, V> search(d, taps, hn::Max(half_width(hn::Set(d, placement.near)), one));
+    V sum = zero, count = zero;
+    for (uint32_t i = 0; i < taps; ++i) {
+      for (uint32_t j = 0; j < taps; ++j) {
+        const V column = hn::Floor(hn::Add(at.x, search.offset(d, j, i)));
+        const V row = hn::Floor(hn::Add(at.y, search.offset(d, i, j)));
+        const V depth = comparison.depth(d, column, row);
+        const auto blocks = hn::Lt(depth, PlaneDepth(d, at, column, row));
+        sum = hn::Add(sum, hn::IfThenElseZero(blocks, depth));
+        count = hn::Add(count, hn::IfThenElseZero(blocks, one));
+      }
+    }
+    if (hn::AllTrue(d, hn::Eq(count, zero))) return one;
+    const TapGrid<D, V> grid(d, taps, half_width(hn::Div(sum, hn::Max(count, one))));
+    V lit = zero;
+    for (uint32_t i = 0; i < taps; ++i) {
+      for (uint32_t j = 0; j < taps; ++j) {
+        const V x = hn::Add(at.x, grid.offset(d, j, i)), y = hn::Add(at.y, grid.offset(d, i, j));
+        lit = hn::Add(lit, comparison.blend(d, x, y));
+      }
+    }
+    const V mean = hn::Div(lit, hn::Set(d, static_cast<float>(taps * taps)));
+    return hn::IfThenElse(hn::Eq(count, zero), one, mean);
+  });
+}
+
+}  // namespace shd::light::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::light {
+
+HWY_EXPORT(SamplePcss);
+
+void sample_pcss(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility) {
+  SHD_DISPATCH(SamplePcss, simd)(shadow, in, visibility);
+}
+
+}  // namespace shd::light
+#endif  // HWY_ONCE

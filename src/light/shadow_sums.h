@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "light/shadow.h"
+
+namespace shd::light {
+
+/// Depths as they are summed: from the middle of the range, in units of it, -1/2..1/2 in steps of 2^-25, and their
+/// squares in steps of 2^-28. Sums of 2^26 of either are exact in double. (Lauritzen, "Summed-Area Variance Shadow
+/// Maps", GPU Gems 3, 2007, 8.5, sums integers for the same reason.)
+struct SumScale {
+  double middle, range;
+};
+
+inline SumScale sum_scale(const ShadowPlacement& placement) {
+  const double near = static_cast<double>(placement.near), far = static_cast<double>(placement.far);
+  return {0.5 * (near + far), far - near};
+}
+
+/// Of depths beyond the range the nearest in it; empty texels are far.
+inline double coded_depth(const SumScale& scale, float depth) {
+  const double s = (static_cast<double>(depth) - scale.middle) / scale.range;
+  return std::floor(std::fmin(std::fmax(s, -0.5), 0.5) * 0x1p25 + 0.5) * 0x1p-25;
+}
+
+inline double coded_square(double s) {
+  return std::floor(s * s * 0x1p28 + 0.5) * 0x1p-28;
+}
+
+}  // namespace shd::light
