@@ -91,16 +91,15 @@ inline LobeTerms metallic_lobes(Vector n, Vector v, Vector l, long double alpha)
   const auto shadowed = [&](long double c) { return sqrtl(a2 + (1 - a2) * c * c); };
   const long double visibility = 1 / (2 * (nl * shadowed(nv) + nv * shadowed(nl)));
   const long double f = powl(1 - clamped(size / 2, 0, 1), 5), lobe = size > 0 && nl > 0 ? nl * d * visibility : 0;
-  const long double off = 6e-6L + 1e-6L * (1 + 2 / std::max(size, 1e-9L)) / alpha +
-                          4e-7L / std::max(nl, 1e-9L) + 4e-7L / nv;
+  const long double off =
+      6e-6L + 1e-6L * (1 + 2 / std::max(size, 1e-9L)) / alpha + 4e-7L / std::max(nl, 1e-9L) + 4e-7L / nv;
   return {{nl * (1 - f), lobe * (1 - f), lobe * f},
           {2e-6L, lobe * ((1 - f) * off + 1e-6L), lobe * (f * off + 1e-6L)},
           fabsl(dot(n, l)) < 1e-6L || size < 1e-5L};
 }
 
 /// Lobes of a model; Gooch's is (1 + n.l) / 2.
-inline LobeTerms lobes_of(const material::Material& m, long double p, long double alpha, Vector n, Vector v,
-                          Vector l) {
+inline LobeTerms lobes_of(const material::Material& m, long double p, long double alpha, Vector n, Vector v, Vector l) {
   const long double cosine = std::max(0.0L, dot(n, l));
   if (m.model == SHD_MODEL_GOOCH) return {{(1 + dot(n, l)) / 2, 0, 0}, {1e-6L, 0, 0}, false};
   if (m.model == SHD_MODEL_METALLIC_ROUGHNESS) return metallic_lobes(n, v, l, alpha);

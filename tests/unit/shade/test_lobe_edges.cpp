@@ -33,7 +33,8 @@ void random_columns(Random* random) {
     }
   }
   g->shape = {g->exponent, g->alpha_squared, g->gain};
-  for (size_t k = 0; k < g->count; k += 3) g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
+  for (size_t k = 0; k < g->count; k += 3)
+    g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
 }
 
 /// Lights one after the other, in threes, and with empty groups: the bits of all at once.
@@ -126,8 +127,8 @@ void test_edges(void** state) {
   }
 }
 
-/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: rows beside them
-/// have the bits that they have alone, and what gets no light stays 0.
+/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: rows beside
+/// them have the bits that they have alone, and what gets no light stays 0.
 void test_nonfinite(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   if (c->model == SHD_MODEL_GOOCH) return;  // reads neither E nor texels

@@ -73,7 +73,8 @@ void test_columns(void** state) {
       }
     }
     g->shape = {n & 1 ? g->exponent : nullptr, n & 1 ? g->alpha_squared : nullptr, n & 2 ? g->gain : nullptr};
-    for (size_t k = 0; k < 6; k += 2) g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
+    for (size_t k = 0; k < 6; k += 2)
+      g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
     illuminate_everywhere();
     check_lobes();
   }
