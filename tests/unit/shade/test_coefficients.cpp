@@ -89,7 +89,8 @@ void random_columns(Random* random, shd_model model) {
   for (int c = 0; c < 3; ++c) {
     g->lights.ambient[c] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
-      for (uint32_t k = 0; k < shade::kMaxLobes; ++k) g->first.lobes.lobe[k][c][i] = k < lobes ? random->real(0, 10) : NAN;
+      for (uint32_t k = 0; k < shade::kMaxLobes; ++k)
+        g->first.lobes.lobe[k][c][i] = k < lobes ? random->real(0, 10) : NAN;
     }
   }
   for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
@@ -154,7 +155,9 @@ void test_slots(void** state) {
   Random random = {92};
   const uint32_t reads = material::info_of(c->model).slots;
   for (uint32_t n = 0; n < SHD_SLOT_COUNT + 22; ++n) {
-    const uint32_t slots = n < SHD_SLOT_COUNT ? 1u << n : n == SHD_SLOT_COUNT ? 0u : static_cast<uint32_t>(random.bits());
+    const uint32_t slots = n < SHD_SLOT_COUNT    ? 1u << n
+                           : n == SHD_SLOT_COUNT ? 0u
+                                                 : static_cast<uint32_t>(random.bits());
     shd_material_desc desc = random_material(&random, c->model);
     desc.blend = static_cast<shd_blend_mode>(random.whole(SHD_BLEND_OPAQUE, SHD_BLEND_SORTED));
     desc.alpha_cutoff = random.bits() & 1 ? 0.5f : 0.0f;
@@ -174,7 +177,8 @@ void test_tails(void** state) {
   build(desc);
   random_columns(&random, c->model);
   g->lights.count = 2;
-  for (size_t count = 0; count <= kRows; ++count) combine_everywhere(parameters(material::info_of(c->model).slots), count);
+  for (size_t count = 0; count <= kRows; ++count)
+    combine_everywhere(parameters(material::info_of(c->model).slots), count);
 }
 
 /// Ambient light once per light that is not ambient: none without lights.
