@@ -118,11 +118,12 @@ void BumpNormals(const float* const* tilt, const float* const* frame, raster::Fr
     const auto dpdv = LoadVec3(d, frame[3], frame[4], frame[5], i);
     const auto r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const auto area = Dot(dpdu, r1);
-    const auto negative = hn::Lt(area, hn::Zero(d));
-    const auto slope = Sum(Scaled(r1, hn::Load(d, tilt[0] + i)), Scaled(r2, hn::Load(d, tilt[1] + i)));
-    const auto signed_slope = Select(negative, slope, Scaled(slope, hn::Set(d, -1.0f)));
-    const auto turned = Sum(Scaled(n, hn::Abs(area)), signed_slope);
-    const auto flat = hn::Eq(area, hn::Zero(d));
+    const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));
+    const auto safe = hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
+    // Shares of the frame first: its lengths may be far from 1.
+    const auto slope =
+        Sum(Scaled(r1, hn::Div(hn::Load(d, tilt[0] + i), safe)), Scaled(r2, hn::Div(hn::Load(d, tilt[1] + i), safe)));
+    const auto turned = Sum(n, Scaled(slope, hn::Set(d, -1.0f)));
     StoreNormal(d, Select(flat, n, turned), n, i, rows);
   }
 }

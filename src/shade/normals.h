@@ -19,7 +19,9 @@ void map_normals(const core::SimdTarget& simd, const material::Material& materia
 void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* rows);
 
 /// Turns them by the gradient of a height: tilt holds its derivatives in u and v, frame dp/du and dp/dv
-/// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). A normal stays where frame spans no area.
+/// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). A normal stays where frame spans no area, or
+/// one below 1.2e-38, and where the turned one is not finite. |error| <= 1e-6 over the cosine of the frame's skew and
+/// tilt.
 void bump_normals(const core::SimdTarget& simd, const float* const tilt[2], const float* const frame[6],
                   raster::Fragments* rows);
 
