@@ -29,12 +29,9 @@ struct BumpCase {
   bool swapped;                         // v before u: mirrored
 };
 const BumpCase k_bumps[] = {
-    {"bump/surface", 0, 1, 0, 1, false},
-    {"bump/mirrored", 0, 1, 0, 1, true},
-    {"bump/stretched", -8, 8, -8, 8, false},
-    {"bump/tiny_frames", -40, -36, -40, -36, false},
-    {"bump/huge_frames", 36, 40, 36, 40, false},
-    {"bump/huge_and_tiny", 36, 40, -40, -36, true},
+    {"bump/surface", 0, 1, 0, 1, false},         {"bump/mirrored", 0, 1, 0, 1, true},
+    {"bump/stretched", -8, 8, -8, 8, false},     {"bump/tiny_frames", -40, -36, -40, -36, false},
+    {"bump/huge_frames", 36, 40, 36, 40, false}, {"bump/huge_and_tiny", 36, 40, -40, -36, true},
 };
 
 void run_bumps(const core::SimdTarget& target, raster::Fragments* rows) {
