@@ -56,7 +56,9 @@ typedef enum shd_model {
      * Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
      * (1 - (1 - v.h)^5) / pi + F D V), with base colour b = k_d, metallic m, alpha = roughness^2 held at 0.001 or more,
      * F = F0 + (1 - F0) (1 - v.h)^5, F0 = f (1 - m) + b m, f = ((ior - 1) / (ior + 1))^2, the distribution D of
-     * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v)
+     * Trowbridge and Reitz (GGX) and V, the height-correlated masking and shadowing of Smith over 4 (n.l) (n.v).
+     * Metals send on at most what they get; without metal, what is scattered and mirrored is more than that together
+     * at flat angles (1.2 of it seen from 75 degrees off n, 1.6 from 85), as this formula has it
      */
     SHD_MODEL_METALLIC_ROUGHNESS = 9,
     /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space */

@@ -45,9 +45,10 @@ double cosine(double x) {
 }
 
 void set_cone(const shd_light_desc& desc, Light* light) {
-  const double outer = cosine(desc.outer_angle), inner = cosine(desc.inner_angle);
-  light->cone_start = static_cast<float>(outer);
-  light->cone_scale = static_cast<float>(1.0 / std::max(inner - outer, 1e-6));
+  light->cone_start = static_cast<float>(cosine(desc.outer_angle));
+  // The narrowest cones leave 5e-7 between the cosines: what rounding moved the start by counts, and 2^-24 is a step.
+  const double width = cosine(desc.inner_angle) - double{light->cone_start};
+  light->cone_scale = static_cast<float>(1.0 / std::max(width, 0x1p-24));
   light->outer_tangent = static_cast<float>(data::tan(std::min(double{desc.outer_angle}, 1.57)));
 }
 

@@ -95,11 +95,12 @@ struct MetallicRoughnessModel {
   }
 };
 
-/// Adds I w, or what texture and shadow leave of it, to a lobe's channels.
+/// Adds I w, or what texture and shadow leave of it, to a lobe's channels. Nothing stays nothing, whatever the texel.
 template <class D, class V>
 HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&sum)[3]) {
+  const auto gives = hn::Gt(w, hn::Zero(d));
   for (int c = 0; c < 3; ++c) {
-    const V left = active.factor[c] ? hn::Mul(w, hn::Load(d, active.factor[c] + i)) : w;
+    const V left = active.factor[c] ? hn::IfThenElseZero(gives, hn::Mul(w, hn::Load(d, active.factor[c] + i))) : w;
     sum[c] = hn::Add(sum[c], hn::Mul(hn::Set(d, active.light->intensity[c]), left));
   }
 }

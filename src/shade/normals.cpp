@@ -67,12 +67,15 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float* const* map, size_t i) {
   const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d);
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
+  const V squared_scale = hn::Mul(scale_x, scale_x);
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
   if (material.normal_encoding == SHD_NORMAL_MOMENTS) {
     const V squares = hn::Add(hn::Load(d, map[2] + i), hn::Load(d, map[3] + i));
     const V spread = hn::Sub(squares, hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
-    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(hn::Mul(scale_x, scale_x), spread));
-    return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), half)};
+    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(squared_scale, spread));
+    const V most = hn::Set(d, 1e30f);  // exponents times it are finite
+    const V held = hn::IfThenElse(hn::Lt(half, most), half, most);
+    return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
   const V x = hn::Sub(hn::Mul(two, a), one), y = hn::Sub(hn::Mul(two, b), one);
   if (material.normal_encoding == SHD_NORMAL_XY) {
@@ -84,7 +87,8 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);
   const V length = hn::IfThenElse(hn::Gt(given, hn::Set(d, 0.01f)), given, hn::Set(d, 0.01f));
-  return {m, hn::IfThenElseZero(shorter, hn::Div(hn::Sub(one, length), length))};
+  const V variance = hn::Mul(squared_scale, hn::Div(hn::Sub(one, length), length));
+  return {m, hn::IfThenElseZero(shorter, variance)};
 }
 
 void MapNormals(const material::Material& material, const float* const* map, raster::Fragments& rows, float* variance) {
@@ -114,11 +118,12 @@ void BumpNormals(const float* const* tilt, const float* const* frame, raster::Fr
     const auto dpdv = LoadVec3(d, frame[3], frame[4], frame[5], i);
     const auto r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const auto area = Dot(dpdu, r1);
-    const auto negative = hn::Lt(area, hn::Zero(d));
-    const auto slope = Sum(Scaled(r1, hn::Load(d, tilt[0] + i)), Scaled(r2, hn::Load(d, tilt[1] + i)));
-    const auto signed_slope = Select(negative, slope, Scaled(slope, hn::Set(d, -1.0f)));
-    const auto turned = Sum(Scaled(n, hn::Abs(area)), signed_slope);
-    const auto flat = hn::Eq(area, hn::Zero(d));
+    const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));
+    const auto safe = hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
+    // Shares of the frame first: its lengths may be far from 1.
+    const auto slope =
+        Sum(Scaled(r1, hn::Div(hn::Load(d, tilt[0] + i), safe)), Scaled(r2, hn::Div(hn::Load(d, tilt[1] + i), safe)));
+    const auto turned = Sum(n, Scaled(slope, hn::Set(d, -1.0f)));
     StoreNormal(d, Select(flat, n, turned), n, i, rows);
   }
 }

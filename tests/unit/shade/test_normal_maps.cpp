@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Normals turned by maps and heights against long double; degenerate tangents and texels; lobes widened by what maps
+// lost.
+#include "unit/shade/normals_fixture.h"
+
+namespace shd::tests {
+namespace {
+
+struct EncodingCase {
+  const char* name;
+  shd_normal_encoding encoding;
+  float scale;
+};
+const EncodingCase k_encodings[] = {
+    {"map/xyz", SHD_NORMAL_XYZ, 1},
+    {"map/xyz/scaled", SHD_NORMAL_XYZ, -0.5f},
+    {"map/xy", SHD_NORMAL_XY, 1},
+    {"map/xy/scaled", SHD_NORMAL_XY, 3},
+    {"map/toksvig", SHD_NORMAL_TOKSVIG, 1},
+    {"map/toksvig/scaled", SHD_NORMAL_TOKSVIG, 0.5f},
+    {"map/moments", SHD_NORMAL_MOMENTS, 1},
+    {"map/moments/scaled", SHD_NORMAL_MOMENTS, -2},
+    {"map/toksvig/flat", SHD_NORMAL_TOKSVIG, 0},
+};
+
+void set_encoding(shd_normal_encoding encoding, float scale) {
+  shd_material_desc desc = shd_material_desc_default();
+  desc.normal_encoding = encoding;
+  desc.normal_scale = scale;
+  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::build(desc, parts, &g->material);
+}
+
+/// Texels of an encoding: unit normals shortened by what a mip level takes, or slopes and their squares.
+void random_texels(Random* random, shd_normal_encoding encoding) {
+  float* const* map = g->given.slot[SHD_SLOT_NORMAL];
+  for (size_t i = 0; i < kBatch; ++i) {
+    Vector m = random_unit(random);
+    m.z = fabsl(m.z) + 0.05L;
+    m = ref::unit(m);
+    const double length = i % 3 ? random->in(0.0, 1.0) : 1.0;
+    double t[4] = {double(0.5L + 0.5L * m.x), double(0.5L + 0.5L * m.y), double(0.5L + 0.5L * m.z), length};
+    if (encoding == SHD_NORMAL_MOMENTS) {
+      t[0] = double(m.x / m.z), t[1] = double(m.y / m.z);
+      t[2] = t[0] * t[0] + random->in(-0.01, 1.0), t[3] = t[1] * t[1] + random->in(-0.01, 1.0);
+    }
+    for (int c = 0; c < 4; ++c) map[c][i] = static_cast<float>(t[c]);
+  }
+}
+
+void map_everywhere(bool tails) {
+  const auto run = [&](const core::SimdTarget& target, raster::Fragments* rows) {
+    shade::map_normals(target, g->material, g->given.slot[SHD_SLOT_NORMAL], rows, g->columns.variance);
+  };
+  tails ? turn_tails(run) : turn_everywhere(run);
+}
+
+void test_map(void** state) {
+  const auto* c = static_cast<const EncodingCase*>(*state);
+  Random random = {101};
+  set_encoding(c->encoding, c->scale);
+  random_rows(&random);
+  random_texels(&random, c->encoding);
+  map_everywhere(true);
+  map_everywhere(false);
+  for (size_t i = 0; i < kBatch; ++i) {
+    long double t[4];
+    for (int k = 0; k < 4; ++k) t[k] = g->given.slot[SHD_SLOT_NORMAL][k][i];
+    const ref::MappedNormal want = ref::decode(g->material, t);
+    const Vector n = normal_of(g->before, i), tangent = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
+    const Vector turned = ref::from_tangent_space(n, tangent, g->before.tw[i], want.m);
+    // XY: the square root magnifies what rounding leaves of a small z.
+    const long double z = c->encoding == SHD_NORMAL_XY ? std::max(want.m.z, 1e-3L) : 1;
+    const long double size = std::max(1.0L, ref::length(want.m));
+    check_normal("n", i, ref::unit(turned), static_cast<double>(6e-7L * size / z / ref::length(turned)));
+    // Of a difference of squares.
+    shd_assert_close("variance", i, g->columns.variance[i], static_cast<double>(want.variance),
+                     c->encoding == SHD_NORMAL_MOMENTS ? 4e-7 * static_cast<double>(size * size) : 0.0, 1e-6);
+  }
+}
+
+struct DegenerateCase {
+  const char* name;
+  float n[3], t[3];
+};
+const DegenerateCase k_degenerate[] = {
+    {"tangent/0", {0, 0.6f, 0.8f}, {0, 0, 0}},
+    {"tangent/0/up", {0, 0, 1}, {0, 0, 0}},
+    {"tangent/0/down", {0, 0, -1}, {0, 0, 0}},
+    {"tangent/along_n", {0, 0.6f, 0.8f}, {0, 0.6f, 0.8f}},
+    {"tangent/against_n", {0, 0.6f, -0.8f}, {0, -1.2f, 1.6f}},
+    {"tangent/nan", {0, 0.6f, 0.8f}, {NAN, 0, 0}},
+    {"tangent/infinite", {0, 0.6f, 0.8f}, {INFINITY, 0, 0}},
+    {"tangent/huge", {0, 0.6f, 0.8f}, {3e38f, 0, 0}},
+};
+
+/// Some frame around n: the mapped normal is unit and keeps its angle to n.
+void test_degenerate(void** state) {
+  const auto* c = static_cast<const DegenerateCase*>(*state);
+  Random random = {102};
+  set_encoding(SHD_NORMAL_XYZ, 1.0f);
+  random_rows(&random);
+  random_texels(&random, SHD_NORMAL_XYZ);
+  for (size_t i = 0; i < kBatch; ++i) {
+    store(ref::vector(c->n), g->before.nx, g->before.ny, g->before.nz, i);
+    store(ref::vector(c->t), g->before.tx, g->before.ty, g->before.tz, i);
+  }
+  map_everywhere(false);
+  for (size_t i = 0; i < kBatch; ++i) {
+    const Vector got = normal_of(g->first, i);
+    const double z = 2.0 * g->given.slot[SHD_SLOT_NORMAL][2][i] - 1.0;
+    shd_assert_close("length", i, static_cast<double>(ref::length(got)), 1.0, 3e-7, 0.0);
+    shd_assert_close("angle", i, static_cast<double>(ref::dot(got, ref::vector(c->n))), z, 1e-6, 0.0);
+  }
+}
+
+/// Texels that are not finite, or stand for no normal, leave the normal alone; what they lost is finite.
+void test_nonfinite_texels(void**) {
+  const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f};
+  for (shd_normal_encoding encoding : {SHD_NORMAL_XYZ, SHD_NORMAL_XY, SHD_NORMAL_TOKSVIG, SHD_NORMAL_MOMENTS}) {
+    Random random = {103};
+    set_encoding(encoding, 1.0f);
+    random_rows(&random);
+    random_texels(&random, encoding);
+    for (size_t i = 0; i < kBatch; ++i) {
+      if (i % 2) g->given.slot[SHD_SLOT_NORMAL][i / 2 % 4][i] = bad[i / 8 % 4];
+      if (i % 32 == 0 && encoding == SHD_NORMAL_XYZ) {
+        for (int c = 0; c < 3; ++c) g->given.slot[SHD_SLOT_NORMAL][c][i] = 0.5f;
+      }
+    }
+    map_everywhere(false);
+    for (size_t i = 0; i < kBatch; ++i) {
+      const double length = static_cast<double>(ref::length(normal_of(g->first, i)));
+      shd_assert_close("length", i, length, 1.0, 3e-7, 0.0);
+      assert_true(std::isfinite(g->columns.variance[i]) && g->columns.variance[i] >= 0.0f);
+    }
+  }
+}
+
+/// Texel differences, as (x, y, 1).
+void test_tilt(void**) {
+  Random random = {104};
+  random_rows(&random);
+  for (size_t i = 0; i < kBatch; ++i) {
+    for (int c = 0; c < 2; ++c) g->given.tilt[c][i] = i % 16 == 15 ? NAN : random.scaled(-10, 10);
+  }
+  const auto run = [&](const core::SimdTarget& target, raster::Fragments* rows) {
+    shade::tilt_normals(target, g->given.tilt, rows);
+  };
+  turn_tails(run);
+  turn_everywhere(run);
+  for (size_t i = 0; i < kBatch; ++i) {
+    const Vector n = normal_of(g->before, i), t = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
+    const Vector m = {g->given.tilt[0][i], g->given.tilt[1][i], 1};
+    const Vector turned = ref::from_tangent_space(n, t, g->before.tw[i], m);
+    const auto tolerance = static_cast<double>(6e-7L * ref::length(m) / ref::length(turned));
+    check_normal("n", i, i % 16 == 15 ? n : ref::unit(turned), i % 16 == 15 ? 0.0 : tolerance);
+  }
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  using namespace shd::tests;
+  CMUnitTest tests[32];
+  size_t n = 0;
+  for (const EncodingCase& c : k_encodings)
+    tests[n++] = {c.name, test_map, nullptr, nullptr, const_cast<EncodingCase*>(&c)};
+  for (const DegenerateCase& c : k_degenerate) {
+    tests[n++] = {c.name, test_degenerate, nullptr, nullptr, const_cast<DegenerateCase*>(&c)};
+  }
+  tests[n++] = {"map/nonfinite_texels", test_nonfinite_texels, nullptr, nullptr, nullptr};
+  tests[n++] = {"tilt", test_tilt, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.shade.normal_maps", tests, n, set_up, tear_down);
+}
