@@ -103,8 +103,8 @@ shd_result course_flatten(struct course *course)
     return shd_texture_create(course->context, &desc, &course->texture);
 }
 
-void course_look_up(const struct course *course, const shd_fragments *in, size_t first, size_t count, float du, float dv,
-                    struct course_texels *out)
+void course_look_up(const struct course *course, const shd_fragments *in, size_t first, size_t count, float du,
+                    float dv, struct course_texels *out)
 {
     float u[COURSE_ROWS], v[COURSE_ROWS];
     shd_lookups where = shd_lookups_default();
@@ -220,7 +220,7 @@ static shd_result save(struct course *course, const struct course_program *progr
 
 int course_main(int argc, char **argv, const struct course_program *program)
 {
-    const char *path = argc > 1 ? argv[1] : course_default_model(program->relief);
+    const char *path = argc > 1 && *argv[1] ? argv[1] : course_default_model(program->relief);
     char picture[64];
     struct course course = {NULL, NULL, NULL, NULL, 1, 1, {0}};
     struct course_model model = {0, NULL, NULL, NULL, NULL, 0, ""};
@@ -237,7 +237,7 @@ int course_main(int argc, char **argv, const struct course_program *program)
         create_texture(&course, argc > 3 ? argv[3] : model.texture, program->relief) == SHD_OK &&
         shd_sampler_create(course.context, NULL, &course.sampler) == SHD_OK &&
         course_render(&course, &material, 1, &frame) == SHD_OK &&
-        save(&course, program, argc > 2 ? argv[2] : picture) == SHD_OK) {
+        save(&course, program, argc > 2 && *argv[2] ? argv[2] : picture) == SHD_OK) {
         good = program->check(&course, frame);
     }
     if (!good) fprintf(stderr, "%s: wrong picture or error: %s\n", program->name, shd_last_error());

@@ -9,9 +9,9 @@
  * stored as it is. So do these programs, to show its pictures: textures are read as if they were linear, and no curve
  * is applied to the picture. A renderer decodes texels, shades light, and encodes the picture, as ../frame.c does.
  *
- * Usage of each: NAME [MODEL [PICTURE.png [TEXTURE]]]. MODEL is what assimp reads, or - for a sphere made in
- * code; without one the duck of Debian's assimp-testmodels or, for height maps, the spider and the sphere where that
- * package or assimp is missing. Without TEXTURE the model's first, or one made in code.
+ * Usage of each: NAME [MODEL [PICTURE.png [TEXTURE]]]. MODEL is what assimp reads, or - for a sphere made in code;
+ * without one, or for "", the duck of Debian's assimp-testmodels or, for height maps, its spider, and the sphere where
+ * that package or assimp is missing. Without TEXTURE the model's first, or one made in code.
  */
 #ifndef SHD_EXAMPLES_COURSE_H
 #define SHD_EXAMPLES_COURSE_H
@@ -74,8 +74,8 @@ double course_difference(const shd_framebuffer *a, const shd_framebuffer *b);
 struct course_texels {
     float r[COURSE_ROWS], g[COURSE_ROWS], b[COURSE_ROWS];
 };
-void course_look_up(const struct course *course, const shd_fragments *in, size_t first, size_t count, float du, float dv,
-                    struct course_texels *out);
+void course_look_up(const struct course *course, const shd_fragments *in, size_t first, size_t count, float du,
+                    float dv, struct course_texels *out);
 
 /* Rows to shade at a time. */
 static inline size_t course_rows(const shd_fragments *in, size_t first)

@@ -102,7 +102,8 @@ static int copy_scene(const struct aiScene *scene, struct course_model *model)
         for (k = 0; k < mesh->mNumFaces; ++k) {
             const struct aiFace *face = &mesh->mFaces[k];
             if (face->mNumIndices != 3) continue; /* points and lines */
-            *index++ = base + face->mIndices[0], *index++ = base + face->mIndices[1], *index++ = base + face->mIndices[2];
+            *index++ = base + face->mIndices[0], *index++ = base + face->mIndices[1],
+            *index++ = base + face->mIndices[2];
         }
         base += mesh->mNumVertices;
     }
@@ -122,8 +123,7 @@ static int load(const char *path, struct course_model *model)
 
 const char *course_default_model(int relief)
 {
-    const char *path =
-        relief ? "/usr/share/assimp/models/OBJ/spider.obj" : "/usr/share/assimp/models/Collada/duck.dae";
+    const char *path = relief ? "/usr/share/assimp/models/OBJ/spider.obj" : "/usr/share/assimp/models/Collada/duck.dae";
     FILE *file = fopen(path, "rb");
     if (!file) return "-";
     fclose(file);

@@ -13,7 +13,10 @@ static const float k_eye[3] = {0, 0, 10};
 static const float k_color[3] = {148 / 255.0f, 121 / 255.0f, 92 / 255.0f}; /* of a model without texture */
 static const float k_h = 0.2f, k_n = 0.1f;                                 /* of heights */
 
-static inline float dot(const float a[3], const float b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline float dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static inline void normalize(float a[3])
 {
@@ -60,6 +63,9 @@ static inline void tilt(const float here, const float next_u, const float next_v
 }
 
 /* Height: the length of a colour, in the 0..255 that the course's textures have. */
-static inline float height_of(float r, float g, float b) { return 255.0f * sqrtf(r * r + g * g + b * b); }
+static inline float height_of(float r, float g, float b)
+{
+    return 255.0f * sqrtf(r * r + g * g + b * b);
+}
 
 #endif /* SHD_EXAMPLES_COURSE_SHADING_H */

@@ -12,6 +12,7 @@
 #include "lights.h"
 #include "output.h"
 #include "scene.h"
+#include "shapes.h"
 #include "teapot.h"
 
 namespace {
@@ -52,6 +53,7 @@ Framebuffer make_framebuffer(shd_context* context, const Options& options) {
   shd_framebuffer_desc desc = shd_framebuffer_desc_default();
   desc.width = options.width;
   desc.height = options.height;
+  desc.samples = options.samples;
   desc.aovs = options.aov ? SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE : SHD_AOV_NONE;
   Framebuffer framebuffer;
   check(shd_framebuffer_create(context, &desc, framebuffer.out()), "framebuffer");
@@ -86,14 +88,22 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   }
 }
 
+Model make_model(const Options& options) {
+  if (!options.model.empty()) return import_model(options.model);
+  if (options.shape == Shape::kSphere) return make_sphere(options.tessellation);
+  if (options.shape == Shape::kPlane) return make_plane(options.tessellation);
+  return make_teapot(options.tessellation);
+}
+
 void run(const Options& options) {
   check_output_name(options);
-  const Model model = options.model.empty() ? make_teapot(options.tessellation) : import_model(options.model);
+  Model model = make_model(options);
   const Bounds bounds = bounds_of(model);
+  const Camera camera = make_camera(options, model, bounds);
+  if (options.floor) add_floor(model, bounds);
   const Context context = make_context(options);
   const Scene scene = make_scene(context.get(), model, options);
-  const Camera camera = make_camera(options, model, bounds);
-  const std::vector<Light> lights = make_lights(context.get(), options, bounds, camera);
+  const std::vector<Light> lights = make_lights(context.get(), options, model_of(options, model), bounds, camera);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   render(context.get(), options, scene, camera.view, lights, framebuffer.get());
   save_picture(context.get(), framebuffer.get(), options);

@@ -7,9 +7,9 @@
 enum { k_width = 96, k_height = 64, k_side = 32 };
 
 /* Two triangles in perspective over the frame; position, normal, uv. */
-static const float k_quad[6][8] = {{-1, -1, 0.2f, 0, 0, 1, 0, 3},  {1, -1, 0.2f, 0, 0, 1, 2, 3},
-                                   {1, 1, 0.8f, 0, 0, 1, 2, 0},    {-1, -1, 0.2f, 0, 0, 1, 0, 3},
-                                   {1, 1, 0.8f, 0, 0, 1, 2, 0},    {-1, 1, 0.8f, 0, 0, 1, 0, 0}};
+static const float k_quad[6][8] = {{-1, -1, 0.2f, 0, 0, 1, 0, 3}, {1, -1, 0.2f, 0, 0, 1, 2, 3},
+                                   {1, 1, 0.8f, 0, 0, 1, 2, 0},   {-1, -1, 0.2f, 0, 0, 1, 0, 3},
+                                   {1, 1, 0.8f, 0, 0, 1, 2, 0},   {-1, 1, 0.8f, 0, 0, 1, 0, 0}};
 
 /* What the program is given, and what it saw go wrong. */
 struct look {
