@@ -33,8 +33,9 @@ static int check(struct course *course, const shd_framebuffer *frame)
     model.model = SHD_MODEL_BLINN_PHONG;
     model.flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT;
     model.exponent = k_exponent;
-    model.diffuse_texture = course->texture;
-    model.diffuse_sampler = course->sampler;
+    model.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    model.slot[SHD_SLOT_DIFFUSE].texture = course->texture;
+    model.slot[SHD_SLOT_DIFFUSE].sampler = course->sampler;
     for (c = 0; c < 3; ++c) model.ambient[c] = k_ambient, model.diffuse[c] = 1.0f, model.specular[c] = k_specular;
     if (course_render(course, &model, 1, &expected) == SHD_OK) difference = course_difference(frame, expected);
     shd_framebuffer_release(expected);

@@ -20,7 +20,7 @@ namespace {
 /// What the materials of one scene share.
 struct Materials {
   const aiScene& scene;
-  std::string folder;                                      // of the model, for its textures
+  std::string folder;  // of the model, for its textures
   bool gltf2 = false;
   bool texture_replaces_color = false;                     // Collada: a texture stands in place of the colour
   std::map<std::pair<std::string, bool>, int> texture_of;  // name in the model, and whether it is data
@@ -187,8 +187,12 @@ bool is_gltf2(const aiScene& scene) {
 
 void add_surfaces(const aiScene& scene, const std::string& path, Model& model) {
   const size_t slash = path.find_last_of('/');
-  Materials materials{scene, slash == std::string::npos ? "." : path.substr(0, slash + 1), is_gltf2(scene),
-                      format_of(scene).find("Collada") != std::string::npos, {}, model};
+  Materials materials{scene,
+                      slash == std::string::npos ? "." : path.substr(0, slash + 1),
+                      is_gltf2(scene),
+                      format_of(scene).find("Collada") != std::string::npos,
+                      {},
+                      model};
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
     model.surfaces.push_back(surface_of(materials, *scene.mMaterials[i]));
   }

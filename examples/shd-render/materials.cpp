@@ -40,11 +40,11 @@ float roughness_of(float exponent) {
 }
 
 void set_lobe(shd_material_desc& desc, const Options& options, const Surface& surface) {
-  desc.exponent = options.exponent.value_or(surface.metallic_roughness ? exponent_of(surface.roughness)
-                                                                        : surface.exponent);
+  desc.exponent =
+      options.exponent.value_or(surface.metallic_roughness ? exponent_of(surface.roughness) : surface.exponent);
   desc.metallic = options.metallic.value_or(surface.metallic);
-  desc.roughness = options.roughness.value_or(surface.metallic_roughness ? surface.roughness
-                                                                          : roughness_of(surface.exponent));
+  desc.roughness =
+      options.roughness.value_or(surface.metallic_roughness ? surface.roughness : roughness_of(surface.exponent));
   for (size_t c = 0; c < 3; ++c) desc.specular[c] = options.specular.value_or(surface.specular[c]);
 }
 
@@ -110,7 +110,9 @@ Material make_material(shd_context* context, const Options& options, shd_model m
   desc.model = model;
   const bool replaced = extras.diffuse.get() && !surface.is_floor;
   for (size_t c = 0; c < 3; ++c) {
-    desc.diffuse[c] = replaced ? 1.0f : surface.is_floor ? surface.diffuse[c] : options.diffuse.value_or(surface.diffuse)[c];
+    desc.diffuse[c] = replaced           ? 1.0f
+                      : surface.is_floor ? surface.diffuse[c]
+                                         : options.diffuse.value_or(surface.diffuse)[c];
     desc.emission[c] = surface.emission[c];
   }
   set_lobe(desc, options, surface);

@@ -45,7 +45,8 @@ Model make_sphere(int steps) {
   for (int j = 0; j <= down; ++j) {
     for (int i = 0; i <= around; ++i) {
       const double turn = 2.0 * kPi * i / around - kPi, fall = kPi * j / down;
-      const std::array<double, 3> n = {std::sin(fall) * std::sin(turn), std::cos(fall), std::sin(fall) * std::cos(turn)};
+      const std::array<double, 3> n = {std::sin(fall) * std::sin(turn), std::cos(fall),
+                                       std::sin(fall) * std::cos(turn)};
       add_vertex(geometry, n, n, static_cast<double>(i) / around, static_cast<double>(j) / down);
     }
   }

@@ -91,7 +91,9 @@ static void test_bits(void **state)
     shd_assert_ok(shd_sampler_create(context, NULL, &look.sampler));
     model.model = SHD_MODEL_UNLIT;
     for (i = 0; i < 3; ++i) model.diffuse[i] = 1.0f;
-    model.diffuse_texture = look.texture, model.diffuse_sampler = look.sampler;
+    model.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+    model.slot[SHD_SLOT_DIFFUSE].texture = look.texture;
+    model.slot[SHD_SLOT_DIFFUSE].sampler = look.sampler;
     program.model = SHD_MODEL_PROGRAM;
     program.program.fragment = look_up, program.program.user_data = &look;
     render(&model, expected);
