@@ -96,6 +96,19 @@ other --shape sphere -- --shape sphere --normal-map normals.png
 other --shape plane --normal-map normals.png --uv-scale 30 -- \
   --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
 
+other --shape plane --normal-map normals.png --uv-scale 30 -- \
+  --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness lean
+for filter in hard pcf variance summed-area pcss; do
+  other --floor --sun 1,1,0.5:1,1,1 -- --floor --sun 1,1,0.5:1,1,1 --shadows $filter
+  other --floor --spot 1,3,1:9,9,9 -- --floor --spot 1,3,1:9,9,9 --shadows $filter
+  same --floor --lamps 9 -- --floor --lamps 9 --shadows $filter
+done
+other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
+other -- --lines 1
+other --lines 1 -- --lines 3
+same --model normal -- --model normal --height checker --displace 0
+other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
+
 expect 2 "--colour is not an option" --colour
 expect 2 "--colour is not an option" --colour red
 expect 2 "--size needs a value" --size
@@ -106,6 +119,8 @@ expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
 expect 2 "one of teapot" --shape cube
+expect 2 "one of hard" --shadows none
+expect 2 "16..8192" --shadow-size 8
 expect 3 "no-such-normals.png" --normal-map no-such-normals.png
 expect 3 "no-such-heights.png" --height no-such-heights.png
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png

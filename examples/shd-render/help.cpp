@@ -32,6 +32,9 @@ Light
   --spot X,Y,Z[:R,G,B]  spot light there, as --light, that shines at the centre; repeatable
   --cone INNER,OUTER    half angles of spots, degrees (default 15,25)
   --cookie FILE         what spots project like a slide; "window" = built in
+  --shadows FILTER      hard, pcf, variance, summed-area, pcss: of all lights but lamps and ambient (default none)
+  --softness S          how wide summed-area filters, and how large lights are to pcss, in radii (default 0.05)
+  --shadow-size N       texels a side of each map (default 1024)
   --lamps N             N small coloured lights around the model
   --exposure EV         all lights but the ambient one times 2^EV (default 0)
   --ambient R,G,B       or one number for all three (default 0.15)
@@ -45,11 +48,11 @@ Surface
   --exponent P          its sharpness, instead of the model's
   --metallic M          of ggx, 0..1, instead of the model's
   --roughness R         of ggx, 0..1, instead of the model's
-  --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern
+  --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern, "none"
   --filter F            nearest, bilinear, trilinear (default trilinear)
   --uv-scale S          textures S times as often
   --normal-map FILE     tangent-space normals on everything, instead of the model's
-  --keep-roughness K    what its mip levels do about bumps that they lose: none, toksvig (default none)
+  --keep-roughness K    what its mip levels do about bumps that they lose: none, toksvig, lean (default none)
 
 Shape
   --shape S             teapot, sphere, plane, instead of a model
@@ -59,6 +62,10 @@ Shape
   --bump FORM           tilt normals by it: gradient, texel (default none)
   --bump-scale S        height 1 in world units; with texel, factor on differences (default 1)
   --parallax D          shift textures as if height 0 were D below the surface, in world units
+  --displace D          move the surface itself by the height times D, in world units, finely tessellated
+  --edge-length PX      of the triangles that are moved, pixels (default 4)
+  --lines WIDTH         draw silhouettes, creases and borders so many pixels wide (default none)
+  --crease DEGREES      how sharp an edge is a crease (default 60)
 
 Machine
   --threads N           workers (default one per core); the picture does not depend on it

@@ -10,9 +10,11 @@ namespace {
 
 constexpr float kDegree = 3.14159265f / 180.0f;
 
-void add_light(shd_context* context, const shd_light_desc& desc, std::vector<Light>& out) {
-  Light light;
-  check(shd_light_create(context, &desc, light.out()), "light");
+void add_light(shd_context* context, const shd_light_desc& desc, std::vector<StageLight>& out, bool casts = true) {
+  StageLight light;
+  check(shd_light_create(context, &desc, light.light.out()), "light");
+  light.casts = casts;
+  light.kind = desc.kind;
   out.push_back(std::move(light));
 }
 
@@ -26,7 +28,7 @@ struct Stage {
 };
 
 /// Light from `from` in the camera's frame: right, up, back.
-void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<Light>& out) {
+void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
   const Camera& camera = stage.camera;
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = SHD_LIGHT_DIRECTIONAL;
@@ -48,7 +50,7 @@ constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
 constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 
 /// The two points of graphics courses, which stand around a model of radius 3.
-void add_course_lights(const Stage& stage, std::vector<Light>& out) {
+void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
   shd_light_desc descs[8];
   size_t count = 8;
   check(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs), "course lights");
@@ -64,7 +66,8 @@ void add_course_lights(const Stage& stage, std::vector<Light>& out) {
   }
 }
 
-void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie, std::vector<Light>& out) {
+void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie,
+                      std::vector<StageLight>& out) {
   const Bounds& bounds = stage.bounds;
   const float falloff = option.kind == SHD_LIGHT_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
   shd_light_desc desc = shd_light_desc_default();
@@ -83,7 +86,7 @@ void add_option_light(const Stage& stage, const LightOption& option, shd_texture
 }
 
 /// Small lights on a spiral around the model, from the floor to its top, in all colours.
-void add_lamps(const Stage& stage, std::vector<Light>& out) {
+void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
   const auto count = static_cast<float>(stage.options.lamps);
   const Bounds& bounds = stage.bounds;
   for (uint32_t i = 0; i < stage.options.lamps; ++i) {
@@ -98,7 +101,7 @@ void add_lamps(const Stage& stage, std::vector<Light>& out) {
       const float wave = 0.5f + 0.5f * std::cos(1.7f * turn + 2.0944f * static_cast<float>(c));
       desc.intensity[c] = stage.exposure * 0.06f * bounds.radius * bounds.radius * wave * wave;
     }
-    add_light(stage.context, desc, out);
+    add_light(stage.context, desc, out, false);
   }
 }
 
@@ -114,12 +117,12 @@ Texture make_cookie(shd_context* context, const std::string& name) {
 
 }  // namespace
 
-std::vector<Light> make_lights(shd_context* context, const Options& options, shd_model model, const Bounds& bounds,
-                               const Camera& camera) {
+std::vector<StageLight> make_lights(shd_context* context, const Options& options, shd_model model, const Bounds& bounds,
+                                    const Camera& camera) {
   // Models that keep energy reflect E / pi where the others reflect E.
   const bool over_pi = model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED;
   const Stage stage{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
-  std::vector<Light> lights;
+  std::vector<StageLight> lights;
   if (options.preset == LightPreset::kStudio) {
     for (const PresetLight& light : kStudio) add_view_light(stage, light.from, light.color, lights);
   } else if (options.preset == LightPreset::kHeadlight) {
@@ -133,6 +136,6 @@ std::vector<Light> make_lights(shd_context* context, const Options& options, shd
   shd_light_desc ambient = shd_light_desc_default();
   ambient.kind = SHD_LIGHT_AMBIENT;
   for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = options.ambient[c];
-  add_light(context, ambient, lights);
+  add_light(context, ambient, lights, false);
   return lights;
 }

@@ -12,6 +12,7 @@
 #include "lights.h"
 #include "output.h"
 #include "scene.h"
+#include "shadows.h"
 #include "shapes.h"
 #include "teapot.h"
 
@@ -61,9 +62,11 @@ Framebuffer make_framebuffer(shd_context* context, const Options& options) {
 }
 
 void render(shd_context* context, const Options& options, const Scene& scene, const shd_view& view,
-            const std::vector<Light>& lights, shd_framebuffer* framebuffer) {
+            const std::vector<StageLight>& lights, const std::vector<Shadow>& shadows, shd_framebuffer* framebuffer) {
   std::vector<const shd_light*> light_list;
-  for (const Light& light : lights) light_list.push_back(light.get());
+  for (const StageLight& light : lights) light_list.push_back(light.light.get());
+  std::vector<const shd_shadow*> shadow_list;
+  for (const Shadow& shadow : shadows) shadow_list.push_back(shadow.get());
   Progress progress;
   shd_render_stats stats{};
   shd_render_desc desc = shd_render_desc_default();
@@ -73,6 +76,7 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   desc.draw_count = scene.draws.size();
   desc.lights = light_list.data();
   desc.light_count = light_list.size();
+  if (!shadow_list.empty()) desc.shadows = shadow_list.data();
   desc.stats = &stats;
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
   if (options.progress || isatty(STDERR_FILENO)) desc.progress = {report_progress, &progress};
@@ -102,10 +106,11 @@ void run(const Options& options) {
   const Camera camera = make_camera(options, model, bounds);
   if (options.floor) add_floor(model, bounds);
   const Context context = make_context(options);
-  const Scene scene = make_scene(context.get(), model, options);
-  const std::vector<Light> lights = make_lights(context.get(), options, model_of(options, model), bounds, camera);
+  const Scene scene = make_scene(context.get(), model, options, camera);
+  const std::vector<StageLight> lights = make_lights(context.get(), options, model_of(options, model), bounds, camera);
+  const std::vector<Shadow> shadows = make_shadows(context.get(), options, bounds, scene, lights);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
-  render(context.get(), options, scene, camera.view, lights, framebuffer.get());
+  render(context.get(), options, scene, camera.view, lights, shadows, framebuffer.get());
   save_picture(context.get(), framebuffer.get(), options);
 }
 

@@ -61,6 +61,7 @@ void set_extras(shd_material_desc& desc, const Options& options, const Extras& e
   if (extras.normal.get()) {
     set_slot(desc.slot[SHD_SLOT_NORMAL], plain, extras.normal.get(), sampler, options.uv_scale);
     if (options.keep == KeepRoughness::kToksvig) desc.normal_encoding = SHD_NORMAL_TOKSVIG;
+    if (options.keep == KeepRoughness::kLean) desc.normal_encoding = SHD_NORMAL_MOMENTS;
   }
   if (extras.height.get()) {
     set_slot(desc.slot[SHD_SLOT_HEIGHT], plain, extras.height.get(), sampler, options.uv_scale);
@@ -75,7 +76,7 @@ void set_extras(shd_material_desc& desc, const Options& options, const Extras& e
 
 Texture load_extra(shd_context* context, const std::string& path, bool data) {
   Texture texture;
-  if (path.empty()) return texture;
+  if (path.empty() || path == "none") return texture;
   if (path == "checker") return make_checker(context);
   TextureSource source;
   source.path = path;

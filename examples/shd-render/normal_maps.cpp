@@ -63,13 +63,31 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
   return shd_texture_create(context, &desc, out.out()) == SHD_OK;
 }
 
+/// Means of slopes and of their squares, as floats (Olano and Baker, "LEAN Mapping", 2010).
+bool create_moments(shd_context* context, const shd_image& base, Texture& out) {
+  std::vector<float> texels(size_t{4} * base.width * base.height);
+  shd_image moments = base;
+  moments.format = SHD_FORMAT_RGBA32F;
+  moments.pixels = texels.data();
+  if (shd_normal_moments(context, &base, &moments) != SHD_OK) return false;
+  shd_texture_desc desc = shd_texture_desc_default();
+  desc.format = moments.format;
+  desc.width = base.width;
+  desc.height = base.height;
+  desc.texels = texels.data();
+  desc.tables = SHD_TABLE_MIPMAP;
+  return shd_texture_create(context, &desc, out.out()) == SHD_OK;
+}
+
 }  // namespace
 
 bool load_normal_map(shd_context* context, const std::string& path, KeepRoughness keep, Texture& out) {
   std::vector<uint16_t> texels;
   shd_image base = shd_image_default();
-  if (keep == KeepRoughness::kToksvig) {
-    return load_wide(context, path, texels, base) && create_with_lengths(context, base, out);
+  if (keep != KeepRoughness::kNone) {
+    if (!load_wide(context, path, texels, base)) return false;
+    return keep == KeepRoughness::kToksvig ? create_with_lengths(context, base, out)
+                                           : create_moments(context, base, out);
   }
   TextureSource source;
   source.path = path;

@@ -73,7 +73,13 @@ constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
                                           {"course", LightPreset::kCourse},
                                           {"none", LightPreset::kNone}};
 constexpr Name<Shape> kShapes[] = {{"teapot", Shape::kTeapot}, {"sphere", Shape::kSphere}, {"plane", Shape::kPlane}};
-constexpr Name<KeepRoughness> kKeep[] = {{"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}};
+constexpr Name<KeepRoughness> kKeep[] = {
+    {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
+constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},
+                                                {"pcf", SHD_SHADOW_PCF},
+                                                {"variance", SHD_SHADOW_VARIANCE},
+                                                {"summed-area", SHD_SHADOW_SUMMED_AREA_VARIANCE},
+                                                {"pcss", SHD_SHADOW_PCSS}};
 constexpr Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST}, {"scalar", SHD_SIMD_SCALAR}, {"ssse3", SHD_SIMD_SSSE3},
@@ -209,6 +215,11 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   if (name == "--lamps") {
     return out.lamps = static_cast<uint32_t>(read_number(name, value, 0, 65536, "a number 0..65536")), true;
   }
+  if (name == "--shadows") return out.shadows = pick(name, value, kShadows), true;
+  if (name == "--softness") return out.softness = read_number(name, value, 0, 10, "a number 0..10"), true;
+  if (name == "--shadow-size") {
+    return out.shadow_size = static_cast<uint32_t>(read_number(name, value, 16, 8192, "a number 16..8192")), true;
+  }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
   if (name == "--ambient") return out.ambient = read_color(name, value), true;
   if (name == "--exposure") {
@@ -243,6 +254,12 @@ bool set_shape_value(const std::string& name, const std::string& value, Options&
     return out.bump_scale = read_number(name, value, -1e6f, 1e6f, "a number -1e6..1e6"), true;
   }
   if (name == "--parallax") return out.parallax = read_scale(name, value), true;
+  if (name == "--displace") {
+    return out.displacement = read_number(name, value, -1e6f, 1e6f, "a number -1e6..1e6"), true;
+  }
+  if (name == "--edge-length") return out.edge_length = read_number(name, value, 0.5f, 1e4f, "pixels 0.5..1e4"), true;
+  if (name == "--lines") return out.line_width = read_number(name, value, 0, 64, "a width 0..64 in pixels"), true;
+  if (name == "--crease") return out.crease = read_number(name, value, 0, 180, "an angle 0..180 degrees"), true;
   if (name == "--tessellation") {
     return out.tessellation = static_cast<int>(read_number(name, value, 1, 256, "a number 1..256")), true;
   }

@@ -20,7 +20,7 @@ enum class LightPreset { kStudio, kHeadlight, kCourse, kNone };
 enum class Shape { kTeapot, kSphere, kPlane };
 
 /// What mip levels of normal maps do about the bumps that they no longer show.
-enum class KeepRoughness { kNone, kToksvig };
+enum class KeepRoughness { kNone, kToksvig, kLean };
 
 /// The command line, checked.
 struct Options {
@@ -42,6 +42,9 @@ struct Options {
   float inner_cone = 15.0f, cone = 25.0f;  // of spots, half angles [deg]
   std::string cookie;                      // that spots project; "window" = built in
   uint32_t lamps = 0;                      // small coloured lights around the model
+  std::optional<shd_shadow_filter> shadows;
+  float softness = 0.05f;       // of shadows [radii of the model]
+  uint32_t shadow_size = 1024;  // texels a side of each map
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
@@ -49,8 +52,10 @@ struct Options {
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;
   shd_bump bump_form = SHD_BUMP_NONE;
-  float bump_scale = 1.0f, parallax = 0.0f;  // [world units]
-  float uv_scale = 1.0f;                     // of all textures
+  float bump_scale = 1.0f, parallax = 0.0f;       // [world units]
+  float displacement = 0.0f, edge_length = 4.0f;  // [world units], of triangles then [pixels]
+  float uv_scale = 1.0f;                          // of all textures
+  float line_width = 0.0f, crease = 60.0f;        // of edges drawn [pixels], and how sharp [deg]; width 0 = none
   int tessellation = 16;
   bool color = true;
   std::string display = "sRGB", view = "ACES 1.0 SDR-video";
