@@ -68,8 +68,9 @@ Camera make_camera(const Options& options, const Model& model, const Bounds& bou
     fit = fit_view(camera, model, bounds, tan_y * desc.aspect, tan_y);
     fit.distance = std::max(fit.distance, 1.05f * bounds.radius);
   }
-  desc.near_plane = std::max(fit.distance - 1.01f * bounds.radius, 0.01f * bounds.radius);
-  desc.far_plane = fit.distance + 1.01f * bounds.radius;
+  const float depth = (options.floor ? 7.0f : 1.01f) * bounds.radius;  // the floor reaches beyond the model
+  desc.near_plane = std::max(fit.distance - depth, 0.01f * bounds.radius);
+  desc.far_plane = fit.distance + depth;
   for (size_t c = 0; c < 3; ++c) {
     desc.target[c] = bounds.center[c] + fit.right * camera.right[c] + fit.up * camera.up[c];
     desc.eye[c] = desc.target[c] + fit.distance * camera.back[c];

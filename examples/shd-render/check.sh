@@ -4,7 +4,7 @@
 set -euo pipefail
 render=$1
 folder=$2
-models=/usr/share/assimp/models
+assets=/usr/share/assimp/models
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
@@ -30,6 +30,24 @@ written() {
   fi
 }
 
+# Pictures of the same bits, or of others: pairs of lists of options, with -- between them.
+small=(--size 48x32 --tessellation 4 --no-color)
+compare() {
+  local wanted=$1 first=()
+  shift
+  while [ "$1" != -- ]; do first+=("$1") && shift; done
+  shift
+  expect 0 "" "${small[@]}" "${first[@]}" -o first.png
+  expect 0 "" "${small[@]}" "$@" -o second.png
+  if cmp -s first.png second.png; then got=same; else got=other; fi
+  if [ "$got" != "$wanted" ]; then
+    echo "the pictures of ${first[*]} and $* are the $got"
+    failed=1
+  fi
+}
+same() { compare same "$@"; }
+other() { compare other "$@"; }
+
 expect 0 "Exit codes" --help
 expect 0 "" --size 96x64 --tessellation 4 -o teapot.png
 written teapot.png 89504e47
@@ -41,11 +59,71 @@ expect 0 "" --size 64x64 --threads 1 --simd scalar --no-color -o one.png
 expect 0 "" --size 64x64 --threads 5 --no-color -o many.png
 cmp one.png many.png || failed=1
 
+# What options do, told by pairs of pictures.
+models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)
+for i in "${!models[@]}"; do
+  expect 0 "" "${small[@]}" --texture checker --model "${models[i]}" -o "${models[i]}.png"
+  for ((k = 0; k < i; ++k)); do
+    if cmp -s "${models[k]}.png" "${models[i]}.png"; then
+      echo "the models ${models[k]} and ${models[i]} look the same"
+      failed=1
+    fi
+  done
+done
+same --model combined -- --model blinn-phong  # with the same colour for ambient light
+for model in unlit matcap normal uv barycentrics; do same --model $model -- --model $model --lights none --ambient 0; done
+same --sun 1,1,1:1,1,1 --exposure 1 --ambient 0 -- --sun 1,1,1:2,2,2 --ambient 0
+same --model toon --specular 0 -- --model toon --specular 0 --exponent 5
+other --model ggx --metallic 0 -- --model ggx --metallic 1
+other --model ggx --roughness 0.2 -- --model ggx --roughness 0.8
+other --frequency phong -- --frequency gouraud
+other --frequency phong -- --frequency flat
+other --samples 1 -- --samples 8
+other -- --floor
+other --floor --spot 0,3,1:9,9,9 -- --floor --spot 0,3,1:9,9,9 --cookie window
+other --floor --spot 0,3,1:9,9,9 -- --floor --light 0,3,1:9,9,9
+other --floor --lamps 8 -- --floor --lamps 64
+other --lights course -- --lights studio
+same --lamps 64 --threads 1 --simd scalar -- --lamps 64 --threads 3
+same --texture checker --uv-scale 1 -- --texture checker
+other --texture checker --uv-scale 2 -- --texture checker
+same --shape sphere -- --shape sphere --height checker
+same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0
+for form in gradient texel; do other --shape sphere -- --shape sphere --height checker --bump $form --bump-scale 0.2; done
+other --shape plane --texture checker -- --shape plane --texture checker --height checker --parallax 0.2
+expect 0 "" --size 64x64 --no-color --shape sphere --model normal -o normals.png
+other --shape sphere -- --shape sphere --normal-map normals.png
+other --shape plane --normal-map normals.png --uv-scale 30 -- \
+  --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
+
+other --shape plane --normal-map normals.png --uv-scale 30 -- \
+  --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness lean
+for filter in hard pcf variance summed-area pcss; do
+  other --floor --sun 1,1,0.5:1,1,1 -- --floor --sun 1,1,0.5:1,1,1 --shadows $filter
+  other --floor --spot 1,3,1:9,9,9 -- --floor --spot 1,3,1:9,9,9 --shadows $filter
+  same --floor --lamps 9 -- --floor --lamps 9 --shadows $filter
+done
+other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
+other -- --lines 1
+other --lines 1 -- --lines 3
+same --model normal -- --model normal --height checker --displace 0
+other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
+
 expect 2 "--colour is not an option" --colour
 expect 2 "--colour is not an option" --colour red
 expect 2 "--size needs a value" --size
 expect 2 "WIDTHxHEIGHT" --size 0x10
 expect 2 "WIDTHxHEIGHT" --size 10x10x10
+expect 2 "one of lambert" --model shiny
+expect 2 "1, 2, 4, 8 or 16" --samples 3
+expect 2 "INNER,OUTER" --cone 30,20
+expect 2 "X,Y,Z" --spot 0,0,0
+expect 2 "one of teapot" --shape cube
+expect 2 "one of hard" --shadows none
+expect 2 "16..8192" --shadow-size 8
+expect 3 "no-such-normals.png" --normal-map no-such-normals.png
+expect 3 "no-such-heights.png" --height no-such-heights.png
+expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
 expect 2 "one of nearest bilinear trilinear" --filter best
 expect 2 "one model at a time" a.obj b.obj
 expect 2 "X,Y,Z" --sun 0,0,0
@@ -66,7 +144,9 @@ printf 'newmtl m\nKd 1 1 1\nmap_Kd TEXTURES\\skin.png\n' >tri.mtl
 expect 0 "" --size 8x8 tri.obj
 [ ! -s said.txt ] || { cat said.txt; failed=1; }
 
-for model in Collada/duck.dae OBJ/spider.obj glTF2/BoxTextured-glTF-Binary/BoxTextured.glb; do
-  [ ! -f "$models/$model" ] || expect 0 "" --size 96x64 -o model.png "$models/$model"
+for model in Collada/duck.dae OBJ/spider.obj glTF2/BoxTextured-glTF-Binary/BoxTextured.glb \
+  glTF/CesiumMilkTruck/CesiumMilkTruck.gltf glTF2/ClearCoat-glTF/ClearCoatTest.gltf \
+  glTF2/textureTransform/TextureTransformTest.gltf; do
+  [ ! -f "$assets/$model" ] || expect 0 "" --size 96x64 -o model.png "$assets/$model"
 done
 exit $failed

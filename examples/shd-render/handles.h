@@ -33,5 +33,6 @@ using Sampler = Owned<shd_sampler, shd_sampler_release>;
 using Mesh = Owned<shd_mesh, shd_mesh_release>;
 using Material = Owned<shd_material, shd_material_release>;
 using Light = Owned<shd_light, shd_light_release>;
+using Shadow = Owned<shd_shadow, shd_shadow_release>;
 using Framebuffer = Owned<shd_framebuffer, shd_framebuffer_release>;
 using Bitmap = Owned<shd_bitmap, shd_bitmap_release>;

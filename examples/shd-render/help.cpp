@@ -7,11 +7,13 @@ const char* help_text() {
   shd-render [options] [MODEL] -o OUT.png
 
 MODEL is any file assimp reads (glTF, OBJ, Collada, PLY, STL, 3DS ...); without one, the Utah teapot.
+Metallic-roughness materials are taken whole: base colour, metallic-roughness, normal, occlusion and emissive textures.
 Textures are looked for as the model names them, then beside it, whatever the case of their letters.
 
 Picture
   -o, --output FILE     .png, .tif: through the display transform; .exr: scene-linear (default out.png)
   --size WxH            pixels (default 960x640)
+  --samples N           per pixel: 1, 2, 4, 8 or 16 (default 1)
   --background R,G,B    scene-linear, or one number for grey, or none = transparent (default none)
   --display NAME        display of the colour config (default sRGB)
   --view NAME           view of that display (default "ACES 1.0 SDR-video"; "Plain" = encoding alone)
@@ -24,19 +26,46 @@ Camera
   --fov DEGREES         vertical field of view (default 35)
 
 Light
-  --lights PRESET       studio, headlight, none (default studio, or none when lights are given)
+  --lights PRESET       studio, headlight, course (two points), none (default studio, or none when lights are given)
   --light X,Y,Z[:R,G,B] point light, in radii of the model around its centre; colour at one radius; repeatable
   --sun X,Y,Z[:R,G,B]   light from that direction; repeatable
+  --spot X,Y,Z[:R,G,B]  spot light there, as --light, that shines at the centre; repeatable
+  --cone INNER,OUTER    half angles of spots, degrees (default 15,25)
+  --cookie FILE         what spots project like a slide; "window" = built in
+  --shadows FILTER      hard, pcf, variance, summed-area, pcss: of all lights but lamps and ambient (default none)
+  --softness S          how wide summed-area filters, and how large lights are to pcss, in radii (default 0.05)
+  --shadow-size N       texels a side of each map (default 1024)
+  --lamps N             N small coloured lights around the model
+  --exposure EV         all lights but the ambient one times 2^EV (default 0)
   --ambient R,G,B       or one number for all three (default 0.15)
 
 Surface
-  --model M             lambert, blinn-phong (default blinn-phong)
+  --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap; or to look
+                        at: normal, uv, level, barycentrics (default ggx for metallic-roughness, else blinn-phong)
   --frequency F         flat, gouraud, phong (default phong)
+  --diffuse R,G,B       colour, instead of the model's
   --specular KS         strength of the highlight, instead of the model's
   --exponent P          its sharpness, instead of the model's
-  --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern
+  --metallic M          of ggx, 0..1, instead of the model's
+  --roughness R         of ggx, 0..1, instead of the model's
+  --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern, "none"
   --filter F            nearest, bilinear, trilinear (default trilinear)
-  --tessellation N      divisions of each of the teapot's 32 patches (default 16)
+  --uv-scale S          textures S times as often
+  --normal-map FILE     tangent-space normals on everything, instead of the model's
+  --keep-roughness K    what its mip levels do about bumps that they lose: none, toksvig, lean (default none)
+
+Shape
+  --shape S             teapot, sphere, plane, instead of a model
+  --tessellation N      divisions of each of the teapot's 32 patches, of other shapes' sides (default 16)
+  --floor               a floor under the model
+  --height FILE         heights 0..1 on everything, for the following
+  --bump FORM           tilt normals by it: gradient, texel (default none)
+  --bump-scale S        height 1 in world units; with texel, factor on differences (default 1)
+  --parallax D          shift textures as if height 0 were D below the surface, in world units
+  --displace D          move the surface itself by the height times D, in world units, finely tessellated
+  --edge-length PX      of the triangles that are moved, pixels (default 4)
+  --lines WIDTH         draw silhouettes, creases and borders so many pixels wide (default none)
+  --crease DEGREES      how sharp an edge is a crease (default 60)
 
 Machine
   --threads N           workers (default one per core); the picture does not depend on it

@@ -5,6 +5,14 @@
 #include "camera.h"
 #include "handles.h"
 
-/// Lights of the preset, which stand around the camera, and of the command line, which stand around the model.
-std::vector<Light> make_lights(shd_context* context, const Options& options, const Bounds& bounds,
-                               const Camera& camera);
+/// A light and whether `--shadows` gives it one.
+struct StageLight {
+  Light light;
+  bool casts = false;
+  shd_light_kind kind = SHD_LIGHT_POINT;
+};
+
+/// Lights of the preset, which stand around the camera, and of the command line, which stand around the model, as
+/// strong as surfaces of that model of reflectance need them.
+std::vector<StageLight> make_lights(shd_context* context, const Options& options, shd_model model, const Bounds& bounds,
+                                    const Camera& camera);

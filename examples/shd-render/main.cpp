@@ -12,6 +12,8 @@
 #include "lights.h"
 #include "output.h"
 #include "scene.h"
+#include "shadows.h"
+#include "shapes.h"
 #include "teapot.h"
 
 namespace {
@@ -52,6 +54,7 @@ Framebuffer make_framebuffer(shd_context* context, const Options& options) {
   shd_framebuffer_desc desc = shd_framebuffer_desc_default();
   desc.width = options.width;
   desc.height = options.height;
+  desc.samples = options.samples;
   desc.aovs = options.aov ? SHD_AOV_UV | SHD_AOV_NORMAL | SHD_AOV_TRIANGLE : SHD_AOV_NONE;
   Framebuffer framebuffer;
   check(shd_framebuffer_create(context, &desc, framebuffer.out()), "framebuffer");
@@ -59,9 +62,11 @@ Framebuffer make_framebuffer(shd_context* context, const Options& options) {
 }
 
 void render(shd_context* context, const Options& options, const Scene& scene, const shd_view& view,
-            const std::vector<Light>& lights, shd_framebuffer* framebuffer) {
+            const std::vector<StageLight>& lights, const std::vector<Shadow>& shadows, shd_framebuffer* framebuffer) {
   std::vector<const shd_light*> light_list;
-  for (const Light& light : lights) light_list.push_back(light.get());
+  for (const StageLight& light : lights) light_list.push_back(light.light.get());
+  std::vector<const shd_shadow*> shadow_list;
+  for (const Shadow& shadow : shadows) shadow_list.push_back(shadow.get());
   Progress progress;
   shd_render_stats stats{};
   shd_render_desc desc = shd_render_desc_default();
@@ -71,6 +76,7 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   desc.draw_count = scene.draws.size();
   desc.lights = light_list.data();
   desc.light_count = light_list.size();
+  if (!shadow_list.empty()) desc.shadows = shadow_list.data();
   desc.stats = &stats;
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
   if (options.progress || isatty(STDERR_FILENO)) desc.progress = {report_progress, &progress};
@@ -86,16 +92,25 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   }
 }
 
+Model make_model(const Options& options) {
+  if (!options.model.empty()) return import_model(options.model);
+  if (options.shape == Shape::kSphere) return make_sphere(options.tessellation);
+  if (options.shape == Shape::kPlane) return make_plane(options.tessellation);
+  return make_teapot(options.tessellation);
+}
+
 void run(const Options& options) {
   check_output_name(options);
-  const Model model = options.model.empty() ? make_teapot(options.tessellation) : import_model(options.model);
+  Model model = make_model(options);
   const Bounds bounds = bounds_of(model);
-  const Context context = make_context(options);
-  const Scene scene = make_scene(context.get(), model, options);
   const Camera camera = make_camera(options, model, bounds);
-  const std::vector<Light> lights = make_lights(context.get(), options, bounds, camera);
+  if (options.floor) add_floor(model, bounds);
+  const Context context = make_context(options);
+  const Scene scene = make_scene(context.get(), model, options, camera);
+  const std::vector<StageLight> lights = make_lights(context.get(), options, model_of(options, model), bounds, camera);
+  const std::vector<Shadow> shadows = make_shadows(context.get(), options, bounds, scene, lights);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
-  render(context.get(), options, scene, camera.view, lights, framebuffer.get());
+  render(context.get(), options, scene, camera.view, lights, shadows, framebuffer.get());
   save_picture(context.get(), framebuffer.get(), options);
 }
 

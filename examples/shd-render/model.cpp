@@ -40,6 +40,7 @@ Bounds bounds_of(const Model& model) {
     bounds.center[c] = static_cast<float>(0.5 * (box.low[c] + box.high[c]));
     diagonal += (box.high[c] - box.low[c]) * (box.high[c] - box.low[c]);
   }
+  bounds.bottom = static_cast<float>(box.low[1]);
   bounds.radius = std::max(static_cast<float>(0.5 * std::sqrt(diagonal)), 1e-6f);
   return bounds;
 }

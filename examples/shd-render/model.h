@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <shd/slot.h>
+
 /// What is to be drawn, as plain data: an importer or the teapot makes it, scene.cpp turns it into shd objects.
 
 /// Triangles in object space, counter-clockwise seen from the front.
@@ -12,6 +14,7 @@ struct Geometry {
   std::vector<float> position;    // [vertex][3]
   std::vector<float> normal;      // [vertex][3], or empty: shd computes them
   std::vector<float> uv;          // [vertex][2], v down, or empty
+  std::vector<float> uv1;         // the second set, likewise
   std::vector<uint32_t> indices;  // [triangle][3]
 };
 
@@ -21,16 +24,35 @@ struct TextureSource {
   std::vector<unsigned char> file;  // a whole image file in memory; empty = not embedded so
   std::vector<unsigned char> rgba;  // [height][width][4], sRGB; empty = not embedded so
   uint32_t width = 0, height = 0;   // of rgba
+  bool data = false;                // numbers, not colours: no sRGB curve
+  bool normals = false;             // of them, directions
 };
 
-/// Reflectance, scene-linear.
+/// A texture on a surface, as a slot of a material has it.
+struct Map {
+  int texture = -1;  // index into Model::textures; -1 = none
+  uint32_t uv_set = 0, channel = 0;
+  std::array<float, 6> uv_transform = {1, 0, 0, 0, 1, 0};
+  int wrap_u = 0, wrap_v = 0;  // shd_wrap
+};
+
+enum class Alpha { kOpaque, kMask, kBlend };
+
+/// Reflectance, scene-linear. The maps multiply the coefficients of the same name.
 struct Surface {
   std::string name;
-  std::array<float, 3> diffuse = {0.8f, 0.8f, 0.8f};
+  std::array<float, 3> diffuse = {0.8f, 0.8f, 0.8f};  // or base colour
   std::array<float, 3> specular = {0.25f, 0.25f, 0.25f};
   float exponent = 40.0f;
-  int texture = -1;            // index into Model::textures
-  int wrap_u = 0, wrap_v = 0;  // shd_wrap
+  bool metallic_roughness = false;  // given so: then specular and exponent are not
+  float metallic = 0.0f, roughness = 0.5f;
+  std::array<float, 3> emission = {0, 0, 0};
+  float normal_scale = 1.0f, occlusion_strength = 1.0f;
+  Alpha alpha = Alpha::kOpaque;
+  float opacity = 1.0f, alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  bool is_floor = false;  // which keeps what it is, whatever the options ask of the model
+  std::array<Map, SHD_SLOT_COUNT> maps;
 };
 
 /// A geometry placed in the world.
@@ -46,10 +68,11 @@ struct Model {
   std::vector<Instance> instances;
 };
 
-/// A sphere around everything, world space.
+/// A sphere around everything, world space, and the height of the lowest vertex.
 struct Bounds {
   std::array<float, 3> center = {0, 0, 0};
   float radius = 1.0f;
+  float bottom = -1.0f;
 };
 
 /// Sphere around the box of all placed vertices that triangles use; non-finite ones are left out.

@@ -52,11 +52,36 @@ Value pick(const std::string& option, const std::string& value, const Name<Value
 
 constexpr Name<shd_filter> kFilters[] = {
     {"nearest", SHD_FILTER_NEAREST}, {"bilinear", SHD_FILTER_BILINEAR}, {"trilinear", SHD_FILTER_TRILINEAR}};
-constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT}, {"blinn-phong", SHD_MODEL_BLINN_PHONG}};
+constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
+                                       {"phong", SHD_MODEL_PHONG},
+                                       {"blinn-phong", SHD_MODEL_BLINN_PHONG},
+                                       {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED},
+                                       {"combined", SHD_MODEL_COMBINED},
+                                       {"ggx", SHD_MODEL_METALLIC_ROUGHNESS},
+                                       {"gooch", SHD_MODEL_GOOCH},
+                                       {"toon", SHD_MODEL_TOON},
+                                       {"unlit", SHD_MODEL_UNLIT},
+                                       {"matcap", SHD_MODEL_MATCAP},
+                                       {"normal", SHD_MODEL_SHOW_NORMAL},
+                                       {"uv", SHD_MODEL_SHOW_UV},
+                                       {"level", SHD_MODEL_SHOW_LEVEL},
+                                       {"barycentrics", SHD_MODEL_SHOW_BARYCENTRICS}};
 constexpr Name<shd_frequency> kFrequencies[] = {
     {"flat", SHD_FREQUENCY_FLAT}, {"gouraud", SHD_FREQUENCY_GOURAUD}, {"phong", SHD_FREQUENCY_PHONG}};
-constexpr Name<LightPreset> kPresets[] = {
-    {"studio", LightPreset::kStudio}, {"headlight", LightPreset::kHeadlight}, {"none", LightPreset::kNone}};
+constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
+                                          {"headlight", LightPreset::kHeadlight},
+                                          {"course", LightPreset::kCourse},
+                                          {"none", LightPreset::kNone}};
+constexpr Name<Shape> kShapes[] = {{"teapot", Shape::kTeapot}, {"sphere", Shape::kSphere}, {"plane", Shape::kPlane}};
+constexpr Name<KeepRoughness> kKeep[] = {
+    {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
+constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},
+                                                {"pcf", SHD_SHADOW_PCF},
+                                                {"variance", SHD_SHADOW_VARIANCE},
+                                                {"summed-area", SHD_SHADOW_SUMMED_AREA_VARIANCE},
+                                                {"pcss", SHD_SHADOW_PCSS}};
+constexpr Name<shd_bump> kBumps[] = {
+    {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST}, {"scalar", SHD_SIMD_SCALAR}, {"ssse3", SHD_SIMD_SSSE3},
                                     {"sse4", SHD_SIMD_SSE4}, {"avx2", SHD_SIMD_AVX2},     {"avx512", SHD_SIMD_AVX512},
                                     {"neon", SHD_SIMD_NEON}, {"wasm", SHD_SIMD_WASM}};
@@ -70,6 +95,14 @@ void read_size(const std::string& option, const std::string& value, Options& out
   }
   out.width = static_cast<uint32_t>(width);
   out.height = static_cast<uint32_t>(height);
+}
+
+void read_samples(const std::string& option, const std::string& value, Options& out) {
+  const std::string counts[] = {"1", "2", "4", "8", "16"};
+  for (uint32_t i = 0; i < 5; ++i) {
+    if (value == counts[i]) return void(out.samples = 1u << i);
+  }
+  refuse(option, value, "1, 2, 4, 8 or 16");
 }
 
 void read_orbit(const std::string& option, const std::string& value, Options& out) {
@@ -88,11 +121,11 @@ void read_orbit(const std::string& option, const std::string& value, Options& ou
   if (*text) refuse(option, value, wanted);
 }
 
-LightOption read_light(const std::string& option, const std::string& value, bool directional) {
+LightOption read_light(const std::string& option, const std::string& value, shd_light_kind kind) {
   const char* wanted = "X,Y,Z or X,Y,Z:R,G,B (colour not negative; a direction is not 0,0,0)";
   const char* text = value.c_str();
   LightOption light;
-  light.directional = directional;
+  light.kind = kind;
   if (!read_numbers(text, light.place.data(), 3)) refuse(option, value, wanted);
   if (*text == ':') {
     ++text;
@@ -101,7 +134,8 @@ LightOption read_light(const std::string& option, const std::string& value, bool
   for (const float c : light.color) {
     if (c < 0.0f || c > 1e9f) refuse(option, value, wanted);
   }
-  if (*text || (directional && light.place == std::array<float, 3>{0, 0, 0})) refuse(option, value, wanted);
+  const bool directed = kind != SHD_LIGHT_POINT;
+  if (*text || (directed && light.place == std::array<float, 3>{0, 0, 0})) refuse(option, value, wanted);
   return light;
 }
 
@@ -122,6 +156,7 @@ std::array<float, 3> read_color(const std::string& option, const std::string& va
 bool set_switch(const std::string& name, Options& out) {
   if (name == "--help" || name == "-h") return out.help = true;
   if (name == "--teapot") return out.model.clear(), true;
+  if (name == "--floor") return out.floor = true;
   if (name == "--no-color") return out.color = false, true;
   if (name == "--aov") return out.aov = true;
   if (name == "--progress") return out.progress = true;
@@ -142,6 +177,7 @@ void set_background(const std::string& name, const std::string& value, Options& 
 bool set_output_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "-o" || name == "--output") return out.output = value, true;
   if (name == "--size") return read_size(name, value, out), true;
+  if (name == "--samples") return read_samples(name, value, out), true;
   if (name == "--display") return out.display = value, true;
   if (name == "--view") return out.view = value, true;
   if (name == "--background") return set_background(name, value, out), true;
@@ -152,20 +188,78 @@ bool set_output_value(const std::string& name, const std::string& value, Options
   return false;
 }
 
-/// Options that describe the scene. False if `name` is not one.
-bool set_scene_value(const std::string& name, const std::string& value, Options& out) {
+float read_scale(const std::string& option, const std::string& value) {
+  return read_number(option, value, 0, 1e6f, "a number 0..1e6");
+}
+
+void read_cone(const std::string& option, const std::string& value, Options& out) {
+  const char* text = value.c_str();
+  float angles[2];
+  if (!read_numbers(text, angles, 2) || *text || angles[0] < 0 || angles[0] > angles[1] || angles[1] < 1 ||
+      angles[1] > 85) {
+    refuse(option, value, "INNER,OUTER: half angles in degrees, 0..85, the outer one not smaller and at least 1");
+  }
+  out.inner_cone = angles[0];
+  out.cone = angles[1];
+}
+
+/// Options that describe where the eye is and the lights are. False if `name` is not one.
+bool set_light_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--orbit") return read_orbit(name, value, out), true;
   if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
-  if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
-  if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
-  if (name == "--frequency") return out.frequency = pick(name, value, kFrequencies), true;
-  if (name == "--light") return out.lights.push_back(read_light(name, value, false)), true;
-  if (name == "--sun") return out.lights.push_back(read_light(name, value, true)), true;
+  if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_POINT)), true;
+  if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_DIRECTIONAL)), true;
+  if (name == "--spot") return out.lights.push_back(read_light(name, value, SHD_LIGHT_SPOT)), true;
+  if (name == "--cone") return read_cone(name, value, out), true;
+  if (name == "--cookie") return out.cookie = value, true;
+  if (name == "--lamps") {
+    return out.lamps = static_cast<uint32_t>(read_number(name, value, 0, 65536, "a number 0..65536")), true;
+  }
+  if (name == "--shadows") return out.shadows = pick(name, value, kShadows), true;
+  if (name == "--softness") return out.softness = read_number(name, value, 0, 10, "a number 0..10"), true;
+  if (name == "--shadow-size") {
+    return out.shadow_size = static_cast<uint32_t>(read_number(name, value, 16, 8192, "a number 16..8192")), true;
+  }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
   if (name == "--ambient") return out.ambient = read_color(name, value), true;
-  if (name == "--exponent") return out.exponent = read_number(name, value, 0, 1e6f, "a number 0..1e6"), true;
-  if (name == "--specular") return out.specular = read_number(name, value, 0, 1e6f, "a number 0..1e6"), true;
+  if (name == "--exposure") {
+    return out.exposure = std::exp2(read_number(name, value, -20, 20, "a number -20..20")), true;
+  }
+  return false;
+}
+
+/// Options that describe the surface. False if `name` is not one.
+bool set_surface_value(const std::string& name, const std::string& value, Options& out) {
+  if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
+  if (name == "--frequency") return out.frequency = pick(name, value, kFrequencies), true;
+  if (name == "--diffuse") return out.diffuse = read_color(name, value), true;
+  if (name == "--exponent") return out.exponent = read_scale(name, value), true;
+  if (name == "--specular") return out.specular = read_scale(name, value), true;
+  if (name == "--metallic") return out.metallic = read_number(name, value, 0, 1, "a number 0..1"), true;
+  if (name == "--roughness") return out.roughness = read_number(name, value, 0, 1, "a number 0..1"), true;
+  if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
   if (name == "--texture") return out.texture = value, true;
+  if (name == "--uv-scale") return out.uv_scale = read_scale(name, value), true;
+  if (name == "--normal-map") return out.normal_map = value, true;
+  if (name == "--keep-roughness") return out.keep = pick(name, value, kKeep), true;
+  return false;
+}
+
+/// Options that describe the shape, real or seeming. False if `name` is not one.
+bool set_shape_value(const std::string& name, const std::string& value, Options& out) {
+  if (name == "--shape") return out.model.clear(), out.shape = pick(name, value, kShapes), true;
+  if (name == "--height") return out.height_map = value, true;
+  if (name == "--bump") return out.bump_form = pick(name, value, kBumps), true;
+  if (name == "--bump-scale") {
+    return out.bump_scale = read_number(name, value, -1e6f, 1e6f, "a number -1e6..1e6"), true;
+  }
+  if (name == "--parallax") return out.parallax = read_scale(name, value), true;
+  if (name == "--displace") {
+    return out.displacement = read_number(name, value, -1e6f, 1e6f, "a number -1e6..1e6"), true;
+  }
+  if (name == "--edge-length") return out.edge_length = read_number(name, value, 0.5f, 1e4f, "pixels 0.5..1e4"), true;
+  if (name == "--lines") return out.line_width = read_number(name, value, 0, 64, "a width 0..64 in pixels"), true;
+  if (name == "--crease") return out.crease = read_number(name, value, 0, 180, "an angle 0..180 degrees"), true;
   if (name == "--tessellation") {
     return out.tessellation = static_cast<int>(read_number(name, value, 1, 256, "a number 1..256")), true;
   }
@@ -173,7 +267,8 @@ bool set_scene_value(const std::string& name, const std::string& value, Options&
 }
 
 bool set_value(const std::string& name, const std::string& value, Options& out) {
-  return set_output_value(name, value, out) || set_scene_value(name, value, out);
+  return set_output_value(name, value, out) || set_light_value(name, value, out) ||
+         set_surface_value(name, value, out) || set_shape_value(name, value, out);
 }
 
 /// What is wrong with an option at the end of the line: it lacks its value, or nobody knows it.
@@ -207,6 +302,7 @@ Options parse_options(int argc, const char* const* argv) {
       ++i;
     }
   }
-  if (!options.preset) options.preset = options.lights.empty() ? LightPreset::kStudio : LightPreset::kNone;
+  const bool lit = !options.lights.empty() || options.lamps > 0;
+  if (!options.preset) options.preset = lit ? LightPreset::kNone : LightPreset::kStudio;
   return options;
 }

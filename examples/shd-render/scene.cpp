@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "failure.h"
@@ -9,53 +10,66 @@
 
 namespace {
 
-Mesh make_mesh(shd_context* context, const Geometry& geometry) {
+void set_uv(shd_f32_in out[2], const std::vector<float>& uv) {
+  for (size_t c = 0; c < 2 && !uv.empty(); ++c) out[c] = {uv.data() + c, 2 * sizeof(float)};
+}
+
+Mesh make_mesh(shd_context* context, const Options& options, const Geometry& geometry) {
   shd_mesh_desc desc = shd_mesh_desc_default();
   desc.vertex_count = static_cast<uint32_t>(geometry.position.size() / 3);
   for (size_t c = 0; c < 3; ++c) {
     desc.position[c] = {geometry.position.data() + c, 3 * sizeof(float)};
     if (!geometry.normal.empty()) desc.normal[c] = {geometry.normal.data() + c, 3 * sizeof(float)};
   }
-  for (size_t c = 0; c < 2; ++c) {
-    if (!geometry.uv.empty()) desc.uv[c] = {geometry.uv.data() + c, 2 * sizeof(float)};
-  }
+  set_uv(desc.uv, geometry.uv);
+  set_uv(desc.uv1, geometry.uv1);
   desc.indices.data = geometry.indices.data();
   desc.index_count = geometry.indices.size();
+  if (!geometry.uv.empty()) desc.flags |= SHD_MESH_TANGENTS;
+  if (options.line_width > 0.0f) desc.flags |= SHD_MESH_ADJACENCY;
   Mesh mesh;
   check(shd_mesh_create(context, &desc, mesh.out()), "mesh");
   return mesh;
 }
 
-Sampler make_sampler(shd_context* context, const Options& options, const Surface& surface) {
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = options.filter;
-  desc.wrap_u = static_cast<shd_wrap>(surface.wrap_u);
-  desc.wrap_v = static_cast<shd_wrap>(surface.wrap_v);
-  Sampler sampler;
-  check(shd_sampler_create(context, &desc, sampler.out()), "sampler");
-  return sampler;
+/// Cuts the mesh of an instance into triangles of few pixels and moves them by the heights.
+Mesh displace(shd_context* context, const Options& options, const Camera& camera, const Instance& instance,
+              const Mesh& mesh, const shd_texture* height) {
+  shd_tessellation_desc desc = shd_tessellation_desc_default();
+  desc.mode = SHD_TESSELLATION_ADAPTIVE;
+  desc.max_segments = 512;
+  desc.edge_length = options.edge_length;
+  desc.width = options.width;
+  desc.height = options.height;
+  desc.view = &camera.view;
+  desc.object_to_world = instance.object_to_world.data();
+  desc.displacement = height;
+  desc.amplitude = options.displacement;
+  Mesh displaced;
+  check(shd_mesh_tessellate(context, mesh.get(), &desc, displaced.out()), "displacement");
+  return displaced;
 }
 
-/// shd's ambient term has its own colour, which no texture multiplies: use the texture's average there.
-Material make_material(shd_context* context, const Options& options, const Surface& surface, shd_texture* texture,
-                       shd_sampler* sampler) {
-  shd_material_desc desc = shd_material_desc_default();
-  const std::array<float, 3> average = texture ? average_color(context, texture) : std::array<float, 3>{1, 1, 1};
-  desc.model = options.reflectance;
-  desc.exponent = options.exponent.value_or(surface.exponent);
-  for (size_t c = 0; c < 3; ++c) {
-    desc.diffuse[c] = surface.diffuse[c];
-    desc.ambient[c] = surface.diffuse[c] * average[c];
-    desc.specular[c] = options.specular.value_or(surface.specular[c]);
-  }
-  if (texture) {
-    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    desc.slot[SHD_SLOT_DIFFUSE].texture = texture;
-    desc.slot[SHD_SLOT_DIFFUSE].sampler = sampler;
-  }
+/// Lines on top of the surfaces, which make way for them.
+void add_lines(shd_context* context, const Options& options, Scene& scene) {
+  shd_material_desc ink = shd_material_desc_default();
+  ink.model = SHD_MODEL_UNLIT;
+  for (float& c : ink.diffuse) c = 0.01f;
   Material material;
-  check(shd_material_create(context, &desc, material.out()), "material \"" + surface.name + "\"");
-  return material;
+  check(shd_material_create(context, &ink, material.out()), "ink");
+  for (size_t i = 0; i < scene.solid_count; ++i) {
+    shd_draw line = scene.draws[i];
+    scene.draws[i].depth_bias = 1e-5f;
+    scene.draws[i].depth_bias_slope = 0.5f * options.line_width + 1.0f;
+    line.material = material.get();
+    line.fill = SHD_FILL_LINES;
+    line.fill_width = options.line_width;
+    line.edges = SHD_EDGE_SILHOUETTE | SHD_EDGE_CREASE | SHD_EDGE_BORDER;
+    line.crease_cosine = std::cos(options.crease * 3.14159265f / 180.0f);
+    line.compare = SHD_COMPARE_LESS_EQUAL;
+    scene.draws.push_back(line);
+  }
+  scene.materials.push_back(std::move(material));
 }
 
 void add_textures(shd_context* context, const Model& model, const Options& options, Scene& scene) {
@@ -66,39 +80,34 @@ void add_textures(shd_context* context, const Model& model, const Options& optio
     }
     scene.textures.push_back(std::move(texture));
   }
-  if (options.texture == "checker") {
-    scene.textures.push_back(make_checker(context));
-  } else if (!options.texture.empty()) {
-    TextureSource source;
-    source.path = options.texture;
-    Texture texture;
-    if (!load_texture(context, source, texture)) throw Failure(kExitInput, source.path + ": " + shd_last_error());
-    scene.textures.push_back(std::move(texture));
-  }
 }
 
 }  // namespace
 
-Scene make_scene(shd_context* context, const Model& model, const Options& options) {
+Scene make_scene(shd_context* context, const Model& model, const Options& options, const Camera& camera) {
   Scene scene;
   add_textures(context, model, options, scene);
-  for (Surface surface : model.surfaces) {
-    shd_texture* texture = surface.texture >= 0 ? scene.textures[static_cast<size_t>(surface.texture)].get() : nullptr;
-    if (!options.texture.empty()) {
-      texture = scene.textures.back().get();
-      surface.diffuse = {1, 1, 1};
-    }
-    scene.samplers.push_back(make_sampler(context, options, surface));
-    scene.materials.push_back(make_material(context, options, surface, texture, scene.samplers.back().get()));
+  scene.extras = make_extras(context, options);
+  const shd_model reflectance = model_of(options, model);
+  for (const Surface& surface : model.surfaces) {
+    scene.materials.push_back(
+        make_material(context, options, reflectance, surface, scene.textures, scene.extras, scene.samplers));
   }
-  for (const Geometry& geometry : model.geometries) scene.meshes.push_back(make_mesh(context, geometry));
+  for (const Geometry& geometry : model.geometries) scene.meshes.push_back(make_mesh(context, options, geometry));
   for (const Instance& instance : model.instances) {
     shd_draw draw = shd_draw_default();
     draw.mesh = scene.meshes[instance.geometry].get();
+    if (options.displacement != 0.0f && !model.surfaces[instance.surface].is_floor) {
+      const Mesh& flat = scene.meshes[instance.geometry];
+      scene.displaced.push_back(displace(context, options, camera, instance, flat, scene.extras.height.get()));
+      draw.mesh = scene.displaced.back().get();
+    }
     draw.material = scene.materials[instance.surface].get();
     draw.frequency = options.frequency;
     std::copy(instance.object_to_world.begin(), instance.object_to_world.end(), draw.object_to_world);
     scene.draws.push_back(draw);
   }
+  scene.solid_count = scene.draws.size();
+  if (options.line_width > 0.0f) add_lines(context, options, scene);
   return scene;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "textures.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "failure.h"
 
 namespace {
@@ -30,16 +33,24 @@ std::vector<unsigned char> narrow(const shd_image& image) {
   return texels;
 }
 
+shd_load_desc load_desc_of(const TextureSource& source) {
+  shd_load_desc desc = shd_load_desc_default();
+  if (source.data) desc.color_space = SHD_COLOR_ENCODING_DATA;
+  return desc;
+}
+
 /// A whole image file that the model carries.
 shd_result load_embedded(shd_context* context, const TextureSource& source, Texture& out) {
   Bitmap bitmap;
   shd_image image = shd_image_default();
-  shd_result result = shd_bitmap_load_memory(context, source.file.data(), source.file.size(), nullptr, bitmap.out());
+  const shd_load_desc desc = load_desc_of(source);
+  shd_result result = shd_bitmap_load_memory(context, source.file.data(), source.file.size(), &desc, bitmap.out());
   if (result == SHD_OK) result = shd_bitmap_image(bitmap.get(), &image);
   if (result != SHD_OK) return result;
   if (image.format == SHD_FORMAT_RGBA16) {
     const std::vector<unsigned char> texels = narrow(image);
-    return create_texture(context, SHD_FORMAT_RGBA8_SRGB, image.width, image.height, texels.data(), 0, out);
+    return create_texture(context, source.data ? SHD_FORMAT_RGBA8 : SHD_FORMAT_RGBA8_SRGB, image.width, image.height,
+                          texels.data(), 0, out);
   }
   return create_texture(context, image.format, image.width, image.height, image.pixels, image.row_stride, out);
 }
@@ -49,10 +60,11 @@ shd_result load_embedded(shd_context* context, const TextureSource& source, Text
 bool load_texture(shd_context* context, const TextureSource& source, Texture& out) {
   if (!source.file.empty()) return load_embedded(context, source, out) == SHD_OK;
   if (!source.rgba.empty()) {
-    return create_texture(context, SHD_FORMAT_RGBA8_SRGB, source.width, source.height, source.rgba.data(), 0, out) ==
-           SHD_OK;
+    const shd_format format = source.data ? SHD_FORMAT_RGBA8 : SHD_FORMAT_RGBA8_SRGB;
+    return create_texture(context, format, source.width, source.height, source.rgba.data(), 0, out) == SHD_OK;
   }
-  return shd_texture_load(context, source.path.c_str(), nullptr, out.out()) == SHD_OK;
+  const shd_load_desc desc = load_desc_of(source);
+  return shd_texture_load(context, source.path.c_str(), &desc, out.out()) == SHD_OK;
 }
 
 Texture make_checker(shd_context* context) {
@@ -72,18 +84,42 @@ Texture make_checker(shd_context* context) {
   return texture;
 }
 
-std::array<float, 3> average_color(shd_context* context, const shd_texture* texture) {
-  const float middle = 0.5f, coarsest = 32.0f;
-  std::array<float, 3> color{};
-  Sampler sampler;
-  shd_lookups where = shd_lookups_default();
-  shd_texels out{};
-  where.count = 1;
-  where.u.data = where.v.data = &middle;
-  where.lod.data = &coarsest;
-  for (size_t c = 0; c < 3; ++c) out.channel[c].data = &color[c];
-  check(shd_sampler_create(context, nullptr, sampler.out()), "sampler");
-  check(shd_texture_sample(texture, sampler.get(), &where, &out), "average of a texture");
-  for (float& c : color) c = c >= 0.0f && c <= 1e6f ? c : 0.0f;
-  return color;
+Texture make_window(shd_context* context) {
+  constexpr uint32_t kSize = 256;
+  std::vector<unsigned char> texels;
+  for (uint32_t y = 0; y < kSize; ++y) {
+    for (uint32_t x = 0; x < kSize; ++x) {
+      const auto bar = [](uint32_t c) { return c < 40 || c >= 216 || (c >= 122 && c < 134); };
+      const unsigned char warm[4] = {255, 236, 200, 255}, cool[4] = {190, 215, 255, 255}, dark[4] = {8, 8, 10, 255};
+      const unsigned char* texel = bar(x) || bar(y) ? dark : (x < 128) == (y < 128) ? warm : cool;
+      texels.insert(texels.end(), texel, texel + 4);
+    }
+  }
+  Texture texture;
+  check(create_texture(context, SHD_FORMAT_RGBA8_SRGB, kSize, kSize, texels.data(), 0, texture), "window");
+  return texture;
+}
+
+Texture make_matcap(shd_context* context) {
+  constexpr uint32_t kSize = 256;
+  std::vector<float> texels;
+  for (uint32_t y = 0; y < kSize; ++y) {
+    for (uint32_t x = 0; x < kSize; ++x) {
+      float nx = (static_cast<float>(x) + 0.5f) / (0.5f * kSize) - 1.0f;
+      float ny = 1.0f - (static_cast<float>(y) + 0.5f) / (0.5f * kSize);
+      const float outside = std::max(1.0f, std::sqrt(nx * nx + ny * ny));
+      nx /= outside, ny /= outside;
+      const float nz = std::sqrt(std::max(0.0f, 1.0f - nx * nx - ny * ny));
+      const float key = std::max(0.0f, -0.45f * nx + 0.6f * ny + 0.66f * nz);
+      const float rim = std::pow(1.0f - nz, 3.0f) * std::max(0.0f, 0.6f + 0.8f * nx);
+      const float glow = std::pow(key, 40.0f), ground = 0.5f - 0.5f * ny;
+      texels.push_back(0.55f * key + 0.30f * ground * ground + 0.2f * rim + 1.2f * glow);
+      texels.push_back(0.24f * key + 0.10f * ground * ground + 0.4f * rim + 1.1f * glow);
+      texels.push_back(0.13f * key + 0.05f * ground * ground + 0.8f * rim + 1.0f * glow);
+      texels.push_back(1.0f);
+    }
+  }
+  Texture texture;
+  check(create_texture(context, SHD_FORMAT_RGBA32F, kSize, kSize, texels.data(), 0, texture), "matcap");
+  return texture;
 }

@@ -2,12 +2,19 @@
 #pragma once
 #include "handles.h"
 #include "model.h"
+#include "options.h"
 
 /// Loads a texture with its mipmap. False, with shd_last_error() set, when it cannot be read.
 bool load_texture(shd_context* context, const TextureSource& source, Texture& out);
 
+/// Loads a normal map so that its levels keep the roughness of the bumps that they no longer show. False as above.
+bool load_normal_map(shd_context* context, const std::string& path, KeepRoughness keep, Texture& out);
+
 /// A built-in pattern: squares in two colours with a mark in the corner where (u, v) = (0, 0).
 Texture make_checker(shd_context* context);
 
-/// Average of a texture with a mipmap, linear.
-std::array<float, 3> average_color(shd_context* context, const shd_texture* texture);
+/// A window of four panes, for a light to project.
+Texture make_window(shd_context* context);
+
+/// A sphere lit as in a studio, to be looked up by the normal in view space.
+Texture make_matcap(shd_context* context);

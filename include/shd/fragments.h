@@ -4,7 +4,7 @@
  * @brief Columns that a fragment program reads and writes.
  *
  * Thread safety: a program runs on any worker of the executor, several calls at once; it must not throw
- * or longjmp. Floating-point control is the IEEE default while it runs.
+ * or longjmp. Floating-point control is the IEEE default while it runs. It may look textures up (shd/lookup.h).
  */
 #ifndef SHD_FRAGMENTS_H
 #define SHD_FRAGMENTS_H

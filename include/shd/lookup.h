@@ -14,7 +14,8 @@
  *
  * Each lookup depends on its own inputs only: the same bits for any batch size, order and worker count.
  *
- * Thread safety: concurrent reads; large batches are split over the executor of the texture's context.
+ * Thread safety: concurrent reads; batches of more than 16384 lookups are split over the executor of the texture's
+ * context, others run on the calling thread alone. Fragment and vertex programs may look textures up.
  */
 #ifndef SHD_LOOKUP_H
 #define SHD_LOOKUP_H

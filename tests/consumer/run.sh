@@ -4,7 +4,8 @@
 # with what the build knows in the environment (see CMakeLists.txt). Exit code 77: not for this build.
 set -euo pipefail
 kind=$1
-examples=(hello lookup levels program custom_allocator own_threads frame)
+course=(normal phong texture bump displacement)  # these without assimp: they draw a sphere
+examples=(hello lookup levels program custom_allocator own_threads frame "${course[@]}")
 warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
 
 if [ -n "$SANITIZE" ]; then
@@ -18,7 +19,7 @@ install_shd() {
   "$CMAKE" --install "$BUILD" --config "$CONFIG" --prefix "$WORK/prefix" >"$WORK/install.log"
 }
 
-# run FOLDER: every example in it, from a folder of their own because frame writes files
+# run FOLDER: every example in it, from a folder of their own because some write files
 run() {
   local example
   cd "$WORK/run"
@@ -53,7 +54,10 @@ with_pkg_config() {
   export PKG_CONFIG_PATH="$WORK/prefix/$LIBDIR/pkgconfig" LD_LIBRARY_PATH="$WORK/prefix/$LIBDIR"
   for example in "${examples[@]}"; do
     modules=(shd) sources=("$SOURCE/examples/$example.c") defines=()
-    if [ "$example" = frame ]; then
+    if [[ " ${course[*]} " == *" $example "* ]]; then
+      sources=("$SOURCE/examples/course/"{"$example",course,course_model}.c)
+      [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
+    elif [ "$example" = frame ]; then
       sources+=("$SOURCE/examples/frame_scene.c")
       [ "$HAS_COLOR" = 0 ] || { modules+=(shd_color) && defines+=(-DEXAMPLE_HAS_COLOR); }
       [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT */
+#include "course.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#ifdef EXAMPLE_HAS_IO
+#include <shd/io.h>
+#endif
+
+#include "shading.h"
+
+enum { RELIEF = 512 };
+
+/* Centres the model at 0 in the size that fills the picture, turned to be seen from the front left. */
+static void place(const shd_mesh_info *info, float m[16])
+{
+    const float turn = -0.6f;
+    float scale = 0.0f, center[3];
+    int c;
+    for (c = 0; c < 3; ++c) {
+        const float half = 0.5f * (info->bounds_max[c] - info->bounds_min[c]);
+        center[c] = info->bounds_min[c] + half;
+        scale = fmaxf(scale, half);
+    }
+    scale = scale > 0.0f ? 2.9f / scale : 1.0f;
+    memset(m, 0, 16 * sizeof *m);
+    m[0] = m[10] = scale * cosf(turn), m[8] = scale * sinf(turn), m[2] = -m[8];
+    m[5] = scale, m[15] = 1.0f;
+    for (c = 0; c < 3; ++c) m[12 + c] = -(m[c] * center[0] + m[4 + c] * center[1] + m[8 + c] * center[2]);
+}
+
+static shd_result create_mesh(struct course *course, const struct course_model *model)
+{
+    shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_mesh_info info;
+    shd_result result;
+    int c;
+    desc.vertex_count = model->vertex_count;
+    for (c = 0; c < 3; ++c) {
+        desc.position[c].data = model->position + c, desc.position[c].stride = 3 * sizeof(float);
+        desc.normal[c].data = model->normal + c, desc.normal[c].stride = 3 * sizeof(float);
+    }
+    for (c = 0; c < 2; ++c) desc.uv[c].data = model->uv + c, desc.uv[c].stride = 2 * sizeof(float);
+    desc.indices.data = model->indices;
+    desc.index_count = model->index_count;
+    result = shd_mesh_create(course->context, &desc, &course->mesh);
+    if (result == SHD_OK) result = shd_mesh_get_info(course->mesh, &info);
+    if (result == SHD_OK) place(&info, course->object_to_world);
+    return result;
+}
+
+/* Bumps on a grid: as a height map, or coloured to be looked at. */
+static shd_result create_pattern(struct course *course, int relief)
+{
+    static uint8_t pixels[RELIEF][RELIEF][4];
+    shd_texture_desc desc = shd_texture_desc_default();
+    int x, y;
+    for (y = 0; y < RELIEF; ++y) {
+        for (x = 0; x < RELIEF; ++x) {
+            const float wave = 6.28318531f * 12.0f / RELIEF;
+            const float height = sinf(wave * ((float)x + 0.5f)) * sinf(wave * ((float)y + 0.5f));
+            pixels[y][x][0] = (uint8_t)(128.0f + 100.0f * height);
+            pixels[y][x][1] = relief ? pixels[y][x][0] : (uint8_t)(140.0f - 40.0f * height);
+            pixels[y][x][2] = relief ? pixels[y][x][0] : 90;
+            pixels[y][x][3] = 255;
+        }
+    }
+    desc.format = SHD_FORMAT_RGBA8; /* numbers as they are: see course.h */
+    desc.width = desc.height = RELIEF;
+    desc.texels = pixels;
+    desc.tables = SHD_TABLE_MIPMAP;
+    return shd_texture_create(course->context, &desc, &course->texture);
+}
+
+static shd_result create_texture(struct course *course, const char *path, int relief)
+{
+    shd_result result;
+    shd_texture_info info;
+#ifdef EXAMPLE_HAS_IO
+    shd_load_desc desc = shd_load_desc_default();
+    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* numbers as they are: see course.h */
+    result = *path ? shd_texture_load(course->context, path, &desc, &course->texture) : create_pattern(course, relief);
+#else
+    (void)path;
+    result = create_pattern(course, relief);
+#endif
+    if (result == SHD_OK) result = shd_texture_get_info(course->texture, &info);
+    if (result == SHD_OK) course->texels_u = (float)info.width, course->texels_v = (float)info.height;
+    return result;
+}
+
+shd_result course_flatten(struct course *course)
+{
+    static const uint8_t black[4] = {0, 0, 0, 255};
+    shd_texture_desc desc = shd_texture_desc_default();
+    desc.format = SHD_FORMAT_RGBA8;
+    desc.width = desc.height = 1;
+    desc.texels = black;
+    shd_texture_release(course->texture);
+    course->texture = NULL;
+    return shd_texture_create(course->context, &desc, &course->texture);
+}
+
+void course_look_up(const struct course *course, const shd_fragments *in, size_t first, size_t count, float du,
+                    float dv, struct course_texels *out)
+{
+    float u[COURSE_ROWS], v[COURSE_ROWS];
+    shd_lookups where = shd_lookups_default();
+    shd_texels texels = {0};
+    size_t i;
+    for (i = 0; i < count; ++i) u[i] = in->u[first + i] + du, v[i] = in->v[first + i] + dv;
+    where.count = count;
+    where.u.data = u, where.v.data = v;
+    where.dudx.data = in->dudx + first, where.dvdx.data = in->dvdx + first;
+    where.dudy.data = in->dudy + first, where.dvdy.data = in->dvdy + first;
+    texels.channel[0].data = out->r, texels.channel[1].data = out->g, texels.channel[2].data = out->b;
+    if (shd_texture_sample(course->texture, course->sampler, &where, &texels) != SHD_OK) {
+        for (i = 0; i < count; ++i) out->r[i] = out->g[i] = out->b[i] = NAN;
+    }
+}
+
+shd_material_desc course_material(struct course *course, shd_fragment_fn fragment)
+{
+    shd_material_desc desc = shd_material_desc_default();
+    desc.model = SHD_MODEL_PROGRAM;
+    desc.program.fragment = fragment;
+    desc.program.user_data = course;
+    return desc;
+}
+
+static shd_result create_lights(shd_context *context, shd_light *lights[3])
+{
+    shd_result result = SHD_OK;
+    int i, c;
+    for (i = 0; i < 3 && result == SHD_OK; ++i) {
+        shd_light_desc desc = shd_light_desc_default();
+        if (i == 2) desc.kind = SHD_LIGHT_AMBIENT;
+        for (c = 0; c < 3; ++c) {
+            desc.intensity[c] = i < 2 ? k_intensity : k_ambient_light;
+            if (i < 2) desc.position[c] = k_light[i][c];
+        }
+        result = shd_light_create(context, &desc, &lights[i]);
+    }
+    return result;
+}
+
+shd_result course_render(const struct course *course, const shd_material_desc *material_desc, uint32_t samples,
+                         shd_framebuffer **out_frame)
+{
+    shd_light *lights[3] = {NULL, NULL, NULL};
+    shd_material *material = NULL;
+    shd_framebuffer_desc fd = shd_framebuffer_desc_default();
+    shd_camera camera = shd_camera_default();
+    shd_render_desc rd = shd_render_desc_default();
+    shd_draw draw = shd_draw_default();
+    shd_render_stats stats;
+    shd_result result = create_lights(course->context, lights);
+    int i;
+    fd.width = fd.height = COURSE_SIZE, fd.samples = samples;
+    fd.aovs = SHD_AOV_NORMAL;
+    camera.fov_y = 0.785398163f;
+    memcpy(camera.eye, k_eye, sizeof camera.eye);
+    if (result == SHD_OK) result = shd_material_create(course->context, material_desc, &material);
+    if (result == SHD_OK) result = shd_framebuffer_create(course->context, &fd, out_frame);
+    if (result == SHD_OK) result = shd_view_from_camera(&camera, &rd.view);
+    draw.mesh = course->mesh, draw.material = material;
+    memcpy(draw.object_to_world, course->object_to_world, sizeof draw.object_to_world);
+    rd.framebuffer = *out_frame;
+    rd.draws = &draw, rd.draw_count = 1;
+    rd.lights = (const shd_light *const *)lights, rd.light_count = 3;
+    rd.stats = &stats;
+    if (result == SHD_OK) result = shd_render(course->context, &rd);
+    if (result == SHD_OK && (stats.fragments == 0 || stats.nonfinite_fragments > 0)) result = SHD_ERROR_INTERNAL;
+    shd_material_release(material);
+    for (i = 0; i < 3; ++i) shd_light_release(lights[i]);
+    return result;
+}
+
+double course_difference(const shd_framebuffer *a, const shd_framebuffer *b)
+{
+    double largest = 0.0;
+    size_t x, y;
+    int c;
+    for (c = 0; c < 4; ++c) {
+        shd_plane_view p, q;
+        if (shd_framebuffer_view_plane(a, (shd_plane)(SHD_PLANE_R + c), &p) != SHD_OK ||
+            shd_framebuffer_view_plane(b, (shd_plane)(SHD_PLANE_R + c), &q) != SHD_OK) {
+            return 1e9;
+        }
+        for (y = 0; y < COURSE_SIZE; ++y) {
+            for (x = 0; x < COURSE_SIZE; ++x) {
+                const double d = fabs((double)p.f32[y * (p.row_stride / sizeof(float)) + x] -
+                                      (double)q.f32[y * (q.row_stride / sizeof(float)) + x]);
+                if (!(d <= largest)) largest = d;
+            }
+        }
+    }
+    return largest;
+}
+
+/* Four samples a pixel for the picture; its numbers are encoded already. */
+static shd_result save(struct course *course, const struct course_program *program, const char *path)
+{
+    const shd_material_desc material = course_material(course, program->fragment);
+    shd_framebuffer *frame = NULL;
+    shd_result result = course_render(course, &material, 4, &frame);
+#ifdef EXAMPLE_HAS_IO
+    shd_save_desc desc = shd_save_desc_default();
+    desc.color_space = SHD_COLOR_ENCODING_DATA;
+    if (result == SHD_OK) result = shd_framebuffer_save(frame, path, &desc);
+    if (result == SHD_OK) printf("%s: %s written\n", program->name, path);
+#else
+    if (result == SHD_OK) printf("%s: rendered; %s is not written without libshd_io\n", program->name, path);
+#endif
+    shd_framebuffer_release(frame);
+    return result;
+}
+
+int course_main(int argc, char **argv, const struct course_program *program)
+{
+    const char *path = argc > 1 && *argv[1] ? argv[1] : course_default_model(program->relief);
+    char picture[64];
+    struct course course = {NULL, NULL, NULL, NULL, 1, 1, {0}};
+    struct course_model model = {0, NULL, NULL, NULL, NULL, 0, ""};
+    shd_framebuffer *frame = NULL;
+    shd_material_desc material = course_material(&course, program->fragment);
+    int good = 0;
+    snprintf(picture, sizeof picture, "%s.png", program->name);
+    if (!course_model_create(path, &model)) {
+        fprintf(stderr, "%s: no triangles from %s\n", program->name, path);
+        course_model_release(&model);
+        return 1;
+    }
+    if (shd_context_create(NULL, &course.context) == SHD_OK && create_mesh(&course, &model) == SHD_OK &&
+        create_texture(&course, argc > 3 ? argv[3] : model.texture, program->relief) == SHD_OK &&
+        shd_sampler_create(course.context, NULL, &course.sampler) == SHD_OK &&
+        course_render(&course, &material, 1, &frame) == SHD_OK &&
+        save(&course, program, argc > 2 && *argv[2] ? argv[2] : picture) == SHD_OK) {
+        good = program->check(&course, frame);
+    }
+    if (!good) fprintf(stderr, "%s: wrong picture or error: %s\n", program->name, shd_last_error());
+    shd_framebuffer_release(frame);
+    shd_sampler_release(course.sampler);
+    shd_texture_release(course.texture);
+    shd_mesh_release(course.mesh);
+    shd_context_release(course.context);
+    course_model_release(&model);
+    return good ? 0 : 1;
+}

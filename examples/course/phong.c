@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Blinn-Phong with one colour: the model that shd has built in, written as a program. */
+#include "course.h"
+#include "shading.h"
+
+static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) {
+        const float point[3] = {in->px[i], in->py[i], in->pz[i]};
+        const float normal[3] = {in->nx[i], in->ny[i], in->nz[i]};
+        float color[3];
+        blinn_phong(k_color, point, normal, color);
+        out->r[i] = color[0], out->g[i] = color[1], out->b[i] = color[2];
+    }
+}
+
+/* shd's own Blinn-Phong in the textbook form gives the same picture. */
+static int check(struct course *course, const shd_framebuffer *frame)
+{
+    shd_material_desc model = shd_material_desc_default();
+    shd_framebuffer *expected = NULL;
+    double difference = 1e9;
+    int c;
+    model.model = SHD_MODEL_BLINN_PHONG;
+    model.flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT;
+    model.exponent = k_exponent;
+    for (c = 0; c < 3; ++c) {
+        model.ambient[c] = k_ambient, model.diffuse[c] = k_color[c], model.specular[c] = k_specular;
+    }
+    if (course_render(course, &model, 1, &expected) == SHD_OK) difference = course_difference(frame, expected);
+    shd_framebuffer_release(expected);
+    return difference < 1e-3;
+}
+
+int main(int argc, char **argv)
+{
+    const struct course_program program = {"phong", 0, shade, check};
+    return course_main(argc, argv, &program);
+}
