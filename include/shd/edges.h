@@ -42,8 +42,8 @@ typedef struct shd_edges_desc {
     uint32_t struct_size; /**< set by shd_edges_desc_default() */
     uint32_t kinds;       /**< shd_edge_kind bits; default SHD_EDGE_ALL */
     /**
-     * Object space, finite: the point (x, y, z) with w = 1, the direction to an eye far away with w = 0; any (x, y, z, w)
-     * but 0 is the point (x, y, z) / w. Default (0, 0, 1, 0).
+     * Object space, finite: the point (x, y, z) with w = 1, the direction to an eye far away with w = 0; any (x, y, z,
+     * w) but 0 is the point (x, y, z) / w. Default (0, 0, 1, 0).
      */
     float eye[4];
     float crease_cosine; /**< -1..1; default 0.5: edges of 60 degrees and sharper */
@@ -70,8 +70,8 @@ typedef struct shd_edges {
 } shd_edges;
 
 /**
- * Find the edges of a mesh that are of one of the kinds, each once, in the order of their first triangles. The same bits
- * on every machine.
+ * Find the edges of a mesh that are of one of the kinds, each once, in the order of their first triangles. The same
+ * bits on every machine.
  * @param mesh       made with SHD_MESH_ADJACENCY
  * @param desc       borrowed for the call
  * @param capacity   elements of the columns; 0 to count edges

@@ -74,17 +74,21 @@ typedef enum shd_model {
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
-/** How the texels of SHD_SLOT_NORMAL, t in 0..1, stand for a normal (x, y, z) in tangent space. */
+/**
+ * How values t of SHD_SLOT_NORMAL stand for a normal in tangent space: x along u, y up in the image, against v, as in
+ * glTF 2.0 (but see SHD_NORMAL_Y_DOWN), z along the normal. Textures of 8 and 16 bits hold (c + 1) / 2 of a component
+ * c; those of floats, vertices and procedures c itself.
+ */
 typedef enum shd_normal_encoding {
-    SHD_NORMAL_XYZ = 0, /**< (x, y, z) = 2 t - 1 */
-    SHD_NORMAL_XY = 1,  /**< (x, y) = 2 t - 1, z = sqrt(1 - x^2 - y^2) */
+    SHD_NORMAL_XYZ = 0, /**< (x, y, z) */
+    SHD_NORMAL_XY = 1,  /**< (x, y), z = sqrt(1 - x^2 - y^2) */
     /**
      * XYZ with the length of the mean normal as the fourth channel, as shd_mip_build() makes it: surfaces that shrink
      * to few pixels get the roughness that their bumps had (Toksvig, "Mipmapping Normal Maps", 2005)
      */
     SHD_NORMAL_TOKSVIG = 2,
     /**
-     * (x / z, y / z) and their squares, not in 0..1: what shd_normal_moments() makes. Likewise, from the variance
+     * (x / z, y / z) and their squares, in floats: what shd_normal_moments() makes. Likewise, from the variance
      * (Olano and Baker, "LEAN Mapping", 2010, for lobes that are round)
      */
     SHD_NORMAL_MOMENTS = 3,

@@ -94,12 +94,12 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
 /**
  * Turn a normal map into the moments of its slopes, from which lookups get back how rough the normals under a footprint
  * make a surface, while plain means of normals make it smooth (Olano and Baker, "LEAN Mapping", 2010; without
- * the mixed moment, as in Baker, "Spectacular Specular: LEAN and CLEAN Specular Highlights", 2011). A texel is (bx, by, bx^2, by^2), (bx, by) = (nx / nz,
- * ny / nz). Levels are made of the result as SHD_SEMANTIC_DATA, and any filter may read it: from a filtered (bx, by, Mx,
- * My) come the mean normal normalise(bx, by, 1) and the variance of a slope,
- * max(0, Mx + My - bx^2 - by^2) / 2, which widens a lobe.
- * nz is taken as at least 1/32 of the normal's length, so that bx and by are at most 32; normals that point backwards
- * count as such. A texel that is 0 or not finite is flat: four zeros.
+ * the mixed moment, as in Baker, "Spectacular Specular: LEAN and CLEAN Specular Highlights", 2011). A texel is (bx, by,
+ * bx^2, by^2), (bx, by) = (nx / nz, ny / nz). Levels are made of the result as SHD_SEMANTIC_DATA, and any filter may
+ * read it: from a filtered (bx, by, Mx, My) come the mean normal normalise(bx, by, 1) and the variance of a slope,
+ * max(0, Mx + My - bx^2 - by^2) / 2, which widens a lobe. nz is taken as at least 1/32 of the normal's length, so that
+ * bx and by are at most 32; normals that point backwards count as such. A texel that is 0 or not finite is flat: four
+ * zeros.
  * @param normals  three or four channels, as for SHD_SEMANTIC_NORMAL, of any length; borrowed for the call
  * @param out      of that width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F, not overlapping `normals`. Pixels
  *                 are written, unspecified on failure of the executor

@@ -84,14 +84,14 @@ typedef enum shd_fill {
  * draws: the same samples at the same depths, so that SHD_COMPARE_LESS shows it once, but a blend that keeps depth adds
  * up.
  *
- * SHD_FILL_LINES draws each edge of the mesh once, whichever way its triangles face: `cull` does not apply. It goes with
- * the first of its triangles, by whose vertices it is drawn and shaded and in whose place it is counted. Silhouettes
- * are those seen from the point that world_to_view and view_to_clip together show nowhere, which with a camera is
- * view.eye, or without perspective from the direction that they show nowhere; by object_to_world and the mesh's own
- * positions, whatever a vertex program makes of them.
- * A drawing without hidden lines takes two draws: the mesh as it is, without material if nothing but lines is to show,
- * with depth_bias 1e-5 and depth_bias_slope fill_width / 2 + 1, by which it makes way for lines on its front; then its
- * lines with SHD_COMPARE_LESS_EQUAL. Lines over everything compare ALWAYS.
+ * SHD_FILL_LINES draws each edge of the mesh once, whichever way its triangles face: `cull` does not apply. It goes
+ * with the first of its triangles, by whose vertices it is drawn and shaded and in whose place it is counted.
+ * Silhouettes are those seen from the point that world_to_view and view_to_clip together show nowhere, which with a
+ * camera is view.eye, or without perspective from the direction that they show nowhere; by object_to_world and the
+ * mesh's own positions, whatever a vertex program makes of them. A drawing without hidden lines takes two draws: the
+ * mesh as it is, without material if nothing but lines is to show, with depth_bias 1e-5 and depth_bias_slope fill_width
+ * / 2 + 1, by which it makes way for lines on its front; then its lines with SHD_COMPARE_LESS_EQUAL. Lines over
+ * everything compare ALWAYS.
  */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */

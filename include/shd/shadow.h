@@ -114,10 +114,10 @@ typedef struct shd_shadow_render_desc {
     uint32_t reserved;      /**< 0 */
     const shd_light *light; /**< required; directional, spot or point */
     /**
-     * What casts shadows, as in shd_render_desc; NULL if draw_count is 0. Comparison, depth biases and culling of a draw
-     * do not count; one with SHD_DRAW_KEEP_DEPTH casts no shadow. Materials count by the fragments that alpha or their
-     * program drops and by their vertex program, both seen from the light, but for those blended WEIGHTED or SORTED;
-     * opacity as such does not.
+     * What casts shadows, as in shd_render_desc; NULL if draw_count is 0. Comparison, depth biases and culling of a
+     * draw do not count; one with SHD_DRAW_KEEP_DEPTH casts no shadow. Materials count by the fragments that alpha or
+     * their program drops and by their vertex program, both seen from the light, but for those blended WEIGHTED or
+     * SORTED; opacity as such does not.
      */
     const shd_draw *draws;
     size_t draw_count; /**< up to 2^20 */
@@ -129,9 +129,9 @@ typedef struct shd_shadow_render_desc {
     float near_plane;
     float far_plane;
     /**
-     * Directional lights: the part of the world that needs shadows, in place of the bounds of the draws; both 0 = those.
-     * Draws between it and the light still cast theirs. The map covers it with texels of a size rounded up in steps of
-     * 1/8 to 1/16, at places that are multiples of it: shadows stand still while bounds of the same size move.
+     * Directional lights: the part of the world that needs shadows, in place of the bounds of the draws; both 0 =
+     * those. Draws between it and the light still cast theirs. The map covers it with texels of a size rounded up in
+     * steps of 1/8 to 1/16, at places that are multiples of it: shadows stand still while bounds of the same size move.
      */
     float bounds_min[3];
     float bounds_max[3];
@@ -150,10 +150,10 @@ static inline shd_shadow_render_desc shd_shadow_render_desc_default(void)
  * Render the map, in place of the one before; on failure that one stays.
  *
  * The cone of a spot has one map up to an outer angle of 1.1 rad [63 degrees], and six faces as a point light beyond.
- * Filters reach over the edge of a face by up to size / 8 texels (PCF and VARIANCE size / 4), for which each is drawn so
- * much wider. Draws are fitted by the bounds of their meshes, wherever vertex programs move the vertices: then give
- * bounds and planes. Bounds beyond 1e18 are SHD_ERROR_INVALID_ARGUMENT. The map takes 4 bytes a texel, 8 of VARIANCE and
- * 16 of SUMMED_AREA_VARIANCE, and while it is drawn 4 more and a framebuffer of up to 2048 x 2048.
+ * Filters reach over the edge of a face by up to size / 8 texels (PCF and VARIANCE size / 4), for which each is drawn
+ * so much wider. Draws are fitted by the bounds of their meshes, wherever vertex programs move the vertices: then give
+ * bounds and planes. Bounds beyond 1e18 are SHD_ERROR_INVALID_ARGUMENT. The map takes 4 bytes a texel, 8 of VARIANCE
+ * and 16 of SUMMED_AREA_VARIANCE, and while it is drawn 4 more and a framebuffer of up to 2048 x 2048.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @since 0.1
  */

@@ -96,9 +96,9 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
  *
  * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv; a height
  * that is not finite, or moves it beyond the range of float, counts as 0. Vertices at one position move together, by
- * the mean of what each would move by, so that seams of uv and creases stay closed; a sheet whose two sides are faces at
- * the same positions does not move. Tangents are laid into the plane of the new normals. Heights are looked up at the
- * vertices alone: parts longer than two texels of the level `lod` skip some.
+ * the mean of what each would move by, so that seams of uv and creases stay closed; a sheet whose two sides are faces
+ * at the same positions does not move. Tangents are laid into the plane of the new normals. Heights are looked up at
+ * the vertices alone: parts longer than two texels of the level `lod` skip some.
  *
  * Refused with the field named, before anything is allocated: more than max_triangles. An edge with an end that is not
  * finite has 1 part in ADAPTIVE mode. normalless_count, tangentless_count and split_count of the new mesh's info are

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "core/allocator.h"
-#include "geometry/split_edges.h"
 #include "geometry/mesh.h"
+#include "geometry/split_edges.h"
 
 namespace shd::geometry {
 

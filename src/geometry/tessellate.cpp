@@ -9,8 +9,8 @@
 #include "data/vec3d.h"
 #include "geometry/cut.h"
 #include "geometry/displace.h"
-#include "geometry/split_edges.h"
 #include "geometry/row_pattern.h"
+#include "geometry/split_edges.h"
 #include "geometry/tangents.h"
 
 namespace shd::geometry {

@@ -32,7 +32,11 @@ float dielectric_of(float ior) noexcept {
   return static_cast<float>(ratio * ratio);
 }
 
-void build_surface(const shd_material_desc& desc, Material* out) noexcept {
+void build_surface(const shd_material_desc& desc, const texture::Texture* normals, Material* out) noexcept {
+  const bool in_codes =
+      normals && normals->component != image::Component::kFloat16 && normals->component != image::Component::kFloat32;
+  out->normal_factor = in_codes ? 2.0f : 1.0f;
+  out->normal_offset = in_codes ? -1.0f : 0.0f;
   out->normal_encoding = desc.normal_encoding;
   out->normal_scale[0] = desc.normal_scale;
   out->normal_scale[1] = desc.flags & SHD_NORMAL_Y_DOWN ? -desc.normal_scale : desc.normal_scale;
@@ -68,7 +72,7 @@ void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT],
   out->warm_mix = desc.warm_mix;
   out->cool_mix = desc.cool_mix;
   out->toon_steps = static_cast<float>(desc.toon_steps);
-  build_surface(desc, out);
+  build_surface(desc, parts[SHD_SLOT_NORMAL].texture, out);
   out->program = desc.program;
   out->varying_count = desc.varying_count;
   std::copy_n(desc.interpolation, SHD_MAX_VARYINGS, out->interpolation);

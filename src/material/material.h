@@ -34,7 +34,8 @@ struct Material {
   float warm_mix, cool_mix;
   float toon_steps;
   shd_normal_encoding normal_encoding;
-  float normal_scale[2];  // of x and y
+  float normal_scale[2];               // of x and y
+  float normal_factor, normal_offset;  // from values of the slot to components
   shd_bump bump;
   float bump_scale;
   float parallax_depth;

@@ -65,7 +65,8 @@ struct Mapped {
 };
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float* const* map, size_t i) {
-  const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f), zero = hn::Zero(d);
+  const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const V factor = hn::Set(d, material.normal_factor), offset = hn::Set(d, material.normal_offset);
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
   const V squared_scale = hn::Mul(scale_x, scale_x);
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
@@ -77,12 +78,13 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
     const V held = hn::IfThenElse(hn::Lt(half, most), half, most);
     return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
-  const V x = hn::Sub(hn::Mul(two, a), one), y = hn::Sub(hn::Mul(two, b), one);
+  const V x = hn::Add(hn::Mul(factor, a), offset), y = hn::Add(hn::Mul(factor, b), offset);
   if (material.normal_encoding == SHD_NORMAL_XY) {
     const V rest = hn::Sub(one, hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
     return {{hn::Mul(x, scale_x), hn::Mul(y, scale_y), hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
   }
-  const Vec3V<V> m = {hn::Mul(x, scale_x), hn::Mul(y, scale_y), hn::Sub(hn::Mul(two, hn::Load(d, map[2] + i)), one)};
+  const Vec3V<V> m = {hn::Mul(x, scale_x), hn::Mul(y, scale_y),
+                      hn::Add(hn::Mul(factor, hn::Load(d, map[2] + i)), offset)};
   if (material.normal_encoding != SHD_NORMAL_TOKSVIG) return {m, zero};
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);

@@ -30,9 +30,9 @@ static shd_texture *make_dome(shd_context *context, int normals)
             const double dx = (x + 0.5) / TEXELS - 0.5, dy = 0.5 - (y + 0.5) / TEXELS; /* right and up */
             const double n = sqrt(1 + 16 * (dx * dx + dy * dy));
             float *t = texels[y * TEXELS + x];
-            t[0] = (float)(normals ? 0.5 + 0.5 * 4 * dx / n : 20 - 2 * TEXELS * (dx * dx + dy * dy));
-            t[1] = (float)(0.5 + 0.5 * 4 * dy / n);
-            t[2] = (float)(0.5 + 0.5 / n);
+            t[0] = (float)(normals ? 4 * dx / n : 20 - 2 * TEXELS * (dx * dx + dy * dy));
+            t[1] = (float)(4 * dy / n);
+            t[2] = (float)(1 / n);
             t[3] = 1;
         }
     }

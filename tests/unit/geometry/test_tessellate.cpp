@@ -9,8 +9,8 @@
 #include "core/context.h"
 #include "data/camera.h"
 #include "geometry/cut.h"
-#include "geometry/split_edges.h"
 #include "geometry/row_pattern.h"
+#include "geometry/split_edges.h"
 #include "geometry/tessellate.h"
 #include "support/random.h"
 

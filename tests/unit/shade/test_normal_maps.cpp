@@ -29,6 +29,8 @@ void set_encoding(shd_normal_encoding encoding, float scale) {
   desc.normal_scale = scale;
   const material::SlotParts parts[SHD_SLOT_COUNT] = {};
   material::build(desc, parts, &g->material);
+  g->material.normal_factor = 2;  // as of a texture of bytes
+  g->material.normal_offset = -1;
 }
 
 /// Texels of an encoding: unit normals shortened by what a mip level takes, or slopes and their squares.
