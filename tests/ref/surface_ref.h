@@ -14,7 +14,8 @@ struct MappedNormal {
 };
 
 inline MappedNormal decode(const material::Material& material, const long double t[4]) {
-  const long double s = material.normal_scale[0], r = material.normal_scale[1], x = 2 * t[0] - 1, y = 2 * t[1] - 1, z = 2 * t[2] - 1;
+  const long double s = material.normal_scale[0], r = material.normal_scale[1], x = 2 * t[0] - 1, y = 2 * t[1] - 1,
+                    z = 2 * t[2] - 1;
   switch (material.normal_encoding) {
     case SHD_NORMAL_XY: {
       const long double rest = 1 - x * x - y * y;
