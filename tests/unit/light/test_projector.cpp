@@ -135,8 +135,8 @@ void test_slide(void** state) {
     const double distance = (is_behind ? -1.0 : 1.0) * std::exp2(random.in(-1.0, 6.0));
     const long double half_x = spot ? distance * tanl(c->angle) : 0.5L * c->extent[0];
     const long double half_y = spot ? distance * tanl(c->angle) : 0.5L * c->extent[1];
-    const Vector in_slide = half_x * static_cast<long double>(2 * u - 1) * right +
-                            half_y * static_cast<long double>(1 - 2 * v) * up;
+    const Vector in_slide =
+        half_x * static_cast<long double>(2 * u - 1) * right + half_y * static_cast<long double>(1 - 2 * v) * up;
     set_point(i, ref::vector(position) - static_cast<long double>(distance) * back + in_slide);
     want[0][i] = is_behind && spot ? -1.0 : u;
     want[1][i] = is_behind && spot ? -1.0 : v;
@@ -148,7 +148,8 @@ void test_slide(void** state) {
     const double along = static_cast<double>(fabsl(ref::dot(row_point(i) - ref::vector(position), back)));
     const double scale_x = spot ? double{light.slide_scale[0]} / along : double{light.slide_scale[0]};
     const double scale_y = spot ? double{light.slide_scale[1]} / along : double{light.slide_scale[1]};
-    const double aside_u = spot ? fabs(want[0][i] - 0.5) / along : 0.0, aside_v = spot ? fabs(want[1][i] - 0.5) / along : 0.0;
+    const double aside_u = spot ? fabs(want[0][i] - 0.5) / along : 0.0,
+                 aside_v = spot ? fabs(want[1][i] - 0.5) / along : 0.0;
     shd_assert_close("u", i, g_first[0][i], want[0][i], 1e-6 + 2e-7 * size * (scale_x + aside_u), 0.0);
     shd_assert_close("v", i, g_first[1][i], want[1][i], 1e-6 + 2e-7 * size * (scale_y + aside_v), 0.0);
   }
@@ -174,8 +175,8 @@ struct ConeCase {
   float inner, outer;
 };
 const ConeCase k_cones[] = {
-    {"cone/default", 0, kPi / 4},      {"cone/narrow", 0.1f, 0.11f},     {"cone/narrowest", 0, 0.001f},
-    {"cone/hard", kPi / 4, kPi / 4},   {"cone/half", 0.2f, kPi / 2},     {"cone/hard_half", kPi / 2, kPi / 2},
+    {"cone/default", 0, kPi / 4},    {"cone/narrow", 0.1f, 0.11f}, {"cone/narrowest", 0, 0.001f},
+    {"cone/hard", kPi / 4, kPi / 4}, {"cone/half", 0.2f, kPi / 2}, {"cone/hard_half", kPi / 2, kPi / 2},
 };
 
 /// t = scale (cos a - start) is 0 at the outer and 1 at the inner angle.

@@ -26,15 +26,18 @@ void make_table(size_t count) {
 
 struct CullCase {
   const char* name;
-  double low, high;    // log2 of ranges
-  double spread;       // of the lights around the rows
-  double offset;       // of everything from the origin
-  int unlimited;       // every so many lights have no range; 0 = none of them
+  double low, high;  // log2 of ranges
+  double spread;     // of the lights around the rows
+  double offset;     // of everything from the origin
+  int unlimited;     // every so many lights have no range; 0 = none of them
 };
 const CullCase k_culls[] = {
-    {"cull/some", 0, 2, 6, 0, 0},           {"cull/all_reach", 6, 7, 1, 0, 0},
-    {"cull/none_reach", -6, -4, 100, 0, 0}, {"cull/without_range", 0, 2, 6, 0, 3},
-    {"cull/far_from_origin", 0, 2, 6, 1e5, 0}, {"cull/tiny", -70, -60, 1e-19, 0, 0},
+    {"cull/some", 0, 2, 6, 0, 0},
+    {"cull/all_reach", 6, 7, 1, 0, 0},
+    {"cull/none_reach", -6, -4, 100, 0, 0},
+    {"cull/without_range", 0, 2, 6, 0, 3},
+    {"cull/far_from_origin", 0, 2, 6, 1e5, 0},
+    {"cull/tiny", -70, -60, 1e-19, 0, 0},
     {"cull/huge", 60, 66, 3e19, 0, 0},
 };
 
