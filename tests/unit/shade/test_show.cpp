@@ -142,9 +142,11 @@ void test_matcap(void**) {
 int main() {
   using namespace shd::tests;
   const CMUnitTest tests[] = {
-      {"normals", test_normals, nullptr, nullptr, nullptr}, {"uv", test_uv, nullptr, nullptr, nullptr},
+      {"normals", test_normals, nullptr, nullptr, nullptr},
+      {"uv", test_uv, nullptr, nullptr, nullptr},
       {"barycentrics", test_barycentrics, nullptr, nullptr, nullptr},
-      {"levels", test_levels, nullptr, nullptr, nullptr},   {"matcap", test_matcap, nullptr, nullptr, nullptr},
+      {"levels", test_levels, nullptr, nullptr, nullptr},
+      {"matcap", test_matcap, nullptr, nullptr, nullptr},
   };
   return _cmocka_run_group_tests("unit.shade.show", tests, sizeof tests / sizeof tests[0], set_up, tear_down);
 }
