@@ -46,7 +46,7 @@ typedef enum shd_slot_source {
 
 /**
  * A slot as code: writes in->count rows.
- * @param out  packed columns: of colours and normals three, of the diffuse slot four, of scalars one; the rest NULL.
+ * @param out  packed columns: of colours three, of the diffuse slot and of normals four, of scalars one; the rest NULL.
  * They start as 1
  */
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *user_data);

@@ -81,7 +81,8 @@ bool step(const March& m, float part, float width, size_t count) {
     const float above = (1.0f - part) - m.height[i];
     const bool hits = !(above > 0.0f) && m.found[i] < 0.0f;
     const float drop = m.above[i] - above;
-    const float back = drop > 0.0f ? above / drop : 0.0f;  // above <= 0: as far back as the line between steps says
+    // above <= 0: as far back as the line between steps says, which from infinite heights says nothing.
+    const float back = drop > 0.0f && drop < __builtin_inff() ? above / drop : 0.0f;
     const float place = part + width * std::max(back, -1.0f);
     m.found[i] = hits ? std::max(place, 0.0f) : m.found[i];
     m.above[i] = above;

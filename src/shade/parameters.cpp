@@ -45,12 +45,17 @@ void transform(const float* a, const float* b, const float* row, float offset, s
   for (size_t i = 0; i < count; ++i) out[i] = row[0] * a[i] + row[1] * b[i] + offset;
 }
 
-void point_to_attributes(const Slot& slot, uint32_t index, const SlotRows& where, Parameters* out) {
+/// Channels that the mesh lacks are null, of normals a column of 1: their kernel reads all.
+void point_to_attributes(const Slot& slot, uint32_t index, const SlotRows& where, const Columns& columns,
+                         Parameters* out) {
   const geometry::Vertices& vertices = *where.shading.vertices;
   for (uint32_t c = 0; c < material::slot_channels(index); ++c) {
     const uint32_t column = slot.attribute + c;
     const bool is_there = column < SHD_MAX_ATTRIBUTES && vertices.has_attribute[column];
     out->value[index][c] = is_there ? where.rows.attribute[column] : nullptr;
+    if (is_there || index != SHD_SLOT_NORMAL) continue;
+    std::fill_n(columns.slot[index][c], where.rows.count, 1.0f);
+    out->value[index][c] = columns.slot[index][c];
   }
 }
 
@@ -90,7 +95,7 @@ void look_up_slots(const core::SimdTarget& simd, const SlotRows& where, uint32_t
     const Slot& slot = material.slot[i];
     std::copy_n(columns->slot[i], 4, out->value[i]);
     if (slot.source == SHD_SOURCE_TEXTURE) textured |= 1u << i;
-    if (slot.source == SHD_SOURCE_VERTEX) point_to_attributes(slot, i, where, out);
+    if (slot.source == SHD_SOURCE_VERTEX) point_to_attributes(slot, i, where, *columns, out);
     if (slot.source == SHD_SOURCE_PROCEDURE) run_procedure(slot, i, where, *columns);
   }
   look_up_textures(simd, where, textured, columns);

@@ -28,7 +28,9 @@ inline texture::Lookups lookups_of(const material::Slot& slot, const SlotRows& w
 }
 
 /// Values at rows of those `slots` (bits) that are set, but for height and matcap: in columns->slot, or of vertices
-/// where they are. Slots that read the same texels share their lookups. Throws Failure if a procedure threw.
+/// where they are; null where the mesh lacks the attribute, but of normals, whose channels are all there. Slots that
+/// read the same texels share their lookups, which have the bits of lookups of their own. Throws Failure if a procedure
+/// threw.
 void look_up_slots(const core::SimdTarget& simd, const SlotRows& where, uint32_t slots, Columns* columns,
                    Parameters* out);
 

@@ -10,23 +10,26 @@ struct EncodingCase {
   const char* name;
   shd_normal_encoding encoding;
   float scale;
+  uint32_t flags;
 };
 const EncodingCase k_encodings[] = {
-    {"map/xyz", SHD_NORMAL_XYZ, 1},
-    {"map/xyz/scaled", SHD_NORMAL_XYZ, -0.5f},
-    {"map/xy", SHD_NORMAL_XY, 1},
-    {"map/xy/scaled", SHD_NORMAL_XY, 3},
-    {"map/toksvig", SHD_NORMAL_TOKSVIG, 1},
-    {"map/toksvig/scaled", SHD_NORMAL_TOKSVIG, 0.5f},
-    {"map/moments", SHD_NORMAL_MOMENTS, 1},
-    {"map/moments/scaled", SHD_NORMAL_MOMENTS, -2},
-    {"map/toksvig/flat", SHD_NORMAL_TOKSVIG, 0},
+    {"map/xyz", SHD_NORMAL_XYZ, 1, 0},
+    {"map/xyz/scaled", SHD_NORMAL_XYZ, -0.5f, 0},
+    {"map/xyz/y_down", SHD_NORMAL_XYZ, 1, SHD_NORMAL_Y_DOWN},
+    {"map/xy", SHD_NORMAL_XY, 1, 0},
+    {"map/xy/scaled/y_down", SHD_NORMAL_XY, 3, SHD_NORMAL_Y_DOWN},
+    {"map/toksvig", SHD_NORMAL_TOKSVIG, 1, 0},
+    {"map/toksvig/scaled/y_down", SHD_NORMAL_TOKSVIG, 0.5f, SHD_NORMAL_Y_DOWN},
+    {"map/toksvig/flat", SHD_NORMAL_TOKSVIG, 0, 0},
+    {"map/moments", SHD_NORMAL_MOMENTS, 1, 0},
+    {"map/moments/scaled/y_down", SHD_NORMAL_MOMENTS, -2, SHD_NORMAL_Y_DOWN},
 };
 
-void set_encoding(shd_normal_encoding encoding, float scale) {
+void set_encoding(shd_normal_encoding encoding, float scale, uint32_t flags = 0) {
   shd_material_desc desc = shd_material_desc_default();
   desc.normal_encoding = encoding;
   desc.normal_scale = scale;
+  desc.flags = flags;
   const material::SlotParts parts[SHD_SLOT_COUNT] = {};
   material::build(desc, parts, &g->material);
   g->material.normal_factor = 2;  // as of a texture of bytes
@@ -60,7 +63,7 @@ void map_everywhere(bool tails) {
 void test_map(void** state) {
   const auto* c = static_cast<const EncodingCase*>(*state);
   Random random = {101};
-  set_encoding(c->encoding, c->scale);
+  set_encoding(c->encoding, c->scale, c->flags);
   random_rows(&random);
   random_texels(&random, c->encoding);
   map_everywhere(true);

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Values of slots: textures through transforms and uv sets, alone and shared; attributes of meshes; procedures.
+#include "core/status.h"  // before cmocka, whose fail is a macro
+
+#include <stdexcept>
+
+#include "unit/shade/slot_fixture.h"
+
+namespace shd::tests {
+namespace {
+
+constexpr uint32_t kSize = 8;
+
+texture::Texture* random_texture(Random* random) {
+  static float texels[kSize * kSize * 4];
+  for (float& texel : texels) texel = random->real(-1.0, 1.0);
+  return make_texture(SHD_FORMAT_RGBA32F, kSize, kSize, texels, SHD_TABLE_MIPMAP);
+}
+
+void random_rows(Random* random) {
+  raster::Fragments& f = g->rows;
+  f.count = kBatch;
+  for (size_t i = 0; i < kBatch; ++i) {
+    for (float* column : {f.u, f.v, f.u1, f.v1}) column[i] = random->real(-2.0, 2.0);
+    for (float* column : {f.dudx, f.dvdx, f.dudy, f.dvdy, f.du1dx, f.dv1dx, f.du1dy, f.dv1dy}) {
+      column[i] = random->real(-0.3, 0.3);
+    }
+    for (float* column : f.attribute) column[i] = random->real(-1.0, 1.0);
+  }
+}
+
+/// What a slot should read, by a lookup of its own, into kept.
+void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, uint32_t index, bool has_footprint) {
+  static float at[6][kBatch];
+  const raster::Fragments& f = g->rows;
+  const float* const first[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
+  const float* const second[6] = {f.u1, f.v1, f.du1dx, f.dv1dx, f.du1dy, f.dv1dy};
+  const float* const* in = slot.uv_set ? second : first;
+  const float* t = slot.uv_transform;
+  for (size_t i = 0; i < f.count; ++i) {
+    for (int k = 0; k < 6; k += 2) {
+      at[k][i] = t[0] * in[k][i] + t[1] * in[k + 1][i] + (k ? 0.0f : t[2]);
+      at[k + 1][i] = t[3] * in[k][i] + t[4] * in[k + 1][i] + (k ? 0.0f : t[5]);
+    }
+  }
+  const bool j = has_footprint;
+  const texture::Lookups lookups = {f.count, at[0], at[1], j ? at[2] : nullptr, j ? at[3] : nullptr,
+                                    j ? at[4] : nullptr, j ? at[5] : nullptr, nullptr, nullptr, nullptr};
+  texture::Texels out = {};
+  const uint32_t channels = material::slot_channels(index);
+  for (uint32_t c = 0; c < channels; ++c) out.channel[channels == 1 ? slot.channel : c] = g->kept.slot[index][c];
+  texture::sample(*slot.texture, *slot.sampler, target, lookups, out);
+}
+
+/// Slots with textures, samplers, transforms, sets and channels at random, many of them the same.
+void random_slots(Random* random, texture::Texture* const textures[2], const texture::Sampler* samplers,
+                  shd_model model) {
+  shd_material_desc desc = shd_material_desc_default();
+  desc.model = model;
+  material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  const float turned[6] = {0.6f, -0.8f, 0.25f, 0.8f, 0.6f, -0.5f};
+  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+    if (random->whole(0, 4) == 0) continue;
+    desc.slot[i].source = SHD_SOURCE_TEXTURE;
+    desc.slot[i].uv_set = random->whole(0, 3) == 0;
+    desc.slot[i].channel = static_cast<uint32_t>(random->whole(0, 3));
+    if (random->whole(0, 2) == 0) std::copy_n(turned, 6, desc.slot[i].uv_transform);
+    parts[i] = {textures[random->whole(0, 3) == 0], &samplers[random->whole(0, 3) == 0]};
+  }
+  material::build(desc, parts, &g->material);
+}
+
+/// Shared lookups give the bits of lookups of one's own.
+void test_textures(void** state) {
+  const auto model = *static_cast<const shd_model*>(*state);
+  Random random = {161};
+  texture::Texture* const textures[2] = {random_texture(&random), random_texture(&random)};
+  static texture::Sampler samplers[2];
+  samplers[0] = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
+  samplers[1] = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
+  const uint32_t looked_up = material::info_of(model).slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
+  for (int n = 0; n < 60; ++n) {
+    random_slots(&random, textures, samplers, model);
+    random_rows(&random);
+    g->rows.count = n % 3 ? kBatch : static_cast<size_t>(random.whole(1, 131));
+    const uint32_t wanted = n % 2 ? ~0u : material::kShapingSlots;
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      const shade::DrawShading shading = draw_shading();
+      shade::Parameters p = {};
+      for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+        for (uint32_t c = 0; c < material::slot_channels(i); ++c) std::fill_n(g->columns.slot[i][c], kBatch, -77.0f);
+      }
+      shade::look_up_slots(target, {shading, g->rows, g->varyings, n % 5 != 0}, wanted, &g->columns, &p);
+      for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+        const material::Slot& slot = g->material.slot[i];
+        const bool reads = slot.source == SHD_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1;
+        assert_true((p.value[i][0] != nullptr) == reads);
+        for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
+          for (size_t k = reads ? g->rows.count : 0; k < kBatch; ++k) assert_true(g->columns.slot[i][c][k] == -77.0f);
+        }
+        if (!reads) continue;
+        look_up_alone(target, slot, i, n % 5 != 0);
+        for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
+          assert_memory_equal(p.value[i][c], g->kept.slot[i][c], g->rows.count * sizeof(float));
+        }
+      }
+    });
+  }
+  for (texture::Texture* texture : textures) free_texture(texture);
+}
+
+struct AttributeCase {
+  const char* name;
+  uint32_t slot, attribute;
+  uint32_t present;   // bits of the columns that the mesh has
+  uint32_t expected;  // bits of the channels that come from it
+};
+const AttributeCase k_attributes[] = {
+    {"attribute/colour", SHD_SLOT_DIFFUSE, 0, 0xff, 0xf},
+    {"attribute/colour/4", SHD_SLOT_DIFFUSE, 4, 0xff, 0xf},
+    {"attribute/colour/runs_out", SHD_SLOT_DIFFUSE, 6, 0xff, 0x3},
+    {"attribute/colour/without_alpha", SHD_SLOT_DIFFUSE, 0, 0x07, 0x7},
+    {"attribute/colour/absent", SHD_SLOT_DIFFUSE, 0, 0, 0},
+    {"attribute/scalar", SHD_SLOT_EXPONENT, 7, 0x80, 1},
+    {"attribute/scalar/absent", SHD_SLOT_EXPONENT, 7, 0x7f, 0},
+    {"attribute/normal", SHD_SLOT_NORMAL, 0, 0xff, 0xf},
+    {"attribute/normal/three", SHD_SLOT_NORMAL, 5, 0xff, 0x7},
+    {"attribute/normal/absent", SHD_SLOT_NORMAL, 0, 0, 0},
+};
+
+/// Columns of the mesh; 1 where it lacks one, which is no column but for normals, whose kernel reads all of them.
+void test_attribute(void** state) {
+  const auto* c = static_cast<const AttributeCase*>(*state);
+  Random random = {162};
+  shd_material_desc desc = shd_material_desc_default();
+  desc.model = SHD_MODEL_BLINN_PHONG;
+  desc.slot[c->slot].source = SHD_SOURCE_VERTEX;
+  desc.slot[c->slot].attribute = c->attribute;
+  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::build(desc, parts, &g->material);
+  random_rows(&random);
+  for (uint32_t k = 0; k < SHD_MAX_ATTRIBUTES; ++k) g->vertices.has_attribute[k] = c->present >> k & 1;
+  const shade::DrawShading shading = draw_shading();
+  shade::Parameters p = {};
+  shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
+  for (uint32_t k = 0; k < material::slot_channels(c->slot); ++k) {
+    const float* got = p.value[c->slot][k];
+    if (c->slot == SHD_SLOT_NORMAL) assert_non_null(got);
+    for (size_t i = 0; i < kBatch; ++i) {
+      const float want = c->expected >> k & 1 ? g->rows.attribute[c->attribute + k][i] : 1.0f;
+      assert_true((got ? got[i] : 1.0f) == want);
+    }
+  }
+}
+
+/// What a procedure was given, and does.
+struct Call {
+  uint32_t slot;
+  size_t calls, rows;
+  bool sees_rows, starts_at_1;
+  int throws;  // 1 = std::runtime_error, 2 = something else
+};
+
+void procedure(const shd_fragments* in, float* const out[4], void* user_data) {
+  auto* call = static_cast<Call*>(user_data);
+  ++call->calls;
+  call->rows += in->count;
+  call->sees_rows = in->u == g->rows.u && in->attribute[0] == nullptr && in->struct_size == sizeof *in && in->draw == 3;
+  const uint32_t channels = material::slot_channels(call->slot);
+  call->starts_at_1 = true;
+  for (uint32_t c = 0; c < 4; ++c) call->starts_at_1 &= (out[c] != nullptr) == (c < channels);
+  for (uint32_t c = 0; c < channels; ++c) {
+    for (size_t i = 0; i < in->count; ++i) call->starts_at_1 &= out[c][i] == 1.0f;
+  }
+  if (call->throws == 1) throw std::runtime_error("out of paint");
+  if (call->throws == 2) throw 7;
+  for (uint32_t c = 0; c < channels - (channels == 4); ++c) {
+    for (size_t i = 0; i < in->count; ++i) out[c][i] = in->u[i] + static_cast<float>(c);
+  }
+}
+
+void set_procedure(Call* call) {
+  shd_material_desc desc = shd_material_desc_default();
+  desc.model = call->slot == SHD_SLOT_METALLIC || call->slot == SHD_SLOT_ROUGHNESS ? SHD_MODEL_METALLIC_ROUGHNESS
+                                                                                   : SHD_MODEL_BLINN_PHONG;
+  desc.slot[call->slot].source = SHD_SOURCE_PROCEDURE;
+  desc.slot[call->slot].procedure = procedure;
+  desc.slot[call->slot].user_data = call;
+  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::build(desc, parts, &g->material);
+}
+
+/// Every slot that takes one: called once with the rows; what it leaves alone is 1.
+void test_procedure(void**) {
+  Random random = {163};
+  std::fill_n(g->vertices.has_attribute, SHD_MAX_ATTRIBUTES, false);
+  for (uint32_t slot = 0; slot < SHD_SLOT_HEIGHT; ++slot) {
+    for (size_t count : {size_t{1}, size_t{65}, kBatch}) {
+      Call call = {slot, 0, 0, false, false, 0};
+      set_procedure(&call);
+      random_rows(&random);
+      g->rows.count = count;
+      const shade::DrawShading shading = draw_shading();
+      shade::Parameters p = {};
+      shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
+      assert_true(call.calls == 1 && call.rows == count && call.sees_rows && call.starts_at_1);
+      const uint32_t channels = material::slot_channels(slot);
+      for (uint32_t c = 0; c < channels; ++c) {
+        for (size_t i = 0; i < count; ++i) {
+          assert_true(p.value[slot][c][i] == (c == 3 ? 1.0f : g->rows.u[i] + static_cast<float>(c)));
+        }
+      }
+    }
+  }
+}
+
+/// What procedures throw becomes a failure that names the slot and the draw.
+void test_throws(void**) {
+  Random random = {164};
+  random_rows(&random);
+  for (int throws : {1, 2}) {
+    Call call = {SHD_SLOT_SPECULAR, 0, 0, false, false, throws};
+    set_procedure(&call);
+    const shade::DrawShading shading = draw_shading();
+    shade::Parameters p = {};
+    shd_result result = SHD_OK;
+    try {
+      shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
+    } catch (const core::Failure& failure) {
+      result = failure.code;
+    }
+    assert_int_equal(result, SHD_ERROR_CALLBACK);
+    assert_non_null(strstr(core::last_error(), "material.slot[2].procedure threw in render.draws[3]"));
+    if (throws == 1) assert_non_null(strstr(core::last_error(), "out of paint"));
+  }
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  using namespace shd::tests;
+  static shd_model models[] = {SHD_MODEL_METALLIC_ROUGHNESS, SHD_MODEL_BLINN_PHONG, SHD_MODEL_MATCAP};
+  CMUnitTest tests[32];
+  size_t n = 0;
+  tests[n++] = {"textures/metallic_roughness", test_textures, nullptr, nullptr, &models[0]};
+  tests[n++] = {"textures/blinn_phong", test_textures, nullptr, nullptr, &models[1]};
+  tests[n++] = {"textures/matcap", test_textures, nullptr, nullptr, &models[2]};
+  for (const AttributeCase& c : k_attributes) {
+    tests[n++] = {c.name, test_attribute, nullptr, nullptr, const_cast<AttributeCase*>(&c)};
+  }
+  tests[n++] = {"procedure", test_procedure, nullptr, nullptr, nullptr};
+  tests[n++] = {"procedure/throws", test_throws, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.shade.parameters", tests, n, set_up, tear_down);
+}
