@@ -91,7 +91,7 @@ Shape shape_surface(const core::SimdTarget& simd, const SlotRows& where, raster:
                     Parameters* parameters) {
   const material::Material& material = *where.shading.material;
   look_up_slots(simd, where, material::kShapingSlots, columns, parameters);
-  const bool bumps = material::has_slot(material, SHD_SLOT_HEIGHT);
+  const bool bumps = material::has_slot(material, SHD_SLOT_HEIGHT) && material.bump_scale != 0.0f;
   const bool maps = material::has_slot(material, SHD_SLOT_NORMAL);
   if (bumps && material.bump == SHD_BUMP_TEXEL) find_texel_tilt(simd, where, columns);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) find_gradient(simd, where, columns);

@@ -5,7 +5,8 @@
 #include "support/scene.h"
 #include "support/shadow_hash.h"
 
-static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit", "glass", "small", "moved", "lines"};
+static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
+                                                          "small", "moved", "lines", "surface"};
 static const uint32_t k_workers[] = {1, 2, 3, 8, 16};
 enum { k_worker_counts = sizeof k_workers / sizeof k_workers[0], k_runs = 3 };
 
@@ -43,6 +44,7 @@ static void test_targets_and_workers(void **state)
 {
     const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
     const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED), lines = shd_scene_reference(SHD_SCENE_LINES);
+    const uint64_t surface = shd_scene_reference(SHD_SCENE_SURFACE);
     int simd, targets = 0;
     (void)state;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
@@ -57,6 +59,7 @@ static void test_targets_and_workers(void **state)
             expect_scene("built-in executor", &desc, SHD_SCENE_GLASS, glass);
             expect_scene("built-in executor", &desc, SHD_SCENE_MOVED, moved);
             expect_scene("built-in executor", &desc, SHD_SCENE_LINES, lines);
+            expect_scene("built-in executor", &desc, SHD_SCENE_SURFACE, surface);
         }
     }
     print_message("%d targets x %d worker counts x %d runs\n", targets, k_worker_counts, k_runs);
@@ -67,6 +70,7 @@ static void test_orders(void **state)
 {
     const uint64_t mixed = shd_scene_reference(SHD_SCENE_MIXED), glass = shd_scene_reference(SHD_SCENE_GLASS);
     const uint64_t moved = shd_scene_reference(SHD_SCENE_MOVED), lines = shd_scene_reference(SHD_SCENE_LINES);
+    const uint64_t surface = shd_scene_reference(SHD_SCENE_SURFACE);
     int order;
     size_t i;
     (void)state;
@@ -82,6 +86,7 @@ static void test_orders(void **state)
             expect_scene("executor of the host", &desc, SHD_SCENE_GLASS, glass);
             expect_scene("executor of the host", &desc, SHD_SCENE_MOVED, moved);
             expect_scene("executor of the host", &desc, SHD_SCENE_LINES, lines);
+            expect_scene("executor of the host", &desc, SHD_SCENE_SURFACE, surface);
         }
     }
 }
@@ -391,8 +396,9 @@ struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0}, {"floor", 0},   {"lit", 0},     {"glass", 0},    {"moved", 0},
-                                       {"lines", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0}, {"shadows", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},     {"glass", 0},
+                                       {"moved", 0},   {"lines", 0},    {"surface", 0}, {"lookups", 0},
+                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -402,8 +408,9 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_SURFACE);
     k_golden[k_golden_count - 4].hash = lookups_on(NULL);
     filters_on(NULL, filters);
     k_golden[k_golden_count - 3].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);

@@ -120,7 +120,7 @@ static void edit_misaligned(shd_mesh_desc *d)
 {
     d->position[2].data = (const float *)(const void *)((const char *)k_z + 2);
 }
-static void edit_flags(shd_mesh_desc *d) { d->flags = 0x80000004u; }
+static void edit_flags(shd_mesh_desc *d) { d->flags = 0x80000008u; }
 static void edit_weight(shd_mesh_desc *d) { d->normal_weight = (shd_normal_weight)3; }
 static void edit_weight_negative(shd_mesh_desc *d) { d->normal_weight = (shd_normal_weight)-1; }
 static void edit_half_normal(shd_mesh_desc *d) { d->normal[1].data = k_y; }
@@ -187,7 +187,7 @@ static const struct create_case k_create[] = {
     {"create/position_stride_2", edit_stride_2, BAD, "mesh.position[0].stride: 2 is not a multiple of 4", 0, 0, 0, 0},
     {"create/position_stride_overflow", edit_stride_huge, BAD, "mesh.position[1]: 9 elements of stride", 0, 0, 0, 0},
     {"create/position_misaligned", edit_misaligned, BAD, "mesh.position[2].data: not aligned", 0, 0, 0, 0},
-    {"create/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "mesh.flags: bits 0x80000004", 0, 0, 0, 0},
+    {"create/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "mesh.flags: bits 0x80000008", 0, 0, 0, 0},
     {"create/normal_weight_3", edit_weight, BAD, "mesh.normal_weight: 3 is not in 0..2", 0, 0, 0, 0},
     {"create/normal_weight_negative", edit_weight_negative, BAD, "mesh.normal_weight: ", 0, 0, 0, 0},
     {"create/normal_y_only", edit_half_normal, BAD, "mesh.normal[0].data: NULL", 0, 0, 0, 0},

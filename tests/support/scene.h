@@ -20,9 +20,10 @@ typedef enum shd_scene_kind {
     SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
     SHD_SCENE_SMALL =
         4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
-    SHD_SCENE_MOVED = 5, /* as GLASS with one sample, every vertex moved by a program */
-    SHD_SCENE_LINES = 6, /* as GLASS, most draws as lines */
-    SHD_SCENE_KINDS = 7
+    SHD_SCENE_MOVED = 5,   /* as GLASS with one sample, every vertex moved by a program */
+    SHD_SCENE_LINES = 6,   /* as GLASS, most draws as lines */
+    SHD_SCENE_SURFACE = 7, /* as MIXED with every model, slot and way to turn normals; lights that end and project */
+    SHD_SCENE_KINDS = 8
 } shd_scene_kind;
 
 enum {
@@ -230,6 +231,12 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     desc.normal_weight = SHD_NORMAL_WEIGHT_ANGLE;
     desc.flags = which == 3 ? SHD_MESH_KEEP_NONFINITE : SHD_MESH_NONE;
     if (s->kind == SHD_SCENE_LINES || s->kind == SHD_SCENE_SMALL) desc.flags |= SHD_MESH_ADJACENCY;
+    if (s->kind == SHD_SCENE_SURFACE) {
+        desc.flags |= which == 2 ? 0 : SHD_MESH_TANGENTS;
+        desc.uv1[0] = desc.position[0];
+        desc.uv1[1] = desc.position[2];
+        for (c = 0; c < 3; ++c) desc.attribute[c] = desc.position[c];
+    }
     result = shd_mesh_create(s->context, &desc, &s->mesh[which]);
     free(g.vertices);
     free(g.indices);
@@ -291,9 +298,73 @@ static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out,
     }
 }
 
+static inline shd_slot *shd_scene_slot(shd_scene *s, shd_material_desc *desc, int slot, size_t texture)
+{
+    desc->slot[slot].source = SHD_SOURCE_TEXTURE;
+    desc->slot[slot].texture = s->texture[texture];
+    desc->slot[slot].sampler = texture == 1 ? NULL : s->sampler[texture];
+    return &desc->slot[slot];
+}
+
+static inline void shd_scene_stripes(const shd_fragments *in, float *const out[4], void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) out[0][i] = in->px[i] * in->px[i] + in->u1[i];
+}
+
+/** Materials of SHD_SCENE_SURFACE. */
+static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
+{
+    static const shd_model k_models[SHD_SCENE_MATERIALS] = {SHD_MODEL_METALLIC_ROUGHNESS,
+                                                            SHD_MODEL_TOON,
+                                                            SHD_MODEL_BLINN_PHONG_NORMALIZED,
+                                                            SHD_MODEL_PHONG,
+                                                            SHD_MODEL_GOOCH,
+                                                            SHD_MODEL_COMBINED,
+                                                            SHD_MODEL_PROGRAM,
+                                                            SHD_MODEL_MATCAP};
+    shd_material_desc desc = shd_material_desc_default();
+    desc.model = k_models[which];
+    desc.flags = SHD_DOUBLE_SIDED;
+    desc.metallic = 0.4f;
+    if (which == 0) {
+        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
+        shd_scene_slot(s, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
+        shd_scene_slot(s, &desc, SHD_SLOT_OCCLUSION, 1)->channel = 2;
+        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 2)->uv_transform[1] = 0.5f;
+        desc.normal_encoding = SHD_NORMAL_TOKSVIG;
+    } else if (which == 2 || which == 3) {
+        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, which == 2 ? 2 : 0)->channel = (uint32_t)which - 2;
+        desc.bump = which == 2 ? SHD_BUMP_TEXEL : SHD_BUMP_GRADIENT;
+        desc.bump_scale = 0.25f;
+    } else if (which == 5) {
+        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, 0);
+        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 0);
+        desc.parallax_depth = 0.125f;
+        desc.parallax_steps = 9;
+    } else if (which == 6) {
+        desc.program.fragment = shd_scene_program;
+    } else if (which == 7) {
+        shd_scene_slot(s, &desc, SHD_SLOT_MATCAP, 1);
+        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 2);
+        desc.normal_encoding = SHD_NORMAL_MOMENTS;
+    }
+    if (which == 1 || which == 4) {
+        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
+        desc.slot[SHD_SLOT_EXPONENT].source = SHD_SOURCE_PROCEDURE;
+        desc.slot[SHD_SLOT_EXPONENT].procedure = shd_scene_stripes;
+        desc.slot[SHD_SLOT_EMISSION].source = SHD_SOURCE_VERTEX;
+        desc.slot[SHD_SLOT_EMISSION].attribute = 1;
+        desc.emission[1] = 0.125f;
+    }
+    return shd_material_create(s->context, &desc, &s->material[which]);
+}
+
 static inline shd_result shd_scene_material(shd_scene *s, size_t which)
 {
     shd_material_desc desc = shd_material_desc_default();
+    if (s->kind == SHD_SCENE_SURFACE) return shd_scene_surface(s, which);
     desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
     desc.exponent = which == 2 ? 7.5f : 64.0f;
     if (which < SHD_SCENE_TEXTURES) {
@@ -340,6 +411,13 @@ static inline shd_result shd_scene_light(shd_scene *s, size_t which)
     desc.direction[2] = -0.6f;
     desc.intensity[0] = which == 2 ? 9.0f : 0.7f;
     desc.intensity[1] = which == 3 ? 2.0f : 0.5f;
+    if (s->kind == SHD_SCENE_SURFACE) {
+        if (which == 1) desc.extent[0] = 3.0f;
+        if (which == 2) desc.kind = SHD_LIGHT_SPOT;
+        if (which == 2) desc.direction[2] = -0.5f;
+        if (which == 1 || which == 2) desc.texture = s->texture[which];
+        if (which == 3) desc.range = 3.5f;
+    }
     return shd_light_create(s->context, &desc, &s->light[which]);
 }
 

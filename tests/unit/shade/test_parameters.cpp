@@ -44,8 +44,9 @@ void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, u
     }
   }
   const bool j = has_footprint;
-  const texture::Lookups lookups = {f.count, at[0], at[1], j ? at[2] : nullptr, j ? at[3] : nullptr,
-                                    j ? at[4] : nullptr, j ? at[5] : nullptr, nullptr, nullptr, nullptr};
+  const texture::Lookups lookups = {
+      f.count, at[0],   at[1],  j ? at[2] : nullptr, j ? at[3] : nullptr, j ? at[4] : nullptr, j ? at[5] : nullptr,
+      nullptr, nullptr, nullptr};
   texture::Texels out = {};
   const uint32_t channels = material::slot_channels(index);
   for (uint32_t c = 0; c < channels; ++c) out.channel[channels == 1 ? slot.channel : c] = g->kept.slot[index][c];
