@@ -90,7 +90,7 @@ picture earth --shape sphere --tessellation 24 --orbit 20,20 --texture "$earth" 
 
 echo "== Surface detail"
 ball=(--shape sphere --tessellation 24 --orbit 20,10 "${sun[@]}" --diffuse 0.45)
-picture bump-gradient "${ball[@]}" --height "$bark" --bump gradient --bump-scale 0.08
+picture bump-gradient "${ball[@]}" --height "$bark" --bump gradient --bump-scale 0.05
 picture bump-texel "${ball[@]}" --height "$bark" --bump texel --bump-scale 8
 picture normal-map "${ball[@]}" --specular 0.6 --exponent 60 --normal-map "$coat/PlasticWrap_normals.jpg"
 for keep in none toksvig lean; do
@@ -99,7 +99,7 @@ for keep in none toksvig lean; do
 done
 slab=(--shape plane --orbit 30,35 --texture "$stones" --specular 0)
 picture parallax "${slab[@]}" --height "$stones" --bump gradient --bump-scale 0.05 --parallax 0.1
-picture displacement "${slab[@]}" --height "$stones" --displace 0.12 --edge-length 2
+picture displacement "${slab[@]}" --height "$stones" --displace 0.08 --edge-length 2
 
 echo "== Lights"
 picture course-lights --lights course --exposure 2 --orbit 0,10 --specular 0.7937 --exponent 150 "$duck"
@@ -110,7 +110,7 @@ picture lamps-256 --floor --orbit 25,35,3.2 --tessellation 32 --diffuse 0.8 --am
 
 echo "== Shadows"
 for filter in hard pcf variance summed-area pcss; do
-  picture "shadow-$filter" --floor --orbit 30,35 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 --shadow-size 512 \
+  picture "shadow-$filter" --floor --orbit 30,35 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 --shadow-size 1024 \
     --shadows "$filter" "$spider"
 done
 
