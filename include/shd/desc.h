@@ -42,6 +42,7 @@ typedef enum shd_desc_kind {
     SHD_DESC_SHADOW = 21,            /**< shd_shadow_desc */
     SHD_DESC_SHADOW_RENDER = 22,     /**< shd_shadow_render_desc */
     SHD_DESC_SHADOW_LOOKUPS = 23,    /**< shd_shadow_lookups */
+    SHD_DESC_TESSELLATION = 24,      /**< shd_tessellation_desc */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -44,6 +44,7 @@ DEFAULTS(shd_edges_desc, shd_edges_desc)
 DEFAULTS(shd_shadow_desc, shd_shadow_desc)
 DEFAULTS(shd_shadow_render_desc, shd_shadow_render_desc)
 DEFAULTS(shd_shadow_lookups, shd_shadow_lookups)
+DEFAULTS(shd_tessellation_desc, shd_tessellation_desc)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -69,6 +70,7 @@ static const struct kind_case k_kinds[] = {
     {"shadow", SHD_DESC_SHADOW, sizeof(shd_shadow_desc), defaults_shd_shadow_desc},
     {"shadow_render", SHD_DESC_SHADOW_RENDER, sizeof(shd_shadow_render_desc), defaults_shd_shadow_render_desc},
     {"shadow_lookups", SHD_DESC_SHADOW_LOOKUPS, sizeof(shd_shadow_lookups), defaults_shd_shadow_lookups},
+    {"tessellation", SHD_DESC_TESSELLATION, sizeof(shd_tessellation_desc), defaults_shd_tessellation_desc},
 };
 
 static void test_kind(void **state)
