@@ -7,12 +7,22 @@
 /// Units:      positions in world space, irradiance and radiance in the lights' unit.
 /// Invariants: lights accumulate in the order of the table; a row depends on its own inputs alone.
 ///
-/// | file         | what                                                                        |
-/// |--------------|-----------------------------------------------------------------------------|
-/// | light_table.h | the lights of a frame                                                      |
-/// | columns.h    | Lobes and Radiance columns                                                  |
-/// | illuminate.h | kernel: light reflected by the diffuse and specular lobe of each row        |
-/// | combine.h    | kernels: coefficients and texture times lobes; values from corners to rows  |
-/// | frequency.h  | rows for Gouraud (corners) and flat (centroids) shading                     |
-/// | run.h        | one draw's fragments from geometry to radiance, whatever model and frequency |
+/// | file          | what                                                                         |
+/// |---------------|------------------------------------------------------------------------------|
+/// | light_table.h | the lights of a frame                                                        |
+/// | cull.h        | kernel: lights whose range reaches a batch                                   |
+/// | modulation.h  | what the texture of a light leaves of it                                     |
+/// | columns.h     | Lobes, Radiance and scratch columns                                          |
+/// | needs.h       | columns that a draw's shading reads                                          |
+/// | parameters.h  | values of slots at rows                                                      |
+/// | frames.h      | dp/du, dp/dv and tangents of triangles; sides that the eye sees              |
+/// | parallax.h    | uv where lines of sight meet heights                                         |
+/// | normals.h     | kernels: mapped and bumped normals; exponents and roughness widened          |
+/// | surface.h     | those together: what a material says of its surface                          |
+/// | illuminate.h  | kernel: light reflected by the lobes of each row                             |
+/// | combine.h     | kernels: coefficients times lobes; values from corners to rows               |
+/// | show.h        | what models without lights show                                              |
+/// | frequency.h   | rows for Gouraud (corners) and flat (centroids) shading                      |
+/// | program.h     | programs and procedures of the caller's                                      |
+/// | run.h         | one draw's fragments from geometry to radiance, whatever model               |
 #pragma once
