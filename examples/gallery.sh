@@ -99,7 +99,7 @@ for keep in none toksvig lean; do
 done
 slab=(--shape plane --orbit 30,35 --texture "$stones" --specular 0)
 picture parallax "${slab[@]}" --height "$stones" --bump gradient --bump-scale 0.05 --parallax 0.1
-picture displacement "${slab[@]}" --height "$stones" --displace 0.08 --edge-length 2
+picture displacement "${slab[@]}" --height "$stones" --displace 0.16 --edge-length 2
 
 echo "== Lights"
 picture course-lights --lights course --exposure 2 --orbit 0,10 --specular 0.7937 --exponent 150 "$duck"

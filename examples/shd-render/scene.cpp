@@ -45,6 +45,7 @@ Mesh displace(shd_context* context, const Options& options, const Camera& camera
   desc.object_to_world = instance.object_to_world.data();
   desc.displacement = height;
   desc.amplitude = options.displacement;
+  desc.lod = 2.0f;  // the mean of some texels: single ones are finer than the triangles
   Mesh displaced;
   check(shd_mesh_tessellate(context, mesh.get(), &desc, displaced.out()), "displacement");
   return displaced;

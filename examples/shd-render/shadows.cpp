@@ -33,6 +33,10 @@ std::vector<Shadow> make_shadows(shd_context* context, const Options& options, c
       render.light = light.light.get();
       render.draws = scene.draws.data();
       render.draw_count = scene.solid_count;
+      for (size_t c = 0; c < 3; ++c) {  // the model and the floor around it, not the whole floor
+        render.bounds_min[c] = bounds.center[c] - 2.0f * bounds.radius;
+        render.bounds_max[c] = bounds.center[c] + 2.0f * bounds.radius;
+      }
       check(shd_shadow_create(context, &desc, shadow.out()), "shadow");
       check(shd_shadow_render(context, shadow.get(), &render), "shadow");
     }
