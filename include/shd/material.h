@@ -142,7 +142,7 @@ typedef enum shd_material_flag {
     SHD_MATERIAL_NONE = 0,
     /** Keep the specular term where n.l <= 0, as the textbook formula does; by default it is 0 there. */
     SHD_SPECULAR_UNGATED = 1,
-    /** Add the ambient term once per point or directional light instead of once. */
+    /** Add the ambient term once per light that is not ambient, instead of once. */
     SHD_AMBIENT_PER_LIGHT = 2,
     /** The program may set shd_radiance.discard. */
     SHD_MATERIAL_DISCARDS = 4,
@@ -195,9 +195,9 @@ typedef struct shd_material_desc {
     shd_bump bump;      /**< default SHD_BUMP_NONE */
     float bump_scale;   /**< -1e6..1e6; default 1 */
     /**
-     * At Phong frequency, how far below the surface the height 0 lies, in world units, with 1 on it: all textures are
-     * looked up where the line of sight meets the heights (parallax occlusion mapping, Tatarchuk 2006). 0..1e6; 0 =
-     * off, the default. The triangles themselves stay where they are.
+     * At Phong frequency, how far below the surface the height 0 lies, in world units, with 1 on it: textures of
+     * the height's uv set are looked up where the line of sight meets the heights (parallax occlusion mapping,
+     * Tatarchuk 2006). 0..1e6; 0 = off, the default. The triangles themselves stay where they are.
      */
     float parallax_depth;
     uint32_t parallax_steps; /**< most lookups of the height a fragment, 2..256; default 24 */
