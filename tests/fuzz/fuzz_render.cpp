@@ -20,7 +20,7 @@ struct DrawData {
   MeshData mesh;
   shd_material_desc material = shd_material_desc_default();
   shd_draw draw = shd_draw_default();
-  bool textured = false;
+  uint32_t textured = 0;  // slots, by bit
 };
 
 /// What one input asks for, so that it can run on several contexts.
@@ -50,7 +50,7 @@ void fill_mesh(Source& source, MeshData& mesh) {
   mesh.uvs = source.one_in(2);
   mesh.indexed = source.one_in(2);
   mesh.vertex_count = mesh.indexed ? source.below(40) : 3 * source.below(14);
-  mesh.flags = source.one_in(64) ? source.word() : !source.one_in(16) + 4 * !source.one_in(8);
+  mesh.flags = source.one_in(64) ? source.word() : !source.one_in(16) + 2 * source.one_in(2) + 4 * !source.one_in(8);
   mesh.normal_weight = source.below(source.one_in(32) ? 100 : 3);
   const bool hostile = source.one_in(2);
   for (int k = 0; k < 8; ++k) {
@@ -64,13 +64,30 @@ void fill_mesh(Source& source, MeshData& mesh) {
   }
 }
 
+void fill_material(Source& source, shd_material_desc& material) {
+  const auto pick = [&](uint32_t count) { return source.below(source.one_in(32) ? 100 : count); };
+  material.model = static_cast<shd_model>(source.one_in(4) ? pick(2) : 3 + pick(12));
+  material.flags = source.one_in(64) ? source.word() : source.below(4) + 16 * source.below(4);
+  material.normal_encoding = static_cast<shd_normal_encoding>(pick(4));
+  material.bump = static_cast<shd_bump>(pick(3));
+  for (float* value : {&material.bump_scale, &material.normal_scale, &material.metallic, &material.roughness}) {
+    *value = source.one_in(32) ? source.hostile() : std::fabs(source.unit());
+  }
+  material.parallax_depth = source.one_in(4) ? std::fabs(source.unit()) : 0.0f;
+  material.parallax_steps = source.one_in(64) ? source.word() : 2 + source.below(10);
+}
+
 void fill_draw(Source& source, DrawData& data) {
   fill_mesh(source, data.mesh);
-  data.material.model = static_cast<shd_model>(source.below(source.one_in(32) ? 100 : 2));
-  data.material.flags = source.below(4);
+  fill_material(source, data.material);
+  data.textured = source.one_in(2) ? source.word() & source.word() : 0;
+  for (int slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+    if (data.textured >> slot & 1 || slot >= SHD_SLOT_HEIGHT || !source.one_in(8)) continue;
+    data.material.slot[slot].source = SHD_SOURCE_VERTEX;
+    data.material.slot[slot].attribute = source.below(source.one_in(32) ? 100 : 4);
+  }
   data.material.exponent = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(200));
   for (float& value : data.material.diffuse) value = source.one_in(64) ? source.hostile() : std::fabs(source.unit());
-  data.textured = source.one_in(2);
   data.draw.frequency = static_cast<shd_frequency>(source.below(source.one_in(32) ? 100 : 3));
   data.draw.cull = static_cast<shd_cull>(source.below(source.one_in(32) ? 100 : 3));
   fill_matrix(source, data.draw.object_to_world, true);
@@ -91,7 +108,11 @@ void fill_case(Source& source, Case& c) {
   for (size_t i = 0; i < c.draw_count; ++i) fill_draw(source, c.draws[i]);
   for (size_t i = 0; i < c.light_count; ++i) {
     c.lights[i] = shd_light_desc_default();
-    c.lights[i].kind = static_cast<shd_light_kind>(source.below(3));
+    c.lights[i].kind = static_cast<shd_light_kind>(source.below(4));
+    if (source.one_in(3)) c.lights[i].range = source.one_in(8) ? source.hostile() : 4.0f * std::fabs(source.unit());
+    c.lights[i].outer_angle = 0.01f + 1.5f * std::fabs(source.unit());
+    c.lights[i].inner_angle = c.lights[i].outer_angle * std::fabs(source.unit());
+    for (float& value : c.lights[i].up) value = source.unit();
     for (float& value : c.lights[i].position) value = source.hostile_finite();
     for (float& value : c.lights[i].direction) value = source.unit();
   }
@@ -125,6 +146,7 @@ bool make_mesh(shd_context* context, const MeshData& data, shd_mesh** out) {
     desc.position[k].data = data.columns[k].data();
     if (data.normals) desc.normal[k].data = data.columns[3 + k].data();
     if (data.uvs && k < 2) desc.uv[k].data = data.columns[6 + k].data();
+    if (data.uvs) desc.attribute[k + 1].data = data.columns[3 + k].data();
   }
   if (data.indexed) {
     desc.indices.data = data.indices.data();
@@ -144,8 +166,11 @@ bool make_objects(shd_context* context, const Case& c, Objects& o) {
               shd_framebuffer_create(context, &c.framebuffer, &o.framebuffer) == SHD_OK;
   for (size_t i = 0; i < c.draw_count && made; ++i) {
     shd_material_desc material = c.draws[i].material;
-    if (c.draws[i].textured) material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    material.slot[SHD_SLOT_DIFFUSE].texture = o.texture;
+    for (int slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+      if (!(c.draws[i].textured >> slot & 1)) continue;
+      material.slot[slot].source = SHD_SOURCE_TEXTURE;
+      material.slot[slot].texture = o.texture;
+    }
     made = make_mesh(context, c.draws[i].mesh, &o.meshes[i]) &&
            shd_material_create(context, &material, &o.materials[i]) == SHD_OK;
   }
