@@ -7,7 +7,7 @@
 
 static const float k_ambient = 0.005f, k_ambient_light = 10.0f; /* k_a I_a, once for each light */
 static const float k_specular = 0.7937f, k_exponent = 150.0f;
-static const float k_light[2][3] = {{20, 20, 20}, {-20, 20, 0}};
+static const float k_light[2][3] = {{30, 50, 20}, {-30, 50, 0}};
 static const float k_intensity = 500.0f;
 static const float k_eye[3] = {0, 0, 10};
 static const float k_color[3] = {148 / 255.0f, 121 / 255.0f, 92 / 255.0f}; /* of a model without texture */
