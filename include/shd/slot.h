@@ -57,6 +57,10 @@ typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *
  * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
  * every fragment whatever the frequency. Those that shape a lobe (exponent, roughness, normal, height) are looked up
  * where the model runs: at flat and Gouraud frequency at the centroid or vertex, on level 0.
+ *
+ * Values count as they are, negative ones too; NaN and infinity reach the colours of their fragments, which
+ * shd_render_stats.nonfinite_fragments counts. But exponents are held in 0..1e6 (NaN: 0) and roughness in 0..1 (NaN:
+ * 1), and a normal that is 0 or not finite, or a slope of heights that is not, leaves the normal of the surface.
  */
 typedef struct shd_slot {
     shd_slot_source source; /**< default SHD_SOURCE_CONSTANT */

@@ -362,6 +362,75 @@ static void test_double_sided(void **state)
     }
 }
 
+/* Values beyond their range, on a surface under a light: what the slot's documentation says becomes of them. */
+static const struct wild_case {
+    const char *name;
+    int slot;
+    shd_model model;
+    float value;
+    float like;    /* gives the same picture; NaN = none */
+    int nonfinite; /* the picture has NaN or infinity, and says so */
+} k_wild[] = {
+    {"wild/diffuse_nan", SHD_SLOT_DIFFUSE, SHD_MODEL_LAMBERT, NAN, NAN, 1},
+    {"wild/diffuse_inf", SHD_SLOT_DIFFUSE, SHD_MODEL_METALLIC_ROUGHNESS, INFINITY, NAN, 1},
+    {"wild/diffuse_negative", SHD_SLOT_DIFFUSE, SHD_MODEL_UNLIT, -2, NAN, 0},
+    {"wild/emission_nan", SHD_SLOT_EMISSION, SHD_MODEL_GOOCH, NAN, NAN, 1},
+    {"wild/metallic_nan", SHD_SLOT_METALLIC, SHD_MODEL_METALLIC_ROUGHNESS, NAN, NAN, 1},
+    {"wild/exponent_nan", SHD_SLOT_EXPONENT, SHD_MODEL_BLINN_PHONG, NAN, 0, 0},
+    {"wild/exponent_negative", SHD_SLOT_EXPONENT, SHD_MODEL_PHONG, -3, 0, 0},
+    {"wild/exponent_1e30", SHD_SLOT_EXPONENT, SHD_MODEL_BLINN_PHONG_NORMALIZED, 1e30f, 1e6f, 0},
+    {"wild/roughness_nan", SHD_SLOT_ROUGHNESS, SHD_MODEL_METALLIC_ROUGHNESS, NAN, 2, 0},
+    {"wild/roughness_negative", SHD_SLOT_ROUGHNESS, SHD_MODEL_METALLIC_ROUGHNESS, -1, 0, 0},
+    {"wild/roughness_inf", SHD_SLOT_ROUGHNESS, SHD_MODEL_METALLIC_ROUGHNESS, INFINITY, 2, 0},
+    {"wild/normal_nan", SHD_SLOT_NORMAL, SHD_MODEL_LAMBERT, NAN, 0, 0},
+    {"wild/height_nan", SHD_SLOT_HEIGHT, SHD_MODEL_LAMBERT, NAN, 1, 0},
+    {"wild/height_inf", SHD_SLOT_HEIGHT, SHD_MODEL_LAMBERT, INFINITY, 1, 0},
+};
+
+/* The picture with every channel of a slot at a value. */
+static void render_wild(const struct wild_case *c, float value, float *out, uint64_t *nonfinite)
+{
+    const float texel[4] = {value, value, value, value};
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_light_desc light = shd_light_desc_default();
+    shd_texture *texture = NULL;
+    scene s;
+    int k;
+    open_scene(&s);
+    desc.width = desc.height = 1;
+    desc.format = SHD_FORMAT_RGBA32F;
+    desc.texels = texel;
+    shd_assert_ok(shd_texture_create(s.f.context, &desc, &texture));
+    s.material.model = c->model;
+    s.material.bump = SHD_BUMP_GRADIENT;
+    s.material.exponent = s.material.roughness = s.material.metallic = 1;
+    for (k = 0; k < 3; ++k) s.material.emission[k] = 1;
+    s.material.slot[c->slot].source = SHD_SOURCE_TEXTURE;
+    s.material.slot[c->slot].texture = texture;
+    light.position[2] = 2;
+    shd_frame_light(&s.f, &light);
+    s.f.desc.view.eye[2] = 3;
+    render(&s);
+    shd_texture_release(texture);
+    *nonfinite = s.f.stats.nonfinite_fragments;
+    for (k = 0; k < 3; ++k) memcpy(out + k * k_pixels, s.f.plane[k], k_pixels * sizeof(float));
+    close_scene(&s);
+}
+
+static void test_wild(void **state)
+{
+    static float got[3 * k_pixels], want[3 * k_pixels];
+    const struct wild_case *c = (const struct wild_case *)*state;
+    uint64_t nonfinite, none;
+    size_t i;
+    render_wild(c, c->value, got, &nonfinite);
+    assert_int_equal(nonfinite, c->nonfinite ? k_pixels : 0);
+    for (i = 0; i < 3 * k_pixels; ++i) assert_int_equal(!isfinite(got[i]), c->nonfinite);
+    if (isnan(c->like)) return;
+    render_wild(c, c->like, want, &none);
+    assert_memory_equal(got, want, sizeof got);
+}
+
 /* What a program is given besides: tangents of triangles, the second uv, attributes. */
 static void look(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -399,7 +468,7 @@ static void test_program(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
+    static struct CMUnitTest tests[32] = {
         {"texture", test_texture, NULL, NULL, NULL},
         {"uv_transform", test_uv_transform, NULL, NULL, NULL},
         {"uv_set", test_uv_set, NULL, NULL, NULL},
@@ -412,5 +481,9 @@ int main(void)
         {"double_sided", test_double_sided, NULL, NULL, NULL},
         {"program", test_program, NULL, NULL, NULL},
     };
-    return _cmocka_run_group_tests("api.slots", tests, sizeof tests / sizeof tests[0], NULL, NULL);
+    size_t n = 11, i;
+    for (i = 0; i < sizeof k_wild / sizeof k_wild[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_wild[i].name, test_wild, NULL, NULL, (void *)&k_wild[i]};
+    }
+    return _cmocka_run_group_tests("api.slots", tests, n, NULL, NULL);
 }
