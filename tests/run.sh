@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Builds and tests everything on Debian 12, from a fresh machine, as root or with sudo.
 #
-#   tests/run.sh [stage...]      all (default) | quick | format | release | asan | tsan | core | scalar
+#   tests/run.sh [stage...]      all (default) | quick | format | release | asan | tsan | core
 #
 #   format    clang-format 14 over every tracked C and C++ file
 #   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
 #   asan      address and undefined-behaviour sanitizers; every test but those about the binary
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
-#   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB
-#   scalar    one generic SIMD target, libshd alone
+#   core      libshd alone, without OpenImageIO, OpenColorIO and oneTBB, on one generic SIMD target
 #   quick     format and release
 #
 # Missing Debian packages are installed first, by name and without recommendations; nothing is asked of the network
@@ -20,6 +19,8 @@ cd "$(dirname "$0")/.." || exit 1
 packages=(assimp-testmodels ca-certificates ccache clang clang-format cmake g++ gcc git libassimp-dev libbenchmark-dev libcmocka-dev libhwy-dev
           libopencolorio-dev libopenimageio-dev libtbb-dev ninja-build pkg-config python3)
 jobs=$(nproc)
+# Clones share what they compile, wherever they lie.
+export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR:-1}
 summary=()
 failed=0
 
@@ -89,11 +90,7 @@ stage_tsan() {
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
       run_tests tsan -R '^(api|unit\.raster\.bin)' -E '^api\.render_(painter|passes|supersampling)$'
 }
-stage_core() { build core && run_tests core; }
-stage_scalar() {
-  build scalar -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
-    run_tests scalar -E '^(style|consumer)\.'
-}
+stage_core() { build core -DSHD_SIMD=scalar && run_tests core; }
 
 run_stage() {
   local stage=$1 start=$SECONDS status=passed runner=() count
@@ -110,9 +107,9 @@ run_stage() {
 stages=()
 for argument in "${@:-all}"; do
   case $argument in
-    all) stages+=(format release asan tsan core scalar) ;;
+    all) stages+=(format release asan tsan core) ;;
     quick) stages+=(format release) ;;
-    format | release | asan | tsan | core | scalar) stages+=("$argument") ;;
+    format | release | asan | tsan | core) stages+=("$argument") ;;
     *)
       sed -n '3,18p' "$0" | sed 's/^# \{0,1\}//'
       exit 2
