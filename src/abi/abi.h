@@ -13,6 +13,9 @@
 /// | guard.h           | exceptions to results, control bits and errno, for libshd                    |
 /// | desc.h            | reading descs of any version, checks that name the field, shd_desc_init      |
 /// | handle.h          | handles to bodies and back                                                   |
+/// | draws.h           | the draws of a frame or a shadow                                             |
+/// | levels.h          | mip levels of the caller's                                                   |
+/// | lookup_columns.h  | the columns of lookups, and whether a texture has what a filter reads         |
 /// | extension_guard.h | the guard of libshd_color and libshd_io, which stand on the public interface |
 /// | extension_desc.h  | reading descs there                                                          |
 /// | io_common.h       | what the two halves of shd/io.h share                                        |

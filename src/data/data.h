@@ -9,6 +9,7 @@
 /// | column.h | reading and writing the caller's strided columns           |
 /// | vec3.h   | 3-vectors, scalar, for setup code                           |
 /// | vec3d.h  | the same in double                                          |
+/// | matrix.h | products of 4 x 4 matrices                                  |
 /// | trig.h   | angles and tangents in double, the same bits everywhere    |
 /// | camera.h | look-at and perspective matrices, the same bits everywhere |
 #pragma once

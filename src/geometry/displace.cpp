@@ -5,6 +5,7 @@
 
 #include "core/executor.h"
 #include "data/vec3d.h"
+#include "geometry/face.h"
 #include "geometry/tangents.h"
 #include "geometry/weld.h"
 
@@ -14,9 +15,6 @@ namespace {
 using data::Vec3d;
 using Column = core::Array<float>;
 
-Vec3d at(const Column& x, const Column& y, const Column& z, size_t i) {
-  return {double{x[i]}, double{y[i]}, double{z[i]}};
-}
 void store(Vec3d a, size_t i, Column* x, Column* y, Column* z) {
   (*x)[i] = static_cast<float>(a.x);
   (*y)[i] = static_cast<float>(a.y);
@@ -69,21 +67,21 @@ Moves find_moves(const core::Allocator& allocator, const shd_tessellation_desc& 
   for (size_t i = 0; i < count; ++i) {
     const double height = double{desc.amplitude} * (double{heights[i]} - double{desc.offset});
     Vec3d& sum = moves.of_place[moves.place[i]];
-    if (std::isfinite(height)) sum = sum + height * at(mesh.nx, mesh.ny, mesh.nz, i);
+    if (std::isfinite(height)) sum = sum + height * vertex_normal(mesh, i);
     ++together[moves.place[i]];
   }
   for (size_t i = 0; i < count; ++i) {
     if (together[i] == 0) continue;
     Vec3d& move = moves.of_place[i];
     move = 1.0 / together[i] * move;
-    if (!fits(at(mesh.px, mesh.py, mesh.pz, i) + move)) move = {0.0, 0.0, 0.0};
+    if (!fits(position(mesh, i) + move)) move = {0.0, 0.0, 0.0};
   }
   return moves;
 }
 
 void move_vertices(const Moves& moves, Mesh* mesh) {
   for (size_t i = 0; i < mesh->vertex_count; ++i) {
-    store(at(mesh->px, mesh->py, mesh->pz, i) + moves[i], i, &mesh->px, &mesh->py, &mesh->pz);
+    store(position(*mesh, i) + moves[i], i, &mesh->px, &mesh->py, &mesh->pz);
   }
 }
 
@@ -102,9 +100,9 @@ struct Face {
   Vec3d normal;
 };
 Face face_of(const Mesh& mesh, const uint32_t* v) {
-  const Vec3d a = at(mesh.px, mesh.py, mesh.pz, v[0]);
-  const Vec3d b = at(mesh.px, mesh.py, mesh.pz, v[1]);
-  const Vec3d c = at(mesh.px, mesh.py, mesh.pz, v[2]);
+  const Vec3d a = position(mesh, v[0]);
+  const Vec3d b = position(mesh, v[1]);
+  const Vec3d c = position(mesh, v[2]);
   return {{c - b, a - c, b - a}, data::cross(b - a, c - a)};
 }
 
@@ -125,7 +123,7 @@ void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>&
     if (!(area > 0.0 && area < INFINITY)) continue;
     Vec3d across = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
-      const double height = data::dot(moves[v[k]], at(mesh->nx, mesh->ny, mesh->nz, v[k]));
+      const double height = data::dot(moves[v[k]], vertex_normal(*mesh, v[k]));
       across = across + height * face.side[k];
     }
     const Vec3d gradient = data::cross(1.0 / area * face.normal, across);  // times the area
@@ -138,7 +136,7 @@ void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>&
   for (size_t i = 0; i < mesh->vertex_count; ++i) {
     const Slope& slope = slopes[group[i]];
     if (!(slope.area > 0.0)) continue;
-    const Vec3d n = at(mesh->nx, mesh->ny, mesh->nz, i);
+    const Vec3d n = vertex_normal(*mesh, i);
     const Vec3d gradient = 1.0 / slope.area * slope.sum;
     const Vec3d tilted = data::normalized(n - (gradient - data::dot(gradient, n) * n));
     if (!data::is_zero(tilted)) store(tilted, i, &mesh->nx, &mesh->ny, &mesh->nz);
@@ -167,8 +165,8 @@ void compute_face_normals(const core::Allocator& allocator, const core::Array<ui
 void turn_tangents(Mesh* mesh) {
   if (mesh->tx.size() == 0) return;
   for (size_t i = 0; i < mesh->vertex_count; ++i) {
-    const Vec3d n = at(mesh->nx, mesh->ny, mesh->nz, i);
-    const Vec3d given = at(mesh->tx, mesh->ty, mesh->tz, i);
+    const Vec3d n = vertex_normal(*mesh, i);
+    const Vec3d given = {double{mesh->tx[i]}, double{mesh->ty[i]}, double{mesh->tz[i]}};
     Vec3d t = data::normalized(given - data::dot(n, given) * n);
     if (data::is_zero(t)) t = fallback_tangent(n);
     store(t, i, &mesh->tx, &mesh->ty, &mesh->tz);

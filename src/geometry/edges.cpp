@@ -3,38 +3,12 @@
 
 #include <algorithm>
 
+#include "geometry/buckets.h"
 #include "geometry/face.h"
 #include "geometry/weld.h"
 
 namespace shd::geometry {
 namespace {
-
-constexpr uint32_t kNoBucket = ~0u;
-
-/// Numbers below `count` in buckets: those of bucket b are item[start[b]] .. item[start[b + 1]], rising.
-struct Buckets {
-  core::Array<uint32_t> start, item;
-};
-
-/// bucket_of(number) is below bucket_count, or kNoBucket.
-template <class BucketOf>
-Buckets make_buckets(const core::Allocator& allocator, uint32_t count, uint32_t bucket_count,
-                     const BucketOf& bucket_of) {
-  Buckets out = {core::Array<uint32_t>(allocator, size_t{bucket_count} + 2), {}};
-  out.start.fill_zero();
-  uint32_t* next = out.start.data() + 1;  // where the next number of a bucket goes; start[b + 1] once all are there
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t bucket = bucket_of(i);
-    if (bucket != kNoBucket) ++next[bucket + 1];
-  }
-  for (uint32_t b = 0; b < bucket_count; ++b) next[b + 1] += next[b];
-  out.item = core::Array<uint32_t>(allocator, next[bucket_count]);
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t bucket = bucket_of(i);
-    if (bucket != kNoBucket) out.item[next[bucket]++] = i;
-  }
-  return out;
-}
 
 /// The edges of a mesh by number: edge k of triangle t is 3 t + k.
 struct Edges {

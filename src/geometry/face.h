@@ -9,8 +9,11 @@
 
 namespace shd::geometry {
 
-inline data::Vec3d position(const Mesh& mesh, uint32_t vertex) {
+inline data::Vec3d position(const Mesh& mesh, size_t vertex) {
   return {double{mesh.px[vertex]}, double{mesh.py[vertex]}, double{mesh.pz[vertex]}};
+}
+inline data::Vec3d vertex_normal(const Mesh& mesh, size_t vertex) {
+  return {double{mesh.nx[vertex]}, double{mesh.ny[vertex]}, double{mesh.nz[vertex]}};
 }
 
 /// Of a triangle, counter-clockwise around it; its length is twice the area.

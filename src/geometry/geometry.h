@@ -16,7 +16,7 @@
 /// | mesh.h           | Mesh, and its making from the caller's columns                              |
 /// | indices.h        | triangles, strips and fans of 16- or 32-bit indices as index triples        |
 /// | edges.h          | which triangles share each edge                                             |
-/// | face.h           | area and normal of one triangle                                             |
+/// | face.h           | area and normal of one triangle, place and normal of a vertex               |
 /// | feature_edges.h  | edges of line drawings: silhouettes, creases, borders                       |
 /// | normals.h        | vertex normals from faces, weighted by area, corner angle or not at all     |
 /// | tangents.h       | tangents to the MikkTSpace convention, and the vertices they add            |
@@ -27,6 +27,7 @@
 /// | row_pattern.h    | a triangle with sides of given parts, in rows                               |
 /// | displace.h       | vertices moved along their normals by a texture                             |
 /// | weld.h           | vertices of equal columns as one                                            |
+/// | buckets.h        | numbers sorted by another, as corners by their vertex                       |
 /// | vertex.h         | kernel: vertices of a draw to raster, world and normal space, with outcodes |
 /// | vertex_program.h | the same with a program of the caller's in between                          |
 /// | vertex-inl.h     | what those two kernels share                                                |

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "data/matrix.h"
 #include "data/vec3d.h"
+#include "geometry/buckets.h"
 #include "geometry/weld.h"
 
 namespace shd::geometry {
@@ -13,17 +15,6 @@ namespace {
 using data::Vec3d;
 
 constexpr uint32_t kNone = 0xffffffffu;
-
-/// c = a b, column-major.
-void multiply(const float* a, const float* b, double* c) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      double sum = 0.0;
-      for (int k = 0; k < 4; ++k) sum += double{a[4 * k + row]} * double{b[4 * column + k]};
-      c[4 * column + row] = sum;
-    }
-  }
-}
 
 Vec3d row_of(const double* matrix, int row) {
   return {matrix[row], matrix[4 + row], matrix[8 + row]};
@@ -41,7 +32,7 @@ EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
   }
   if (!in_pixels_) return;
   double clip[16];
-  multiply(desc.view->view_to_clip, desc.view->world_to_view, clip);
+  data::multiply(desc.view->view_to_clip, desc.view->world_to_view, clip);
   const Vec3d w = row_of(clip, 3);
   w_[0] = w.x, w_[1] = w.y, w_[2] = w.z, w_[3] = clip[15];
   w_per_length_ = data::length(w);
@@ -86,14 +77,8 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
   weld(allocator, position, 3, mesh.vertex_count, place.data());
 
   // Sides by their lower vertex; then for each such vertex the edge to each other one.
-  core::Array<uint32_t> start(allocator, size_t{mesh.vertex_count} + 2);
-  core::Array<uint32_t> sorted(allocator, side_count);
-  start.fill_zero();
-  uint32_t* const next = start.data() + 1;
-  for (size_t side = 0; side < side_count; ++side) ++next[ends(side).first + size_t{1}];
-  for (size_t v = 0; v < mesh.vertex_count; ++v) next[v + 1] += next[v];
-  for (size_t side = 0; side < side_count; ++side) sorted[next[ends(side).first]++] = static_cast<uint32_t>(side);
-
+  const Buckets sides = make_buckets(allocator, static_cast<uint32_t>(side_count), mesh.vertex_count,
+                                     [&](uint32_t side) { return ends(side).first; });
   SplitEdges out = {core::Buffer<SplitEdge>(allocator), core::Array<uint32_t>(allocator, side_count),
                     mesh.vertex_count};
   struct Known {
@@ -102,8 +87,8 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
   core::Array<Known> known(allocator, mesh.vertex_count);  // latest edge that ends there
   for (Known& k : known) k = {kNone, 0};
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    for (uint32_t i = start[v]; i < start[v + size_t{1}]; ++i) {
-      const uint32_t other = ends(sorted[i]).second;
+    for (const uint32_t* side = sides.begin(v); side < sides.end(v); ++side) {
+      const uint32_t other = ends(*side).second;
       if (known[other].from != v) {
         known[other] = {v, static_cast<uint32_t>(out.edge.size())};
         const bool swapped = place[other] < place[v];
@@ -111,7 +96,7 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
         out.edge.push_back({swapped ? other : v, swapped ? v : other, segments, out.vertex_count});
         out.vertex_count += segments - 1;
       }
-      out.of_side[sorted[i]] = known[other].edge;
+      out.of_side[*side] = known[other].edge;
     }
   }
   return out;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "data/trig.h"
+#include "geometry/buckets.h"
+#include "geometry/face.h"
 #include "geometry/weld.h"
 
 namespace shd::geometry {
@@ -22,12 +24,6 @@ uint32_t previous_corner(uint32_t corner) {
   return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
-Vec3d position(const Mesh& mesh, uint32_t vertex) {
-  return {double{mesh.px[vertex]}, double{mesh.py[vertex]}, double{mesh.pz[vertex]}};
-}
-Vec3d normal(const Mesh& mesh, uint32_t vertex) {
-  return {double{mesh.nx[vertex]}, double{mesh.ny[vertex]}, double{mesh.nz[vertex]}};
-}
 Vec3d in_plane(Vec3d a, Vec3d n) {
   return a - dot(n, a) * n;
 }
@@ -125,30 +121,20 @@ void Grouping::link_vertex(const uint32_t* begin, const uint32_t* end, uint32_t*
 }
 
 void Grouping::link_corners(const core::Allocator& allocator) {
-  core::Array<uint32_t> start(allocator, size_t{mesh_.vertex_count} + 1);  // of each vertex's corners in `sorted`
-  core::Array<uint32_t> sorted(allocator, corner_count_);
+  for (uint32_t c = 0; c < corner_count_; ++c) forward_[c] = backward_[c] = kNone;
+  const Buckets corners = make_buckets(allocator, corner_count_, mesh_.vertex_count, [&](uint32_t corner) {
+    return kind_[corner / 3] == kLeftOut ? kNoBucket : vertex_of(corner);
+  });
   core::Array<uint32_t> head(allocator, mesh_.vertex_count);
-  start.fill_zero();
-  for (uint32_t c = 0; c < corner_count_; ++c) {
-    forward_[c] = backward_[c] = kNone;
-    if (kind_[c / 3] != kLeftOut) ++start[vertex_of(c) + size_t{1}];
-  }
+  for (uint32_t& corner : head) corner = kNone;
   for (size_t v = 0; v < mesh_.vertex_count; ++v) {
-    start[v + 1] += start[v];
-    head[v] = start[v];
-  }
-  for (uint32_t c = 0; c < corner_count_; ++c) {
-    if (kind_[c / 3] != kLeftOut) sorted[head[vertex_of(c)]++] = c;
-  }
-  for (size_t v = 0; v < mesh_.vertex_count; ++v) head[v] = kNone;
-  for (size_t v = 0; v < mesh_.vertex_count; ++v) {
-    link_vertex(sorted.data() + start[v], sorted.data() + start[v + 1], head.data(), out.of_corner.data());
+    link_vertex(corners.begin(v), corners.end(v), head.data(), out.of_corner.data());
   }
 }
 
 /// The direction of a corner's triangle in the plane of the vertex normal, as long as the corner's angle there.
 Vec3d Grouping::contribution(uint32_t corner) const {
-  const Vec3d n = normal(mesh_, mesh_.indices[corner]);
+  const Vec3d n = vertex_normal(mesh_, mesh_.indices[corner]);
   const Vec3d p = position(mesh_, mesh_.indices[corner]);
   const Vec3d a = in_plane(position(mesh_, mesh_.indices[previous_corner(corner)]) - p, n);
   const Vec3d b = in_plane(position(mesh_, mesh_.indices[next_corner(corner)]) - p, n);

@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "data/data.h"
+#include "geometry/buckets.h"
+#include "geometry/face.h"
 #include "geometry/tangent_groups.h"
 
 namespace shd::geometry {
@@ -32,7 +34,7 @@ Tangent tangent_of(const Mesh& mesh, const TangentGroups& groups, uint32_t group
   const bool grouped = group != kNoGroup;
   Vec3d t = grouped ? data::normalized(groups.group[group].sum) : Vec3d{0.0, 0.0, 0.0};
   const bool found = !data::is_zero(t);
-  if (!found) t = fallback_tangent({double{mesh.nx[vertex]}, double{mesh.ny[vertex]}, double{mesh.nz[vertex]}});
+  if (!found) t = fallback_tangent(vertex_normal(mesh, vertex));
   const float w = grouped && groups.group[group].mirrored ? -1.0f : 1.0f;
   return {static_cast<float>(t.x), static_cast<float>(t.y), static_cast<float>(t.z), w, found};
 }
@@ -63,27 +65,11 @@ bool store_first(const TangentGroups& groups, core::Array<uint32_t>* group_of_ve
   return conflict;
 }
 
-/// Corners by vertex, ascending: those of vertex v are corner[start[v]] to corner[start[v + 1]].
-struct CornerLists {
-  core::Array<uint32_t> start, corner;
-};
-
-CornerLists list_corners(const core::Allocator& allocator, const Mesh& mesh) {
-  const size_t corner_count = mesh.indices.size();
-  CornerLists lists = {core::Array<uint32_t>(allocator, size_t{mesh.vertex_count} + 2),
-                       core::Array<uint32_t>(allocator, corner_count)};
-  lists.start.fill_zero();
-  uint32_t* const next = lists.start.data() + 1;
-  for (size_t c = 0; c < corner_count; ++c) ++next[mesh.indices[c] + size_t{1}];
-  for (size_t v = 0; v < mesh.vertex_count; ++v) next[v + 1] += next[v];
-  for (size_t c = 0; c < corner_count; ++c) lists.corner[next[mesh.indices[c]]++] = static_cast<uint32_t>(c);
-  return lists;
-}
-
 /// Sends corners whose tangent is not that of their vertex to copies of it, which come after the vertices.
 core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups& groups,
                           const core::Array<uint32_t>& group_of_vertex, Mesh* mesh) {
-  const CornerLists lists = list_corners(allocator, *mesh);
+  const Buckets corners = make_buckets(allocator, static_cast<uint32_t>(mesh->indices.size()), mesh->vertex_count,
+                                       [&](uint32_t corner) { return mesh->indices[corner]; });
   struct Copy {
     uint32_t source, vertex;
   };
@@ -92,8 +78,8 @@ core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups&
   core::Buffer<Added> added(allocator);
   for (uint32_t v = 0; v < mesh->vertex_count; ++v) {
     const Tangent own = {mesh->tx[v], mesh->ty[v], mesh->tz[v], mesh->tw[v], true};
-    for (uint32_t i = lists.start[v]; i < lists.start[v + size_t{1}]; ++i) {
-      const uint32_t corner = lists.corner[i];
+    for (const uint32_t* i = corners.begin(v); i < corners.end(v); ++i) {
+      const uint32_t corner = *i;
       const uint32_t group = groups.of_corner[corner];
       if (group == group_of_vertex[v]) continue;
       Copy& copy = copies[group];

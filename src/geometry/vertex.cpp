@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "data/data.h"
+#include "data/matrix.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geometry/vertex.cpp"
@@ -55,23 +56,14 @@ static_assert(sizeof(ScreenVertex) == 16, "stored as rows of four 32-bit lanes")
 
 Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
                          const PixelBox& visible) {
-  const auto multiply = [](const double* a, const double* b, double* product) {
-    for (int c = 0; c < 4; ++c) {
-      for (int r = 0; r < 4; ++r) {
-        double sum = 0.0;
-        for (int k = 0; k < 4; ++k) sum += a[4 * k + r] * b[4 * c + k];
-        product[4 * c + r] = sum;
-      }
-    }
-  };
   double world[16], to_view[16], to_clip[16], object_to_view[16], clip[16];
   for (int i = 0; i < 16; ++i) {
     world[i] = static_cast<double>(object_to_world[i]);
     to_view[i] = static_cast<double>(view.world_to_view[i]);
     to_clip[i] = static_cast<double>(view.view_to_clip[i]);
   }
-  multiply(to_view, world, object_to_view);
-  multiply(to_clip, object_to_view, clip);
+  data::multiply(to_view, world, object_to_view);
+  data::multiply(to_clip, object_to_view, clip);
 
   Transform transform;
   const double half_width = 0.5 * viewport.width, half_height = 0.5 * viewport.height;

@@ -7,14 +7,16 @@
 ///             factor on the intensity.
 /// Units:      intensity scene-linear RGB; positions in world space.
 ///
-/// | file                  | what                                                                    |
-/// |-----------------------|-------------------------------------------------------------------------|
-/// | incident-inl.h        | direction, distance, cone and range of points, spots, directions        |
-/// | projector.h           | textures of lights at points                                            |
-/// | shadow.h              | Shadow: maps of depths, and kernels: visibility of points by each filter |
-/// | shadow_receiver-inl.h | points and the planes of their surfaces on a map                        |
-/// | shadow_fit.h          | where maps must lie to hold a scene                                     |
-/// | shadow_sums.h         | depths as summed-area tables sum them                                   |
+/// | file                                             | what |
+/// |--------------------------------------------------|------------------------------------------------------------------|
+/// | incident-inl.h                                   | direction, distance, cone and range of points, spots,
+/// directions | | projector.h                                      | textures of lights at points | | shadow.h |
+/// Shadow: maps of depths, and visibility of points                 | | shadow_fit.h | where maps must lie to hold a
+/// scene                              | | shadow_hard.cpp, shadow_pcf.cpp, shadow_pcss.cpp | kernels: comparisons with
+/// depths                                 | | shadow_variance.cpp, shadow_summed_area.cpp      | kernels: bounds from
+/// moments of depths                           | | shadow_tables.cpp, shadow_sums.h                 | those moments,
+/// and their sums                                    | | shadow_receiver-inl.h                            | points and
+/// the planes of their surfaces on a map                 |
 #pragma once
 
 #include <shd/light.h>

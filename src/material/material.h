@@ -5,7 +5,18 @@
 /// Input:      a checked desc.
 /// Output:     coefficients in the form that the kernels of shade/ read.
 /// Units:      scene-linear RGB.
-/// Invariants: a Material never changes once made; it holds references to its texture and sampler.
+/// Invariants: a Material never changes once made; it holds references to its textures and samplers.
+///
+/// | file                      | what                                                                      |
+/// |---------------------------|---------------------------------------------------------------------------|
+/// | slot.h                    | where a coefficient varies, and which belong together                     |
+/// | model.h                   | what each model reads, and how many lobes it has                          |
+/// | lambert-inl.h             | lobes of one light: the cosine                                            |
+/// | phong-inl.h               | the mirrored light                                                        |
+/// | blinn_phong-inl.h         | the half vector, and its normalisation                                    |
+/// | toon-inl.h                | in steps                                                                  |
+/// | metallic_roughness-inl.h  | of glTF's microfacets                                                     |
+/// | roughness-inl.h           | exponents and roughness in their range, and widened                       |
 #pragma once
 
 #include <cstdint>

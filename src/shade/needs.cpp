@@ -77,7 +77,6 @@ uint32_t needed_columns(const DrawShading& shading, const LightTable& lights) {
     needed |= raster::kBarycentrics;
   }
   const material::ModelInfo info = material::info_of(material.model);
-  if (material.model == SHD_MODEL_MATCAP) needed |= raster::kNormal;
   if (!per_fragment) return needed;
   if (info.lobes) needed |= lit_columns(material, lights);
   if (info.has_normal) needed |= raster::kNormal;

@@ -11,7 +11,7 @@
 /// |---------------|------------------------------------------------------------------------------|
 /// | light_table.h | the lights of a frame                                                        |
 /// | cull.h        | kernel: lights whose range reaches a batch                                   |
-/// | modulation.h  | what the texture of a light leaves of it                                     |
+/// | modulation.h  | what the texture and the shadow of a light leave of it                       |
 /// | columns.h     | Lobes, Radiance and scratch columns                                          |
 /// | needs.h       | columns that a draw's shading reads                                          |
 /// | parameters.h  | values of slots at rows                                                      |
