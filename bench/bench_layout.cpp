@@ -19,7 +19,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/gather-inl.h"
+#include "texture/format/gather-inl.h"
 
 #ifndef SHD_BENCH_LAYOUT_ONCE
 #define SHD_BENCH_LAYOUT_ONCE

@@ -36,7 +36,7 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
     : context_(make_context(simd, workers)) {
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = filter.filter;
-  sampler.expectation = filter.expectation;
+  sampler.stochastic_filter = filter.stochastic_filter;
   sampler.box = filter.box;
   sampler.profile = filter.profile;
   check(shd_sampler_create(context_, &sampler, &sampler_));

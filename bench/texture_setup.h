@@ -18,7 +18,7 @@ struct Filter {
   PeerFilter peer;
   uint32_t every;       // one lookup of so many of the workload, to keep slow filters short
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
-  shd_filter expectation = SHD_FILTER_TRILINEAR;
+  shd_filter stochastic_filter = SHD_FILTER_TRILINEAR;
   shd_box box = SHD_BOX_BOUNDING;
   shd_profile profile = SHD_PROFILE_EXACT;
 };

@@ -50,7 +50,7 @@ typedef enum shd_filter {
      * where a <= a texel of level 0, blended up to two. `lod` is a circle. Reads at most 16 (max_anisotropy + 1).
      */
     SHD_FILTER_EWA = 9,
-    /** One texel, picked at random so that its expectation is the filter `expectation`. */
+    /** One texel, picked at random so that its stochastic_filter is the filter `stochastic_filter`. */
     SHD_FILTER_STOCHASTIC = 10,
     /**
      * The average of the bilinear reconstruction over the footprint's parallelogram, in doubles: the ground truth.
@@ -156,7 +156,7 @@ typedef struct shd_sampler_desc {
      * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC, EWA;
      * default SHD_FILTER_TRILINEAR.
      */
-    shd_filter expectation;
+    shd_filter stochastic_filter;
     uint32_t seed;   /**< of SHD_FILTER_STOCHASTIC; default 0 */
     float tolerance; /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
     /**

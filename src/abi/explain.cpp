@@ -5,7 +5,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup_columns.h"
-#include "texture/explain.h"
+#include "texture/explain/explain.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "data/column.h"
-#include "texture/ray_footprint.h"
+#include "texture/footprint/ray_footprint.h"
 
 namespace {
 

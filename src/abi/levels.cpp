@@ -7,8 +7,8 @@
 #include "abi/lookup_columns.h"
 #include "core/executor.h"
 #include "data/column.h"
-#include "texture/profile.h"
-#include "texture/sample.h"
+#include "texture/footprint/lod.h"
+#include "texture/footprint/profile.h"
 
 namespace {
 
@@ -41,7 +41,8 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
       float lod[kStage];
       const size_t first = task * kStage;
       const size_t count = columns.count - first < kStage ? columns.count - first : kStage;
-      texture::sample_lod(*texture_body, *sampler_body, range, context.simd, stage.load(columns, first, count), lod);
+      texture::find_lods(*texture_body, *sampler_body, range, texture::LodAxis::kLonger, context.simd,
+                         stage.load(columns, first, count), lod);
       for (size_t i = 0; i < count; ++i) {
         if (out->lod.data) data::store(out->lod, first + i, lod[i]);
         if (out->level.data) {

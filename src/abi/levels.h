@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "abi/desc.h"
-#include "texture/image_list.h"
-#include "texture/storage.h"
+#include "texture/store/image_list.h"
+#include "texture/store/storage.h"
 
 namespace shd::abi {
 

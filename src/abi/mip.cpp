@@ -6,9 +6,9 @@
 #include "abi/handle.h"
 #include "abi/levels.h"
 #include "image/format.h"
-#include "texture/mip_build.h"
-#include "texture/normal_moments.h"
-#include "texture/storage.h"
+#include "texture/store/mip_build.h"
+#include "texture/store/normal_moments.h"
+#include "texture/store/storage.h"
 
 namespace {
 

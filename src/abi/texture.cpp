@@ -8,7 +8,7 @@
 #include "abi/handle.h"
 #include "abi/levels.h"
 #include "image/format.h"
-#include "texture/storage.h"
+#include "texture/store/storage.h"
 #include "texture/texture.h"
 
 namespace {

@@ -21,6 +21,8 @@ function(shd_compile_options target)
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_SCALAR)
   elseif(SHD_SIMD STREQUAL "few")
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
+  else()
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL)")
   endif()
 endfunction()
 

@@ -6,7 +6,7 @@
 
 #include "raster/interpolate.h"
 #include "shade/show.h"
-#include "texture/profile.h"
+#include "texture/footprint/profile.h"
 
 namespace shd::film {
 namespace {

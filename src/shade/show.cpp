@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "shade/parameters.h"
-#include "texture/lod.h"
-#include "texture/sample.h"
+#include "texture/footprint/lod.h"
 
 namespace shd::shade {
 
@@ -34,7 +33,8 @@ void find_levels(const core::SimdTarget& simd, const material::Material& materia
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   std::fill_n(lod, f.count, 0.0f);
   if (!material::has_slot(material, SHD_SLOT_DIFFUSE) || !slot.texture) return;
-  texture::sample_lod(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler), simd,
+  texture::find_lods(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler),
+                     texture::LodAxis::kLonger, simd,
                       lookups_of(slot, f, true, scratch), lod);
 }
 

@@ -3,8 +3,9 @@
 
 #include <cstring>
 
-#include "texture/magnify.h"
-#include "texture/profile.h"
+#include "texture/filter/exact.h"
+#include "texture/filter/magnify.h"
+#include "texture/footprint/profile.h"
 
 namespace shd::texture {
 namespace {
@@ -13,72 +14,18 @@ void fill(float* column, size_t count, float value) {
   for (size_t i = 0; i < count; ++i) column[i] = value;
 }
 
-/// Derivatives and values, each by its own kernels.
-size_t sample_given(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out) {
-  Texels values = {}, gradient = {};
-  bool derivatives = false;
-  for (size_t c = 0; c < 4; ++c) {
-    values.channel[c] = out.channel[c];
-    gradient.du[c] = out.du[c];
-    gradient.dv[c] = out.dv[c];
-    derivatives = derivatives || out.du[c] || out.dv[c];
-  }
-  if (sampler.filter == SHD_FILTER_EXACT) return sample_exact(texture, sampler, simd, lookups, values);
-  const FilterKernels kernels = kernels_of(sampler.filter, simd);
-  if (derivatives) kernels.gradient(texture, sampler, lookups, gradient);
-  return kernels.values(texture, sampler, lookups, values);
-}
-
-/// Block by block, what the profile finds and then the kernels on that.
-size_t sample_profiled(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                       const Lookups& lookups, const Texels& out) {
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < lookups.count; first += kProfileBlock) {
-    const size_t count = lookups.count - first < kProfileBlock ? lookups.count - first : kProfileBlock;
-    ProfiledBlock block;
-    profile_block(texture, sampler, simd, part_of(lookups, first, count), &block);
-    sample_given(texture, block.sampler, simd, block.lookups, part_of(out, first));
-    nonfinite += block.nonfinite;
-  }
-  return nonfinite;
+/// Those of the profile where it places the probes.
+shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
+  if (desc.filter != SHD_FILTER_ANISOTROPIC || desc.profile == SHD_PROFILE_EXACT) return desc.probe_weights;
+  return desc.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
 }
 
 }  // namespace
 
-FilterKernels kernels_of(shd_filter filter, const core::SimdTarget& simd) {
-  switch (filter) {
-    case SHD_FILTER_NEAREST: return nearest_kernels(simd);
-    case SHD_FILTER_BILINEAR: return bilinear_kernels(simd);
-    case SHD_FILTER_BICUBIC: return bicubic_kernels(simd);
-    case SHD_FILTER_NEAREST_MIP:
-    case SHD_FILTER_BILINEAR_MIP: return mip_kernels(simd);
-    case SHD_FILTER_RIPMAP: return ripmap_kernels(simd);
-    case SHD_FILTER_SUMMED_AREA: return summed_area_kernels(simd);
-    case SHD_FILTER_ANISOTROPIC: return anisotropic_kernels(simd);
-    case SHD_FILTER_EWA: return ewa_kernels(simd);
-    case SHD_FILTER_STOCHASTIC: return stochastic_kernels(simd);
-    default: return trilinear_kernels(simd);
-  }
-}
-
-bool has_gradient(shd_filter filter) {
-  switch (filter) {
-    case SHD_FILTER_BILINEAR:
-    case SHD_FILTER_BICUBIC:
-    case SHD_FILTER_BILINEAR_MIP:
-    case SHD_FILTER_RIPMAP:
-    case SHD_FILTER_ANISOTROPIC:
-    case SHD_FILTER_EWA:
-    case SHD_FILTER_TRILINEAR: return true;
-    default: return false;
-  }
-}
-
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out) {
-  return is_profiled(sampler) ? sample_profiled(texture, sampler, simd, lookups, out)
-                              : sample_given(texture, sampler, simd, lookups, out);
+  if (sampler.filter == SHD_FILTER_EXACT) return sample_exact(texture, sampler, simd, lookups, out);
+  return run_filter(texture, sampler, simd, lookups, out, nullptr);
 }
 
 Sampler make_sampler(const shd_sampler_desc& desc) {
@@ -96,10 +43,10 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.blur_u = desc.blur_u;
   sampler.blur_v = desc.blur_v;
   sampler.max_anisotropy = desc.max_anisotropy;
-  sampler.probe_weights = desc.probe_weights;
+  sampler.probe_weights = probe_weights_of(desc);
   sampler.cubic = desc.cubic;
   sampler.box = desc.box;
-  sampler.expectation = desc.expectation;
+  sampler.stochastic_filter = desc.stochastic_filter;
   sampler.seed = desc.seed;
   sampler.tolerance = desc.tolerance;
   sampler.profile = desc.profile;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/lod.h"
+#include "texture/explain/record.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -19,7 +19,7 @@ namespace shd::texture {
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
 ///   ewa        m (3e-6 + 4e-6 (w + h) + 4e-6 max_anisotropy); a level of detail within 2e-6 of a whole one may take
 ///              either level
-///   stochastic one texel, drawn with the weights of its expectation within 2e-6 + 8e-7 (w + h), of EWA within that
+///   stochastic one texel, drawn with the weights of its stochastic_filter within 2e-6 + 8e-7 (w + h), of EWA within that
 ///              filter's bound for m = 1; a texel of weight 0 is never drawn
 ///   exact      m 1e-6 where level 0 serves, i.e. where cell_bound() (parallelogram.h) of the footprint's sides is at
 ///              most 16 / tolerance^2 (2^10..2^24 cells); else the integral of the finest level that does, or of a
@@ -39,45 +39,15 @@ namespace shd::texture {
 ///
 /// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
 /// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
-using FilterKernel = size_t (*)(const Texture& texture, const Sampler& sampler, const Lookups& lookups,
-                                const Texels& out);
 
-/// What a filter is compiled to for one SIMD target. Kernels return how many lookups had something that is not finite.
-struct FilterKernels {
-  FilterKernel values;    ///< the wanted channels
-  FilterKernel gradient;  ///< their derivatives in u and v: exact ones of the blends, in float; null of some filters
-  FilterKernel record;    ///< one lookup, to this thread's recording (record.h); null but on the baseline target
-};
-FilterKernels nearest_kernels(const core::SimdTarget& simd);
-FilterKernels bilinear_kernels(const core::SimdTarget& simd);
-FilterKernels bicubic_kernels(const core::SimdTarget& simd);
-/// SHD_FILTER_NEAREST_MIP and SHD_FILTER_BILINEAR_MIP.
-FilterKernels mip_kernels(const core::SimdTarget& simd);
-FilterKernels trilinear_kernels(const core::SimdTarget& simd);
-FilterKernels ripmap_kernels(const core::SimdTarget& simd);
-/// Without a recorder: sums of integers are no tree of blends.
-FilterKernels summed_area_kernels(const core::SimdTarget& simd);
-FilterKernels anisotropic_kernels(const core::SimdTarget& simd);
-FilterKernels ewa_kernels(const core::SimdTarget& simd);
-FilterKernels stochastic_kernels(const core::SimdTarget& simd);
+/// The filter that sampler.filter names, on the calling thread; its magnification does not count, and it is not
+/// SHD_FILTER_EXACT. Goes to `recording` in place of the columns where that is not null. Returns how many lookups were
+/// not finite.
+size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out, Recording* recording);
 
-/// The ones of a filter; not of SHD_FILTER_EXACT, which runs the bilinear ones point by point.
-FilterKernels kernels_of(shd_filter filter, const core::SimdTarget& simd);
-
-size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out);
-
-/// The filter that sampler.filter names; its magnification does not count.
+/// The same with SHD_FILTER_EXACT, into the columns.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out);
-
-/// Levels of detail of the longer axis of packed lookups, biased and clamped to a range.
-size_t sample_lod(const Texture& texture, const Sampler& sampler, const LodRange& range, const core::SimdTarget& simd,
-                  const Lookups& lookups, float* out);
-
-/// Half axes of the footprints of packed lookups in base texels, width and blur included: u and v of the longer one to
-/// the first two channels, of the shorter one to the others.
-void sample_axes(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                 const Texels& out);
 
 }  // namespace shd::texture

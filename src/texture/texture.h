@@ -123,12 +123,11 @@ struct Sampler {
   shd_probe_weights probe_weights;
   shd_cubic cubic;
   shd_box box;
-  shd_filter expectation;
+  shd_filter stochastic_filter;
   uint32_t seed;
   float tolerance;
   shd_profile profile;
   bool rounded_weights;  // those of bilinear lookups, to 8 bits
-  bool probes_given;     // SHD_FILTER_ANISOTROPIC: lookups are those of a ProfiledBlock (profile.h)
 };
 
 /// The same without width and blur.
@@ -154,7 +153,18 @@ struct Lookups {
   const float *dudx, *dvdx, *dudy, *dvdy;  // null = 0
   const float* lod;                        // replaces the derivatives
   const uint32_t* layer;                   // null = 0
-  const uint32_t* random;                  // null = drawn from the bits of u and v
+  const uint32_t* random;                  // null = from the bits of u and v
+
+  /// The columns by number, for what treats all of them alike.
+  const float*& real(size_t i) {
+    constexpr const float* Lookups::*kColumns[kFloatColumns] = {&Lookups::u,    &Lookups::v,    &Lookups::dudx,
+                                                                &Lookups::dvdx, &Lookups::dudy, &Lookups::dvdy,
+                                                                &Lookups::lod};
+    return this->*kColumns[i];
+  }
+  const float* real(size_t i) const { return const_cast<Lookups*>(this)->real(i); }
+  const uint32_t*& integer(size_t i) { return i == 0 ? layer : random; }
+  const uint32_t* integer(size_t i) const { return i == 0 ? layer : random; }
 };
 
 constexpr size_t kOutputColumns = 12;
@@ -166,7 +176,28 @@ struct Texels {
 
   float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : dv[i - 8]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
+  bool wants_values() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
+  bool wants_gradient() const {
+    for (size_t c = 0; c < 4; ++c) {
+      if (du[c] || dv[c]) return true;
+    }
+    return false;
+  }
 };
+
+/// Elements first..first + count - 1.
+inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
+  Lookups part = in;
+  part.count = count;
+  for (size_t c = 0; c < kFloatColumns; ++c) part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
+  for (size_t c = 0; c < kIntegerColumns; ++c) part.integer(c) = in.integer(c) ? in.integer(c) + first : nullptr;
+  return part;
+}
+inline Texels part_of(const Texels& out, size_t first) {
+  Texels part;
+  for (size_t c = 0; c < kOutputColumns; ++c) part.column(c) = out.column(c) ? out.column(c) + first : nullptr;
+  return part;
+}
 
 /// Copies or borrows the texels of a checked desc and builds its tables on the context's executor.
 /// Throws std::bad_alloc; then nothing was kept.

@@ -206,7 +206,7 @@ static void test_lookups(void **state)
 enum { k_filter_lookups = 3001, k_filter_width = 37, k_filter_height = 24, k_filter_layers = 2 };
 
 static const struct {
-    shd_filter filter, expectation;
+    shd_filter filter, stochastic_filter;
     shd_magnification magnification;
     shd_box box;
     int derivatives;
@@ -251,7 +251,7 @@ static int describe_filter(size_t filter, shd_sampler_desc *sd)
 {
     if (filter < k_plain_count) {
         sd->filter = k_filters[filter].filter;
-        sd->expectation = k_filters[filter].expectation;
+        sd->stochastic_filter = k_filters[filter].stochastic_filter;
         sd->magnification = k_filters[filter].magnification;
         sd->box = k_filters[filter].box;
         return k_filters[filter].derivatives;

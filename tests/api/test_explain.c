@@ -16,7 +16,7 @@ static shd_blend g_blends[MAX_TAPS];
 
 static const struct {
     const char *name;
-    shd_filter filter, expectation;
+    shd_filter filter, stochastic_filter;
 } k_filters[] = {{"nearest", SHD_FILTER_NEAREST, SHD_FILTER_TRILINEAR},
                  {"bilinear", SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR},
                  {"bicubic", SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR},
@@ -118,14 +118,14 @@ static shd_texture *make_texture(shd_format format)
     return texture;
 }
 
-static shd_sampler *make_sampler(shd_filter filter, shd_filter expectation, shd_wrap wrap, shd_profile profile)
+static shd_sampler *make_sampler(shd_filter filter, shd_filter stochastic_filter, shd_wrap wrap, shd_profile profile)
 {
     shd_sampler_desc desc = shd_sampler_desc_default();
     const float border[4] = {0.25f, -1.5f, 2.0f, 0.75f};
     shd_sampler *sampler = NULL;
     desc.filter = filter;
-    desc.expectation = expectation;
-    desc.cubic = expectation == SHD_FILTER_BICUBIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
+    desc.stochastic_filter = stochastic_filter;
+    desc.cubic = stochastic_filter == SHD_FILTER_BICUBIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
     desc.profile = profile;
     desc.magnification = SHD_MAGNIFICATION_BICUBIC;
     desc.wrap_u = wrap;
@@ -189,7 +189,7 @@ static void check_point(const shd_texture *texture, const shd_sampler *sampler, 
 
 struct replay_case {
     char name[64];
-    shd_filter filter, expectation;
+    shd_filter filter, stochastic_filter;
     shd_format format;
     shd_wrap wrap;
     shd_profile profile;
@@ -199,7 +199,7 @@ static void test_replay(void **state)
 {
     const struct replay_case *c = (const struct replay_case *)*state;
     shd_texture *texture = make_texture(c->format);
-    shd_sampler *sampler = make_sampler(c->filter, c->expectation, c->wrap, c->profile);
+    shd_sampler *sampler = make_sampler(c->filter, c->stochastic_filter, c->wrap, c->profile);
     const shd_lookups lookups = make_lookups();
     shd_texels out;
     size_t i;
@@ -334,7 +334,7 @@ int main(void)
         c->wrap = (shd_wrap)(n % 5);
         c->format = k_formats[n / 5 % FORMATS];
         c->filter = k_filters[n / 5 / FORMATS].filter;
-        c->expectation = k_filters[n / 5 / FORMATS].expectation;
+        c->stochastic_filter = k_filters[n / 5 / FORMATS].stochastic_filter;
         snprintf(c->name, sizeof c->name, "replay/%s/format_%d/wrap_%d", k_filters[n / 5 / FORMATS].name,
                  (int)c->format, (int)c->wrap);
         tests[n] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};
@@ -344,7 +344,7 @@ int main(void)
         c->wrap = (shd_wrap)(k % 5);
         c->format = k_formats[k % FORMATS];
         c->filter = k_filters[k / PROFILES].filter;
-        c->expectation = k_filters[k / PROFILES].expectation;
+        c->stochastic_filter = k_filters[k / PROFILES].stochastic_filter;
         c->profile = k_profiles[k % PROFILES].profile;
         snprintf(c->name, sizeof c->name, "replay/%s/%s", k_filters[k / PROFILES].name, k_profiles[k % PROFILES].name);
         tests[n++] = (struct CMUnitTest){c->name, test_replay, NULL, NULL, c};

@@ -423,7 +423,7 @@ static void test_small_stack(void **state)
     for (i = 0; i < 5000; ++i) columns[0][2 * i] = (float)(i % 3) / 50.0f; /* some are magnified */
     lookups.dvdy = lookups.dudx;
     drawn.filter = SHD_FILTER_STOCHASTIC;
-    drawn.expectation = SHD_FILTER_EWA;
+    drawn.stochastic_filter = SHD_FILTER_EWA;
     drawn.magnification = SHD_MAGNIFICATION_BICUBIC;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_AVX512; ++simd) {
         shd_context *context = NULL;

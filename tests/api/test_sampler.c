@@ -55,9 +55,9 @@ static void edit_box(shd_sampler_desc *d) { d->box = (shd_box)-1; }
 static void edit_drawn_cubic(shd_sampler_desc *d)
 {
     d->filter = SHD_FILTER_STOCHASTIC;
-    d->expectation = SHD_FILTER_BICUBIC;
+    d->stochastic_filter = SHD_FILTER_BICUBIC;
 }
-static void edit_expectation(shd_sampler_desc *d) { d->expectation = SHD_FILTER_RIPMAP; }
+static void edit_expectation(shd_sampler_desc *d) { d->stochastic_filter = SHD_FILTER_RIPMAP; }
 static void edit_profile(shd_sampler_desc *d) { d->profile = SHD_PROFILE_OIIO; }
 static void edit_profile_unknown(shd_sampler_desc *d) { d->profile = (shd_profile)4; }
 static void edit_profile_negative(shd_sampler_desc *d) { d->profile = (shd_profile)-1; }
@@ -106,7 +106,7 @@ static const struct create_case k_create[] = {
     {"create/box_unknown", edit_box, SHD_ERROR_INVALID_ARGUMENT, "sampler.box: 4294967295"},
     {"create/expectation_catmull_rom", edit_drawn_cubic, SHD_ERROR_INVALID_ARGUMENT,
      "sampler.cubic: 0 is not SHD_CUBIC_B_SPLINE"},
-    {"create/expectation_ripmap", edit_expectation, SHD_ERROR_INVALID_ARGUMENT, "sampler.expectation: 6"},
+    {"create/expectation_ripmap", edit_expectation, SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: 6"},
     {"create/profile_oiio", edit_profile, SHD_OK, ""},
     {"create/profile_unknown", edit_profile_unknown, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4 is not in 0..3"},
     {"create/profile_negative", edit_profile_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4294967295"},

@@ -67,7 +67,7 @@ void fill_sampler(Source& source, Case& c) {
   desc.probe_weights = static_cast<shd_probe_weights>(source.below(2));
   desc.cubic = static_cast<shd_cubic>(source.below(3));
   desc.box = static_cast<shd_box>(source.below(2));
-  desc.expectation = static_cast<shd_filter>(source.below(11));
+  desc.stochastic_filter = static_cast<shd_filter>(source.below(11));
   desc.profile = static_cast<shd_profile>(source.below(source.one_in(32) ? 9 : 4));
   desc.seed = source.word();
   desc.width_x = source.one_in(8) ? source.hostile() : 1.0f;

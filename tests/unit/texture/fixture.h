@@ -14,7 +14,7 @@
 #include "core/simd_target.h"
 #include "image/format.h"
 #include "ref/texture_ref.h"
-#include "texture/storage.h"
+#include "texture/store/storage.h"
 #include "texture/texture.h"
 
 namespace fixture {

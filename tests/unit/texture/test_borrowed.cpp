@@ -124,12 +124,12 @@ void test_filters(void** state) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = static_cast<shd_filter>(filter);
       if (filter == SHD_FILTER_STOCHASTIC) {
-        for (const shd_filter expectation :
+        for (const shd_filter stochastic_filter :
              {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA}) {
-          desc.expectation = expectation;
+          desc.stochastic_filter = stochastic_filter;
           check_filter(*copied, *borrowed, desc);
         }
-        desc.expectation = SHD_FILTER_TRILINEAR;
+        desc.stochastic_filter = SHD_FILTER_TRILINEAR;
       }
       check_filter(*copied, *borrowed, desc);
     }

@@ -4,21 +4,20 @@
 #include "profiles.h"
 
 #include "ref/profile_ref.h"
-#include "texture/profile.h"
-#include "texture/sample.h"
+#include "texture/footprint/probes.h"
 
 namespace {
 
 using namespace fixture;
-using shd::texture::ProfiledBlock;
-using shd::texture::ProfileLod;
+using shd::texture::LodAxis;
+using shd::texture::ProbeBlock;
 
 const SizeCase k_sizes[] = {
     {"1x1", 1, 1}, {"1x7", 1, 7}, {"5x3", 5, 3}, {"64x64", 64, 64}, {"128x32", 128, 32}, {"1023x511", 1023, 511},
 };
 
 Batch t_batch;
-ProfiledBlock t_block;
+ProbeBlock t_block;
 
 ref::Jacobian jacobian(const Batch& batch, size_t i) {
   return {static_cast<double>(batch.dudx[i]), static_cast<double>(batch.dvdx[i]), static_cast<double>(batch.dudy[i]),
@@ -41,24 +40,23 @@ bool find_line(const ref::Image& image, const ref::Jacobian& j, int count, ref::
 
 /// Lookup i of the batch, which is k of the block.
 void check_line(const char* name, const ref::Image& image, size_t i, size_t k) {
-  const auto& c = t_block.columns;
   const double limit = static_cast<double>(image.sampler->max_anisotropy);
   ref::Line want;
-  if (!find_line(image, jacobian(t_batch, i), static_cast<int>(c[2][k]), &want)) {
-    fail_msg("%s: point %zu: %g probes, want %d", name, i, static_cast<double>(c[2][k]), want.count);
+  if (!find_line(image, jacobian(t_batch, i), static_cast<int>(t_block.probes[k]), &want)) {
+    fail_msg("%s: point %zu: %g probes, want %d", name, i, static_cast<double>(t_block.probes[k]), want.count);
   }
   const double reach = fmax(hypot(want.du, want.dv), 1e-12) / 2;
-  shd_assert_close(name, i, static_cast<double>(c[3][k]), ref::profile_lod(image, want.lambda),
+  shd_assert_close(name, i, static_cast<double>(t_block.lod[k]), ref::profile_lod(image, want.lambda),
                    3e-6 * limit + (image.sampler->profile == SHD_PROFILE_OIIO ? 0 : 1.001 / 256), 0);
   if (want.count == 1) return;
   // Of a round footprint the axis has no direction: then there is one probe.
   const double turn = 1e-5 * limit / (limit > 1 ? fmin(want.count, limit) - 0.99 : 1) + 1e-5 * limit;
-  const double got_u = static_cast<double>(c[0][k]), got_v = static_cast<double>(c[1][k]);
+  const double got_u = static_cast<double>(t_block.step_u[k]), got_v = static_cast<double>(t_block.step_v[k]);
   const double sign = got_u * want.du + got_v * want.dv < 0 ? -1 : 1;
   shd_assert_close(name, i, sign * got_u, want.du / 2, turn * reach, 0);
   shd_assert_close(name, i, sign * got_v, want.dv / 2, turn * reach, 0);
   if (want.scale > 0) {
-    shd_assert_close(name, i, static_cast<double>(c[4][k]), 2 / want.scale, 0, 1e-5 * limit);
+    shd_assert_close(name, i, static_cast<double>(t_block.reach[k]), 2 / want.scale, 0, 1e-5 * limit);
   }
 }
 
@@ -82,13 +80,12 @@ void test_lines(void** state) {
         size_t nonfinite = 0;
         for (size_t first = 0; first < kPoints; first += 32) {
           const Lookups part = shd::texture::part_of(t_batch.lookups(true, false), first, 32);
-          shd::texture::profile_block(*texture, sampler, simd, part, &t_block);
+          nonfinite += shd::texture::find_probes(*texture, sampler, simd, part, &t_block);
           for (size_t k = 0; k < 32; ++k) check_line(c.name, image, first + k, k);
-          nonfinite += t_block.nonfinite;
         }
         assert_int_equal(nonfinite, kNonfinitePoints);
         float lod[kMaxPoints];
-        shd::texture::sample_lod(*texture, sampler, {-15, 17}, simd, t_batch.lookups(true, false), lod);
+        shd::texture::find_lods(*texture, sampler, {-15, 17}, LodAxis::kLonger, simd, t_batch.lookups(true, false), lod);
         for (size_t i = 0; i < t_batch.count; ++i) {
           const double lambda = ref::profile_lambda(image, jacobian(t_batch, i), false);
           const double want = bounded(bounded(lambda) + static_cast<double>(desc.lod_bias));
@@ -175,13 +172,13 @@ void test_sheared(void**) {
     for_each_target([&](int64_t target) {
       const auto simd = shd::core::simd_target_from_bit(target);
       float lod;
-      shd::texture::profile_lod(*texture, sampler, {-32, 32}, ProfileLod::kAnisotropic, simd,
+      shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes, simd,
                                 t_batch.lookups(true, false), &lod);
       shd_assert_close("sheared", static_cast<size_t>(k), static_cast<double>(lod), want[k], 1e-3, 0);
-      shd::texture::profile_block(*texture, sampler, simd, t_batch.lookups(true, false), &t_block);
-      assert_true(t_block.columns[2][0] == static_cast<float>(want_count[k]));
+      shd::texture::find_probes(*texture, sampler, simd, t_batch.lookups(true, false), &t_block);
+      assert_true(t_block.probes[0] == static_cast<float>(want_count[k]));
       if (k == 2) return;
-      shd::texture::sample_lod(*texture, sampler, {-32, 32}, simd, t_batch.lookups(true, false), &lod);
+      shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kLonger, simd, t_batch.lookups(true, false), &lod);
       shd_assert_close("sheared", static_cast<size_t>(k), static_cast<double>(lod), want_lambda[k], 1e-3, 0);
     });
   }
@@ -199,7 +196,7 @@ void test_parallel(void**) {
   const Sampler sampler = make_sampler(make_desc(SHD_PROFILE_D3D11, SHD_FILTER_ANISOTROPIC, 0));
   for_each_target([&](int64_t target) {
     float lod;
-    shd::texture::profile_lod(*texture, sampler, {-32, 32}, ProfileLod::kAnisotropic,
+    shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes,
                               shd::core::simd_target_from_bit(target), t_batch.lookups(true, false), &lod);
     shd_assert_close("parallel", 0, static_cast<double>(lod), log2(sqrt(32) / 16), 1e-5, 0);
   });

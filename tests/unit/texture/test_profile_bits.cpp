@@ -2,7 +2,7 @@
 // Bits of sampler profiles: rounded weights and levels, what stays as it is, hostile derivatives and texels.
 #include "profiles.h"
 
-#include "texture/sample.h"
+#include "texture/footprint/lod.h"
 
 namespace {
 
@@ -104,7 +104,8 @@ void test_gradient(void**) {
       const Lookups lookups = t_batch.lookups(true, false);
       shd::texture::sample(*texture, make_sampler(desc), simd, lookups,
                            {{nullptr, got[0]}, {nullptr, got[1]}, {nullptr, got[2]}});
-      shd::texture::sample_lod(*texture, make_sampler(desc), {-15, 17}, simd, lookups, t_batch.lod);
+      shd::texture::find_lods(*texture, make_sampler(desc), {-15, 17}, shd::texture::LodAxis::kLonger, simd, lookups,
+                              t_batch.lod);
       shd::texture::sample(*texture, make_sampler(exact), simd, t_batch.lookups(false, true),
                            {{nullptr, want[0]}, {nullptr, want[1]}, {nullptr, want[2]}});
       assert_memory_equal(got, want, sizeof got);

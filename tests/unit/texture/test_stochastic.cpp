@@ -11,7 +11,7 @@ using namespace fixture;
 
 struct stochastic_case {
   const char* name;
-  shd_filter expectation;
+  shd_filter stochastic_filter;
   uint32_t width, height;
 };
 const stochastic_case k_cases[] = {
@@ -45,16 +45,16 @@ constexpr size_t kRounds = 8;  // of kMaxPoints draws
 Batch t_batch, t_first;
 uint32_t t_random[kMaxPoints];
 
-shd_sampler_desc make_desc(shd_filter expectation, uint32_t pair) {
+shd_sampler_desc make_desc(shd_filter stochastic_filter, uint32_t pair) {
   const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = SHD_FILTER_STOCHASTIC;
-  desc.expectation = expectation;
+  desc.stochastic_filter = stochastic_filter;
   desc.cubic = SHD_CUBIC_B_SPLINE;
   desc.wrap_u = static_cast<shd_wrap>(pair % 5);
   desc.wrap_v = static_cast<shd_wrap>(pair / 5);
   const float limits[] = {16, 1, 3.5f, 64, 2};
-  if (expectation == SHD_FILTER_EWA) desc.max_anisotropy = limits[(pair + pair / 5) % 5];
+  if (stochastic_filter == SHD_FILTER_EWA) desc.max_anisotropy = limits[(pair + pair / 5) % 5];
   desc.probe_weights = pair % 2 ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
   memcpy(desc.border, border, sizeof border);
   return desc;
@@ -112,14 +112,14 @@ bool is_between_levels(const ref::Image& image, const ref::Jacobian& j) {
 
 double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j, int channel) {
   const double u = static_cast<double>(at.u), v = static_cast<double>(at.v);
-  switch (image.sampler->expectation) {
+  switch (image.sampler->stochastic_filter) {
     case SHD_FILTER_BILINEAR: return ref::bilinear(image, 0, u, v, channel);
     case SHD_FILTER_BICUBIC: return ref::bicubic(image, u, v, channel);
     case SHD_FILTER_TRILINEAR: return ref::trilinear(image, u, v, static_cast<double>(at.lod), channel);
     default: break;
   }
   const ref::Ellipse e = ellipse_of(image, j);
-  if (image.sampler->expectation == SHD_FILTER_EWA) {
+  if (image.sampler->stochastic_filter == SHD_FILTER_EWA) {
     double texel[4];
     ref::ewa(image, e, static_cast<int>(ref::ewa_lod(image, e)), u, v, 0, 0, texel);
     return texel[channel];
@@ -138,8 +138,8 @@ void check_mean(const stochastic_case& c, const Texture& texture, const shd_samp
   const ref::Image image = oracle_image(texture, desc, levels);
   const Sampler sampler = make_sampler(desc);
   const ref::Jacobian j = jacobian(at, static_cast<float>(c.width), static_cast<float>(c.height));
-  const bool ellipses = desc.expectation == SHD_FILTER_EWA;
-  const bool footprints = desc.expectation == SHD_FILTER_ANISOTROPIC || (ellipses && at.aspect > 1);
+  const bool ellipses = desc.stochastic_filter == SHD_FILTER_EWA;
+  const bool footprints = desc.stochastic_filter == SHD_FILTER_ANISOTROPIC || (ellipses && at.aspect > 1);
   if (ellipses && is_between_levels(image, j)) return;
   double sum[4] = {0, 0, 0, 0};
   for (size_t round = 0; round < kRounds; ++round) {
@@ -171,8 +171,8 @@ void test_mean(void** state) {
         at.lod = random.real(-1, 8);
         at.angle = random.real(-3, 3);
         at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from where the number of probes changes
-        if (c.expectation == SHD_FILTER_EWA && pair % 6 == 0) at.aspect = 1;  // by level of detail
-        check_mean(c, *texture, make_desc(c.expectation, pair), at);
+        if (c.stochastic_filter == SHD_FILTER_EWA && pair % 6 == 0) at.aspect = 1;  // by level of detail
+        check_mean(c, *texture, make_desc(c.stochastic_filter, pair), at);
       }
     }
     free_texture(texture);
@@ -182,13 +182,13 @@ void test_mean(void** state) {
 /// Every tap on its own: the share of the draws that are a texel, 2^20 of them, is its weight.
 void test_weights(void**) {
   constexpr uint32_t kDraws = 1u << 20;
-  for (const shd_filter expectation : kExpectations) {
+  for (const shd_filter stochastic_filter : kExpectations) {
     uint8_t texels[36];
     for (uint8_t i = 0; i < 36; ++i) texels[i] = i;
     Texture* texture = make_texture(SHD_FORMAT_R8, 6, 6, texels, false);
     static uint32_t hits[36];
     memset(hits, 0, sizeof hits);
-    const Sampler sampler = make_sampler(make_desc(expectation, 0));
+    const Sampler sampler = make_sampler(make_desc(stochastic_filter, 0));
     for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
       make_draws(0.45f, 0.62f, 0, first);
       run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, false), &t_batch);
@@ -196,7 +196,7 @@ void test_weights(void**) {
     }
     const auto weight = [&](double x, int i) {
       const double distance = x * 6 - 0.5 - i;
-      return expectation == SHD_FILTER_BICUBIC ? ref::cubic_weight(SHD_CUBIC_B_SPLINE, distance)
+      return stochastic_filter == SHD_FILTER_BICUBIC ? ref::cubic_weight(SHD_CUBIC_B_SPLINE, distance)
                                                : fmax(0, 1 - fabs(distance));
     };
     for (int i = 0; i < 36; ++i) {
@@ -271,9 +271,9 @@ void test_targets_and_tails(void**) {
   for (size_t i = 0; i < kMaxPoints; ++i) t_random[i] = static_cast<uint32_t>(i * 7);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 64, 32, true);
-    for (const shd_filter expectation : kExpectations) {
+    for (const shd_filter stochastic_filter : kExpectations) {
       for (const bool given : {false, true}) {
-        const Sampler sampler = make_sampler(make_desc(expectation, 7));
+        const Sampler sampler = make_sampler(make_desc(stochastic_filter, 7));
         const auto lookups = [&](const Batch& batch) {
           Lookups in = batch.lookups(true, false);
           if (given) in.random = t_random;
@@ -302,8 +302,8 @@ void test_targets_and_tails(void**) {
 /// Another seed draws other texels; so do other coordinates without random words.
 void test_seeds(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R16, 64, 64, true);
-  for (const shd_filter expectation : kExpectations) {
-    shd_sampler_desc desc = make_desc(expectation, 0);
+  for (const shd_filter stochastic_filter : kExpectations) {
+    shd_sampler_desc desc = make_desc(stochastic_filter, 0);
     make_draws(0.503f, 0.503f, 0.5f, 0);
     t_first.count = kMaxPoints;
     for_each_target([&](int64_t target) {
@@ -330,10 +330,10 @@ void test_weight_zero(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i == 20 ? 5.0f : NAN;
   Texture* texture = make_texture(SHD_FORMAT_R32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
-  for (const shd_filter expectation : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_EWA}) {
+  for (const shd_filter stochastic_filter : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_EWA}) {
     for_each_target([&](int64_t target) {
       make_draws(20.5f / 64, 0.5f, 0, 0);
-      run(*texture, make_sampler(make_desc(expectation, 0)), target, drawn(t_batch, false), &t_batch);
+      run(*texture, make_sampler(make_desc(stochastic_filter, 0)), target, drawn(t_batch, false), &t_batch);
       for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 5.0f);
     });
   }
@@ -346,9 +346,9 @@ void test_constant(void**) {
   memset(texels, 77, sizeof texels);
   Texture* texture = make_texture(SHD_FORMAT_R8, 33, 9, texels, true);
   make_points(&t_batch);
-  for (const shd_filter expectation : kExpectations) {
+  for (const shd_filter stochastic_filter : kExpectations) {
     for (uint32_t pair = 0; pair < 25; ++pair) {
-      shd_sampler_desc desc = make_desc(expectation, pair);
+      shd_sampler_desc desc = make_desc(stochastic_filter, pair);
       if (desc.wrap_u == SHD_WRAP_BORDER || desc.wrap_v == SHD_WRAP_BORDER) continue;
       for_each_target([&](int64_t target) {
         run(*texture, make_sampler(desc), target, t_batch.lookups(true, false), &t_batch);

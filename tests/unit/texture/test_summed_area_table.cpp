@@ -3,7 +3,7 @@
 // of sums of many or of very large texels.
 #include "summed_area_fixture.h"
 
-#include "texture/summed_area.h"
+#include "texture/store/summed_area.h"
 
 namespace {
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "texture/explain/explain.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "image/half.h"
+#include "image/srgb.h"
+#include "texture/store/texel_codec.h"
+#include "texture/filter/magnify.h"
+#include "texture/footprint/lod.h"
+#include "texture/explain/record.h"
+#include "texture/sample.h"
+#include "texture/store/storage.h"
+
+namespace shd::texture {
+
+namespace {
+
+CodeScale scale_of(image::Component component, size_t channel) {
+  switch (component) {
+    case image::Component::kUnorm8: return kScale8;
+    case image::Component::kUnorm16: return kScale16;
+    case image::Component::kSrgb8: return channel == 3 ? kScale8 : CodeScale{1.0f, 0.0f};
+    default: return {1.0f, 0.0f};
+  }
+}
+
+float finish(CodeScale scale, float value) {
+  return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
+}
+
+/// Channel of a stored texel as the blends of its format see it, or the result it stands for.
+float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
+  float value;
+  uint16_t code;
+  switch (texture.component) {
+    case image::Component::kUnorm8: value = texel[channel]; break;
+    case image::Component::kSrgb8:
+      value = channel == 3 ? static_cast<float>(texel[3]) : image::kSrgb8ToLinear[texel[channel]];
+      break;
+    case image::Component::kUnorm16:
+      std::memcpy(&code, texel + 2 * channel, sizeof code);
+      value = code;
+      break;
+    case image::Component::kFloat16:
+      std::memcpy(&code, texel + 2 * channel, sizeof code);
+      value = image::half_to_float(code);
+      break;
+    default: std::memcpy(&value, texel + 4 * channel, sizeof value); break;
+  }
+  return finished ? finish(scale_of(texture.component, channel), value) : value;
+}
+
+/// Where a texel of one layer lies.
+struct Place {
+  uint32_t level_u, level_v, first;
+};
+
+Place mip_place(const Texture& texture, uint32_t texel) {
+  uint32_t level = 0;
+  while (level + 1 < texture.level_count && texel >= texture.offset[level + 1]) ++level;
+  return {level, level, texture.offset[level]};
+}
+
+Place ripmap_place(const Texture& texture, uint32_t texel) {
+  for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
+    for (uint32_t i = 0; i < texture.ripmap_columns; ++i) {
+      const uint32_t first = texture.ripmap_offset[j * kMaxLevels + i];
+      const uint32_t count = level_size(texture.width, i) * level_size(texture.height, j);
+      if (texel >= first && texel - first < count) return {i, j, first};
+    }
+  }
+  return {0, 0, 0};
+}
+
+shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap) {
+  shd_tap out = {};
+  out.layer = tap.index / texture.layer_texels;
+  const uint32_t in_layer = tap.index % texture.layer_texels;
+  const Place place =
+      sampler.filter == SHD_FILTER_RIPMAP ? ripmap_place(texture, in_layer) : mip_place(texture, in_layer);
+  const uint32_t width = level_size(texture.width, place.level_u);
+  out.level_u = place.level_u;
+  out.level_v = place.level_v;
+  out.x = (in_layer - place.first) % width;
+  out.y = (in_layer - place.first) / width;
+  out.border = tap.border;
+  const uint8_t* texel = texel_at(texture, tap.index);
+  for (size_t c = 0; c < texture.channels; ++c) {
+    out.value[c] = tap.border ? sampler.border[c] : lerp_value(texture, texel, c, recording.finished_taps);
+  }
+  return out;
+}
+
+uint32_t node_number(const Recording& recording, uint32_t node) {
+  if (!(node & kBlendNode)) return node;
+  return static_cast<uint32_t>(recording.tap_count) + (node & ~kBlendNode);
+}
+
+/// Weights of all nodes from that of the last: blends hand theirs down in reverse order.
+core::Array<float> weights(const core::Allocator& allocator, const Recording& recording) {
+  const size_t count = recording.tap_count + recording.blend_count;
+  core::Array<float> weight(allocator, count);
+  std::memset(weight.data(), 0, count * sizeof(float));
+  weight[count - 1] = 1.0f;
+  for (size_t k = recording.blend_count; k-- > 0;) {
+    const RecordedBlend& blend = recording.blends[k];
+    const float own = weight[recording.tap_count + k];
+    weight[node_number(recording, blend.a)] += own * (1.0f - blend.s);
+    weight[node_number(recording, blend.b)] += own * blend.s;
+  }
+  return weight;
+}
+
+void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,
+                const Recording& recording, shd_explanation* out) {
+  const core::Array<float> weight = weights(context.allocator, recording);
+  for (size_t i = 0; i < recording.tap_count && i < out->tap_capacity; ++i) {
+    out->taps[i] = describe(texture, sampler, recording, recording.taps[i]);
+    out->taps[i].weight = weight[i];
+  }
+  for (size_t k = 0; k < recording.blend_count && k < out->blend_capacity; ++k) {
+    const RecordedBlend& blend = recording.blends[k];
+    out->blends[k] = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+  }
+  out->tap_count = static_cast<uint32_t>(recording.tap_count);
+  out->blend_count = static_cast<uint32_t>(recording.blend_count);
+  for (size_t c = 0; c < 4; ++c) {
+    const CodeScale scale = recording.finished_taps ? CodeScale{1.0f, 0.0f} : scale_of(texture.component, c);
+    out->scale_high[c] = scale.high;
+    out->scale_low[c] = scale.low;
+  }
+}
+
+}  // namespace
+
+bool is_explainable(shd_filter filter) {
+  return filter != SHD_FILTER_SUMMED_AREA && filter != SHD_FILTER_EXACT;
+}
+
+void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
+             shd_explanation* out) {
+  const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);
+  Recording recording(context.allocator);
+  run_filter(texture, taken, context.simd, lookups, {}, &recording);
+  write_tree(context, texture, taken, recording, out);
+  out->filter = static_cast<uint32_t>(taken.filter);
+  for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
+  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
+  sample(texture, sampler, context.simd, lookups, result);
+  find_lods(texture, sampler, lod_range(texture, sampler), LodAxis::kLonger, context.simd, lookups, &out->lod);
+  float axes[4];
+  find_axes(texture, sampler, context.simd, lookups, axes);
+  std::memcpy(out->longer_axis, axes, sizeof out->longer_axis);
+  std::memcpy(out->shorter_axis, axes + 2, sizeof out->shorter_axis);
+}
+
+}  // namespace shd::texture

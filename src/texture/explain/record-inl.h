@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The format and the blend that record one lookup: values are the numbers of nodes (record.h). All lanes are copies of
+// that lookup; the first one counts.
+
+#if defined(SHD_TEXTURE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_RECORD_INL_H_
+#undef SHD_TEXTURE_RECORD_INL_H_
+#else
+#define SHD_TEXTURE_RECORD_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/explain/record.h"
+#include "texture/format/consume-inl.h"
+#include "texture/store/storage.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct Recorded {
+  template <class D>
+  using Texel = Ints<D>;
+
+  template <class D>
+  static HWY_INLINE Texel<D> fetch(D, const Texture&, Ints<D> index) {
+    return index;
+  }
+  template <class D>
+  static HWY_INLINE void fetch_pair(D, const Texture&, Ints<D> index, Texel<D>* left, Texel<D>* right) {
+    *left = index;
+    *right = index + hn::Set(hn::RebindToSigned<D>(), 1);
+  }
+};
+
+struct RecordedBlend {
+  struct Node {
+    uint32_t id;
+  };
+  template <class D>
+  using Value = Node;
+
+  Recording* recording;
+  bool bordered;
+
+  explicit RecordedBlend(const Consumption& consumption)
+      : recording(consumption.recording), bordered(has_border(consumption.sampler)) {}
+
+  template <size_t C, class D>
+  HWY_INLINE Node tap(D d, Ints<D> index, MaskOf<D> in) const {
+    return {recording->tap(static_cast<uint32_t>(hn::GetLane(index)), hn::AllFalse(d, in))};
+  }
+  template <class D>
+  HWY_INLINE Node blend(D, Node a, Node b, hn::Vec<D> s) const {
+    return hn::GetLane(s) == kWhole ? b : Node{recording->blend(a.id, b.id, hn::GetLane(s))};
+  }
+  template <class D>
+  HWY_INLINE Node blend_s(D d, Node a, Node b, hn::Vec<D> s, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Node blend_t(D d, Node a, Node b, hn::Vec<D> t, const float*) const {
+    return blend(d, a, b, t);
+  }
+  template <class D>
+  HWY_INLINE Node blend_by(D d, Node a, Node b, hn::Vec<D> s, const float*, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Node replace(D, MaskOf<D>, Node a, Node) const {
+    return a;
+  }
+  template <size_t C, class D>
+  HWY_INLINE void store(D, Node value, size_t, const Consumption&) const {
+    recording->root = value.id;
+    recording->finished_taps = bordered;
+  }
+  static HWY_INLINE bool wanted(const Texels&, size_t channel) { return channel == 0; }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_RECORD_INL_H_

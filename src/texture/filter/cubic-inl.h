@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Weights of the cubic kernels of Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988),
+// equation (8), as running averages: the second tap, then the third, the first and the fourth are blended in, each by
+// its weight over the sum of the weights so far. The sums are positive for every kernel here, and a weight of 0 blends
+// nothing. As only ratios count, the kernels are scaled to whole coefficients:
+//
+//   inner taps, at distance x < 1      p3 x^3 + p2 x^2 + p0
+//   outer taps, at distance 2 - r      q3 r^3 + q2 r^2
+
+#if defined(SHD_TEXTURE_CUBIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_CUBIC_INL_H_
+#undef SHD_TEXTURE_CUBIC_INL_H_
+#else
+#define SHD_TEXTURE_CUBIC_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/store/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct CubicKernel {
+  float p3, p2, p0, q3, q2;
+};
+inline CubicKernel cubic_kernel(shd_cubic cubic) {
+  switch (cubic) {
+    case SHD_CUBIC_B_SPLINE: return {3, -6, 4, 1, 0};
+    case SHD_CUBIC_MITCHELL: return {21, -36, 16, 7, -6};
+    default: return {9, -15, 6, 3, -3};
+  }
+}
+
+/// Weights of the blends of the third, first and fourth tap, and their change with the coordinate.
+template <class D>
+struct CubicSteps {
+  hn::Vec<D> step[3], rate[3];
+};
+
+template <class D, class V>
+SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds) {
+  const CubicKernel k = cubic_kernel(cubic);
+  const auto set = [&](float value) { return hn::Set(d, value); };
+  const auto inner = [&](V x) {
+    const V square = hn::Mul(x, x);
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(set(k.p3), x), set(k.p2)), square), set(k.p0));
+  };
+  const auto inner_slope = [&](V x) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.p3), x), set(2 * k.p2)), x); };
+  const auto outer = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(k.q3), r), set(k.q2)), hn::Mul(r, r)); };
+  const auto outer_slope = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.q3), r), set(2 * k.q2)), r); };
+  const V r = hn::Sub(set(1.0f), s);
+  // In the order of the taps: second, third, first, fourth.
+  const V weight[4] = {inner(s), inner(r), outer(r), outer(s)};
+  const V slope[4] = {inner_slope(s), hn::Neg(inner_slope(r)), hn::Neg(outer_slope(r)), outer_slope(s)};
+  CubicSteps<D> steps;
+  V sum = weight[0], sum_slope = slope[0];
+  for (int i = 1; i < 4; ++i) {
+    sum = hn::Add(sum, weight[i]);
+    sum_slope = hn::Add(sum_slope, slope[i]);
+    const V step = hn::Div(weight[i], sum);
+    steps.step[i - 1] = step;
+    steps.rate[i - 1] = hn::Mul(hn::Div(hn::Sub(slope[i], hn::Mul(step, sum_slope)), sum), ds);
+  }
+  return steps;
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_CUBIC_INL_H_

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Scalar and in doubles: the filter that others are measured by. The bilinear reconstruction is a u + b v + c u v + d
+// on each cell of the lattice of texel centres, so its integral over a piece of a cell is made of the piece's moments.
+#include "texture/filter/exact.h"
+
+#include <cmath>
+#include <limits>
+
+#include "texture/footprint/block.h"
+#include "texture/store/texel_codec.h"
+#include "texture/footprint/exact_footprint.h"
+#include "texture/sample.h"
+#include "texture/store/storage.h"
+#include "texture/store/wrap.h"
+
+namespace shd::texture {
+namespace {
+
+/// Codes of a channel that make 1.
+double code_of_one(image::Component component, size_t channel) {
+  switch (component) {
+    case image::Component::kUnorm8: return 255;
+    case image::Component::kUnorm16: return 65535;
+    case image::Component::kSrgb8: return channel == 3 ? 255 : 1;
+    default: return 1;
+  }
+}
+
+/// Weighted mean of values, as deviations from the first one: equal values give that value. Those that are not finite
+/// add up on their own.
+struct Mean {
+  double first = 0, sum = 0, nonfinite = 0;
+  bool started = false, poisoned = false;
+
+  void add(double value, double weight) {
+    if (!std::isfinite(value)) {
+      nonfinite += value;
+      poisoned = true;
+      return;
+    }
+    if (!started) first = value;
+    started = true;
+    sum += weight * (value - first);
+  }
+  double over(double weight) const { return poisoned ? canonical(nonfinite) : first + sum / weight; }
+};
+
+/// Integrates the reconstruction of one level over the pieces that visit_cells() names.
+template <class Code>
+class Integral {
+ public:
+  Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
+      : texture_(texture), sampler_(sampler), footprint_(footprint), negligible_(footprint.thin ? 0x1p-20 : 0x1p-40) {
+    width_ = level_size(texture.width, footprint.level);
+    height_ = level_size(texture.height, footprint.level);
+    for (size_t c = 0; c < Code::kChannels; ++c) {
+      border_[c] = static_cast<double>(sampler.border[c]) * code_of_one(texture.component, c);
+    }
+  }
+
+  void cell(int64_t i, int64_t j, const Moments& m) {
+    const double least = m.one * negligible_;
+    const uint8_t *lower = row(j), *upper = row(j + 1);
+    const auto add_if = [&](const uint8_t* from, int64_t x, double weight) {
+      if (weight > least) add(from, x, weight);
+    };
+    add_if(lower, i, m.one - m.x - m.y + m.xy);
+    add_if(lower, i + 1, m.x - m.xy);
+    add_if(upper, i, m.y - m.xy);
+    add_if(upper, i + 1, m.xy);
+  }
+
+  void run(int64_t j, int64_t begin, int64_t end) {
+    for (const uint8_t* from : {row(j), row(j + 1)}) {
+      add(from, begin, 0.25);
+      for (int64_t i = begin + 1; i < end; ++i) add(from, i, 0.5);
+      add(from, end, 0.25);
+    }
+  }
+
+  float channel(size_t c) const {
+    return static_cast<float>(mean_[c].over(weight_) / code_of_one(texture_.component, c));
+  }
+
+ private:
+  /// Null for the border.
+  const uint8_t* row(int64_t j) const {
+    const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
+    return y < 0 ? nullptr : row_of(texture_, footprint_.layer, footprint_.level, static_cast<uint32_t>(y));
+  }
+
+  void add(const uint8_t* from, int64_t i, double weight) {
+    const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
+    double loaded[Code::kChannels];
+    const double* value = border_;
+    if (from && x >= 0) {
+      Code::load(from + static_cast<size_t>(x) * Code::kSize, loaded);
+      value = loaded;
+    }
+    weight_ += weight;
+    for (size_t c = 0; c < Code::kChannels; ++c) mean_[c].add(value[c], weight);
+  }
+
+  const Texture& texture_;
+  const Sampler& sampler_;
+  const ExactFootprint& footprint_;
+  const double
+      negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
+  int64_t width_, height_;
+  double border_[Code::kChannels];
+  double weight_ = 0;
+  Mean mean_[Code::kChannels];
+};
+
+void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
+  visit_code(texture.component, texture.channels, [&](auto code) {
+    Integral<decltype(code)> integral(texture, sampler, footprint);
+    visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
+    for (size_t c = 0; c < decltype(code)::kChannels; ++c) {
+      if (out.channel[c]) *out.channel[c] = integral.channel(c);
+    }
+  });
+}
+
+}  // namespace
+
+size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                    const Lookups& lookups, const Texels& out) {
+  Sampler bilinear = sampler;
+  bilinear.filter = SHD_FILTER_BILINEAR;
+  size_t nonfinite = 0;
+  for (size_t i = 0; i < lookups.count; ++i) {
+    const ExactFootprint footprint = exact_footprint(texture, sampler, lookups, i);
+    nonfinite += !footprint.finite;
+    if (footprint.point) {
+      run_filter(texture, bilinear, simd, part_of(lookups, i, 1), part_of(out, i), nullptr);
+    } else {
+      integrate(texture, sampler, footprint, part_of(out, i));
+    }
+  }
+  return nonfinite;
+}
+
+}  // namespace shd::texture

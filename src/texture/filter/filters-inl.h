@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The filters: a row for each, with the name of its RunFilter and whether it has derivatives (it is a continuous tree of
+// blends). SHD_FILTER_EXACT has no row: it is scalar (exact.h).
+
+#if defined(SHD_TEXTURE_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FILTERS_INL_H_
+#undef SHD_TEXTURE_FILTERS_INL_H_
+#else
+#define SHD_TEXTURE_FILTERS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/stream.h"
+
+#ifndef SHD_TEXTURE_FILTERS
+#define SHD_TEXTURE_FILTERS(ROW)                      \
+  ROW(SHD_FILTER_NEAREST, RunNearest, false)          \
+  ROW(SHD_FILTER_BILINEAR, RunBilinear, true)         \
+  ROW(SHD_FILTER_BICUBIC, RunBicubic, true)           \
+  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMip, false)   \
+  ROW(SHD_FILTER_BILINEAR_MIP, RunBilinearMip, true)  \
+  ROW(SHD_FILTER_TRILINEAR, RunTrilinear, true)       \
+  ROW(SHD_FILTER_RIPMAP, RunRipmap, true)             \
+  ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)   \
+  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)   \
+  ROW(SHD_FILTER_EWA, RunEwa, true)                   \
+  ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+#define SHD_TEXTURE_DECLARE_FILTER(filter, run, gradient) size_t run(const FilterCall& call);
+SHD_TEXTURE_FILTERS(SHD_TEXTURE_DECLARE_FILTER)
+#undef SHD_TEXTURE_DECLARE_FILTER
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_FILTERS_INL_H_

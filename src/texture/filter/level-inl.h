@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Levels of a texture, and where the texels of a lookup lie in them.
+
+#if defined(SHD_TEXTURE_LEVEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_LEVEL_INL_H_
+#undef SHD_TEXTURE_LEVEL_INL_H_
+#else
+#define SHD_TEXTURE_LEVEL_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/store/storage.h"
+#include "texture/store/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One level per lane, or the same for all.
+template <class D>
+struct Level {
+  AxisSize<D> across, down;
+  Ints<D> offset;
+};
+
+template <class D>
+SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_texel, uint32_t level) {
+  const hn::RebindToSigned<D> di;
+  const auto width = static_cast<int32_t>(level_size(texture.width, level));
+  const auto height = static_cast<int32_t>(level_size(texture.height, level));
+  return {{hn::Set(d, static_cast<float>(width)), hn::Set(di, width)},
+          {hn::Set(d, static_cast<float>(height)), hn::Set(di, height)},
+          first_texel + hn::Set(di, static_cast<int32_t>(texture.offset[level]))};
+}
+
+/// max(1, floor(base * scale)), scale a power of two: exact, as sizes are below 2^24.
+template <class D, class V>
+HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
+  const hn::RebindToSigned<D> di;
+  const V size = hn::Max(hn::Floor(hn::Set(d, static_cast<float>(base)) * scale), hn::Set(d, 1.0f));
+  return {size, hn::ConvertTo(di, size)};
+}
+
+template <class D>
+SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first_texel, Ints<D> level) {
+  const hn::RebindToSigned<D> di;
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - level));
+  return {ScaledSize(d, texture.width, scale), ScaledSize(d, texture.height, scale),
+          first_texel + hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level)};
+}
+
+/// A level per lane, given as a whole float: the same bits by a shorter way where all lanes agree.
+template <class D>
+HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> level) {
+  const hn::RebindToSigned<D> di;
+  const float first = hn::GetLane(level);
+  if (hn::AllTrue(d, hn::Eq(level, hn::Set(d, first)))) {
+    return SameLevel(d, texture, first_texel, static_cast<uint32_t>(first));
+  }
+  return LevelPerLane(d, texture, first_texel, hn::ConvertTo(di, level));
+}
+
+/// The levels floor(lod) and the next of every lane, and the fraction between them.
+template <class D>
+struct LevelPair {
+  Level<D> high, low;
+  hn::Vec<D> fraction;
+  bool blended;  // whether any fraction is not 0
+};
+
+template <class D>
+SHD_KERNEL_PART LevelPair<D> LevelsOf(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod) {
+  const auto floor = hn::Floor(lod);
+  const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
+  LevelPair<D> pair;
+  pair.fraction = lod - floor;
+  pair.blended = !hn::AllTrue(d, hn::Eq(pair.fraction, hn::Zero(d)));
+  pair.high = LevelAt(d, texture, first_texel, floor);
+  if (pair.blended) pair.low = LevelAt(d, texture, first_texel, hn::Min(floor + hn::Set(d, 1.0f), last));
+  return pair;
+}
+
+/// Index of the first texel of row y from the first of the texture: all the addressing there is, as levels are
+/// packed rows.
+template <class D>
+HWY_INLINE Ints<D> RowIndex(D, const Level<D>& level, Ints<D> y) {
+  return y * level.across.whole + level.offset;
+}
+
+/// A texel of a stream: its index, or ~index where the border colour takes its place.
+template <class D>
+HWY_INLINE Ints<D> TexelOrBorder(D, Ints<D> index, MaskOf<D> in) {
+  const hn::RebindToSigned<D> di;
+  return hn::IfThenElse(hn::RebindMask(di, in), index, hn::Not(index));
+}
+
+/// Weights to 8 bits, as texture units have them; a weight of 1 is 0 of the other tap.
+template <class D>
+HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
+  const hn::RebindToSigned<D> di;
+  const auto steps = hn::Set(d, 256.0f);
+  const auto s = hn::Floor(taps->s * steps + hn::Set(d, 0.5f)) / steps;
+  const auto next = hn::Eq(s, hn::Set(d, 1.0f));
+  taps->s = hn::IfThenZeroElse(next, s);
+  taps->i0 = hn::IfThenElse(hn::RebindMask(di, next), taps->i1, taps->i0);
+  taps->in0 = hn::Or(hn::And(next, taps->in1), hn::AndNot(next, taps->in0));
+}
+
+/// The texels around a point of a level: 2 columns of 2 rows.
+template <class D>
+struct Quad {
+  LinearTaps<D> x, y;
+  Ints<D> top, bottom;  // first texels of the rows
+
+  /// Of column i and row j.
+  HWY_INLINE Ints<D> index(size_t i, size_t j) const { return (j ? bottom : top) + (i ? x.i1 : x.i0); }
+  HWY_INLINE MaskOf<D> in(size_t i, size_t j) const { return hn::And(i ? x.in1 : x.in0, j ? y.in1 : y.in0); }
+};
+
+template <class D>
+HWY_INLINE Quad<D> QuadOfTaps(D d, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y) {
+  return {x, y, RowIndex(d, level, y.i0), RowIndex(d, level, y.i1)};
+}
+
+/// At reduced coordinates.
+template <class D>
+HWY_INLINE Quad<D> QuadAt(D d, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
+  LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
+  LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
+  if (HWY_UNLIKELY(sampler.rounded_weights)) {
+    RoundWeights(d, &x);
+    RoundWeights(d, &y);
+  }
+  return QuadOfTaps(d, level, x, y);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_LEVEL_INL_H_

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// A block whose lookups all go one way is filtered in place; else both kinds are gathered, filtered and scattered.
+#include "texture/filter/magnify.h"
+
+#include "texture/footprint/block.h"
+#include "texture/footprint/lod.h"
+#include "texture/sample.h"
+
+namespace shd::texture {
+namespace {
+
+/// Levels of detail that the texture's own levels do not clamp.
+LodRange free_range(const Sampler& sampler) {
+  return {sampler.lod_min, sampler.lod_max};
+}
+
+/// The levels of detail that tell magnification from minification: of the longer axis, but that of the probes where a
+/// profile places them.
+size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
+                    float* out) {
+  const bool by_probes = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.profile != SHD_PROFILE_EXACT;
+  return find_lods(texture, sampler, free_range(sampler), by_probes ? LodAxis::kProbes : LodAxis::kLonger, simd, in,
+                   out);
+}
+
+/// Packed copies of some lookups of a block, and room for their results.
+struct Gathered {
+  float floats[kFloatColumns][kBlock];
+  uint32_t integers[kIntegerColumns][kBlock];
+  float results[kOutputColumns][kBlock];
+
+  template <class T>
+  static const T* gather(const T* column, const uint16_t* rows, size_t count, T* to) {
+    if (!column) return nullptr;
+    for (size_t i = 0; i < count; ++i) to[i] = column[rows[i]];
+    return to;
+  }
+
+  Lookups load(const Lookups& in, const uint16_t* rows, size_t count) {
+    Lookups some = in;
+    some.count = count;
+    for (size_t c = 0; c < kFloatColumns; ++c) some.real(c) = gather(in.real(c), rows, count, floats[c]);
+    for (size_t c = 0; c < kIntegerColumns; ++c) some.integer(c) = gather(in.integer(c), rows, count, integers[c]);
+    return some;
+  }
+  Texels wanted(const Texels& out) {
+    Texels to;
+    for (size_t c = 0; c < kOutputColumns; ++c) to.column(c) = out.column(c) ? results[c] : nullptr;
+    return to;
+  }
+  void scatter(const uint16_t* rows, size_t count, const Texels& out) const {
+    for (size_t c = 0; c < kOutputColumns; ++c) {
+      if (!out.column(c)) continue;
+      for (size_t i = 0; i < count; ++i) out.column(c)[rows[i]] = results[c][i];
+    }
+  }
+};
+
+void sample_rows(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
+                 const uint16_t* rows, size_t count, const Texels& out) {
+  if (count == 0) return;
+  if (count == in.count) {
+    sample_filter(texture, sampler, simd, in, out);
+    return;
+  }
+  Gathered gathered;
+  const Lookups some = gathered.load(in, rows, count);
+  sample_filter(texture, sampler, simd, some, gathered.wanted(out));
+  gathered.scatter(rows, count, out);
+}
+
+}  // namespace
+
+Sampler magnifier(const Sampler& sampler) {
+  Sampler magnifier = minifier(sampler);
+  switch (sampler.magnification) {
+    case SHD_MAGNIFICATION_NEAREST: magnifier.filter = SHD_FILTER_NEAREST; break;
+    case SHD_MAGNIFICATION_BILINEAR: magnifier.filter = SHD_FILTER_BILINEAR; break;
+    case SHD_MAGNIFICATION_BICUBIC: magnifier.filter = SHD_FILTER_BICUBIC; break;
+    default: break;
+  }
+  return magnifier;
+}
+
+Sampler minifier(const Sampler& sampler) {
+  Sampler minifier = sampler;
+  minifier.magnification = SHD_MAGNIFICATION_DEFAULT;
+  return minifier;
+}
+
+size_t sample_magnified(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                        const Lookups& lookups, const Texels& out) {
+  const Sampler near = magnifier(sampler), far = minifier(sampler);
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < lookups.count; first += kBlock) {
+    const size_t count = lookups.count - first < kBlock ? lookups.count - first : kBlock;
+    const Lookups block = part_of(lookups, first, count);
+    float lod[kBlock];
+    nonfinite += deciding_lod(texture, sampler, simd, block, lod);
+    uint16_t near_rows[kBlock], far_rows[kBlock];
+    size_t near_count = 0, far_count = 0;
+    for (size_t i = 0; i < count; ++i) {
+      if (lod[i] <= 0.0f) {
+        near_rows[near_count++] = static_cast<uint16_t>(i);
+      } else {
+        far_rows[far_count++] = static_cast<uint16_t>(i);
+      }
+    }
+    sample_rows(texture, near, simd, block, near_rows, near_count, part_of(out, first));
+    sample_rows(texture, far, simd, block, far_rows, far_count, part_of(out, first));
+  }
+  return nonfinite;
+}
+
+Sampler sampler_of(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                   const Lookups& lookup) {
+  if (sampler.magnification == SHD_MAGNIFICATION_DEFAULT) return sampler;
+  float lod[1];
+  deciding_lod(texture, sampler, simd, lookup, lod);
+  return lod[0] <= 0.0f ? magnifier(sampler) : minifier(sampler);
+}
+
+}  // namespace shd::texture

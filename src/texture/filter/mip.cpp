@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "texture/stream.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/filter/mip.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/filters-inl.h"
+#include "texture/filter/nearest-inl.h"
+#include "texture/filter/runner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+/// The nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
+template <class D>
+HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& block, size_t i) {
+  const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
+  return LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Max(level, hn::Zero(d)));
+}
+
+struct NearestMip : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
+    emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);
+  }
+};
+
+struct BilinearMip : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
+    sink.quad(d, kStart, QuadAt(d, sampler, NearestLevel(d, texture, block, i), u, v));
+    sink.finish();
+  }
+};
+
+}  // namespace
+
+size_t RunNearestMip(const FilterCall& call) {
+  return Run<NearestMip>(call);
+}
+size_t RunBilinearMip(const FilterCall& call) {
+  return Run<BilinearMip>(call);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// One tap of a filter, picked with the probabilities that are its weights. A number x, uniform in [0, 1), is below a
+// weight w with probability w, and never below 0.
+
+#if defined(SHD_TEXTURE_PICK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_PICK_INL_H_
+#undef SHD_TEXTURE_PICK_INL_H_
+#else
+#define SHD_TEXTURE_PICK_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/cubic-inl.h"
+#include "texture/filter/level-inl.h"
+#include "texture/stream.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One tap along one axis.
+template <class D>
+struct Pick {
+  Ints<D> index;
+  MaskOf<D> in;  // false = border colour
+};
+
+/// One of the two taps of linear filtering at a reduced coordinate.
+template <class D>
+HWY_INLINE Pick<D> PickLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, hn::Vec<D> x) {
+  const hn::RebindToSigned<D> di;
+  const LinearTaps<D> taps = WrapLinear(d, wrap, reduced, size);
+  const auto second = hn::Lt(x, taps.s);
+  return {hn::IfThenElse(hn::RebindMask(di, second), taps.i1, taps.i0),
+          hn::Or(hn::And(second, taps.in1), hn::AndNot(second, taps.in0))};
+}
+
+/// One of the four taps of the cubic B-spline, by the running sums of the weights: six times those are (1 - s)^3,
+/// 3 s^3 - 6 s^2 + 4, 3 (1 - s)^3 - 6 (1 - s)^2 + 4 and s^3. At s = 0 the first three sum to 6 exactly, which 6 x never
+/// reaches.
+template <class D>
+HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size,
+                              hn::Vec<D> x) {
+  using V = hn::Vec<D>;
+  const V one = hn::Set(d, 1.0f), three = hn::Set(d, 3.0f), four = hn::Set(d, 4.0f), six = hn::Set(d, 6.0f);
+  const CubicPoint<D> at = LocateCubic(d, wrap, reduced, size);
+  const V r = hn::Sub(one, at.s);
+  const auto inner = [&](V t) { return hn::Add(hn::Mul(hn::Sub(hn::Mul(three, t), six), hn::Mul(t, t)), four); };
+  const V first = hn::Mul(r, hn::Mul(r, r));
+  const V second = hn::Add(first, inner(at.s));
+  const V third = hn::Add(second, inner(r));
+  const V scaled = hn::Mul(x, six);
+  V tap = hn::Sub(at.second, one);
+  for (const V sum : {first, second, third}) tap = hn::Add(tap, hn::IfThenElseZero(hn::Ge(scaled, sum), one));
+  Pick<D> pick;
+  pick.index = WrapCubicTap(d, wrap, tap, size, &pick.in);
+  return pick;
+}
+
+/// Of the levels floor(lod) and the next, one by the fraction.
+template <class D>
+HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
+  const auto floor = hn::Floor(lod);
+  const auto next = hn::IfThenElseZero(hn::Lt(x, hn::Sub(lod, floor)), hn::Set(d, 1.0f));
+  const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
+  return LevelAt(d, texture, first_texel, hn::Min(hn::Add(floor, next), last));
+}
+
+/// The one texel of a lookup.
+template <class D, class Sink>
+HWY_INLINE void emit_pick(D d, const Level<D>& level, const Pick<D>& x, const Pick<D>& y, Sink& sink) {
+  sink.texel(d, kStart | kNewLine, RowIndex(d, level, y.index) + x.index, hn::And(x.in, y.in));
+  sink.finish();
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_PICK_INL_H_

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// One texel of an ellipse, picked by the weights of the elliptical weighted average.
+
+#if defined(SHD_TEXTURE_PICK_ELLIPSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_PICK_ELLIPSE_INL_H_
+#undef SHD_TEXTURE_PICK_ELLIPSE_INL_H_
+#else
+#define SHD_TEXTURE_PICK_ELLIPSE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/pick-inl.h"
+#include "texture/filter/ellipse-inl.h"
+#include "texture/filter/random-inl.h"
+#include "texture/filter/walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The texels of an ellipse as lines across the axis, u or v, that it reaches further along: many short lines, whatever
+/// its angle, so that lanes have about as many texels in step as alone. With the shorter half axis b < 1.96 a line has
+/// at most 2 sqrt(2) b + 1 texels: six.
+template <class D>
+class EllipseLines {
+ public:
+  using V = hn::Vec<D>;
+
+  /// With the middle at (x, y) in texels whose centres are whole numbers.
+  HWY_INLINE EllipseLines(D d, V x, V y, V shear, V height2, V width2) {
+    const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+    const V across = hn::Add(width2, hn::Mul(hn::Mul(shear, shear), height2));  // half of its width, squared
+    by_column_ = hn::Gt(across, height2);
+    const V turn = hn::IfThenElse(by_column_, hn::Div(height2, across), one);
+    along_ = hn::IfThenElse(by_column_, x, y);
+    across_ = hn::IfThenElse(by_column_, y, x);
+    shear_ = hn::Mul(shear, turn);
+    const V long_square = hn::IfThenElse(by_column_, across, height2), short_square = hn::Mul(width2, turn);
+    per_long_ = hn::Div(one, long_square);
+    per_short_ = hn::Div(one, short_square);
+    const V half_length = hn::Sqrt(long_square);
+    half_width_ = hn::Sqrt(short_square);
+    first_ = hn::Ceil(hn::Sub(along_, half_length));
+    lines_ = hn::Add(hn::Floor(hn::Mul(half_length, two)), one);
+    texels_ = hn::Add(hn::Floor(hn::Mul(half_width_, two)), one);
+  }
+
+  /// Most lines of any lane, and most texels of any line.
+  HWY_INLINE size_t lines(D d) const { return static_cast<size_t>(hn::GetLane(hn::MaxOfLanes(d, lines_))); }
+  HWY_INLINE float texels(D d) const { return hn::GetLane(hn::MaxOfLanes(d, texels_)); }
+
+  struct Line {
+    V square;  // the part of r^2 that its distance from the middle makes; 1 beyond the last
+    V start;   // its first texel
+    V offset;  // of that from the middle
+  };
+  HWY_INLINE Line line(D d, V k) const {
+    const V one = hn::Set(d, 1.0f);
+    const V distance = hn::Sub(hn::Add(first_, k), along_);
+    const V middle = hn::Add(across_, hn::Mul(shear_, distance));
+    Line line;
+    line.square = hn::IfThenElse(hn::Lt(k, lines_), hn::Mul(hn::Mul(distance, distance), per_long_), one);
+    line.start = hn::Ceil(hn::Sub(middle, half_width_));
+    line.offset = hn::Sub(line.start, middle);
+    return line;
+  }
+  /// Of texel k of a line; 0 beyond the last and outside the ellipse.
+  HWY_INLINE V weight(D d, const Line& line, float k) const {
+    const V one = hn::Set(d, 1.0f), at = hn::Set(d, k);
+    const V offset = hn::Add(line.offset, at);
+    const V square = hn::Add(line.square, hn::Mul(hn::Mul(offset, offset), per_short_));
+    return WeightAt(d, hn::IfThenElse(hn::Lt(at, texels_), hn::Min(square, one), one));
+  }
+  /// Coordinates of texel `texel` of line k.
+  HWY_INLINE void locate(D d, V k, V texel, V* x, V* y) const {
+    const V place = hn::Add(first_, k), start = hn::Add(line(d, k).start, texel);
+    *x = hn::IfThenElse(by_column_, place, start);
+    *y = hn::IfThenElse(by_column_, start, place);
+  }
+
+ private:
+  MaskOf<D> by_column_;
+  V along_, across_, shear_, per_long_, per_short_, half_width_, first_, lines_, texels_;
+};
+
+/// Running sums are kept for so many groups of lines, to find the texel without walking all of them again. The largest
+/// ellipse has 216 lines, more than the stack should hold.
+constexpr size_t kGroups = 56;
+
+/// Coordinates of the first texel with the running sum of weights above x times their sum: as that is below the sum,
+/// there is one, and its weight is not 0.
+template <class D>
+HWY_INLINE void PickInEllipse(D d, const EllipseLines<D>& lines, hn::Vec<D> random, hn::Vec<D>* x, hn::Vec<D>* y) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const size_t lanes = hn::Lanes(d), count = lines.lines(d), in_group = (count + kGroups - 1) / kGroups;
+  const float texels = lines.texels(d);
+  alignas(64) float sums[kGroups * hn::MaxLanes(D())];
+  V total = zero, k = zero;
+  size_t groups = 0;
+  for (size_t n = 0; n < count; n += in_group) {
+    for (size_t i = 0; i < in_group; ++i) {
+      const auto line = lines.line(d, k);
+      for (float t = 0.0f; t < texels; t += 1.0f) total = hn::Add(total, lines.weight(d, line, t));
+      k = hn::Add(k, one);
+    }
+    hn::Store(total, d, sums + lanes * groups++);
+  }
+
+  const V wanted = hn::Mul(random, total), group = hn::Set(d, static_cast<float>(in_group));
+  V sum = zero, texel = zero;
+  k = zero;
+  for (size_t n = 0; n < groups; ++n) {
+    const V end = hn::Load(d, sums + lanes * n);
+    const auto passed = hn::Ge(wanted, end);
+    sum = hn::IfThenElse(passed, end, sum);
+    k = hn::Add(k, hn::IfThenElseZero(passed, group));
+  }
+  for (size_t i = 0; i < in_group; ++i) {
+    const auto line = lines.line(d, k);
+    for (float t = 0.0f; t < texels; t += 1.0f) {
+      sum = hn::Add(sum, lines.weight(d, line, t));
+      texel = hn::Add(texel, hn::IfThenElseZero(hn::Ge(wanted, sum), one));
+    }
+    const auto passed = hn::Ge(wanted, sum);
+    k = hn::Add(k, hn::IfThenElseZero(passed, one));
+    texel = hn::IfThenZeroElse(passed, texel);
+  }
+  lines.locate(d, k, texel, x, y);
+}
+
+/// One tap of an elliptical weighted average, its column and row: of bilinear by its share, else of the ellipse.
+template <class D>
+HWY_INLINE void PickEwa(D d, const Sampler& sampler, const Ellipse<D>& e, Rng<D>* rng, Pick<D>* x, Pick<D>* y) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> di;
+  const auto bilinear = hn::Lt(rng->next(d), e.bilinear);
+  const V first = rng->next(d), second = rng->next(d);
+  *x = PickLinear(d, sampler.wrap_u, e.u, e.level.across, first);
+  *y = PickLinear(d, sampler.wrap_v, e.v, e.level.down, second);
+  if (hn::AllTrue(d, bilinear)) return;
+  const V one = hn::Set(d, 1.0f);
+  const EllipseLines<D> lines(d, e.x.x, e.y.x, hn::IfThenZeroElse(bilinear, e.shear),
+                              hn::IfThenElse(bilinear, one, e.height2), hn::IfThenElse(bilinear, one, e.width2));
+  V column, row;
+  PickInEllipse(d, lines, first, &column, &row);
+  MaskOf<D> in_x, in_y;
+  const auto i = Walk<D>(d, sampler.wrap_u, column, e.level.across).index(d, &in_x);
+  const auto j = Walk<D>(d, sampler.wrap_v, row, e.level.down).index(d, &in_y);
+  const auto keeps = hn::RebindMask(di, bilinear);
+  *x = {hn::IfThenElse(keeps, x->index, i), hn::Or(hn::And(bilinear, x->in), hn::AndNot(bilinear, in_x))};
+  *y = {hn::IfThenElse(keeps, y->index, j), hn::Or(hn::And(bilinear, y->in), hn::AndNot(bilinear, in_y))};
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_PICK_ELLIPSE_INL_H_

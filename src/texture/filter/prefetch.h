@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Lookups that lie all over a large texture wait for memory, one vector after the other. The lines of a stream are
+/// asked for at once before it is consumed; where neighbours lie near each other that would only cost.
+#pragma once
+
+#include "texture/footprint/block.h"
+#include "texture/stream.h"
+
+namespace shd::texture {
+
+/// Whether most neighbouring lookups of a block read lines of memory far from each other, as eight pairs of them show,
+/// in a texture that is larger than a cache close to a core. `lod` holds their levels of detail, or is null for level
+/// 0. Decides how fast the lookups are, not what they give.
+bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod);
+
+/// Asks for the rows of quads, and for texels that begin a row.
+void prefetch_stream(const Texture& texture, const Stream& stream, size_t lanes);
+
+}  // namespace shd::texture

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The line of probes of each lane.
+
+#if defined(SHD_TEXTURE_PROBE_LINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_PROBE_LINE_INL_H_
+#undef SHD_TEXTURE_PROBE_LINE_INL_H_
+#else
+#define SHD_TEXTURE_PROBE_LINE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "simd/math-inl.h"
+#include "texture/footprint/block.h"
+#include "texture/store/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+struct ProbeLine {
+  using V = hn::Vec<D>;
+  V u, v;            // reduced coordinates of the middle
+  V step_u, step_v;  // half the step, in reduced coordinates
+  V probes;
+  shd_wrap wrap_u, wrap_v;
+
+  HWY_INLINE ProbeLine(D d, const Sampler& sampler, const ProbeBlock& block, size_t i)
+      : u(hn::Load(d, block.u + i)),
+        v(hn::Load(d, block.v + i)),
+        step_u(Distance(d, sampler.wrap_u, hn::Load(d, block.step_u + i))),
+        step_v(Distance(d, sampler.wrap_v, hn::Load(d, block.step_v + i))),
+        probes(hn::Load(d, block.probes + i)),
+        wrap_u(sampler.wrap_u),
+        wrap_v(sampler.wrap_v) {}
+
+  /// Half steps from the middle to probe k; to the last one for k beyond.
+  HWY_INLINE V position(D d, V k) const {
+    const V last = probes - hn::Set(d, 1.0f);
+    return hn::Min(k + k, last + last) - last;
+  }
+  /// Reduced coordinates at a position.
+  HWY_INLINE V u_at(V position) const { return At(wrap_u, u, position, step_u); }
+  HWY_INLINE V v_at(V position) const { return At(wrap_v, v, position, step_v); }
+
+ private:
+  /// A distance in the units of reduced coordinates.
+  static HWY_INLINE V Distance(D d, shd_wrap wrap, V step) {
+    return wrap == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
+  }
+  static HWY_INLINE V At(shd_wrap wrap, V centre, V position, V step) {
+    const V x = centre + position * step;
+    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - hn::Floor(x) : x;
+  }
+};
+
+/// exp(-2 x^2).
+template <class D, class V>
+HWY_INLINE V ProbeGaussian(D d, V x) {
+  return simd::HWY_NAMESPACE::Exp2(d, x * x * hn::Set(d, -2.88539008f));  // -2 / ln 2
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_PROBE_LINE_INL_H_

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Random bits without state: hashes of what a lane is given, so that a lookup depends on itself only. Hashes of several
+// words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020, section 4.2).
+
+#if defined(SHD_TEXTURE_RANDOM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_RANDOM_INL_H_
+#undef SHD_TEXTURE_RANDOM_INL_H_
+#else
+#define SHD_TEXTURE_RANDOM_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
+
+/// 2^32 over the golden ratio: steps of a Weyl sequence.
+constexpr uint32_t kWeylStep = 0x9e3779b9u;
+
+/// A bijection of 32-bit words: xor-shifts and multiplications with the constants that Wellons found by search
+/// ("Prospecting for Hash Functions", 2018, lowbias32).
+template <class DU, class VU>
+HWY_INLINE VU MixBits(DU du, VU x) {
+  x = hn::Xor(x, hn::ShiftRight<16>(x));
+  x = hn::Mul(x, hn::Set(du, 0x7feb352du));
+  x = hn::Xor(x, hn::ShiftRight<15>(x));
+  x = hn::Mul(x, hn::Set(du, 0x846ca68bu));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+/// One word for a point.
+template <class D, class V>
+HWY_INLINE Bits<D> BitsOfPoint(D, V u, V v) {
+  const hn::RebindToUnsigned<D> du;
+  return hn::Add(hn::BitCast(du, u), MixBits(du, hn::Add(hn::BitCast(du, v), hn::Set(du, kWeylStep))));
+}
+
+/// A sequence of random numbers for each lane.
+template <class D>
+class Rng {
+ public:
+  Rng(D, Bits<D> random, uint32_t seed) {
+    const hn::RebindToUnsigned<D> du;
+    state_ = MixBits(du, hn::Add(random, MixBits(du, hn::Set(du, seed + kWeylStep))));
+  }
+  /// A multiple of 2^-24, uniform in [0, 1).
+  HWY_INLINE hn::Vec<D> next(D d) {
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    state_ = hn::Add(state_, hn::Set(du, kWeylStep));
+    const auto bits = hn::BitCast(di, hn::ShiftRight<8>(MixBits(du, state_)));
+    return hn::Mul(hn::ConvertTo(d, bits), hn::Set(d, 0x1p-24f));
+  }
+
+ private:
+  Bits<D> state_;
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_RANDOM_INL_H_

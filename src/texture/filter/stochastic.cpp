@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// One texel per lookup, picked by the weights of a filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading
+// With Stochastic Texture Filtering", 2024): an unbiased estimate of that filter from one sample.
+#include "texture/stream.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/filter/stochastic.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/filters-inl.h"
+#include "texture/filter/pick-inl.h"
+#include "texture/filter/pick_ellipse-inl.h"
+#include "texture/filter/probe_line-inl.h"
+#include "texture/filter/random-inl.h"
+#include "texture/filter/runner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+/// A block of shapes with random bits for each lookup.
+template <class Shape>
+struct RandomBlock : Shape {
+  alignas(64) uint32_t random[kBlock];
+};
+
+/// The bits that a lookup was given, or its own.
+template <class Shape>
+void FindRandom(const Sampler& sampler, const Lookups& in, RandomBlock<Shape>* out) {
+  ForEachVector(unwidened(sampler), in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto bits = from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, p.u, p.v);
+    hn::Store(bits, du, out->random + to);
+  });
+}
+
+template <class D, class Shape>
+HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& block, size_t i) {
+  return Rng<D>(d, hn::Load(hn::RebindToUnsigned<D>(), block.random + i), sampler.seed);
+}
+
+struct PickBilinear : OnBaseLevel {
+  using OnBaseLevel::OnBaseLevel;
+  using Block = RandomBlock<PointBlock>;
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+    FindRandom(sampler, in, block);
+    return FindPoints(texture, sampler, in, block);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
+    const Level<D> base = level(d, block, i);
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const Pick<D> x = PickLinear(d, sampler.wrap_u, hn::Load(d, block.u + i), base.across, rng.next(d));
+    const Pick<D> y = PickLinear(d, sampler.wrap_v, hn::Load(d, block.v + i), base.down, rng.next(d));
+    emit_pick(d, base, x, y, sink);
+  }
+};
+
+struct PickBicubic : PickBilinear {
+  using PickBilinear::PickBilinear;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
+    const Level<D> base = level(d, block, i);
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const Pick<D> x = PickCubic(d, sampler.wrap_u, hn::Load(d, block.u + i), base.across, rng.next(d));
+    const Pick<D> y = PickCubic(d, sampler.wrap_v, hn::Load(d, block.v + i), base.down, rng.next(d));
+    emit_pick(d, base, x, y, sink);
+  }
+};
+
+struct PickTrilinear : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+  using Block = RandomBlock<LodBlock>;
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+    FindRandom(sampler, in, block);
+    return OnMipLevels::find(texture, sampler, in, block);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const auto first_texel = FirstTexel(d, texture, block, i);
+    const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
+    const Pick<D> x = PickLinear(d, sampler.wrap_u, hn::Load(d, block.u + i), level.across, rng.next(d));
+    const Pick<D> y = PickLinear(d, sampler.wrap_v, hn::Load(d, block.v + i), level.down, rng.next(d));
+    emit_pick(d, level, x, y, sink);
+  }
+};
+
+/// One probe, then one texel of its trilinear lookup.
+struct PickAnisotropic : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+  using Block = RandomBlock<ProbeBlock>;
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+    FindRandom(sampler, in, block);
+    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
+    const ProbeLine<D> line(d, sampler, block, i);
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    const auto x = rng.next(d);
+    const auto position = sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL
+                              ? line.position(d, hn::Floor(x * line.probes))
+                              : PickGaussian(d, line, x);
+    const auto first_texel = FirstTexel(d, texture, block, i);
+    const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
+    const Pick<D> column = PickLinear(d, sampler.wrap_u, line.u_at(position), level.across, rng.next(d));
+    const Pick<D> row = PickLinear(d, sampler.wrap_v, line.v_at(position), level.down, rng.next(d));
+    emit_pick(d, level, column, row, sink);
+  }
+
+  /// Position of the first probe with the running sum of weights above x times their sum; the last one at least.
+  template <class D, class V>
+  static HWY_INLINE V PickGaussian(D d, const ProbeLine<D>& line, V x) {
+    const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
+    const auto weight = [&](float k) {
+      const V position = line.position(d, hn::Set(d, k));
+      return hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.probes), ProbeGaussian(d, position / line.probes));
+    };
+    V total = hn::Zero(d), sum = hn::Zero(d), probe = hn::Zero(d);
+    for (float k = 0.0f; k < max_probes; k += 1.0f) total = total + weight(k);
+    const V wanted = x * total;
+    for (float k = 0.0f; k < max_probes; k += 1.0f) {
+      sum = sum + weight(k);
+      probe = probe + hn::IfThenElseZero(hn::Ge(wanted, sum), hn::Set(d, 1.0f));
+    }
+    return line.position(d, probe);
+  }
+};
+
+struct PickEllipse {
+  using Block = RandomBlock<EllipseBlock>;
+
+  const Texture& texture;
+  const Sampler& sampler;
+
+  PickEllipse(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+    FindRandom(sampler, in, block);
+    return FindEllipses(texture, sampler, in, block);
+  }
+  static const float* lods(const Block& block) { return block.level; }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
+    const Ellipse<D> ellipse(d, texture, sampler, block, i);
+    Rng<D> rng = RngOf(d, sampler, block, i);
+    Pick<D> x, y;
+    PickEwa(d, sampler, ellipse, &rng, &x, &y);
+    emit_pick(d, ellipse.level, x, y, sink);
+  }
+};
+
+}  // namespace
+
+size_t RunStochastic(const FilterCall& call) {
+  switch (call.sampler.stochastic_filter) {
+    case SHD_FILTER_BILINEAR: return Run<PickBilinear>(call);
+    case SHD_FILTER_BICUBIC: return Run<PickBicubic>(call);
+    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic>(call);
+    case SHD_FILTER_EWA: return Run<PickEllipse>(call);
+    default: return Run<PickTrilinear>(call);
+  }
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

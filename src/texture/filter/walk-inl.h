@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Texels along one axis, one after the other: only the first is wrapped by division.
+
+#if defined(SHD_TEXTURE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_WALK_INL_H_
+#undef SHD_TEXTURE_WALK_INL_H_
+#else
+#define SHD_TEXTURE_WALK_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/kernel_part.h"
+#include "texture/store/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// How far outside a level every texel is the same for wraps that do not repeat, and more than any walk is long.
+constexpr float kFarOutside = 512.0f;
+
+/// A reduced coordinate in texels whose centres are whole numbers, and its change with the coordinate.
+template <class D>
+struct TexelPoint {
+  hn::Vec<D> x, rate;
+};
+template <class D>
+HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec<D> size) {
+  using V = hn::Vec<D>;
+  const V scaled = hn::Mul(reduced, size);
+  const V x = hn::Sub(wrap == SHD_WRAP_MIRROR ? hn::Add(scaled, scaled) : scaled, hn::Set(d, 0.5f));
+  if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return {x, size};
+  const V outside = hn::Add(size, hn::Set(d, kFarOutside));
+  const V near = hn::Min(hn::Max(x, hn::Neg(outside)), outside);
+  return {near, hn::IfThenElseZero(hn::Eq(near, x), size)};
+}
+
+/// A place on an axis that moves up by one texel a step; |start| <= 2 (size + kFarOutside).
+template <class D>
+class Walk {
+ public:
+  HWY_INLINE Walk(D d, shd_wrap wrap, hn::Vec<D> start, const AxisSize<D>& size) : wrap_(wrap), size_(size.whole) {
+    end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size_, size_) : size_;
+    real_end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size.real, size.real) : size.real;
+    at_ = wrapped(d, start);
+  }
+  HWY_INLINE void step(D) {
+    const hn::RebindToSigned<D> di;
+    at_ = hn::Add(at_, hn::Set(di, 1));
+    if (is_periodic()) at_ = hn::IfThenZeroElse(hn::Eq(at_, end_), at_);
+  }
+  /// In some lanes.
+  HWY_INLINE void step_if(D d, MaskOf<D> lanes) {
+    const Ints<D> before = at_;
+    step(d);
+    at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), at_, before);
+  }
+  /// Goes elsewhere in some lanes.
+  HWY_INLINE void restart_if(D d, MaskOf<D> lanes, hn::Vec<D> start) {
+    at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), wrapped(d, start), at_);
+  }
+  /// Index in 0..size - 1; `in` is false on the border of SHD_WRAP_BORDER alone.
+  HWY_INLINE Ints<D> index(D d, MaskOf<D>* in) const {
+    const hn::RebindToSigned<D> di;
+    *in = hn::Eq(hn::Zero(d), hn::Zero(d));
+    switch (wrap_) {
+      case SHD_WRAP_REPEAT: return at_;
+      case SHD_WRAP_MIRROR: return Fold(di, at_, size_);
+      case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, at_, size_);
+      case SHD_WRAP_BORDER: return ClampBorder(d, at_, size_, in);
+      default: return hn::Min(hn::Max(at_, hn::Zero(di)), hn::Sub(size_, hn::Set(di, 1)));
+    }
+  }
+
+ private:
+  HWY_INLINE bool is_periodic() const { return wrap_ == SHD_WRAP_REPEAT || wrap_ == SHD_WRAP_MIRROR; }
+  HWY_INLINE Ints<D> wrapped(D, hn::Vec<D> start) const {
+    const hn::RebindToSigned<D> di;
+    if (is_periodic()) start = hn::Sub(start, hn::Mul(hn::Floor(hn::Div(start, real_end_)), real_end_));
+    return hn::ConvertTo(di, start);
+  }
+
+  shd_wrap wrap_;
+  hn::Vec<D> real_end_;
+  Ints<D> size_, end_, at_;
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_WALK_INL_H_

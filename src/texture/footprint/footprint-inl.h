@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// The footprint: the ellipse that a unit circle of pixels covers in base texels, by the singular values of the
+// derivatives (Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5.9; Golub and Van Loan, "Matrix
+// Computations", 1996, 8.6). Scaled by a power of two, so that no square leaves the range of floats.
+
+#if defined(SHD_TEXTURE_FOOTPRINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FOOTPRINT_INL_H_
+#undef SHD_TEXTURE_FOOTPRINT_INL_H_
+#else
+#define SHD_TEXTURE_FOOTPRINT_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "simd/math-inl.h"
+#include "texture/kernel_part.h"
+#include "texture/footprint/lod-inl.h"
+#include "texture/texture.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// 2^exponent, exponent in -126..127.
+template <class D>
+HWY_INLINE hn::Vec<D> PowerOfTwo(D d, hn::Vec<hn::RebindToSigned<D>> exponent) {
+  const hn::RebindToSigned<D> di;
+  return hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(exponent, hn::Set(di, 127))));
+}
+
+/// floor(log2 |x|) clamped to -126..126, for x that is not NaN.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> ExponentOf(D, hn::Vec<D> x) {
+  const hn::RebindToSigned<D> di;
+  const auto bits = hn::BitCast(di, hn::Abs(x));
+  const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
+  return hn::Min(hn::Max(exponent, hn::Set(di, -126)), hn::Set(di, 126));
+}
+
+/// The largest magnitude of four vectors without NaN.
+template <class V>
+HWY_INLINE V LargestMagnitude(V a, V b, V c, V e) {
+  return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(e)));
+}
+
+/// Whether the sampler changes the derivatives.
+inline bool widens(const Sampler& s) {
+  return s.width_x != 1.0f || s.width_y != 1.0f || s.blur_u != 0.0f || s.blur_v != 0.0f;
+}
+
+/// Derivatives of the footprint with width and blur: J' with J' J'^T = J diag(width^2) J^T + diag(blur^2), the
+/// covariance of the sum of Gaussians. The lower triangular one: rows of [J diag(width) | diag(blur)] orthogonalised
+/// (Gram and Schmidt). A width of 0 removes an infinite derivative; other infinities stay.
+template <class D>
+HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d), wx = hn::Set(d, sampler.width_x), wy = hn::Set(d, sampler.width_y);
+  const auto widened = [&](V value, V width) {
+    const V product = hn::Mul(value, width);
+    return hn::IfThenElseZero(hn::Eq(product, product), product);
+  };
+  j->dudx = widened(j->dudx, wx);
+  j->dvdx = widened(j->dvdx, wx);
+  j->dudy = widened(j->dudy, wy);
+  j->dvdy = widened(j->dvdy, wy);
+  if (sampler.blur_u == 0.0f && sampler.blur_v == 0.0f) return;
+
+  const V blur_u = hn::Set(d, sampler.blur_u), blur_v = hn::Set(d, sampler.blur_v);
+  const V largest = hn::Max(LargestMagnitude(j->dudx, j->dvdx, j->dudy, j->dvdy), hn::Max(blur_u, blur_v));
+  const auto finite = hn::Lt(largest, hn::Set(d, __builtin_inff()));
+  const auto exponent = ExponentOf(d, largest);
+  const V down = PowerOfTwo(d, hn::Neg(exponent)), up = PowerOfTwo(d, exponent);
+  const V ux = hn::Mul(j->dudx, down), uy = hn::Mul(j->dudy, down), ub = hn::Mul(blur_u, down);
+  const V vx = hn::Mul(j->dvdx, down), vy = hn::Mul(j->dvdy, down), vb = hn::Mul(blur_v, down);
+  const V uu = hn::Add(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Mul(ub, ub));
+  const V length = hn::Sqrt(uu);
+  const V scale = hn::IfThenElseZero(hn::Gt(uu, zero), hn::Div(hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), uu));
+  const V rx = hn::Sub(vx, hn::Mul(scale, ux)), ry = hn::Sub(vy, hn::Mul(scale, uy)), rb = hn::Mul(scale, ub);
+  const V rest = hn::Add(hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry)), hn::Add(hn::Mul(rb, rb), hn::Mul(vb, vb)));
+  j->dudx = hn::IfThenElse(finite, hn::Mul(length, up), j->dudx);
+  j->dudy = hn::IfThenElse(finite, zero, j->dudy);
+  j->dvdx = hn::IfThenElse(finite, hn::Mul(hn::Mul(scale, length), up), j->dvdx);
+  j->dvdy = hn::IfThenElse(finite, hn::Mul(hn::Sqrt(rest), up), j->dvdy);
+}
+
+/// Of one vector of lookups; finite.
+template <class D>
+struct Footprint {
+  hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; the bits of LambdaOf in -15..31
+  hn::Vec<D> length;     // the longer half axis itself, at most 2^100
+  hn::Vec<D> roundness;  // shorter by longer axis in [0, 1]; 1 where both are 0 or infinite
+  hn::Vec<D> u, v;       // unit vector of the longer axis, in base texels
+};
+
+/// |error| of the axes <= 1e-6 of the longer one.
+template <class D>
+SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float width, float height) {
+  using V = hn::Vec<D>;
+  const hn::RebindToSigned<D> di;
+  const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f), zero = hn::Zero(d);
+  V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  const V largest = LargestMagnitude(ux, vx, uy, vy);
+  const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
+  const auto exponent = ExponentOf(d, largest);
+  const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(exponent)));
+  const auto scaled = [&](V x) { return hn::IfThenZeroElse(infinite, hn::Mul(x, down)); };
+  ux = scaled(ux);
+  vx = scaled(vx);
+  uy = scaled(uy);
+  vy = scaled(vy);
+  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));
+  const V y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
+  const V xy = hn::Add(hn::Mul(ux, uy), hn::Mul(vx, vy));
+  const V mean = hn::Mul(half, hn::Add(x, y)), skew = hn::Mul(half, hn::Sub(x, y));
+  const V square = hn::Add(mean, hn::Sqrt(hn::Add(hn::Mul(skew, skew), hn::Mul(xy, xy))));
+  const V one = hn::Set(d, 1.0f);
+  const auto round = hn::Lt(square, hn::Set(d, 0x1p-20f));  // 0 or infinite, or below every level by far
+
+  Footprint<D> f;
+  // The square of the axis itself as far as floats reach, the rest as a whole number of levels.
+  const auto near = hn::Min(hn::Max(exponent, hn::Set(di, -31)), hn::Set(di, 31));
+  const V unscaled = hn::Mul(square, PowerOfTwo(d, hn::Add(near, near)));
+  const V bounded = hn::Max(unscaled, hn::Set(d, 0x1p-64f));
+  f.lambda = hn::Add(hn::Mul(half, simd::HWY_NAMESPACE::Log2(d, bounded)), hn::ConvertTo(d, hn::Sub(exponent, near)));
+  f.lambda = hn::IfThenElse(infinite, hn::Set(d, 126.0f), hn::Max(f.lambda, hn::Set(d, -32.0f)));
+  const auto length_exponent = hn::Min(exponent, hn::Set(di, 98));
+  f.length = hn::Mul(hn::Sqrt(square), PowerOfTwo(d, length_exponent));
+  f.length = hn::IfThenElse(infinite, hn::Set(d, 0x1p100f), f.length);
+  const V determinant = hn::Abs(hn::Sub(hn::Mul(ux, vy), hn::Mul(uy, vx)));
+  f.roundness = hn::IfThenElse(round, one, hn::Min(hn::Div(determinant, square), one));
+
+  // The eigenvector of J J^T to the larger eigenvalue, from the row of its two that does not cancel.
+  const V p =
+      hn::Mul(half, hn::Sub(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy))));
+  const V q = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy));
+  const V a = hn::Add(hn::Sqrt(hn::Add(hn::Mul(p, p), hn::Mul(q, q))), hn::Abs(p));
+  const V norm = hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(q, q)));
+  const auto any = hn::Lt(norm, hn::Set(d, 0x1p-40f));
+  const V long_part = hn::IfThenElse(any, one, hn::Div(a, norm));
+  const V short_part = hn::IfThenElse(any, zero, hn::Div(q, norm));
+  const auto along_u = hn::Ge(p, zero);
+  f.u = hn::IfThenElse(along_u, long_part, short_part);
+  f.v = hn::IfThenElse(along_u, short_part, long_part);
+  return f;
+}
+
+/// The circle of a given level of detail.
+template <class D>
+HWY_INLINE Footprint<D> RoundFootprint(D d, hn::Vec<D> lod) {
+  using V = hn::Vec<D>;
+  const V one = hn::Set(d, 1.0f);
+  const V lambda = hn::Min(hn::Max(lod, hn::Set(d, -32.0f)), hn::Set(d, 126.0f));
+  return {lambda, simd::HWY_NAMESPACE::Exp2(d, hn::Min(lambda, hn::Set(d, 100.0f))), one, one, hn::Zero(d)};
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_FOOTPRINT_INL_H_

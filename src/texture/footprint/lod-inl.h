@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Level of detail from the footprint: the larger singular value of the derivatives in base texels, exact (the
+// longer axis of the ellipse that Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, derives).
+
+#if defined(SHD_TEXTURE_LOD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_LOD_INL_H_
+#undef SHD_TEXTURE_LOD_INL_H_
+#else
+#define SHD_TEXTURE_LOD_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "simd/math-inl.h"
+#include "texture/kernel_part.h"
+#include "texture/footprint/lod.h"
+#include "texture/texture.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Derivatives of one vector, none of them NaN.
+template <class D>
+struct Derivatives {
+  hn::Vec<D> dudx, dvdx, dudy, dvdy;
+};
+
+/// Half the base-2 logarithm of the larger eigenvalue of J^T J, which is first clamped to 2^-64..2^62: what is smaller
+/// or larger is beyond every level for any bias, so neither underflow nor overflow matters.
+/// |error| <= 2e-6 where the result lies in 0..16 (measured 5.8e-7).
+template <class D, class V = hn::Vec<D>>
+SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
+  const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f);
+  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));
+  const V y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
+  const V xy = hn::Add(hn::Mul(ux, uy), hn::Mul(vx, vy));
+  const V mean = hn::Mul(half, hn::Add(x, y)), skew = hn::Mul(half, hn::Sub(x, y));
+  const V square = hn::Add(mean, hn::Sqrt(hn::Add(hn::Mul(skew, skew), hn::Mul(xy, xy))));
+  const V huge = hn::Set(d, 0x1p62f);
+  // Also where the sum overflowed to infinity or NaN.
+  const V bounded = hn::IfThenElse(hn::Lt(square, huge), hn::Max(square, hn::Set(d, 0x1p-64f)), huge);
+  return hn::Mul(half, simd::HWY_NAMESPACE::Log2(d, bounded));
+}
+
+/// lambda + bias, clamped to the range; lambda may be infinite but not NaN.
+template <class D, class V>
+HWY_INLINE V ClampLod(D d, V lambda, float bias, const LodRange& range) {
+  const V biased = hn::Add(lambda, hn::Set(d, bias));
+  return hn::Min(hn::Max(biased, hn::Set(d, range.low)), hn::Set(d, range.high));
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_LOD_INL_H_

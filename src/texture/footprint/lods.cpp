@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "texture/footprint/lod.h"
+
+#include <cstring>
+
+#include "core/simd_target.h"
+#include "texture/footprint/profile.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/footprint/lods.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out) {
+  out->count = in.count;
+  return ForEachVector(unwidened(sampler), in,
+                       [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+                         StorePoints(d, texture, sampler, p, from, i, to, out);
+                       });
+}
+
+size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                const Lookups& in, LodBlock* out) {
+  if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
+  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const bool lod_given = in.lod != nullptr;
+  out->count = in.count;
+  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
+    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
+    StorePoints(d, texture, sampler, p, from, i, to, out);
+  });
+}
+
+size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis,
+                 const Lookups& in, float* out) {
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < in.count; first += kBlock) {
+    const Lookups part = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+    ProbeBlock block;
+    nonfinite += axis == LodAxis::kProbes ? FindProbes(texture, sampler, range, LodRounding::kNone, part, &block)
+                                          : FindLods(texture, sampler, range, LodRounding::kNone, part, &block);
+    std::memcpy(out + first, block.lod, part.count * sizeof(float));
+  }
+  return nonfinite;
+}
+
+/// Half axes in base texels: u and v of the longer one, then of the shorter one.
+void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup, float (&axes)[4]) {
+  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const bool lod_given = lookup.lod != nullptr;
+  ForEachVector(sampler, lookup, [&](auto d, const auto& p, const Lookups&, size_t, size_t) {
+    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
+    const auto shorter = f.length * f.roundness;
+    axes[0] = hn::GetLane(f.length * f.u);
+    axes[1] = hn::GetLane(f.length * f.v);
+    axes[2] = hn::GetLane(hn::Neg(shorter * f.v));
+    axes[3] = hn::GetLane(shorter * f.u);
+  });
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(LodColumn);
+HWY_EXPORT(Axes);
+}  // namespace
+
+size_t find_lods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis,
+                 const core::SimdTarget& simd, const Lookups& lookups, float* out) {
+  return SHD_DISPATCH(LodColumn, simd)(texture, sampler, range, axis, lookups, out);
+}
+
+void find_axes(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookup,
+               float (&axes)[4]) {
+  SHD_DISPATCH(Axes, simd)(texture, sampler, lookup, axes);
+}
+
+}  // namespace shd::texture
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// One vector of lookups, and the loop over a block of them.
+
+#if defined(SHD_TEXTURE_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_POINTS_INL_H_
+#undef SHD_TEXTURE_POINTS_INL_H_
+#else
+#define SHD_TEXTURE_POINTS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/store/wrap-inl.h"
+#include "texture/footprint/block.h"
+#include "texture/footprint/footprint-inl.h"
+#include "texture/texture.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using BatchTag = hn::CappedTag<float, kMaxLanes>;
+
+/// One vector of lookups, made finite: NaN and infinite coordinates and NaN derivatives are 0.
+template <class D>
+struct Points {
+  hn::Vec<D> u, v;
+  Derivatives<D> derivatives;  // of what is absent: 0
+  hn::Vec<D> lod;              // not NaN
+  MaskOf<D> finite;            // lanes whose inputs were all finite
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
+  return column ? hn::LoadU(d, column + i) : hn::Zero(d);
+}
+
+template <class D, class V>
+HWY_INLINE V ZeroIfNotFinite(D d, V value) {
+  return hn::IfThenElseZero(hn::Eq(value - value, hn::Zero(d)), value);
+}
+template <class V>
+HWY_INLINE V ZeroIfNaN(V value) {
+  return hn::IfThenElseZero(hn::Eq(value, value), value);
+}
+
+/// First texel of each lane's layer; the last layer for those beyond.
+template <class D>
+HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, size_t i) {
+  const hn::RebindToSigned<D> di;
+  const hn::RebindToUnsigned<D> du;
+  if (!in.layer) return hn::Zero(di);
+  const auto layer = hn::Min(hn::LoadU(du, in.layer + i), hn::Set(du, texture.layers - 1));
+  return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layer_texels));
+}
+
+template <class D>
+SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+  Points<D> p;
+  p.u = hn::LoadU(d, in.u + i);
+  p.v = hn::LoadU(d, in.v + i);
+  p.lod = LoadOrZero(d, in.lod, i);
+  Derivatives<D>& j = p.derivatives;
+  j.dudx = LoadOrZero(d, in.lod ? nullptr : in.dudx, i);
+  j.dvdx = LoadOrZero(d, in.lod ? nullptr : in.dvdx, i);
+  j.dudy = LoadOrZero(d, in.lod ? nullptr : in.dudy, i);
+  j.dvdy = LoadOrZero(d, in.lod ? nullptr : in.dvdy, i);
+  // x - x is 0 for finite x and NaN for others.
+  const auto point = (p.u - p.u) + (p.v - p.v);
+  const auto along_x = (j.dudx - j.dudx) + (j.dvdx - j.dvdx);
+  const auto along_y = (j.dudy - j.dudy) + (j.dvdy - j.dvdy);
+  p.finite = hn::Eq((point + (p.lod - p.lod)) + (along_x + along_y), hn::Zero(d));
+  if (HWY_UNLIKELY(!hn::AllTrue(d, p.finite))) {
+    p.u = ZeroIfNotFinite(d, p.u);
+    p.v = ZeroIfNotFinite(d, p.v);
+    p.lod = ZeroIfNaN(p.lod);
+    j.dudx = ZeroIfNaN(j.dudx);
+    j.dvdx = ZeroIfNaN(j.dvdx);
+    j.dudy = ZeroIfNaN(j.dudy);
+    j.dvdy = ZeroIfNaN(j.dvdy);
+  }
+  return p;
+}
+
+/// The last lookups of a block, fewer than a vector has lanes, followed by copies of the last one.
+struct Tail {
+  float reals[kFloatColumns][kMaxLanes];
+  uint32_t integers[kIntegerColumns][kMaxLanes];
+
+  Lookups copy(const Lookups& from, size_t first) {
+    const size_t count = from.count - first;
+    Lookups in = from;
+    for (size_t c = 0; c < kFloatColumns; ++c) in.real(c) = fill(from.real(c), first, count, reals[c]);
+    for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(from.integer(c), first, count, integers[c]);
+    return in;
+  }
+
+ private:
+  template <class T>
+  static const T* fill(const T* from, size_t first, size_t count, T* to) {
+    if (!from) return nullptr;
+    for (size_t i = 0; i < kMaxLanes; ++i) to[i] = from[first + (i < count ? i : count - 1)];
+    return to;
+  }
+};
+
+/// body(d, points, in, from, to) for every vector of a block: its lookups stand at `from` of the lookups `in`, its
+/// results belong at `to`. Width and blur of the sampler are applied. Returns how many lookups were not finite.
+template <class Body>
+HWY_INLINE size_t ForEachVector(const Sampler& sampler, const Lookups& block, const Body& body) {
+  const BatchTag d;
+  const size_t lanes = hn::Lanes(d);
+  const bool widened = !block.lod && widens(sampler);
+  Tail tail;
+  Lookups in = block;
+  size_t nonfinite = 0;
+  for (size_t to = 0; to < block.count; to += lanes) {
+    size_t from = to;
+    if (HWY_UNLIKELY(block.count - to < lanes)) {
+      in = tail.copy(block, to);
+      from = 0;
+    }
+    Points<BatchTag> points = LoadPoints(d, in, from);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
+      nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, block.count - to)));
+    }
+    if (HWY_UNLIKELY(widened)) Widen(d, sampler, &points.derivatives);
+    body(d, points, in, from, to);
+  }
+  return nonfinite;
+}
+
+/// Writes where one vector of lookups lies.
+template <class D>
+HWY_INLINE void StorePoints(D d, const Texture& texture, const Sampler& sampler, const Points<D>& p, const Lookups& in,
+                            size_t from, size_t to, PointBlock* block) {
+  hn::Store(ReduceCoordinate(d, sampler.wrap_u, p.u), d, block->u + to);
+  hn::Store(ReduceCoordinate(d, sampler.wrap_v, p.v), d, block->v + to);
+  if (texture.layers == 1) return;
+  hn::Store(LoadFirstTexel(d, texture, in, from), hn::RebindToSigned<D>(), block->first_texel + to);
+}
+
+/// First texel of each lane's layer.
+template <class D>
+HWY_INLINE Ints<D> FirstTexel(D, const Texture& texture, const PointBlock& block, size_t i) {
+  const hn::RebindToSigned<D> di;
+  return texture.layers == 1 ? hn::Zero(di) : hn::Load(di, block.first_texel + i);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_POINTS_INL_H_

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "texture/footprint/block.h"
+
+namespace shd::texture {
+
+/// The probes of at most kBlock lookups of SHD_FILTER_ANISOTROPIC. Returns how many lookups were not finite.
+size_t find_probes(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                   ProbeBlock* out);
+
+}  // namespace shd::texture

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// What each profile makes of a footprint. A profile has
+//
+//   Lambda(d, derivatives)    level of detail of a lookup without anisotropy, before bias and clamps
+//   ProbesOf(d, derivatives)  where an anisotropic lookup reads, and its level of detail, likewise
+//   NearestLevel(d, lod)      of a clamped level of detail: one whose nearest level is the profile's
+//   kLevelSteps               fractions of a level that it tells apart, 0 = all
+
+#if defined(SHD_TEXTURE_PROFILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_PROFILE_INL_H_
+#undef SHD_TEXTURE_PROFILE_INL_H_
+#else
+#define SHD_TEXTURE_PROFILE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/footprint/points-inl.h"
+#include "texture/footprint/footprint-inl.h"
+#include "texture/store/storage.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// `count` probes at the point + (2 k + 1 - count) (step_u, step_v), k = 0..count - 1, of weights that are equal or
+/// exp(-2 x^2), x = (2 k + 1 - count) / reach.
+template <class D>
+struct Probes {
+  hn::Vec<D> step_u, step_v, count, reach, lambda;
+};
+
+/// Half axes of a footprint, or the derivatives in x and y, by their length in base texels times 2^-exponent.
+template <class D>
+struct Lengths {
+  hn::Vec<D> x, y;
+  hn::Vec<hn::RebindToSigned<D>> exponent;
+};
+
+/// Both 0 where a derivative is infinite.
+template <class D>
+SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, float height) {
+  using V = hn::Vec<D>;
+  const V w = hn::Set(d, width), h = hn::Set(d, height);
+  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  const V largest = LargestMagnitude(ux, vx, uy, vy);
+  const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
+  Lengths<D> lengths;
+  lengths.exponent = ExponentOf(d, largest);
+  const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(lengths.exponent)));
+  const auto length = [&](V u, V v) {
+    const V a = hn::IfThenZeroElse(infinite, hn::Mul(u, down)), b = hn::IfThenZeroElse(infinite, hn::Mul(v, down));
+    return hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
+  };
+  lengths.x = length(ux, vx);
+  lengths.y = length(uy, vy);
+  return lengths;
+}
+
+/// log2 of the longer derivative in base texels, clamped to -32..31. Error as that of LambdaOf().
+template <class D, class V = hn::Vec<D>>
+SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float height) {
+  const V w = hn::Set(d, width), h = hn::Set(d, height);
+  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx)), y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
+  const V bounded = hn::Min(hn::Max(hn::Max(x, y), hn::Set(d, 0x1p-64f)), hn::Set(d, 0x1p62f));
+  return hn::Mul(hn::Set(d, 0.5f), simd::HWY_NAMESPACE::Log2(d, bounded));
+}
+
+/// A level of detail to the nearest multiple of 1 / steps.
+template <class D, class V>
+HWY_INLINE V RoundLevel(D d, V lod, float steps) {
+  const V count = hn::Set(d, steps);
+  return hn::Div(hn::Floor(hn::Add(hn::Mul(lod, count), hn::Set(d, 0.5f))), count);
+}
+
+template <class D, class V>
+HWY_INLINE V ClampStep(D d, V step) {
+  const V limit = hn::Set(d, 0x1p60f);
+  return hn::Max(hn::Min(step, limit), hn::Neg(limit));
+}
+
+/// Vulkan 1.3 specification, "Image Operations": "Scale Factor Operation", "Level-of-Detail Operation" and "Texel
+/// Anisotropic Filtering", with the lengths of the derivatives as the scale factors and the probes of its note.
+struct VulkanProfile {
+  static constexpr float kLevelSteps = 256;  // mipmapPrecisionBits = 8, as most desktop GPUs report
+  const Texture& texture;
+  const Sampler& sampler;
+
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V Lambda(D d, const Derivatives<D>& j) const {
+    return LongerLambda(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
+  }
+
+  template <class D>
+  SHD_KERNEL_PART Probes<D> ProbesOf(D d, const Derivatives<D>& j) const {
+    using V = hn::Vec<D>;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const Lengths<D> l = LengthsOf(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
+    const V longer = hn::Max(l.x, l.y), shorter = hn::Min(l.x, l.y);
+    const auto none = hn::Eq(longer, zero);
+    const V ratio = hn::Div(hn::IfThenElse(none, one, longer), hn::IfThenElse(none, one, shorter));
+    const V eta = hn::Min(ratio, hn::Set(d, sampler.max_anisotropy));
+    const auto along_x = hn::Gt(l.x, l.y);
+    Probes<D> probes;
+    probes.count = hn::Ceil(eta);
+    probes.lambda = hn::Sub(Lambda(d, j), simd::HWY_NAMESPACE::Log2(d, eta));
+    // Probe i = 1..N lies at i / (N + 1) - 1/2 of the derivative.
+    const V parts = hn::Add(hn::Add(probes.count, probes.count), hn::Set(d, 2.0f));
+    probes.step_u = ClampStep(d, hn::Div(hn::IfThenElse(along_x, j.dudx, j.dudy), parts));
+    probes.step_v = ClampStep(d, hn::Div(hn::IfThenElse(along_x, j.dvdx, j.dvdy), parts));
+    probes.reach = probes.count;
+    return probes;
+  }
+
+  template <class D, class V>
+  HWY_INLINE V NearestLevel(D, V lod) const {
+    return lod;
+  }
+};
+
+/// "Direct3D 11.3 Functional Specification", 7.18.10 (level of detail) and 7.18.11 (anisotropy). Its transform of the
+/// derivatives to the axes of the implicit ellipse gives the axes of FootprintOf(); parallel derivatives, which it
+/// leaves as they are, have a footprint without area. Where the probes lie it does not say: as in VulkanProfile.
+struct D3d11Profile {
+  static constexpr float kLevelSteps = 256;  // at least 8 bits
+  const Texture& texture;
+  const Sampler& sampler;
+
+  template <class D>
+  struct Major {
+    hn::Vec<D> length, lambda;
+  };
+
+  /// Of the axes, or of the derivatives where they are parallel.
+  template <class D>
+  SHD_KERNEL_PART Major<D> MajorOf(D d, const Derivatives<D>& j, const Footprint<D>& f) const {
+    const hn::RebindToSigned<D> di;
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    const Lengths<D> l = LengthsOf(d, j, width, height);
+    const auto parallel = hn::Eq(f.roundness, hn::Zero(d));
+    const auto longer = hn::Mul(hn::Max(l.x, l.y), PowerOfTwo(d, hn::Min(l.exponent, hn::Set(di, 98))));
+    return {hn::IfThenElse(parallel, longer, f.length),
+            hn::IfThenElse(parallel, LongerLambda(d, j, width, height), f.lambda)};
+  }
+
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V Lambda(D d, const Derivatives<D>& j) const {
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    return MajorOf(d, j, FootprintOf(d, j, width, height)).lambda;
+  }
+
+  template <class D>
+  SHD_KERNEL_PART Probes<D> ProbesOf(D d, const Derivatives<D>& j) const {
+    using V = hn::Vec<D>;
+    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+    const V one = hn::Set(d, 1.0f);
+    const Footprint<D> f = FootprintOf(d, j, width, height);
+    const Major<D> major = MajorOf(d, j, f);
+    // length^2 / |det| is the inverse of the roundness.
+    const V ratio = hn::Div(one, hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy)));
+    Probes<D> probes;
+    probes.lambda = hn::Sub(major.lambda, simd::HWY_NAMESPACE::Log2(d, ratio));
+    // A minor axis below one texel: no more probes than the major axis has texels.
+    probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major.length, one)));
+    const V parts = hn::Add(hn::Add(probes.count, probes.count), hn::Set(d, 2.0f));
+    const V step = hn::Div(major.length, parts);
+    probes.step_u = ClampStep(d, hn::Div(hn::Mul(step, f.u), hn::Set(d, width)));
+    probes.step_v = ClampStep(d, hn::Div(hn::Mul(step, f.v), hn::Set(d, height)));
+    probes.reach = probes.count;
+    return probes;
+  }
+
+  /// floor(lod + 1/2) of the fixed-point level of detail.
+  template <class D, class V>
+  HWY_INLINE V NearestLevel(D d, V lod) const {
+    return hn::Floor(hn::Add(RoundLevel(d, lod, kLevelSteps), hn::Set(d, 0.5f)));
+  }
+};
+
+/// OpenImageIO 2.4, TextureSystem with the default options (a conservative filter): axes in units of the texture, not
+/// in texels; levels by the texture's smaller side.
+struct OiioProfile {
+  static constexpr float kLevelSteps = 0;
+  const Texture& texture;
+  const Sampler& sampler;
+  bool one_level;  // MipModeOneLevel
+
+  /// Derivatives times width, where it scales u and v.
+  template <class D>
+  HWY_INLINE Derivatives<D> Scaled(D d, const Derivatives<D>& j) const {
+    const auto wu = hn::Set(d, sampler.width_x), wv = hn::Set(d, sampler.width_y);
+    return {ZeroIfNaN(hn::Mul(j.dudx, wu)), ZeroIfNaN(hn::Mul(j.dvdx, wv)), ZeroIfNaN(hn::Mul(j.dudy, wu)),
+            ZeroIfNaN(hn::Mul(j.dvdy, wv))};
+  }
+
+  /// Of a filter of a width in units of the texture: between the first level m where it is at most a texel of the
+  /// smaller side and the one before, 2 * width in texels - 1 of the way to m.
+  template <class D, class V>
+  SHD_KERNEL_PART V LambdaOfWidth(D d, V width) const {
+    const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    V lambda = hn::Set(d, static_cast<float>(texture.level_count - 1));
+    for (uint32_t level = texture.level_count; level-- > 1;) {
+      const V texels = hn::Mul(width, hn::Set(d, smaller_side(level)));
+      const V blend = hn::Min(hn::Max(hn::Sub(hn::Add(texels, texels), one), zero), one);
+      const V here = hn::Add(hn::Set(d, static_cast<float>(level - 1)), one_level ? one : blend);
+      lambda = hn::IfThenElse(hn::Le(texels, one), here, lambda);
+    }
+    // Below level 0, where OpenImageIO goes no further, as other profiles do: for bias and magnification.
+    const V texels = hn::Max(hn::Mul(width, hn::Set(d, smaller_side(0))), hn::Set(d, 0x1p-32f));
+    const auto magnified = hn::Le(texels, one);
+    return hn::IfThenElse(magnified, simd::HWY_NAMESPACE::Log2(d, hn::IfThenElse(magnified, texels, one)), lambda);
+  }
+
+  template <class D, class V = hn::Vec<D>>
+  SHD_KERNEL_PART V Lambda(D d, const Derivatives<D>& derivatives) const {
+    const Derivatives<D> j = Scaled(d, derivatives);
+    const float blur = sampler.blur_u > sampler.blur_v ? sampler.blur_u : sampler.blur_v;
+    return LambdaOfWidth(d, hn::Add(LargestMagnitude(j.dudx, j.dvdx, j.dudy, j.dvdy), hn::Set(d, blur)));
+  }
+
+  /// Scaled derivatives, a tiny one replaced by a vector of length 1e-8 across the other.
+  template <class D>
+  SHD_KERNEL_PART Derivatives<D> Adjusted(D d, const Derivatives<D>& derivatives) const {
+    using V = hn::Vec<D>;
+    const V epsilon = hn::Set(d, 1e-8f), square = hn::Set(d, 1e-16f), zero = hn::Zero(d);
+    const Derivatives<D> j = Scaled(d, derivatives);
+    const V xx = hn::Add(hn::Mul(j.dudx, j.dudx), hn::Mul(j.dvdx, j.dvdx));
+    const V yy = hn::Add(hn::Mul(j.dudy, j.dudy), hn::Mul(j.dvdy, j.dvdy));
+    const auto tiny_x = hn::Lt(xx, square), tiny_y = hn::Lt(yy, square);
+    const auto both = hn::And(tiny_x, tiny_y);
+    const V from_y = hn::Div(epsilon, hn::Sqrt(hn::Max(yy, square)));
+    const V from_x = hn::Div(epsilon, hn::Sqrt(hn::Max(xx, square)));
+    Derivatives<D> a;
+    a.dudx = hn::IfThenElse(tiny_x, ZeroIfNaN(hn::Mul(j.dvdy, from_y)), j.dudx);
+    a.dvdx = hn::IfThenElse(tiny_x, ZeroIfNaN(hn::Neg(hn::Mul(j.dudy, from_y))), j.dvdx);
+    a.dudy = hn::IfThenElse(tiny_y, ZeroIfNaN(hn::Neg(hn::Mul(j.dvdx, from_x))), j.dudy);
+    a.dvdy = hn::IfThenElse(tiny_y, ZeroIfNaN(hn::Mul(j.dudx, from_x)), j.dvdy);
+    a.dudx = hn::IfThenElse(both, epsilon, a.dudx);
+    a.dvdx = hn::IfThenElse(both, zero, a.dvdx);
+    a.dudy = hn::IfThenElse(both, zero, a.dudy);
+    a.dvdy = hn::IfThenElse(both, epsilon, a.dvdy);
+    return a;
+  }
+
+  /// Axes of the ellipse, with blur and no longer than the limit of anisotropy allows.
+  template <class D>
+  struct Axes {
+    hn::Vec<D> major, minor, aspect;
+    hn::Vec<D> u, v;  // unit vector of the major one
+  };
+
+  template <class D>
+  SHD_KERNEL_PART Axes<D> AxesOf(D d, const Derivatives<D>& j) const {
+    using V = hn::Vec<D>;
+    const V longest = hn::Set(d, 1000.0f), limit = hn::Set(d, sampler.max_anisotropy);
+    const Footprint<D> f = FootprintOf(d, Adjusted(d, j), 1.0f, 1.0f);
+    Axes<D> axes = {hn::Min(f.length, longest), hn::Min(hn::Mul(f.length, f.roundness), longest), limit, f.u, f.v};
+    if (sampler.blur_u + sampler.blur_v != 0.0f) {
+      const V blur_u = hn::Set(d, sampler.blur_u), blur_v = hn::Set(d, sampler.blur_v);
+      const V cosine = hn::Abs(f.u), sine = hn::Abs(f.v);
+      const V one = hn::Add(axes.major, hn::Add(hn::Mul(blur_u, cosine), hn::Mul(blur_v, sine)));
+      const V other = hn::Add(axes.minor, hn::Add(hn::Mul(blur_u, sine), hn::Mul(blur_v, cosine)));
+      const auto swapped = hn::Gt(other, one);
+      axes.major = hn::Max(one, other);
+      axes.minor = hn::Min(one, other);
+      axes.u = hn::IfThenElse(swapped, hn::Neg(f.v), f.u);
+      axes.v = hn::IfThenElse(swapped, f.u, f.v);
+    }
+    // The major axis is positive.
+    const V aspect = hn::Max(hn::Div(axes.major, axes.minor), hn::Set(d, 1.0f));
+    const auto over = hn::Gt(aspect, limit);
+    const V between = hn::Mul(hn::Set(d, 0.5f), hn::Add(axes.major, hn::Mul(axes.minor, limit)));
+    axes.aspect = hn::Min(aspect, limit);
+    axes.major = hn::IfThenElse(over, between, axes.major);
+    axes.minor = hn::IfThenElse(over, hn::Div(between, limit), axes.minor);
+    return axes;
+  }
+
+  template <class D>
+  SHD_KERNEL_PART Probes<D> ProbesOf(D d, const Derivatives<D>& j) const {
+    using V = hn::Vec<D>;
+    const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const Axes<D> axes = AxesOf(d, j);
+    Probes<D> probes;
+    probes.lambda = LambdaOfWidth(d, axes.minor);
+    // A minor axis below half a texel of level 0: a probe per half texel of the major one is enough.
+    const V larger = hn::Set(d, static_cast<float>(texture.width > texture.height ? texture.width : texture.height));
+    const auto magnified = hn::And(hn::Le(hn::Mul(axes.minor, hn::Set(d, smaller_side(0))), one),
+                                   hn::Lt(hn::Mul(axes.minor, larger), half));
+    const V texels = hn::Mul(axes.major, larger);
+    const V enough = hn::Min(hn::Max(hn::Add(texels, texels), one), hn::Set(d, sampler.max_anisotropy));
+    const V aspect = hn::IfThenElse(magnified, enough, axes.aspect);
+    probes.count = hn::Max(hn::Floor(hn::Sub(hn::Add(aspect, aspect), one)), one);
+    const V spread = hn::Sub(axes.major, axes.minor), step = hn::Div(spread, probes.count);
+    probes.step_u = hn::Mul(step, axes.u);
+    probes.step_v = hn::Mul(step, axes.v);
+    // Weights exp(-2 x^2), x = p major / (2 spread) at p = -1..1 of the spread.
+    const V reach = hn::Div(hn::Mul(hn::Add(probes.count, probes.count), spread), axes.major);
+    probes.reach = hn::Max(reach, hn::Set(d, 0x1p-20f));  // 0 for a single probe, which stands at 0
+    return probes;
+  }
+
+  /// The coarser of both levels, whole: the nearest one to itself.
+  template <class D, class V>
+  HWY_INLINE V NearestLevel(D, V lod) const {
+    return hn::Ceil(lod);
+  }
+
+ private:
+  float smaller_side(uint32_t level) const {
+    const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
+    return static_cast<float>(width < height ? width : height);
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_PROFILE_INL_H_

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "texture/footprint/profile.h"
+
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/footprint/profile.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/footprint/profile-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What the filters do to a level of detail after bias and clamps.
+enum class Finish { kNone, kFraction, kNearest };
+
+Finish finish_of(const Sampler& sampler, LodRounding rounding) {
+  if (rounding == LodRounding::kNone) return Finish::kNone;
+  const bool blends = sampler.filter == SHD_FILTER_ANISOTROPIC || sampler.filter == SHD_FILTER_TRILINEAR;
+  return blends ? Finish::kFraction : Finish::kNearest;
+}
+
+template <class Profile, class D, class V>
+HWY_INLINE V Finished(D d, const Profile& profile, const LodRange& range, Finish finish, V lambda) {
+  const V lod = ClampLod(d, lambda, profile.sampler.lod_bias, range);
+  if (finish == Finish::kNearest) return profile.NearestLevel(d, lod);
+  if (finish == Finish::kNone || Profile::kLevelSteps == 0.0f) return lod;
+  return RoundLevel(d, lod, Profile::kLevelSteps);
+}
+
+/// body(profile, sampler whose width and blur the loop over a block applies).
+template <class Body>
+HWY_INLINE size_t WithProfile(const Texture& texture, const Sampler& sampler, Finish finish, const Body& body) {
+  switch (sampler.profile) {
+    case SHD_PROFILE_VULKAN: return body(VulkanProfile{texture, sampler}, sampler);
+    case SHD_PROFILE_D3D11: return body(D3d11Profile{texture, sampler}, sampler);
+    default: return body(OiioProfile{texture, sampler, finish == Finish::kNearest}, unwidened(sampler));
+  }
+}
+
+size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                        const Lookups& in, LodBlock* out) {
+  const Finish finish = finish_of(sampler, rounding);
+  const bool lod_given = in.lod != nullptr;
+  out->count = in.count;
+  return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
+    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+      const auto lambda = lod_given ? p.lod : profile.Lambda(d, p.derivatives);
+      hn::Store(Finished(d, profile, range, finish, lambda), d, out->lod + to);
+      StorePoints(d, texture, sampler, p, from, i, to, out);
+    });
+  });
+}
+
+size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                          const Lookups& in, ProbeBlock* out) {
+  const Finish finish = finish_of(sampler, rounding);
+  const bool lod_given = in.lod != nullptr;
+  out->count = in.count;
+  return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
+    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+      using D = decltype(d);
+      const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+      const Probes<D> probes =
+          lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
+      hn::Store(probes.step_u, d, out->step_u + to);
+      hn::Store(probes.step_v, d, out->step_v + to);
+      hn::Store(probes.count, d, out->probes + to);
+      hn::Store(probes.reach, d, out->reach + to);
+      hn::Store(Finished(d, profile, range, finish, probes.lambda), d, out->lod + to);
+      StorePoints(d, texture, sampler, p, from, i, to, out);
+    });
+  });
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+
+uint32_t nearest_level(const Sampler& sampler, float lod) {
+  switch (sampler.profile) {
+    case SHD_PROFILE_D3D11: return static_cast<uint32_t>(std::floor(lod * 256.0f + 0.5f) / 256.0f + 0.5f);
+    case SHD_PROFILE_OIIO: return static_cast<uint32_t>(std::ceil(lod));
+    default: return static_cast<uint32_t>(std::ceil(lod + 0.5f) - 1.0f);
+  }
+}
+
+bool has_rounded_weights(const shd_sampler_desc& desc) {
+  if (desc.profile != SHD_PROFILE_VULKAN && desc.profile != SHD_PROFILE_D3D11) return false;
+  return desc.filter == SHD_FILTER_BILINEAR || desc.filter == SHD_FILTER_NEAREST_MIP ||
+         desc.filter == SHD_FILTER_BILINEAR_MIP || desc.filter == SHD_FILTER_TRILINEAR ||
+         desc.filter == SHD_FILTER_ANISOTROPIC;
+}
+
+}  // namespace shd::texture
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Derivatives in u and v: the same tree of blends, whose values carry their derivatives along (forward
+// differentiation). The footprint is held constant, so weights that depend on it alone have no derivative. At a texel
+// centre the derivative is that to the right.
+
+#if defined(SHD_TEXTURE_GRADIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_GRADIENT_INL_H_
+#undef SHD_TEXTURE_GRADIENT_INL_H_
+#else
+#define SHD_TEXTURE_GRADIENT_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/format/blend-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class F>
+struct GradientBlend {
+  using Values = Blend<F, true>;
+
+  template <class D>
+  struct Value {
+    hn::Vec<D> value, du, dv;
+  };
+
+  Values values;
+
+  explicit GradientBlend(const Consumption& consumption) : values(consumption) {}
+
+  template <size_t C, class D>
+  HWY_INLINE Value<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in) const {
+    return {values.template tap<C>(d, texel, in), hn::Zero(d), hn::Zero(d)};
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s) const {
+    return {Mix(d, a.value, b.value, s), Mix(d, a.du, b.du, s), Mix(d, a.dv, b.dv, s)};
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_s(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate) const {
+    Value<D> blended = blend(d, a, b, s);
+    blended.du = blended.du + Slope(d, a.value, b.value, hn::Load(d, rate));
+    return blended;
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> t, const float* rate) const {
+    Value<D> blended = blend(d, a, b, t);
+    blended.dv = blended.dv + Slope(d, a.value, b.value, hn::Load(d, rate));
+    return blended;
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_by(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate_u,
+                               const float* rate_v) const {
+    return blend_t(d, a, b, s, rate_v, blend_s(d, a, b, s, rate_u));
+  }
+  template <class D>
+  HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, const Value<D>& a, const Value<D>& b) const {
+    return {hn::IfThenElse(lanes, b.value, a.value), hn::IfThenElse(lanes, b.du, a.du),
+            hn::IfThenElse(lanes, b.dv, a.dv)};
+  }
+
+  template <size_t C, class D>
+  HWY_INLINE void store(D d, const Value<D>& value, size_t i, const Consumption& to) const {
+    const size_t count = to.count - i;
+    if (to.out.du[C]) StoreFirst(d, Values::template finish<C>(d, value.du), count, to.out.du[C] + i);
+    if (to.out.dv[C]) StoreFirst(d, Values::template finish<C>(d, value.dv), count, to.out.dv[C] + i);
+  }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.du[channel] || out.dv[channel]; }
+
+ private:
+  /// The derivative in v added to a blend that has the one in u.
+  template <class D>
+  HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D>, const float* rate,
+                              Value<D> blended) const {
+    blended.dv = blended.dv + Slope(d, a.value, b.value, hn::Load(d, rate));
+    return blended;
+  }
+  /// rate (b - a); 0 for a rate of 0, whatever the values.
+  template <class D, class V>
+  static HWY_INLINE V Slope(D d, V a, V b, V rate) {
+    return hn::IfThenZeroElse(hn::Eq(rate, hn::Zero(d)), rate * (b - a));
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_GRADIENT_INL_H_

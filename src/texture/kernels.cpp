@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Where filters and formats of one target meet.
+#include "texture/sample.h"
+
+#include "core/simd_target.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/explain/record-inl.h"
+#include "texture/filter/filters-inl.h"
+#include "texture/format/formats-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+RunFilter FilterOf(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return run;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    default: return RunTrilinear;
+  }
+}
+
+FormatKernels FormatOf(image::Component component) {
+  switch (component) {
+#define SHD_TEXTURE_CASE(name, kernels) \
+  case name: return kernels();
+    SHD_TEXTURE_FORMATS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+  }
+  return Float32Kernels();
+}
+
+size_t RunBatch(const Texture& texture, const Sampler& sampler, const Lookups& lookups, const Texels& out,
+                Recording* recording) {
+  const Consume record = recording ? ConsumeStream<RecordedBlend, Recorded, true> : nullptr;
+  return FilterOf(sampler.filter)({texture, sampler, lookups, out, FormatOf(texture.component), record, recording});
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::texture {
+namespace {
+HWY_EXPORT(RunBatch);
+}  // namespace
+
+size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out, Recording* recording) {
+  return SHD_DISPATCH(RunBatch, simd)(texture, sampler, lookups, out, recording);
+}
+
+bool has_gradient(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return gradient;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    default: return false;
+  }
+}
+
+}  // namespace shd::texture
+#endif

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+// Mip levels as exact box averages of the base (Williams, "Pyramidal Parametrics", 1983, for any size).
+//
+// As long as both sizes halve evenly (or are 1 already) the average of the base is the average of the unrounded
+// level above: tiles of the base go down up to kTileSteps levels in a scratch of 8 KB, and the unrounded averages
+// of the last of them are kept for the next round. Texels of integer formats begin as integer sums, kSumSteps down.
+// From the first uneven step on, a level is summed from the base, each texel weighted by the integer part of its area:
+// a level texel i covers [i w, (i + 1) w), a base texel x [x w', (x + 1) w'), where w and w' are the sizes of base and
+// level.
+//
+// The same goes for a rectangle of the base, given the unrounded averages of the rest of its layer: a change of
+// 64 x 64 texels costs a few tiles a round. Levels after an uneven step read all of the base that their texels cover.
+//
+// Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
+// gives constant levels: c n with n <= 2^28 and a c of 24 bits is exact.
+#include <cstring>
+
+#include "texture/store/mip_sums.h"
+#include "texture/store/rows.h"
+#include "texture/store/span.h"
+#include "texture/store/storage.h"
+
+namespace shd::texture {
+namespace {
+
+constexpr uint32_t kTileSteps = 5;
+constexpr uint32_t kTile = 1u << kTileSteps;
+
+/// The texels of a level over a rectangle of the base.
+Region level_region(const Texture& texture, const Region& region, uint32_t level) {
+  return {level_range(region.x, texture.width, level_size(texture.width, level)),
+          level_range(region.y, texture.height, level_size(texture.height, level))};
+}
+
+/// Averages the pairs (or the one column) of two rows, `down` doubles apart; 0 where there is only one row.
+template <size_t kChannels>
+void halve_rows(const double* row, size_t down, uint32_t width, double* to) {
+  const size_t right = width > 1 ? kChannels : 0;
+  for (uint32_t x = 0; x < (width + 1) / 2; ++x, row += 2 * right) {
+    for (size_t c = 0; c < kChannels; ++c) {
+      *to++ = 0.25 * ((row[c] + row[c + right]) + (row[c + down] + row[c + right + down]));
+    }
+  }
+}
+
+/// Halves a whole plane in place.
+template <size_t kChannels>
+void halve(double* plane, uint32_t width, uint32_t height) {
+  const size_t pitch = width * kChannels, to_pitch = (width + 1) / 2 * kChannels;
+  for (uint32_t y = 0; y < (height + 1) / 2; ++y) {
+    halve_rows<kChannels>(plane + 2 * y * pitch, height > 1 ? pitch : 0, width, plane + y * to_pitch);
+  }
+}
+
+/// The same from two stored rows (equal where the height is 1).
+template <class Code>
+void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
+  const size_t right = width > 1 ? Code::kSize : 0;
+  for (uint32_t x = 0; x < (width + 1) / 2; ++x, top += 2 * right, bottom += 2 * right) {
+    double a[Code::kChannels], b[Code::kChannels], c[Code::kChannels], d[Code::kChannels];
+    Code::load(top, a);
+    Code::load(top + right, b);
+    Code::load(bottom, c);
+    Code::load(bottom + right, d);
+    for (size_t i = 0; i < Code::kChannels; ++i) *to++ = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
+  }
+}
+
+/// One round down the even levels: from level `from` (stored if 0, else `source`) to level from + steps.
+template <class Code>
+struct Round {
+  Texture& texture;
+  const double* source;  // unrounded level `from`, null for the base
+  double* last;          // unrounded level from + steps, or null
+  uint32_t from, steps;
+  uint32_t layer;
+
+  void run(const core::Context& context, const Region& region) const {
+    const Region tiles = level_region(texture, region, from + steps);
+    for_rows(context, tiles.y, [&](uint32_t row, uint32_t) {
+      const uint32_t columns = level_size(texture.width, from + steps);
+      for (uint32_t column = tiles.x.first; column < tiles.x.end; ++column) run_tile(column, row, columns);
+    });
+  }
+
+  void run_tile(uint32_t column, uint32_t row, uint32_t columns) const {
+    double scratch[Code::kChannels * kTile * kTile / 4];
+    const uint32_t level_width = level_size(texture.width, from), level_height = level_size(texture.height, from);
+    uint32_t width = level_width < 1u << steps ? level_width : 1u << steps;
+    uint32_t height = level_height < 1u << steps ? level_height : 1u << steps;
+    halve_source(column * width, row * height, width, height, scratch);
+    for (uint32_t step = 1; step <= steps; ++step) {
+      if (step > 1) halve<Code::kChannels>(scratch, width, height);
+      width = width > 1 ? width / 2 : 1;
+      height = height > 1 ? height / 2 : 1;
+      store(from + step, column * width, row * height, width, height, scratch);
+    }
+    if (last) {
+      std::memcpy(last + (size_t{row} * columns + column) * Code::kChannels, scratch, Code::kChannels * sizeof(double));
+    }
+  }
+
+  /// First step of a tile whose first texel is (x, y).
+  void halve_source(uint32_t x, uint32_t y, uint32_t width, uint32_t height, double* to) const {
+    const uint32_t down = height > 1 ? 1 : 0;
+    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Code::kChannels;
+    for (uint32_t j = 0; j < (height + 1) / 2; ++j, to += to_row) {
+      const uint32_t top = y + 2 * j;
+      if (source) {
+        const size_t pitch = size_t{level_size(texture.width, from)} * Code::kChannels;
+        halve_rows<Code::kChannels>(source + top * pitch + x * Code::kChannels, down * pitch, width, to);
+      } else {
+        halve_texels<Code>(row_of(texture, layer, 0, top) + x * Code::kSize,
+                           row_of(texture, layer, 0, top + down) + x * Code::kSize, width, to);
+      }
+    }
+  }
+
+  void store(uint32_t level, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const double* average) const {
+    for (uint32_t j = 0; j < height; ++j) {
+      uint8_t* texel = row_of(texture, layer, level, y + j) + x * Code::kSize;
+      for (uint32_t i = 0; i < width; ++i, texel += Code::kSize, average += Code::kChannels) {
+        Code::store(average, texel);
+      }
+    }
+  }
+};
+
+/// The first steps down of a base of an integer format, both of whose sizes are multiples of 2^steps.
+template <class Code>
+struct FirstRound {
+  using Sum = typename Sums<Code>::Sum;
+  static constexpr uint32_t kRows = 1u << kSumSteps;
+  static constexpr uint32_t kColumns = 1024 / sizeof(Sum);
+
+  Texture& texture;
+  double* last;  // unrounded level `steps`, or null
+  uint32_t steps;
+  uint32_t layer;
+
+  void run(const core::Context& context, const Region& region) const {
+    const Sums<Code> sums;
+    const Region tiles = level_region(texture, region, steps);
+    const uint32_t end = tiles.x.end << steps;
+    for_rows(context, tiles.y, [&](uint32_t band, uint32_t) {
+      for (uint32_t x = tiles.x.first << steps; x < end; x += kColumns) {
+        run_tile(sums, x, end - x < kColumns ? end - x : kColumns, band << steps);
+      }
+    });
+  }
+
+  void run_tile(const Sums<Code>& sums, uint32_t x, uint32_t width, uint32_t y) const {
+    Sum odd[Code::kChannels * kColumns * kRows / 4], even[Code::kChannels * kColumns * kRows / 16];
+    const Sum* from = even;
+    Sum* to = odd;
+    uint32_t rows = 1u << steps;
+    for (uint32_t step = 1; step <= steps; ++step) {
+      width /= 2;
+      rows /= 2;
+      x /= 2;
+      y /= 2;
+      const size_t pitch = size_t{width} * Code::kChannels;
+      for (uint32_t j = 0; j < rows; ++j) {
+        if (step == 1) {
+          sums.pair(row_of(texture, layer, 0, 2 * (y + j)) + size_t{x} * 2 * Code::kSize,
+                    row_of(texture, layer, 0, 2 * (y + j) + 1) + size_t{x} * 2 * Code::kSize, width, to + j * pitch);
+        } else {
+          sums.halve(from + 4 * j * pitch, from + (4 * j + 2) * pitch, width, to + j * pitch);
+        }
+        sums.store(to + j * pitch, width, 2 * step, row_of(texture, layer, step, y + j) + size_t{x} * Code::kSize);
+      }
+      from = to;
+      to = to == odd ? even : odd;
+    }
+    if (last) keep(sums, from, x, y, width);
+  }
+
+  void keep(const Sums<Code>& sums, const Sum* from, uint32_t x, uint32_t y, uint32_t width) const {
+    double* to = last + (size_t{y} * level_size(texture.width, steps) + x) * Code::kChannels;
+    for (size_t i = 0; i < width; ++i) {
+      for (size_t c = 0; c < Code::kChannels; ++c, ++from) *to++ = sums.average(*from, c, 2 * steps);
+    }
+  }
+};
+
+/// Weighted sum of the texels of `span` in one stored row.
+template <class Code>
+void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* sum) {
+  double value[Code::kChannels], total[Code::kChannels] = {};
+  if (span.last > span.first + 1) {
+    Code::add(row + (size_t{span.first} + 1) * Code::kSize, span.last - span.first - 1, total);
+  }
+  for (size_t c = 0; c < Code::kChannels; ++c) total[c] *= span.full;
+  Code::load(row + size_t{span.first} * Code::kSize, value);
+  for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.head * value[c];
+  if (span.last > span.first) {
+    Code::load(row + size_t{span.last} * Code::kSize, value);
+    for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.tail * value[c];
+  }
+  for (size_t c = 0; c < Code::kChannels; ++c) sum[c] += weight * total[c];
+}
+
+/// One level from the base.
+template <class Code>
+void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
+  const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
+  const double area = static_cast<double>(texture.width) * texture.height;
+  const Region texels = level_region(texture, region, level);
+  for_rows(context, texels.y, [&](uint32_t y, uint32_t) {
+    const AxisSpan down(y, texture.height, height);
+    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * Code::kSize;
+    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Code::kSize) {
+      const AxisSpan across(x, texture.width, width);
+      double sum[Code::kChannels] = {};
+      for (uint32_t row = down.first; row <= down.last; ++row) {
+        add_row<Code>(row_of(texture, layer, 0, row), across, down.weight(row), sum);
+      }
+      for (size_t c = 0; c < Code::kChannels; ++c) sum[c] /= area;
+      Code::store(sum, texel);
+    }
+  });
+}
+
+/// How many levels follow the base by halving evenly.
+uint32_t even_steps(const Texture& texture) {
+  uint32_t steps = 0;
+  for (uint32_t width = texture.width, height = texture.height; steps + 1 < texture.level_count; ++steps) {
+    if ((width > 1 && width % 2) || (height > 1 && height % 2)) break;
+    width = width > 1 ? width / 2 : 1;
+    height = height > 1 ? height / 2 : 1;
+  }
+  return steps;
+}
+
+/// How many of them, up to kSumSteps, halve both sizes.
+uint32_t square_steps(const Texture& texture) {
+  uint32_t steps = 0;
+  while (steps < kSumSteps && (texture.width | texture.height) % (2u << steps) == 0) ++steps;
+  return steps;
+}
+
+bool has_integer_sums(image::Component component) {
+  return component == image::Component::kUnorm8 || component == image::Component::kSrgb8 ||
+         component == image::Component::kUnorm16;
+}
+
+/// Steps of the round that begins at level `from` of `even`.
+uint32_t round_steps(const Texture& texture, uint32_t from, uint32_t even) {
+  const uint32_t square = from == 0 && has_integer_sums(texture.component) ? square_steps(texture) : 0;
+  if (square > 0) return square;
+  return even - from < kTileSteps ? even - from : kTileSteps;
+}
+
+/// Unrounded averages of one level.
+size_t plane_size(const Texture& texture, uint32_t level) {
+  return size_t{level_size(texture.width, level)} * level_size(texture.height, level) * texture.channels;
+}
+
+template <class Code>
+void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region, double* sums) {
+  const uint32_t even = even_steps(texture);
+  const double* source = nullptr;
+  for (uint32_t from = 0, steps; from < even; from += steps) {
+    steps = round_steps(texture, from, even);
+    double* last = from + steps < even ? sums : nullptr;
+    if constexpr (Sums<Code>::kExact) {
+      if (from == 0 && square_steps(texture) > 0) {
+        FirstRound<Code>{texture, last, steps, layer}.run(context, region);
+      } else {
+        Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
+      }
+    } else {
+      Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
+    }
+    source = last;
+    if (last) sums += plane_size(texture, from + steps);
+  }
+  for (uint32_t level = even + 1; level < texture.level_count; ++level) {
+    sum_level<Code>(context, texture, layer, level, region);
+  }
+}
+
+template <template <size_t> class Code>
+void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
+                    double* sums) {
+  switch (texture.channels) {
+    case 1: return build_layer<Code<1>>(context, texture, layer, region, sums);
+    case 2: return build_layer<Code<2>>(context, texture, layer, region, sums);
+    default: return build_layer<Code<4>>(context, texture, layer, region, sums);
+  }
+}
+
+}  // namespace
+
+size_t mip_sums_size(const Texture& texture) {
+  const uint32_t even = even_steps(texture);
+  size_t size = 0;
+  for (uint32_t level = 0; level < even;) {
+    level += round_steps(texture, level, even);
+    if (level < even) size += plane_size(texture, level);
+  }
+  return size;
+}
+
+void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
+                      double* sums) {
+  switch (texture->component) {
+    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture, layer, region, sums);
+    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture, layer, region, sums);
+    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture, layer, region, sums);
+    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture, layer, region, sums);
+    default: return build_channels<CodeFloat32>(context, *texture, layer, region, sums);
+  }
+}
+
+}  // namespace shd::texture

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// One level by a separable kernel: rows of the source are summed into one row of doubles, then its columns.
+#include "texture/store/mip_build.h"
+
+#include <cmath>
+
+#include "core/executor.h"
+#include "image/format.h"
+#include "texture/store/texel_codec.h"
+#include "texture/store/mip_weights.h"
+
+namespace shd::texture {
+namespace {
+
+/// Largest stored value of a channel in the units of Code::load; the least is 0, or its negative if signed.
+struct Limit {
+  double maximum;
+  bool is_signed;
+
+  Limit(image::Component component, size_t channel) {
+    is_signed = component == image::Component::kFloat16 || component == image::Component::kFloat32;
+    switch (component) {
+      case image::Component::kUnorm8: maximum = 255; break;
+      case image::Component::kSrgb8: maximum = channel == 3 ? 255 : 1; break;
+      case image::Component::kUnorm16: maximum = 65535; break;
+      case image::Component::kFloat16: maximum = 65504; break;
+      default: maximum = static_cast<double>(std::numeric_limits<float>::max()); break;
+    }
+  }
+  double clamp(double value) const {
+    if (std::isnan(value) || (is_signed && std::isinf(value))) return is_signed ? value : 0;
+    const double minimum = is_signed ? -maximum : 0;
+    return value < minimum ? minimum : value > maximum ? maximum : value;
+  }
+};
+
+template <class Code>
+struct Filter {
+  static constexpr size_t kChannels = Code::kChannels;
+  const shd_image& source;
+  const shd_image& level;
+  const AxisWeights& across;
+  const AxisWeights& down;
+  image::Component component;
+  bool normal, lengths;
+  float* alpha;
+
+  /// Texels of a source row as numbers; normals as vectors.
+  void decode(const uint8_t* row, double* to) const {
+    const Limit limit(component, 0);
+    for (uint32_t x = 0; x < source.width; ++x, row += Code::kSize, to += kChannels) {
+      Code::load(row, to);
+      if constexpr (kChannels >= 3) {
+        if (normal) decode_normal(limit, to);
+      }
+    }
+  }
+
+  void decode_normal(const Limit& limit, double* texel) const {
+    double length = 1;
+    if (kChannels == 4 && lengths) length = limit.is_signed ? texel[3] : texel[3] / limit.maximum;
+    for (size_t c = 0; c < 3; ++c) {
+      if (!limit.is_signed) texel[c] = 2 * texel[c] / limit.maximum - 1;
+      texel[c] *= length;
+    }
+  }
+
+  void encode_normal(const Limit& limit, double* texel) const {
+    double length = std::sqrt(texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2]);
+    const double unit[] = {0, 0, 1};
+    for (size_t c = 0; c < 3; ++c) {
+      texel[c] = length > 0 ? texel[c] / length : unit[c];
+      if (!limit.is_signed) texel[c] = (texel[c] + 1) / 2 * limit.maximum;
+    }
+    if (length > 1) length = 1;
+    if (kChannels == 4) texel[3] = limit.is_signed ? length : length * limit.maximum;
+  }
+
+  /// Level row y; `row` and `column` hold one decoded source row each.
+  void run(uint32_t y, double* __restrict row, double* __restrict column) const {
+    const size_t size = source.width * kChannels;
+    for (size_t i = 0; i < size; ++i) column[i] = 0;
+    for (size_t tap = down.first[y]; tap < down.first[y + 1]; ++tap) {
+      decode(static_cast<const uint8_t*>(source.pixels) + down.texel[tap] * source.row_stride, row);
+      const double weight = down.weight[tap];
+      for (size_t i = 0; i < size; ++i) column[i] += weight * row[i];
+    }
+    uint8_t* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride;
+    for (uint32_t x = 0; x < level.width; ++x, texel += Code::kSize) store(x, y, column, texel);
+  }
+
+  void store(uint32_t x, uint32_t y, const double* column, uint8_t* texel) const {
+    double sum[kChannels] = {};
+    for (size_t tap = across.first[x]; tap < across.first[x + 1]; ++tap) {
+      const double* value = column + across.texel[tap] * kChannels;
+      for (size_t c = 0; c < kChannels; ++c) sum[c] += across.weight[tap] * value[c];
+    }
+    for (size_t c = 0; c < kChannels; ++c) sum[c] /= across.total * down.total;
+    if constexpr (kChannels >= 3) {
+      if (normal) encode_normal(Limit(component, 0), sum);
+    }
+    for (size_t c = 0; c < kChannels; ++c) sum[c] = Limit(component, c).clamp(sum[c]);
+    Code::store(sum, texel);
+    if constexpr (kChannels == 4) {
+      const Limit limit(component, 3);
+      if (alpha) {
+        alpha[size_t{y} * level.width + x] = static_cast<float>(limit.is_signed ? sum[3] : sum[3] / limit.maximum);
+      }
+    }
+  }
+};
+
+template <class Code>
+void filter_code(const core::Context& context, const Filter<Code>& filter) {
+  const size_t size = filter.source.width * Code::kChannels;
+  const uint32_t workers = context.executor.worker_count ? context.executor.worker_count : 1;
+  core::Array<double> rows(context.allocator, core::checked_mul(core::checked_mul(size, 2), workers));
+  core::parallel_for(context, filter.level.height, [&](uint32_t y, uint32_t worker) {
+    double* row = rows.data() + size_t{worker} * 2 * size;
+    filter.run(y, row, row + size);
+  });
+}
+
+}  // namespace
+
+void filter_level(const core::Context& context, const shd_image& source, const shd_mip_desc& desc, bool lengths,
+                  const shd_image& level, float* alpha) {
+  const image::FormatInfo format = image::format_info(source.format);
+  const bool light = desc.semantic == SHD_SEMANTIC_COLOR || desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE;
+  const bool codes = format.component == image::Component::kSrgb8 && !light;
+  const image::Component component = codes ? image::Component::kUnorm8 : format.component;
+  const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
+  const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
+  const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;
+  visit_code(component, format.channels, [&](auto code) {
+    using Code = decltype(code);
+    filter_code<Code>(context, {source, level, across, down, component, normal, lengths, alpha});
+  });
+}
+
+}  // namespace shd::texture

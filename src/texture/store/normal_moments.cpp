@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "texture/store/normal_moments.h"
+
+#include <cmath>
+
+#include "core/executor.h"
+#include "image/format.h"
+#include "texture/store/texel_codec.h"
+
+namespace shd::texture {
+namespace {
+
+/// bx, by of a normal of any length; 0 where it has none.
+void find_slopes(const double* n, double* slope) {
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  slope[0] = slope[1] = 0.0;
+  if (!(length > 0.0) || std::isinf(length)) return;
+  const double z = n[2] > kLeastNormalZ * length ? n[2] : kLeastNormalZ * length;
+  slope[0] = n[0] / z;
+  slope[1] = n[1] / z;
+}
+
+/// One row of texels. `maximum`: the code of 1, 0 for floats.
+template <class In, class Out>
+void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width, double maximum) {
+  for (uint32_t x = 0; x < width; ++x, normal += In::kSize, out += Out::kSize) {
+    double n[4], moment[4] = {};
+    In::load(normal, n);
+    for (int c = 0; c < 3 && maximum > 0.0; ++c) n[c] = 2 * n[c] / maximum - 1;
+    find_slopes(n, moment);
+    Out::store(moment, out);
+    Out::load(out, moment);  // what is squared is what is stored: without rounding there is no variance
+    moment[2] = moment[0] * moment[0];
+    moment[3] = moment[1] * moment[1];
+    Out::store(moment, out);
+  }
+}
+
+double code_of_one(image::Component component) {
+  switch (component) {
+    case image::Component::kUnorm8: return 255;
+    case image::Component::kUnorm16: return 65535;
+    default: return 0;
+  }
+}
+
+template <class In, class Out>
+void convert(const core::Context& context, const shd_image& normals, const shd_image& out, double maximum) {
+  core::parallel_for(context, out.height, [&](uint32_t y, uint32_t) {
+    convert_row<In, Out>(static_cast<const uint8_t*>(normals.pixels) + y * normals.row_stride,
+                         static_cast<uint8_t*>(out.pixels) + y * out.row_stride, out.width, maximum);
+  });
+}
+
+}  // namespace
+
+void write_moments(const core::Context& context, const shd_image& normals, const shd_image& out) {
+  const image::FormatInfo format = image::format_info(normals.format);
+  const bool is_srgb = format.component == image::Component::kSrgb8;
+  const image::Component component = is_srgb ? image::Component::kUnorm8 : format.component;
+  visit_code(component, format.channels, [&](auto code) {
+    using In = decltype(code);
+    if constexpr (In::kChannels >= 3) {
+      if (out.format == SHD_FORMAT_RGBA16F) {
+        convert<In, CodeFloat16<4>>(context, normals, out, code_of_one(component));
+      } else {
+        convert<In, CodeFloat32<4>>(context, normals, out, code_of_one(component));
+      }
+    }
+  });
+}
+
+}  // namespace shd::texture

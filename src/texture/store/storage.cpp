@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "texture/store/storage.h"
+
+#include <cstring>
+
+#include "core/executor.h"
+#include "image/format.h"
+#include "texture/store/image_list.h"
+#include "texture/store/summed_area.h"
+
+namespace shd::texture {
+namespace {
+
+constexpr uint32_t kRowsPerTask = 64;
+
+/// The format that texels of a format are stored in: three channels become four.
+shd_format stored_format(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_RGB8: return SHD_FORMAT_RGBA8;
+    case SHD_FORMAT_RGB8_SRGB: return SHD_FORMAT_RGBA8_SRGB;
+    case SHD_FORMAT_RGB16: return SHD_FORMAT_RGBA16;
+    case SHD_FORMAT_RGB16F: return SHD_FORMAT_RGBA16F;
+    case SHD_FORMAT_RGB32F: return SHD_FORMAT_RGBA32F;
+    default: return format;
+  }
+}
+
+void set_format(const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo given = image::format_info(desc.format);
+  texture->format = stored_format(desc.format);
+  texture->component = given.component;
+  texture->given_format = desc.format;
+  texture->channels = static_cast<uint32_t>(image::format_info(texture->format).channels);
+  for (uint32_t c = 0; c < 4; ++c) {
+    uint32_t source = c;
+    if (desc.swizzle[c] != SHD_CHANNEL_DEFAULT) source = static_cast<uint32_t>(desc.swizzle[c]) - SHD_CHANNEL_R;
+    texture->channel_source[c] = source < given.channels ? source : kFill;
+    texture->fill[c] = desc.fill[c];
+  }
+}
+
+/// Sets the offsets of the ripmap levels; they follow `texels` others. Returns the number of texels of all.
+size_t lay_out_ripmap(Texture* texture, size_t texels) {
+  texture->ripmap_columns = full_level_count(texture->width, 1);
+  texture->ripmap_rows = full_level_count(texture->height, 1);
+  for (uint32_t j = 0; j < texture->ripmap_rows; ++j) {
+    for (uint32_t i = 0; i < texture->ripmap_columns; ++i) {
+      uint32_t* offset = &texture->ripmap_offset[j * kMaxLevels + i];
+      if (is_mip_level(*texture, i, j)) {
+        *offset = texture->offset[i > j ? i : j];
+      } else {
+        *offset = static_cast<uint32_t>(texels);
+        texels += size_t{level_size(texture->width, i)} * level_size(texture->height, j);
+      }
+    }
+  }
+  return texels;
+}
+
+/// Sets the sizes and the offset of every level; returns the number of texels of all layers.
+size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
+  texture->width = desc.width;
+  texture->height = desc.height;
+  texture->layers = desc.layers;
+  texture->tables = desc.tables;
+  texture->level_count = desc.level_count + 1;
+  texture->levels_given = desc.level_count > 0;
+  if (desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP) {
+    texture->level_count = full_level_count(desc.width, desc.height);
+  }
+  size_t texels = 0;
+  for (uint32_t level = 0; level < kMaxLevels; ++level) {
+    texture->offset[level] = static_cast<uint32_t>(texels);
+    if (level < texture->level_count) texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level);
+  }
+  texture->ripmap_columns = texture->ripmap_rows = 0;
+  if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(texture, texels);
+  texture->layer_texels = static_cast<uint32_t>(texels);
+  return texels * desc.layers;
+}
+
+/// One row of three channels into one of four, the fourth 0.
+void expand_row(const uint8_t* from, size_t channel_size, uint32_t width, uint8_t* to) {
+  for (uint32_t x = 0; x < width; ++x, from += 3 * channel_size, to += 4 * channel_size) {
+    std::memcpy(to, from, 3 * channel_size);
+    std::memset(to + 3 * channel_size, 0, channel_size);
+  }
+}
+
+void copy_base(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo format = image::format_info(desc.format);
+  const size_t stride = desc.row_stride ? desc.row_stride : desc.width * format.pixel_size;
+  const size_t layer_stride = desc.layer_stride ? desc.layer_stride : desc.height * stride;
+  const auto* source = static_cast<const uint8_t*>(desc.texels);
+  const uint32_t tasks_per_layer = (desc.height + kRowsPerTask - 1) / kRowsPerTask;
+  core::parallel_for(context, tasks_per_layer * desc.layers, [&](uint32_t task, uint32_t) {
+    const uint32_t layer = task / tasks_per_layer;
+    const uint32_t first = task % tasks_per_layer * kRowsPerTask;
+    const uint32_t end = first + kRowsPerTask < desc.height ? first + kRowsPerTask : desc.height;
+    copy_rows({source + layer * layer_stride, stride, format}, layer, 0, whole(*texture), {first, end}, texture);
+  });
+}
+
+/// The levels that the caller gave.
+void copy_levels(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo format = image::format_info(desc.format);
+  core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
+    const shd_image image = image_at(desc.levels, task);
+    const GivenTexels given = {static_cast<const uint8_t*>(image.pixels), image.row_stride, format};
+    const Region region = {{0, image.width}, {0, image.height}};
+    copy_rows(given, task / desc.level_count, task % desc.level_count + 1, region, region.y, texture);
+  });
+}
+
+/// Room for `texels` texels in all, less those that are borrowed.
+void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
+  if (desc.borrow) {
+    texture->borrowed = static_cast<const uint8_t*>(desc.texels);
+    texture->borrowed_texels = desc.width * desc.height;
+  }
+  const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
+  texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
+  std::memset(texture->texels.data() + size, 0, kPadding);
+  const auto first = reinterpret_cast<uintptr_t>(texture->texels.data());
+  texture->origin = reinterpret_cast<const uint8_t*>(first - texture->borrowed_texels * texel_size(*texture));
+}
+
+void build_tables(const core::Context& context, Texture* texture) {
+  if (has_built_levels(*texture)) {
+    core::Array<double> sums(context.allocator, mip_sums_size(*texture));
+    for (uint32_t layer = 0; layer < texture->layers; ++layer) {
+      build_mip_levels(context, texture, layer, whole(*texture), sums.data());
+    }
+  }
+  if (texture->tables & SHD_TABLE_RIPMAP) {
+    core::Array<double> scratch(context.allocator, ripmap_scratch_size(context, *texture));
+    for (uint32_t layer = 0; layer < texture->layers; ++layer) {
+      build_ripmap_levels(context, texture, layer, whole(*texture), scratch.data());
+    }
+  }
+  if (texture->tables & SHD_TABLE_SUMMED_AREA) build_summed_area(context, texture);
+}
+
+}  // namespace
+
+void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const Region& region, AxisRange rows,
+               Texture* texture) {
+  const size_t first = region.x.first * texel_size(*texture);
+  for (uint32_t y = rows.first; y < rows.end; ++y) {
+    const uint8_t* from = given.texels + size_t{y - region.y.first} * given.stride;
+    uint8_t* to = row_of(*texture, layer, level, y) + first;
+    if (given.format.channels == 3) {
+      expand_row(from, given.format.channel_size, region.x.size(), to);
+    } else {
+      std::memcpy(to, from, region.x.size() * given.format.pixel_size);
+    }
+  }
+}
+
+uint32_t full_level_count(uint32_t width, uint32_t height) {
+  uint32_t count = 1;
+  for (uint32_t size = width > height ? width : height; size > 1; size >>= 1) ++count;
+  return count;
+}
+
+void build(const core::Context& context, const shd_texture_desc& desc, Texture* out) {
+  Texture texture = {};
+  set_format(desc, &texture);
+  const size_t texels = lay_out(desc, &texture);
+  allocate(context, desc, texels, &texture);
+  if (!texture.borrowed) copy_base(context, desc, &texture);
+  if (desc.level_count > 0) copy_levels(context, desc, &texture);
+  build_tables(context, &texture);
+  *out = static_cast<Texture&&>(texture);
+}
+
+}  // namespace shd::texture

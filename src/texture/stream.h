@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What filters emit and formats consume: a stream of elements, one vector of lookups each. A filter knows nothing of
+/// formats, a format nothing of filters.
+///
+/// The elements of one vector of lookups follow each other; each is a quad (2 x 2 neighbouring texels of one level,
+/// with the fractions of their bilinear blend), a single texel, or a merge. Two running averages take them in:
+///
+///   kStart     average = value
+///   kBlend     average = average + share (value - average)
+///   kReplace   the same, but a lane whose share is kWhole starts with the value
+///   kMerge     first average = first + share (second - first); has no texels
+///
+/// The first average is the result. So every filter is a tree of blends of at most two levels, and texels that are
+/// equal give exactly their value:
+///
+///   bilinear     quad                                    trilinear   quad, quad
+///   ripmap       2 quads, 2 quads into the second, merge anisotropic a quad of each level for each probe, merge
+///   bicubic      4 texels, then 3 rows of 4 into the second, each merged
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/explain/record.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// How an element counts; one of the first three, then flags.
+enum StreamOp : uint16_t {
+  kStart = 0,
+  kBlend = 1,
+  kReplace = 2,
+  kHow = 3,           // mask of the above
+  kSecond = 4,        // into the second average
+  kQuad = 8,          // four texels, else one
+  kNeighbours = 16,   // of a quad: texels 1 and 3 follow 0 and 2 in memory, and none is the border
+  kMerge = 32,        // the second average into the first
+  kRated = 64,        // the share depends on the point: its rates are there, if the stream has rates
+  kNewLine = 128,     // a texel that begins a row, for prefetching
+  kLast = 256,        // the last element of its lookups
+};
+
+/// Share of a lane that starts with the value.
+constexpr float kWhole = 2.0f;
+
+/// Columns of elements: element e of a target with L lanes lies at e * L. 11 KB at most, which stay in the first-level
+/// cache.
+struct Stream {
+  static constexpr size_t kCapacity = 256;
+
+  size_t elements;  // whole vectors in use
+  bool has_rates;   // whether the columns of rates are written: derivatives are wanted
+  uint16_t op[kCapacity];
+  alignas(64) int32_t index[4][kCapacity];            // texels: (0, 0), (1, 0), (0, 1), (1, 1); ~index on the border
+  alignas(64) float s[kCapacity], t[kCapacity];       // fractions along u and v
+  alignas(64) float share[kCapacity];                 // unless kStart
+  alignas(64) float rate_s[kCapacity], rate_t[kCapacity];  // ds/du, dt/dv
+  alignas(64) float share_rate_u[kCapacity], share_rate_v[kCapacity];
+};
+
+/// What a consumer makes of the lookups of one batch, and how far it has come.
+struct Consumption {
+  const Texture& texture;
+  const Sampler& sampler;
+  Recording* recording;  // of the consumer that records, else null
+  Texels out;            // unwanted columns are null; nothing is written past `count`
+  size_t count;
+  size_t done;  // lookups that are written
+  bool open;    // the last lookups are not finished: `state` holds their averages
+  alignas(64) uint8_t state[2 * 4 * 3 * 64];
+};
+
+using Consume = void (*)(const Stream& stream, Consumption* consumption);
+
+/// The consumers of one format on one target.
+struct FormatKernels {
+  Consume values;    // where no lookup reads the border
+  Consume bordered;  // values where some may
+  Consume gradient;  // derivatives in u and v
+};
+
+/// One batch on its way through a filter.
+struct FilterCall {
+  const Texture& texture;
+  const Sampler& sampler;
+  const Lookups& in;
+  Texels out;
+  FormatKernels format;
+  Consume record;        // null, or the consumer that all lookups go to
+  Recording* recording;  // its
+};
+
+/// Filters on the calling thread. Returns how many lookups had something that is not finite.
+using RunFilter = size_t (*)(const FilterCall& call);
+
+}  // namespace shd::texture
