@@ -12,6 +12,7 @@
 #include "texture/explain/record-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/format/formats-inl.h"
+#include "texture/fused-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -38,6 +39,10 @@ FormatKernels FormatOf(image::Component component) {
 
 size_t RunBatch(const Texture& texture, const Sampler& sampler, const Lookups& lookups, const Texels& out,
                 Recording* recording) {
+  if (!recording && !out.wants_gradient() && !has_border(sampler)) {
+    const RunFilter fused = FusedOf(sampler.filter, texture.component);
+    if (fused) return fused({texture, sampler, lookups, out, FormatOf(texture.component), nullptr, nullptr});
+  }
   const Consume record = recording ? ConsumeStream<RecordedBlend, Recorded, true> : nullptr;
   return FilterOf(sampler.filter)({texture, sampler, lookups, out, FormatOf(texture.component), record, recording});
 }

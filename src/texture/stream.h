@@ -45,19 +45,23 @@ enum StreamOp : uint16_t {
 /// Share of a lane that starts with the value.
 constexpr float kWhole = 2.0f;
 
-/// Columns of elements: element e of a target with L lanes lies at e * L. 11 KB at most, which stay in the first-level
-/// cache.
-struct Stream {
+/// Columns of elements: element e of a target with L lanes lies at e * L.
+template <size_t kCapacity>
+struct Elements {
+  bool has_rates;                                          // whether rates are written: derivatives are wanted
+  alignas(64) int32_t index[4][kCapacity];                 // texels: (0, 0), (1, 0), (0, 1), (1, 1); ~index on the border
+  alignas(64) float s[kCapacity], t[kCapacity];            // fractions along u and v
+  alignas(64) float share[kCapacity];                      // unless kStart
+  alignas(64) float rate_s[kCapacity], rate_t[kCapacity];  // ds/du, dt/dv
+  alignas(64) float share_rate_u[kCapacity], share_rate_v[kCapacity];
+};
+
+/// A buffer of elements: 11 KB at most, which stay in the first-level cache.
+struct Stream : Elements<256> {
   static constexpr size_t kCapacity = 256;
 
   size_t elements;  // whole vectors in use
-  bool has_rates;   // whether the columns of rates are written: derivatives are wanted
   uint16_t op[kCapacity];
-  alignas(64) int32_t index[4][kCapacity];            // texels: (0, 0), (1, 0), (0, 1), (1, 1); ~index on the border
-  alignas(64) float s[kCapacity], t[kCapacity];       // fractions along u and v
-  alignas(64) float share[kCapacity];                 // unless kStart
-  alignas(64) float rate_s[kCapacity], rate_t[kCapacity];  // ds/du, dt/dv
-  alignas(64) float share_rate_u[kCapacity], share_rate_v[kCapacity];
 };
 
 /// What a consumer makes of the lookups of one batch, and how far it has come.
@@ -86,7 +90,7 @@ struct FilterCall {
   const Texture& texture;
   const Sampler& sampler;
   const Lookups& in;
-  Texels out;
+  const Texels& out;
   FormatKernels format;
   Consume record;        // null, or the consumer that all lookups go to
   Recording* recording;  // its

@@ -28,9 +28,10 @@ struct Recorded {
     return index;
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D, const Texture&, Ints<D> index, Texel<D>* left, Texel<D>* right) {
-    *left = index;
-    *right = index + hn::Set(hn::RebindToSigned<D>(), 1);
+  static HWY_INLINE void fetch_pair(D, const Texture&, const int32_t* index, Texel<D>* left, Texel<D>* right) {
+    const hn::RebindToSigned<D> di;
+    *left = hn::Load(di, index);
+    *right = *left + hn::Set(di, 1);
   }
 };
 

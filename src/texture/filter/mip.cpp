@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/filter/bases-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/runner-inl.h"

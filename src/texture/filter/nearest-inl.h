@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+
 #if defined(SHD_TEXTURE_NEAREST_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_NEAREST_INL_H_
 #undef SHD_TEXTURE_NEAREST_INL_H_
@@ -8,8 +9,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/filter/level-inl.h"
-#include "texture/footprint/block.h"
+#include "texture/filter/bases-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,6 +26,16 @@ HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level,
   sink.texel(d, kStart | kNewLine, RowIndex(d, level, y) + x, hn::And(in_x, in_y));
   sink.finish();
 }
+
+
+struct Nearest : OnBaseLevel {
+  using OnBaseLevel::OnBaseLevel;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PointBlock& block, size_t i, Sink& sink) const {
+    emit_nearest(d, sampler, level(d, block, i), block, i, sink);
+  }
+};
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

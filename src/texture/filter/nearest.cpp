@@ -12,19 +12,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-namespace {
-
-struct Nearest : OnBaseLevel {
-  using OnBaseLevel::OnBaseLevel;
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const PointBlock& block, size_t i, Sink& sink) const {
-    emit_nearest(d, sampler, level(d, block, i), block, i, sink);
-  }
-};
-
-}  // namespace
 
 size_t RunNearest(const FilterCall& call) {
   return Run<Nearest>(call);

@@ -23,59 +23,35 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The shapes of the lookups of a call from `first` on, at most kBlock of them. Returns how many are not finite.
+template <class Filter>
+HWY_INLINE size_t FindBlock(const FilterCall& call, size_t first, typename Filter::Block* block) {
+  const size_t count = call.in.count - first < kBlock ? call.in.count - first : kBlock;
+  return Filter::find(call.texture, call.sampler, part_of(call.in, first, count), block);
+}
+
+/// Emits a block.
+template <class Filter, class Sink>
+HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& block, Sink& sink) {
+  const BatchTag d;
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
+}
+
 /// A RunFilter.
 template <class Filter>
 HWY_NOINLINE size_t Run(const FilterCall& call) {
-  const BatchTag d;
-  const size_t lanes = hn::Lanes(d);
   const Filter filter(call.texture, call.sampler);
-  StreamSink<BatchTag> sink(call);
   typename Filter::Block block;
+  StreamSink<BatchTag> sink(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = part_of(call.in, first, call.in.count - first < kBlock ? call.in.count - first : kBlock);
-    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
-    sink.set_scattered(is_scattered(call.texture, block, Filter::lods(block)));
-    for (size_t i = 0; i < in.count; i += lanes) filter.emit(d, block, i, sink);
+    nonfinite += FindBlock<Filter>(call, first, &block);
+    sink.begin(first, is_scattered(call.texture, block, Filter::lods(block)));
+    EmitBlock(filter, block, sink);
     sink.flush();
   }
   return nonfinite;
 }
-
-/// What filters on level 0 have in common.
-struct OnBaseLevel {
-  using Block = PointBlock;
-
-  const Texture& texture;
-  const Sampler& sampler;
-
-  OnBaseLevel(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
-
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* block) {
-    return FindPoints(texture, sampler, in, block);
-  }
-  static const float* lods(const PointBlock&) { return nullptr; }
-
-  template <class D>
-  HWY_INLINE Level<D> level(D d, const PointBlock& block, size_t i) const {
-    return SameLevel(d, texture, FirstTexel(d, texture, block, i), 0);
-  }
-};
-
-/// What filters with a level of detail have in common.
-struct OnMipLevels {
-  using Block = LodBlock;
-
-  const Texture& texture;
-  const Sampler& sampler;
-
-  OnMipLevels(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
-
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
-    return FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
-  }
-  static const float* lods(const LodBlock& block) { return block.lod; }
-};
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where filters emit to: a buffer of elements that goes to the consumers whenever it is full.
+// Where filters emit to.
 
 #if defined(SHD_TEXTURE_SINK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_SINK_INL_H_
@@ -24,11 +24,55 @@ struct Share {
   hn::Vec<D> value, rate_u, rate_v;
 };
 
+/// Writes a quad as the element at `at`; returns its flags.
+template <class D, class Elements>
+HWY_INLINE uint32_t WriteQuad(D d, const Quad<D>& q, bool bordered, size_t at, Elements* to) {
+  const hn::RebindToSigned<D> di;
+  hn::Store(q.x.s, d, to->s + at);
+  hn::Store(q.y.s, d, to->t + at);
+  if (HWY_UNLIKELY(to->has_rates)) {
+    hn::Store(q.x.rate, d, to->rate_s + at);
+    hn::Store(q.y.rate, d, to->rate_t + at);
+  }
+  if (HWY_UNLIKELY(bordered)) {
+    for (size_t k = 0; k < 4; ++k) {
+      hn::Store(TexelOrBorder(d, q.index(k % 2, k / 2), q.in(k % 2, k / 2)), di, to->index[k] + at);
+    }
+    return kQuad;
+  }
+  hn::Store(q.index(0, 0), di, to->index[0] + at);
+  hn::Store(q.index(0, 1), di, to->index[2] + at);
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(q.x.i1, q.x.i0 + hn::Set(di, 1))))) return kQuad | kNeighbours;
+  hn::Store(q.index(1, 0), di, to->index[1] + at);
+  hn::Store(q.index(1, 1), di, to->index[3] + at);
+  return kQuad;
+}
+
+/// Writes a single texel.
+template <class D, class Elements>
+HWY_INLINE void WriteTexel(D d, Ints<D> index, MaskOf<D> in, bool bordered, size_t at, Elements* to) {
+  const Ints<D> texel = HWY_UNLIKELY(bordered) ? TexelOrBorder(d, index, in) : index;
+  hn::Store(texel, hn::RebindToSigned<D>(), to->index[0] + at);
+}
+
+template <class D, class Elements>
+HWY_INLINE uint32_t WriteShare(D d, hn::Vec<D> share, size_t at, Elements* to) {
+  hn::Store(share, d, to->share + at);
+  return 0;
+}
+template <class D, class Elements>
+HWY_INLINE uint32_t WriteShare(D d, const Share<D>& share, size_t at, Elements* to) {
+  hn::Store(share.value, d, to->share + at);
+  if (HWY_LIKELY(!to->has_rates)) return 0;
+  hn::Store(share.rate_u, d, to->share_rate_u + at);
+  hn::Store(share.rate_v, d, to->share_rate_v + at);
+  return kRated;
+}
+
+/// A buffer of elements that goes to the consumers of a call whenever it is full.
 template <class D>
 class StreamSink {
  public:
-  using V = hn::Vec<D>;
-
   explicit StreamSink(const FilterCall& call)
       : texture_(call.texture),
         bordered_(has_border(call.sampler)),
@@ -46,58 +90,36 @@ class StreamSink {
   /// Whether shares need their rates.
   HWY_INLINE bool has_rates() const { return stream_.has_rates; }
 
-  /// Whether the lookups that follow lie all over a large texture.
-  void set_scattered(bool scattered) { scattered_ = scattered; }
+  /// Lookups from `first` on follow; whether they lie all over a large texture.
+  void begin(size_t first, bool scattered) {
+    first_.done = second_.done = first;
+    scattered_ = scattered;
+  }
 
   HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q) {
-    const size_t at = add(d, op | kQuad);
-    const hn::RebindToSigned<D> di;
-    hn::Store(q.x.s, d, stream_.s + at);
-    hn::Store(q.y.s, d, stream_.t + at);
-    if (HWY_UNLIKELY(stream_.has_rates)) {
-      hn::Store(q.x.rate, d, stream_.rate_s + at);
-      hn::Store(q.y.rate, d, stream_.rate_t + at);
-    }
-    if (HWY_LIKELY(!bordered_)) {
-      hn::Store(q.index(0, 0), di, stream_.index[0] + at);
-      hn::Store(q.index(0, 1), di, stream_.index[2] + at);
-      if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(q.x.i1, q.x.i0 + hn::Set(di, 1))))) {
-        stream_.op[stream_.elements - 1] |= kNeighbours;
-        return;
-      }
-      hn::Store(q.index(1, 0), di, stream_.index[1] + at);
-      hn::Store(q.index(1, 1), di, stream_.index[3] + at);
-      return;
-    }
-    for (size_t k = 0; k < 4; ++k) {
-      hn::Store(TexelOrBorder(d, q.index(k % 2, k / 2), q.in(k % 2, k / 2)), di, stream_.index[k] + at);
-    }
+    const size_t at = add(d);
+    set_op(op | WriteQuad(d, q, bordered_, at, &stream_));
   }
-  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q, V share) {
-    quad(d, op, q);
-    set_share(d, share);
+  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q, hn::Vec<D> share) {
+    const size_t at = add(d);
+    WriteShare(d, share, at, &stream_);
+    set_op(op | WriteQuad(d, q, bordered_, at, &stream_));
   }
-
   HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in) {
-    const size_t at = add(d, op);
-    const Ints<D> texel = HWY_UNLIKELY(bordered_) ? TexelOrBorder(d, index, in) : index;
-    hn::Store(texel, hn::RebindToSigned<D>(), stream_.index[0] + at);
+    WriteTexel(d, index, in, bordered_, add(d), &stream_);
+    set_op(op);
   }
   HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const Share<D>& share) {
-    texel(d, op, index, in);
-    set_share(d, share);
+    const size_t at = add(d);
+    WriteTexel(d, index, in, bordered_, at, &stream_);
+    set_op(op | WriteShare(d, share, at, &stream_));
   }
-
   /// The second average into the first.
-  HWY_INLINE void merge(D d, V share) {
-    add(d, kMerge);
-    set_share(d, share);
+  template <class AnyShare>
+  HWY_INLINE void merge(D d, const AnyShare& share) {
+    const size_t at = add(d);
+    set_op(kMerge | WriteShare(d, share, at, &stream_));
   }
-  HWY_INLINE void merge(D d, const Share<D>& share) {
-    add(d, kMerge);
-    set_share(d, share);
-  }
-
   /// The last element was the last of its lookups.
   HWY_INLINE void finish() { stream_.op[stream_.elements - 1] |= kLast; }
 
@@ -111,23 +133,12 @@ class StreamSink {
 
  private:
   /// Place of a new element.
-  HWY_INLINE size_t add(D d, uint32_t op) {
+  HWY_INLINE size_t add(D d) {
     const size_t lanes = hn::Lanes(d);
     if (HWY_UNLIKELY((stream_.elements + 1) * lanes > Stream::kCapacity)) flush();
-    stream_.op[stream_.elements] = static_cast<uint16_t>(op);
     return stream_.elements++ * lanes;
   }
-  HWY_INLINE void set_share(D d, V share) {
-    hn::Store(share, d, stream_.share + (stream_.elements - 1) * hn::Lanes(d));
-  }
-  HWY_INLINE void set_share(D d, const Share<D>& share) {
-    const size_t at = (stream_.elements - 1) * hn::Lanes(d);
-    hn::Store(share.value, d, stream_.share + at);
-    if (HWY_LIKELY(!stream_.has_rates)) return;
-    stream_.op[stream_.elements - 1] |= kRated;
-    hn::Store(share.rate_u, d, stream_.share_rate_u + at);
-    hn::Store(share.rate_v, d, stream_.share_rate_v + at);
-  }
+  HWY_INLINE void set_op(uint32_t op) { stream_.op[stream_.elements - 1] = static_cast<uint16_t>(op); }
 
   Stream stream_;
   const Texture& texture_;

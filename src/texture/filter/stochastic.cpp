@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/filter/bases-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/pick-inl.h"
 #include "texture/filter/pick_ellipse-inl.h"

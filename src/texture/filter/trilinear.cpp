@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Bilinear on the two levels around the level of detail (Williams, "Pyramidal Parametrics", 1983).
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -9,27 +8,10 @@
 
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/runner-inl.h"
+#include "texture/filter/trilinear-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-namespace {
-
-struct Trilinear : OnMipLevels {
-  using OnMipLevels::OnMipLevels;
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
-    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    const LevelPair<D> levels =
-        LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
-    sink.quad(d, kStart, QuadAt(d, sampler, levels.high, u, v));
-    if (levels.blended) sink.quad(d, kBlend, QuadAt(d, sampler, levels.low, u, v), levels.fraction);
-    sink.finish();
-  }
-};
-
-}  // namespace
 
 size_t RunTrilinear(const FilterCall& call) {
   return Run<Trilinear>(call);

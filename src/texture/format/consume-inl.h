@@ -4,7 +4,7 @@
 //
 //   Texel<D>                  raw bits of one texel per lane
 //   fetch(d, texture, index)  texels at indices; what lies behind the channels that the texture has is not defined
-//   fetch_pair(...)           texels at indices and the ones behind them
+//   fetch_pair(...)           texels at indices, which lie aligned in memory, and the ones behind them
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
 //   finish<C>(d, value)       from the lerp domain to the result
 //   kFloat                    texels may be infinite, NaN or so far apart that their difference overflows
@@ -59,14 +59,13 @@ struct QuadTaps {
   Tap<F, D> tap[4];
 };
 
-template <class F, bool kBorder, class D>
-SHD_KERNEL_PART QuadTaps<F, D> FetchQuad(D d, const Texture& texture, const Stream& stream, uint32_t op, size_t at) {
+template <class F, bool kBorder, class D, class Elements>
+SHD_KERNEL_PART QuadTaps<F, D> FetchQuad(D d, const Texture& texture, const Elements& stream, uint32_t op, size_t at) {
   QuadTaps<F, D> quad;
   if (HWY_LIKELY(op & kNeighbours)) {
-    const hn::RebindToSigned<D> di;
     for (size_t row = 0; row < 2; ++row) {
       Tap<F, D>*left = &quad.tap[2 * row], *right = left + 1;
-      F::fetch_pair(d, texture, hn::Load(di, stream.index[2 * row] + at), &left->texel, &right->texel);
+      F::fetch_pair(d, texture, stream.index[2 * row] + at, &left->texel, &right->texel);
       left->in = right->in = hn::Eq(hn::Zero(d), hn::Zero(d));
     }
     return quad;
@@ -76,8 +75,8 @@ SHD_KERNEL_PART QuadTaps<F, D> FetchQuad(D d, const Texture& texture, const Stre
 }
 
 /// Bilinear value of channel C.
-template <size_t C, class B, class F, class D>
-HWY_INLINE auto BlendQuad(D d, const B& b, const QuadTaps<F, D>& quad, const Stream& stream, size_t at) {
+template <size_t C, class B, class F, class D, class Elements>
+HWY_INLINE auto BlendQuad(D d, const B& b, const QuadTaps<F, D>& quad, const Elements& stream, size_t at) {
   const auto s = hn::Load(d, stream.s + at), t = hn::Load(d, stream.t + at);
   const auto t00 = b.template tap<C>(d, quad.tap[0].texel, quad.tap[0].in);
   const auto t10 = b.template tap<C>(d, quad.tap[1].texel, quad.tap[1].in);
@@ -89,8 +88,8 @@ HWY_INLINE auto BlendQuad(D d, const B& b, const QuadTaps<F, D>& quad, const Str
 }
 
 /// A running average and one more value.
-template <class B, class D, class Value>
-HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Stream& stream, uint32_t op,
+template <class B, class D, class Value, class Elements>
+HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream, uint32_t op,
                           size_t at) {
   const auto share = hn::Load(d, stream.share + at);
   const Value blended = HWY_UNLIKELY(op & kRated) ? b.blend_by(d, average, value, share, stream.share_rate_u + at,
@@ -100,43 +99,53 @@ HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& va
   return b.replace(d, hn::Eq(share, hn::Set(d, kWhole)), blended, value);
 }
 
+/// The running averages of one vector of lookups, in the wanted channels: the first one, then the second one.
+template <class B, class D>
+struct Averages {
+  typename B::template Value<D> value[2][4] = {};
+};
+
+/// Takes the element at `at` into the averages. Of the last element of its lookups, writes the result instead.
+template <class B, class F, bool kBorder, class D, class Elements>
+HWY_INLINE void ConsumeElement(D d, const B& b, const Elements& stream, uint32_t op, size_t at,
+                               Averages<B, D>* averages, Consumption* to) {
+  using Value = typename B::template Value<D>;
+  Value* into = averages->value[op & kSecond ? 1 : 0];
+  Value value[4] = {};
+  if (op & kMerge) {
+    ForEachWanted<B>(to->out, [&](auto c) { value[c] = averages->value[1][c]; });
+  } else if (op & kQuad) {
+    const QuadTaps<F, D> quad = FetchQuad<F, kBorder>(d, to->texture, stream, op, at);
+    ForEachWanted<B>(to->out, [&](auto c) { value[c] = BlendQuad<c>(d, b, quad, stream, at); });
+  } else {
+    const Tap<F, D> tap = FetchTap<F, kBorder>(d, to->texture, stream.index[0] + at);
+    ForEachWanted<B>(to->out, [&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
+  }
+  if (op & (kHow | kMerge)) {
+    ForEachWanted<B>(to->out, [&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
+  }
+  if (op & kLast) {
+    ForEachWanted<B>(to->out, [&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
+    to->done += hn::Lanes(d);
+  } else {
+    ForEachWanted<B>(to->out, [&](auto c) { into[c] = value[c]; });
+  }
+}
+
 /// A Consume: B is the Blend, F the Format.
 template <class B, class F, bool kBorder>
-void ConsumeStream(const Stream& stream, Consumption* to) {
+void ConsumeStream(const Stream& stream, Consumption* consumption) {
   using D = BatchTag;
-  using Value = typename B::template Value<D>;
   const D d;
-  const size_t lanes = hn::Lanes(d);
-  const B b(*to);
-  const Texels out = to->out;
-  Value average[2][4] = {};
-  static_assert(sizeof average <= sizeof to->state);
-  if (to->open) std::memcpy(average, to->state, sizeof average);
-  to->open = !(stream.op[stream.elements - 1] & kLast);
+  const B b(*consumption);
+  Averages<B, D> averages;
+  static_assert(sizeof averages <= sizeof consumption->state);
+  if (consumption->open) std::memcpy(&averages, consumption->state, sizeof averages);
   for (size_t e = 0; e < stream.elements; ++e) {
-    const size_t at = e * lanes;
-    const uint32_t op = stream.op[e];
-    Value* into = average[op & kSecond ? 1 : 0];
-    Value value[4] = {};
-    if (op & kMerge) {
-      ForEachWanted<B>(out, [&](auto c) { value[c] = average[1][c]; });
-    } else if (op & kQuad) {
-      const QuadTaps<F, D> quad = FetchQuad<F, kBorder>(d, to->texture, stream, op, at);
-      ForEachWanted<B>(out, [&](auto c) { value[c] = BlendQuad<c>(d, b, quad, stream, at); });
-    } else {
-      const Tap<F, D> tap = FetchTap<F, kBorder>(d, to->texture, stream.index[0] + at);
-      ForEachWanted<B>(out, [&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
-    }
-    if ((op & (kHow | kMerge)) == kStart) {
-      ForEachWanted<B>(out, [&](auto c) { into[c] = value[c]; });
-    } else {
-      ForEachWanted<B>(out, [&](auto c) { into[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
-    }
-    if (!(op & kLast)) continue;
-    ForEachWanted<B>(out, [&](auto c) { b.template store<c>(d, average[0][c], to->done, *to); });
-    to->done += lanes;
+    ConsumeElement<B, F, kBorder>(d, b, stream, stream.op[e], e * hn::Lanes(d), &averages, consumption);
   }
-  if (to->open) std::memcpy(to->state, average, sizeof average);
+  consumption->open = !(stream.op[stream.elements - 1] & kLast);
+  if (consumption->open) std::memcpy(consumption->state, &averages, sizeof averages);
 }
 
 template <class F>

@@ -36,7 +36,8 @@ struct Float32 {
     }
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, Ints<D> index, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
     *left = fetch(d, texture, index);
     *right = fetch(d, texture, index + hn::Set(hn::RebindToSigned<D>(), 1));
   }

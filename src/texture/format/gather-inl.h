@@ -84,12 +84,11 @@ HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
 
 /// Words at index and index + 1, if all lanes lie near each other.
 template <class D>
-HWY_INLINE bool LoadRow(D d, const uint8_t* texels, Ints<D> index, Ints<D>* left, Ints<D>* right) {
+HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
   const size_t lanes = hn::Lanes(di);
-  const int32_t begin = hn::GetLane(index), end = hn::ExtractLane(index, lanes - 1);
-  const int32_t first = begin < end ? begin : end;
-  const auto from_first = index - hn::Set(di, first), next = from_first + hn::Set(di, 1);
+  const int32_t first = index[0] < index[lanes - 1] ? index[0] : index[lanes - 1];
+  const auto from_first = hn::Load(di, index) - hn::Set(di, first), next = from_first + hn::Set(di, 1);
   const auto outside = hn::AndNot(hn::Set(di, static_cast<int32_t>(2 * lanes - 1)), from_first | next);
   if (!hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)))) return false;
   const int32_t* words = reinterpret_cast<const int32_t*>(texels) + first;
@@ -99,21 +98,21 @@ HWY_INLINE bool LoadRow(D d, const uint8_t* texels, Ints<D> index, Ints<D>* left
   return true;
 }
 
-/// Words at index and index + 1.
+/// Words at index and index + 1; the indices are aligned.
 template <class D>
-HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, Ints<D> index, Ints<D>* left, Ints<D>* right) {
-  if (!LoadRow(d, texels, index, left, right)) GatherWordPairs(d, texels, index, left, right);
+HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+  if (LoadRow(d, texels, index, left, right)) return;
+  GatherWordPairs(d, texels, hn::Load(hn::RebindToSigned<D>(), index), left, right);
 }
 #else
-/// Words at index and index + 1, by one load of 8 bytes a lane.
+/// Words at index and index + 1, by one load of 8 bytes a lane; the indices are aligned.
 template <class D>
-HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, Ints<D> index, Ints<D>* left, Ints<D>* right) {
+HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
   constexpr size_t kLanes = hn::MaxLanes(hn::RebindToSigned<D>());
-  alignas(64) int32_t at[kLanes], pair[2 * kLanes];
-  hn::Store(index, di, at);
+  alignas(64) int32_t pair[2 * kLanes];
   for (size_t k = 0; k < kLanes; ++k) {
-    std::memcpy(pair + 2 * k, texels + size_t{4} * static_cast<uint32_t>(at[k]), 8);
+    std::memcpy(pair + 2 * k, texels + size_t{4} * static_cast<uint32_t>(index[k]), 8);
   }
   hn::LoadInterleaved2(di, pair, *left, *right);
 }

@@ -8,25 +8,10 @@
 
 #include "texture/format/consume-inl.h"
 #include "texture/format/formats-inl.h"
-#include "texture/format/words-inl.h"
+#include "texture/format/unorm8-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-namespace {
-
-struct Unorm8 : OneWord {
-  template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {
-    return hn::ConvertTo(d, Byte<C>(hn::RebindToSigned<D>(), texel));
-  }
-  template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> finish(D d, hn::Vec<D> value) {
-    return CodeToUnit(d, kScale8, value);
-  }
-};
-
-}  // namespace
 
 FormatKernels Unorm8Kernels() {
   return KernelsOf<Unorm8>();

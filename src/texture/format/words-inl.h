@@ -50,7 +50,8 @@ struct OneWord {
   }
   /// Of one or two channels, both texels lie in one word.
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, Ints<D> index, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
     const uint8_t* texels = TexelsOf(d, texture, index);
     if (HWY_UNLIKELY(!texels)) {
       *left = GatherApart(d, texture, index, 0);
@@ -62,7 +63,7 @@ struct OneWord {
       *left = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       *right = hn::ShiftRight<16>(*left);
     } else {
-      LoadWordPairs(d, texels, index, left, right);
+      LoadWordPairs(d, texels, at, left, right);
     }
   }
 };
@@ -82,8 +83,10 @@ struct TwoWords {
       return {rg, texture.channels == 4 ? GatherApart(d, texture, index, 4) : rg};
     }
     if (texture.channels == 4) {
+      alignas(64) int32_t words[hn::MaxLanes(D())];
+      hn::Store(index + index, hn::RebindToSigned<D>(), words);
       Texel<D> texel;
-      LoadWordPairs(d, texels, index + index, &texel.rg, &texel.ba);
+      LoadWordPairs(d, texels, words, &texel.rg, &texel.ba);
       return texel;
     }
     const auto word = texture.channels == 1 ? GatherBytes(d, texels, hn::ShiftLeft<1>(index))
@@ -91,8 +94,9 @@ struct TwoWords {
     return {word, word};
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, Ints<D> index, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
     const hn::RebindToSigned<D> di;
+    const auto index = hn::Load(di, at);
     const uint8_t* texels = texture.channels < 4 ? TexelsOf(d, texture, index) : nullptr;
     if (HWY_UNLIKELY(!texels)) {
       *left = fetch(d, texture, index);
@@ -101,7 +105,7 @@ struct TwoWords {
       left->rg = left->ba = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       right->rg = right->ba = hn::ShiftRight<16>(left->rg);
     } else {
-      LoadWordPairs(d, texels, index, &left->rg, &right->rg);
+      LoadWordPairs(d, texels, at, &left->rg, &right->rg);
       left->ba = left->rg;
       right->ba = right->rg;
     }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What filters have in common that read level 0, or the levels around a level of detail.
+
+#if defined(SHD_TEXTURE_BASES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_BASES_INL_H_
+#undef SHD_TEXTURE_BASES_INL_H_
+#else
+#define SHD_TEXTURE_BASES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/level-inl.h"
+#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What filters on level 0 have in common.
+struct OnBaseLevel {
+  using Block = PointBlock;
+
+  const Texture& texture;
+  const Sampler& sampler;
+
+  OnBaseLevel(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* block) {
+    return FindPoints(texture, sampler, in, block);
+  }
+  static const float* lods(const PointBlock&) { return nullptr; }
+
+  template <class D>
+  HWY_INLINE Level<D> level(D d, const PointBlock& block, size_t i) const {
+    return SameLevel(d, texture, FirstTexel(d, texture, block, i), 0);
+  }
+};
+
+/// What filters with a level of detail have in common.
+struct OnMipLevels {
+  using Block = LodBlock;
+
+  const Texture& texture;
+  const Sampler& sampler;
+
+  OnMipLevels(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
+    return FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+  }
+  static const float* lods(const LodBlock& block) { return block.lod; }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_BASES_INL_H_

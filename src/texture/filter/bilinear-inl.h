@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+
+#if defined(SHD_TEXTURE_BILINEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_BILINEAR_INL_H_
+#undef SHD_TEXTURE_BILINEAR_INL_H_
+#else
+#define SHD_TEXTURE_BILINEAR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/bases-inl.h"
+#include "texture/stream.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct Bilinear : OnBaseLevel {
+  using OnBaseLevel::OnBaseLevel;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PointBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
+    sink.quad(d, kStart, QuadAt(d, sampler, level(d, block, i), u, v));
+    sink.finish();
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_BILINEAR_INL_H_

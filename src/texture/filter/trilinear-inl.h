@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Bilinear on the two levels around the level of detail (Williams, "Pyramidal Parametrics", 1983).
+
+#if defined(SHD_TEXTURE_TRILINEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_TRILINEAR_INL_H_
+#undef SHD_TEXTURE_TRILINEAR_INL_H_
+#else
+#define SHD_TEXTURE_TRILINEAR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/bases-inl.h"
+#include "texture/stream.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct Trilinear : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
+    const LevelPair<D> levels =
+        LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
+    sink.quad(d, kStart, QuadAt(d, sampler, levels.high, u, v));
+    if (levels.blended) sink.quad(d, kBlend, QuadAt(d, sampler, levels.low, u, v), levels.fraction);
+    sink.finish();
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_TRILINEAR_INL_H_

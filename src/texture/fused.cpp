@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as it is
+// emitted. The other pairs stream at the same speed or within 10 % of it.
+#include "texture/sample.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/fused.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/nearest-inl.h"
+#include "texture/filter/runner-inl.h"
+#include "texture/format/consume-inl.h"
+#include "texture/format/unorm8-inl.h"
+#include "texture/fused-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+namespace {
+
+/// Values without border of one format.
+template <class F, class D>
+class FusedSink {
+ public:
+  using B = Blend<F, false>;
+
+  explicit FusedSink(const FilterCall& call)
+      : to_{call.texture, call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, blend_(to_) {
+    element_.has_rates = false;
+  }
+
+  /// Lookups from `first` on follow.
+  void begin(size_t first) { to_.done = first; }
+
+  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q) { consume(d, op | WriteQuad(d, q, false, 0, &element_)); }
+  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q, hn::Vec<D> share) {
+    WriteShare(d, share, 0, &element_);
+    quad(d, op, q);
+  }
+  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in) {
+    WriteTexel(d, index, in, false, 0, &element_);
+    consume(d, op);
+  }
+  HWY_INLINE void merge(D d, hn::Vec<D> share) {
+    WriteShare(d, share, 0, &element_);
+    consume(d, kMerge);
+  }
+  HWY_INLINE void finish() {
+    const D d;
+    ForEachWanted<B>(to_.out, [&](auto c) { blend_.template store<c>(d, averages_.value[0][c], to_.done, to_); });
+    to_.done += hn::Lanes(d);
+  }
+
+ private:
+  HWY_INLINE void consume(D d, uint32_t op) {
+    ConsumeElement<B, F, false>(d, blend_, element_, op, 0, &averages_, &to_);
+  }
+
+  Elements<kMaxLanes> element_;
+  Consumption to_;
+  B blend_;
+  Averages<B, D> averages_;
+};
+
+/// A RunFilter. Lookups that are scattered over a large texture are streamed, as streams prefetch.
+template <class Filter, class F>
+size_t RunFused(const FilterCall& call) {
+  const Filter filter(call.texture, call.sampler);
+  typename Filter::Block block;
+  FusedSink<F, BatchTag> fused(call);
+  StreamSink<BatchTag> stream(call);
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < call.in.count; first += kBlock) {
+    nonfinite += FindBlock<Filter>(call, first, &block);
+    if (is_scattered(call.texture, block, Filter::lods(block))) {
+      stream.begin(first, true);
+      EmitBlock(filter, block, stream);
+      stream.flush();
+    } else {
+      fused.begin(first);
+      EmitBlock(filter, block, fused);
+    }
+  }
+  return nonfinite;
+}
+
+}  // namespace
+
+RunFilter FusedOf(shd_filter filter, image::Component component) {
+  if (component == image::Component::kUnorm8 && filter == SHD_FILTER_NEAREST) return RunFused<Nearest, Unorm8>;
+  return nullptr;
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
