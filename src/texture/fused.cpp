@@ -26,7 +26,7 @@ class FusedSink {
   using B = Blend<F, false>;
 
   explicit FusedSink(const FilterCall& call)
-      : to_{call.texture, call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, blend_(to_) {
+      : to_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, consumer_(to_) {
     element_.has_rates = false;
   }
 
@@ -48,18 +48,19 @@ class FusedSink {
   }
   HWY_INLINE void finish() {
     const D d;
-    ForEachWanted<B>(to_.out, [&](auto c) { blend_.template store<c>(d, averages_.value[0][c], to_.done, to_); });
+    consumer_.wanted.for_each(
+        [&](auto c) { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
     to_.done += hn::Lanes(d);
   }
 
  private:
   HWY_INLINE void consume(D d, uint32_t op) {
-    ConsumeElement<B, F, false>(d, blend_, element_, op, 0, &averages_, &to_);
+    ConsumeElement<B, F, false>(d, consumer_, element_, op, 0, &averages_, &to_);
   }
 
   Elements<kMaxLanes> element_;
   Consumption to_;
-  B blend_;
+  Consumer<B> consumer_;
   Averages<B, D> averages_;
 };
 
@@ -73,7 +74,7 @@ size_t RunFused(const FilterCall& call) {
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     nonfinite += FindBlock<Filter>(call, first, &block);
-    if (is_scattered(call.texture, block, Filter::lods(block))) {
+    if (Filter::is_scattered(call.texture, block)) {
       stream.begin(first, true);
       EmitBlock(filter, block, stream);
       stream.flush();

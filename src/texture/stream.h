@@ -4,7 +4,8 @@
 /// formats, a format nothing of filters.
 ///
 /// The elements of one vector of lookups follow each other; each is a quad (2 x 2 neighbouring texels of one level,
-/// with the fractions of their bilinear blend), a single texel, or a merge. Two running averages take them in:
+/// with the fractions of their bilinear blend), a row (four texels side by side, with the shares of their running
+/// average), a single texel, or a merge. Two running averages take them in:
 ///
 ///   kStart     average = value
 ///   kBlend     average = average + share (value - average)
@@ -16,7 +17,7 @@
 ///
 ///   bilinear     quad                                    trilinear   quad, quad
 ///   ripmap       2 quads, 2 quads into the second, merge anisotropic a quad of each level for each probe, merge
-///   bicubic      4 texels, then 3 rows of 4 into the second, each merged
+///   bicubic      4 rows                                  EWA         texels, a quad where it meets bilinear
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,9 @@ enum StreamOp : uint16_t {
   kReplace = 2,
   kHow = 3,           // mask of the above
   kSecond = 4,        // into the second average
-  kQuad = 8,          // four texels, else one
-  kNeighbours = 16,   // of a quad: texels 1 and 3 follow 0 and 2 in memory, and none is the border
+  kQuad = 8,          // 2 x 2 texels: columns 0 and 1 of row 0, then of row 1
+  kRow = 512,         // 4 texels, the two in the middle first: columns 1, 2, 0, 3
+  kNeighbours = 16,   // texels side by side are so in memory, and none is the border
   kMerge = 32,        // the second average into the first
   kRated = 64,        // the share depends on the point: its rates are there, if the stream has rates
   kNewLine = 128,     // a texel that begins a row, for prefetching
@@ -49,14 +51,17 @@ constexpr float kWhole = 2.0f;
 template <size_t kCapacity>
 struct Elements {
   bool has_rates;                                          // whether rates are written: derivatives are wanted
-  alignas(64) int32_t index[4][kCapacity];                 // texels: (0, 0), (1, 0), (0, 1), (1, 1); ~index on the border
-  alignas(64) float s[kCapacity], t[kCapacity];            // fractions along u and v
-  alignas(64) float share[kCapacity];                      // unless kStart
-  alignas(64) float rate_s[kCapacity], rate_t[kCapacity];  // ds/du, dt/dv
+  alignas(64) int32_t index[4][kCapacity];  // texels; ~index on the border
+  alignas(64) float s[kCapacity];           // quad: fraction along u; row: share of the second texel
+  alignas(64) float t[kCapacity];           // quad: fraction along v; row: share of the third texel
+  alignas(64) float r[kCapacity];           // row: share of the fourth texel
+  alignas(64) float share[kCapacity];       // unless kStart
+  // Their change in the coordinate, if has_rates: s and r along u, t of a quad along v, share along both.
+  alignas(64) float rate_s[kCapacity], rate_t[kCapacity], rate_r[kCapacity];
   alignas(64) float share_rate_u[kCapacity], share_rate_v[kCapacity];
 };
 
-/// A buffer of elements: 11 KB at most, which stay in the first-level cache.
+/// A buffer of elements: 8 KB, 13 KB with rates, which stay in the first-level cache.
 struct Stream : Elements<256> {
   static constexpr size_t kCapacity = 256;
 
@@ -64,9 +69,20 @@ struct Stream : Elements<256> {
   uint16_t op[kCapacity];
 };
 
+/// Where the texels of a texture lie.
+struct TexelSource {
+  const uint8_t* origin;     // texel 0, or where it would lie if the base were not borrowed
+  const uint8_t* borrowed;   // the caller's base level, or null
+  uint32_t borrowed_texels;  // how many: lower indices are there
+  uint32_t channels;         // stored: 1, 2 or 4
+  uint32_t texel_size;       // bytes
+
+  explicit TexelSource(const Texture& texture);
+};
+
 /// What a consumer makes of the lookups of one batch, and how far it has come.
 struct Consumption {
-  const Texture& texture;
+  TexelSource texels;
   const Sampler& sampler;
   Recording* recording;  // of the consumer that records, else null
   Texels out;            // unwanted columns are null; nothing is written past `count`
@@ -76,7 +92,8 @@ struct Consumption {
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
 };
 
-using Consume = void (*)(const Stream& stream, Consumption* consumption);
+/// Consumes elements first..end - 1.
+using Consume = void (*)(const Stream& stream, size_t first, size_t end, Consumption* consumption);
 
 /// The consumers of one format on one target.
 struct FormatKernels {

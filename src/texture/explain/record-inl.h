@@ -24,14 +24,19 @@ struct Recorded {
   using Texel = Ints<D>;
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D, const Texture&, Ints<D> index) {
-    return index;
+  static HWY_INLINE Texel<D> fetch(D, const TexelSource&, const int32_t* index) {
+    return hn::Load(hn::RebindToSigned<D>(), index);
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D, const Texture&, const int32_t* index, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_pair(D, const TexelSource&, const int32_t* index, Texel<D>* left, Texel<D>* right) {
     const hn::RebindToSigned<D> di;
     *left = hn::Load(di, index);
     *right = *left + hn::Set(di, 1);
+  }
+  template <class D>
+  static HWY_INLINE void fetch_row(D, const TexelSource&, const int32_t* index, Texel<D> (&row)[4]) {
+    const hn::RebindToSigned<D> di;
+    for (int k = 0; k < 4; ++k) row[k] = hn::Load(di, index) + hn::Set(di, k);
   }
 };
 

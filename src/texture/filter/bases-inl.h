@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/level-inl.h"
+#include "texture/filter/prefetch.h"
 #include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
@@ -30,7 +31,9 @@ struct OnBaseLevel {
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* block) {
     return FindPoints(texture, sampler, in, block);
   }
-  static const float* lods(const PointBlock&) { return nullptr; }
+  static bool is_scattered(const Texture& texture, const PointBlock& block) {
+    return texture::is_scattered(texture, block, nullptr);
+  }
 
   template <class D>
   HWY_INLINE Level<D> level(D d, const PointBlock& block, size_t i) const {
@@ -50,7 +53,9 @@ struct OnMipLevels {
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
     return FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
-  static const float* lods(const LodBlock& block) { return block.lod; }
+  static bool is_scattered(const Texture& texture, const LodBlock& block) {
+    return texture::is_scattered(texture, block, block.lod);
+  }
 };
 
 }  // namespace shd::texture::HWY_NAMESPACE

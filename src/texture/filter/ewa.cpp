@@ -175,7 +175,9 @@ struct Ewa {
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
     return FindEllipses(texture, sampler, in, block);
   }
-  static const float* lods(const EllipseBlock& block) { return block.level; }
+  static bool is_scattered(const Texture& texture, const EllipseBlock& block) {
+    return texture::is_scattered(texture, block, block.level);
+  }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const EllipseBlock& block, size_t i, Sink& sink) const {

@@ -26,6 +26,9 @@ HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& bl
 struct NearestMip : OnMipLevels {
   using OnMipLevels::OnMipLevels;
 
+  /// One texel each: prefetching would cost more than it saves.
+  static bool is_scattered(const Texture&, const PointBlock&) { return false; }
+
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);

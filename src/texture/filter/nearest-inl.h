@@ -31,6 +31,9 @@ HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level,
 struct Nearest : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
 
+  /// One texel each: prefetching would cost more than it saves.
+  static bool is_scattered(const Texture&, const PointBlock&) { return false; }
+
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PointBlock& block, size_t i, Sink& sink) const {
     emit_nearest(d, sampler, level(d, block, i), block, i, sink);

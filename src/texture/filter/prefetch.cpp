@@ -24,22 +24,27 @@ bool is_scattered(const Texture& texture, const PointBlock& block, const float* 
   return apart > kPairs / 2;
 }
 
-void prefetch_stream(const Texture& texture, const Stream& stream, size_t lanes) {
-  const size_t size = texel_size(texture);
+void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes) {
   const auto ask = [&](const int32_t* index) {
+    // A function that does nothing but prefetch has no effect in the compiler's eyes: gcc 12 drops its calls.
+    __asm__ volatile("");
     for (size_t k = 0; k < lanes; ++k) {
       const auto i = static_cast<uint32_t>(index[k] < 0 ? ~index[k] : index[k]);
-      __builtin_prefetch((i < texture.borrowed_texels ? texture.borrowed : texture.origin) + i * size);
+      __builtin_prefetch((i < source.borrowed_texels ? source.borrowed : source.origin) + size_t{i} * source.texel_size);
     }
   };
-  for (size_t e = 0; e < stream.elements; ++e) {
-    if (stream.op[e] & kQuad) {
-      ask(stream.index[0] + e * lanes);
-      ask(stream.index[2] + e * lanes);
-    } else if (stream.op[e] & kNewLine) {
-      ask(stream.index[0] + e * lanes);
-    }
+  for (size_t e = first; e < end; ++e) {
+    const uint32_t op = stream.op[e];
+    if (op & (kQuad | kRow | kNewLine)) ask(stream.index[0] + e * lanes);
+    if (op & kQuad) ask(stream.index[2] + e * lanes);
   }
 }
+
+TexelSource::TexelSource(const Texture& texture)
+    : origin(texture.origin),
+      borrowed(texture.borrowed),
+      borrowed_texels(texture.borrowed_texels),
+      channels(texture.channels),
+      texel_size(static_cast<uint32_t>(shd::texture::texel_size(texture))) {}
 
 }  // namespace shd::texture

@@ -14,7 +14,7 @@ namespace shd::texture {
 /// 0. Decides how fast the lookups are, not what they give.
 bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod);
 
-/// Asks for the rows of quads, and for texels that begin a row.
-void prefetch_stream(const Texture& texture, const Stream& stream, size_t lanes);
+/// Asks for the lines of elements first..end - 1: of quads, of rows, and of texels that begin a line.
+void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes);
 
 }  // namespace shd::texture

@@ -82,7 +82,9 @@ struct Ripmap {
       StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   }
-  static const float* lods(const AxisLodBlock& block) { return block.lod_u; }
+  static bool is_scattered(const Texture& texture, const AxisLodBlock& block) {
+    return texture::is_scattered(texture, block, block.lod_u);
+  }
 
   template <class D>
   HWY_INLINE Level<D> LevelOf(D d, Ints<D> first_texel, const AxisLevels<D>& columns, int i, const AxisLevels<D>& rows,

@@ -3,7 +3,7 @@
 //
 //   Block                                  what it needs of each lookup (block.h)
 //   static size_t find(call, in, &block)   fills it; returns how many lookups were not finite
-//   static const float* lods(block)        the levels of detail for prefetching, or null for level 0
+//   static bool is_scattered(texture, block)  whether prefetching pays (prefetch.h)
 //   emit(d, block, i, sink)                the elements of the vector of lookups at i, the last one finished
 
 #if defined(SHD_TEXTURE_RUNNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -46,7 +46,7 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     nonfinite += FindBlock<Filter>(call, first, &block);
-    sink.begin(first, is_scattered(call.texture, block, Filter::lods(block)));
+    sink.begin(first, Filter::is_scattered(call.texture, block));
     EmitBlock(filter, block, sink);
     sink.flush();
   }

@@ -48,6 +48,33 @@ HWY_INLINE uint32_t WriteQuad(D d, const Quad<D>& q, bool bordered, size_t at, E
   return kQuad;
 }
 
+/// Four texels of a row of a level around a point, columns 1, 2, 0 and 3, with the shares of the last three in their
+/// running average.
+template <class D>
+struct Row {
+  Ints<D> index[4];
+  MaskOf<D> in[4];
+  hn::Vec<D> share[3], rate[3];
+  bool neighbours;  // columns are side by side in memory
+};
+
+/// Writes a row as the element at `at`; returns its flags.
+template <class D, class Elements>
+HWY_INLINE uint32_t WriteRow(D d, const Row<D>& row, bool bordered, size_t at, Elements* to) {
+  const hn::RebindToSigned<D> di;
+  float* const shares[3] = {to->s, to->t, to->r};
+  float* const rates[3] = {to->rate_s, to->rate_t, to->rate_r};
+  for (size_t k = 0; k < 3; ++k) {
+    hn::Store(row.share[k], d, shares[k] + at);
+    if (HWY_UNLIKELY(to->has_rates)) hn::Store(row.rate[k], d, rates[k] + at);
+  }
+  for (size_t k = 0; k < 4; ++k) {
+    const auto texel = HWY_UNLIKELY(bordered) ? TexelOrBorder(d, row.index[k], row.in[k]) : row.index[k];
+    hn::Store(texel, di, to->index[k] + at);
+  }
+  return row.neighbours && !bordered ? kRow | kNeighbours : kRow;
+}
+
 /// Writes a single texel.
 template <class D, class Elements>
 HWY_INLINE void WriteTexel(D d, Ints<D> index, MaskOf<D> in, bool bordered, size_t at, Elements* to) {
@@ -74,10 +101,9 @@ template <class D>
 class StreamSink {
  public:
   explicit StreamSink(const FilterCall& call)
-      : texture_(call.texture),
-        bordered_(has_border(call.sampler)),
-        first_{call.texture, call.sampler, call.recording, call.out, call.in.count, 0, false, {}},
-        second_{call.texture, call.sampler, nullptr, call.out, call.in.count, 0, false, {}} {
+      : bordered_(has_border(call.sampler)),
+        first_{TexelSource(call.texture), call.sampler, call.recording, call.out, call.in.count, 0, false, {}},
+        second_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}} {
     consume_first_ = call.record ? call.record : bordered_ ? call.format.bordered : call.format.values;
     if (!call.record && call.out.wants_gradient()) consume_second_ = call.format.gradient;
     if (!call.record && !call.out.wants_values()) consume_first_ = nullptr;
@@ -105,6 +131,11 @@ class StreamSink {
     WriteShare(d, share, at, &stream_);
     set_op(op | WriteQuad(d, q, bordered_, at, &stream_));
   }
+  template <class AnyShare>
+  HWY_INLINE void row(D d, uint32_t op, const Row<D>& r, const AnyShare& share) {
+    const size_t at = add(d);
+    set_op(op | WriteRow(d, r, bordered_, at, &stream_) | WriteShare(d, share, at, &stream_));
+  }
   HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in) {
     WriteTexel(d, index, in, bordered_, add(d), &stream_);
     set_op(op);
@@ -124,14 +155,26 @@ class StreamSink {
   HWY_INLINE void finish() { stream_.op[stream_.elements - 1] |= kLast; }
 
   void flush() {
-    if (stream_.elements == 0) return;
-    if (scattered_) prefetch_stream(texture_, stream_, hn::Lanes(D()));
-    if (consume_first_) consume_first_(stream_, &first_);
-    if (consume_second_) consume_second_(stream_, &second_);
+    const size_t end = stream_.elements, lanes = hn::Lanes(D());
     stream_.elements = 0;
+    if (!scattered_) return consume(0, end);
+    // Part by part, the next one on its way from memory while one is consumed.
+    constexpr size_t kPart = Stream::kCapacity / 2;
+    const size_t part = kPart > lanes ? kPart / lanes : 1;
+    prefetch_elements(first_.texels, stream_, 0, part < end ? part : end, lanes);
+    for (size_t e = 0; e < end; e += part) {
+      const size_t next = e + part < end ? e + part : end;
+      prefetch_elements(first_.texels, stream_, next, next + part < end ? next + part : end, lanes);
+      consume(e, next);
+    }
   }
 
  private:
+  void consume(size_t first, size_t end) {
+    if (first == end) return;
+    if (consume_first_) consume_first_(stream_, first, end, &first_);
+    if (consume_second_) consume_second_(stream_, first, end, &second_);
+  }
   /// Place of a new element.
   HWY_INLINE size_t add(D d) {
     const size_t lanes = hn::Lanes(d);
@@ -141,7 +184,6 @@ class StreamSink {
   HWY_INLINE void set_op(uint32_t op) { stream_.op[stream_.elements - 1] = static_cast<uint16_t>(op); }
 
   Stream stream_;
-  const Texture& texture_;
   const bool bordered_;
   bool scattered_ = false;
   Consume consume_first_, consume_second_ = nullptr;

@@ -150,7 +150,9 @@ struct PickEllipse {
     FindRandom(sampler, in, block);
     return FindEllipses(texture, sampler, in, block);
   }
-  static const float* lods(const Block& block) { return block.level; }
+  static bool is_scattered(const Texture& texture, const Block& block) {
+    return texture::is_scattered(texture, block, block.level);
+  }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {

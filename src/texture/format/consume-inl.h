@@ -3,8 +3,10 @@
 // A Format has
 //
 //   Texel<D>                  raw bits of one texel per lane
-//   fetch(d, texture, index)  texels at indices; what lies behind the channels that the texture has is not defined
-//   fetch_pair(...)           texels at indices, which lie aligned in memory, and the ones behind them
+//   fetch(d, source, index)   texels at indices, which lie aligned in memory; what is behind the channels that the
+//                             texture has is not defined
+//   fetch_pair(...)           texels at indices and the ones behind them
+//   fetch_row(...)            four texels side by side, from indices on
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
 //   finish<C>(d, value)       from the lerp domain to the result
 //   kFloat                    texels may be infinite, NaN or so far apart that their difference overflows
@@ -28,14 +30,19 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// body(std::integral_constant<size_t, C>()) for every wanted channel C.
-template <class B, class Body>
-HWY_INLINE void ForEachWanted(const Texels& out, const Body& body) {
-  if (B::wanted(out, 0)) body(std::integral_constant<size_t, 0>());
-  if (B::wanted(out, 1)) body(std::integral_constant<size_t, 1>());
-  if (B::wanted(out, 2)) body(std::integral_constant<size_t, 2>());
-  if (B::wanted(out, 3)) body(std::integral_constant<size_t, 3>());
-}
+/// Which of the four channels a consumer writes.
+struct WantedChannels {
+  bool channel[4];
+
+  /// body(std::integral_constant<size_t, C>()) for every wanted channel C.
+  template <class Body>
+  HWY_INLINE void for_each(const Body& body) const {
+    if (channel[0]) body(std::integral_constant<size_t, 0>());
+    if (channel[1]) body(std::integral_constant<size_t, 1>());
+    if (channel[2]) body(std::integral_constant<size_t, 2>());
+    if (channel[3]) body(std::integral_constant<size_t, 3>());
+  }
+};
 
 /// One texel a lane, and whether it is one of the image.
 template <class F, class D>
@@ -45,46 +52,65 @@ struct Tap {
 };
 
 template <class F, bool kBorder, class D>
-HWY_INLINE Tap<F, D> FetchTap(D d, const Texture& texture, const int32_t* index) {
+HWY_INLINE Tap<F, D> FetchTap(D d, const TexelSource& source, const int32_t* index) {
+  if constexpr (!kBorder) return {F::fetch(d, source, index), hn::Eq(hn::Zero(d), hn::Zero(d))};
   const hn::RebindToSigned<D> di;
-  const auto given = hn::Load(di, index);
-  if constexpr (!kBorder) return {F::fetch(d, texture, given), hn::Eq(hn::Zero(d), hn::Zero(d))};
-  const auto sign = hn::BroadcastSignBit(given);
-  return {F::fetch(d, texture, given ^ sign), hn::RebindMask(d, hn::Eq(sign, hn::Zero(di)))};
+  const auto given = hn::Load(di, index), sign = hn::BroadcastSignBit(given);
+  alignas(64) int32_t clamped[hn::MaxLanes(D())];
+  hn::Store(given ^ sign, di, clamped);
+  return {F::fetch(d, source, clamped), hn::RebindMask(d, hn::Eq(sign, hn::Zero(di)))};
 }
 
-/// The four texels of a quad: columns 0 and 1 of row 0, then of row 1.
+/// The four texels of a quad or a row, in the order of the stream.
 template <class F, class D>
-struct QuadTaps {
+struct FourTaps {
   Tap<F, D> tap[4];
 };
 
 template <class F, bool kBorder, class D, class Elements>
-SHD_KERNEL_PART QuadTaps<F, D> FetchQuad(D d, const Texture& texture, const Elements& stream, uint32_t op, size_t at) {
-  QuadTaps<F, D> quad;
+SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const Elements& stream, uint32_t op,
+                                         size_t at) {
+  FourTaps<F, D> four;
   if (HWY_LIKELY(op & kNeighbours)) {
-    for (size_t row = 0; row < 2; ++row) {
-      Tap<F, D>*left = &quad.tap[2 * row], *right = left + 1;
-      F::fetch_pair(d, texture, stream.index[2 * row] + at, &left->texel, &right->texel);
-      left->in = right->in = hn::Eq(hn::Zero(d), hn::Zero(d));
+    Tap<F, D>* tap = four.tap;
+    if (HWY_LIKELY(op & kQuad)) {
+      F::fetch_pair(d, source, stream.index[0] + at, &tap[0].texel, &tap[1].texel);
+      F::fetch_pair(d, source, stream.index[2] + at, &tap[2].texel, &tap[3].texel);
+    } else {
+      typename F::template Texel<D> row[4];
+      F::fetch_row(d, source, stream.index[2] + at, row);
+      tap[0].texel = row[1];
+      tap[1].texel = row[2];
+      tap[2].texel = row[0];
+      tap[3].texel = row[3];
     }
-    return quad;
+    tap[0].in = tap[1].in = tap[2].in = tap[3].in = hn::Eq(hn::Zero(d), hn::Zero(d));
+    return four;
   }
-  for (size_t k = 0; k < 4; ++k) quad.tap[k] = FetchTap<F, kBorder>(d, texture, stream.index[k] + at);
-  return quad;
+  for (size_t k = 0; k < 4; ++k) four.tap[k] = FetchTap<F, kBorder>(d, source, stream.index[k] + at);
+  return four;
 }
 
 /// Bilinear value of channel C.
 template <size_t C, class B, class F, class D, class Elements>
-HWY_INLINE auto BlendQuad(D d, const B& b, const QuadTaps<F, D>& quad, const Elements& stream, size_t at) {
+HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
   const auto s = hn::Load(d, stream.s + at), t = hn::Load(d, stream.t + at);
-  const auto t00 = b.template tap<C>(d, quad.tap[0].texel, quad.tap[0].in);
-  const auto t10 = b.template tap<C>(d, quad.tap[1].texel, quad.tap[1].in);
+  const auto t00 = b.template tap<C>(d, four.tap[0].texel, four.tap[0].in);
+  const auto t10 = b.template tap<C>(d, four.tap[1].texel, four.tap[1].in);
   const auto top = b.blend_s(d, t00, t10, s, stream.rate_s + at);
-  const auto t01 = b.template tap<C>(d, quad.tap[2].texel, quad.tap[2].in);
-  const auto t11 = b.template tap<C>(d, quad.tap[3].texel, quad.tap[3].in);
+  const auto t01 = b.template tap<C>(d, four.tap[2].texel, four.tap[2].in);
+  const auto t11 = b.template tap<C>(d, four.tap[3].texel, four.tap[3].in);
   const auto bottom = b.blend_s(d, t01, t11, s, stream.rate_s + at);
   return b.blend_t(d, top, bottom, t, stream.rate_t + at);
+}
+
+/// The running average of channel C of a row.
+template <size_t C, class B, class F, class D, class Elements>
+HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
+  const auto tap = [&](size_t k) { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
+  auto value = b.blend_s(d, tap(0), tap(1), hn::Load(d, stream.s + at), stream.rate_s + at);
+  value = b.blend_s(d, value, tap(2), hn::Load(d, stream.t + at), stream.rate_t + at);
+  return b.blend_s(d, value, tap(3), hn::Load(d, stream.r + at), stream.rate_r + at);
 }
 
 /// A running average and one more value.
@@ -105,46 +131,65 @@ struct Averages {
   typename B::template Value<D> value[2][4] = {};
 };
 
+/// What does not change from element to element, apart from memory that vectors are stored to.
+template <class B>
+struct Consumer {
+  B blend;
+  TexelSource source;
+  WantedChannels wanted;
+
+  explicit Consumer(const Consumption& c)
+      : blend(c),
+        source(c.texels),
+        wanted{{B::wanted(c.out, 0), B::wanted(c.out, 1), B::wanted(c.out, 2), B::wanted(c.out, 3)}} {}
+};
+
 /// Takes the element at `at` into the averages. Of the last element of its lookups, writes the result instead.
 template <class B, class F, bool kBorder, class D, class Elements>
-HWY_INLINE void ConsumeElement(D d, const B& b, const Elements& stream, uint32_t op, size_t at,
+HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements& stream, uint32_t op, size_t at,
                                Averages<B, D>* averages, Consumption* to) {
   using Value = typename B::template Value<D>;
+  const B& b = consumer.blend;
+  const WantedChannels wanted = consumer.wanted;
   Value* into = averages->value[op & kSecond ? 1 : 0];
   Value value[4] = {};
-  if (op & kMerge) {
-    ForEachWanted<B>(to->out, [&](auto c) { value[c] = averages->value[1][c]; });
-  } else if (op & kQuad) {
-    const QuadTaps<F, D> quad = FetchQuad<F, kBorder>(d, to->texture, stream, op, at);
-    ForEachWanted<B>(to->out, [&](auto c) { value[c] = BlendQuad<c>(d, b, quad, stream, at); });
+  if (op & (kQuad | kRow)) {
+    const FourTaps<F, D> four = FetchFour<F, kBorder>(d, consumer.source, stream, op, at);
+    if (HWY_LIKELY(op & kQuad)) {
+      wanted.for_each([&](auto c) { value[c] = BlendQuad<c>(d, b, four, stream, at); });
+    } else {
+      wanted.for_each([&](auto c) { value[c] = BlendRow<c>(d, b, four, stream, at); });
+    }
+  } else if (op & kMerge) {
+    wanted.for_each([&](auto c) { value[c] = averages->value[1][c]; });
   } else {
-    const Tap<F, D> tap = FetchTap<F, kBorder>(d, to->texture, stream.index[0] + at);
-    ForEachWanted<B>(to->out, [&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
+    const Tap<F, D> tap = FetchTap<F, kBorder>(d, consumer.source, stream.index[0] + at);
+    wanted.for_each([&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
   }
   if (op & (kHow | kMerge)) {
-    ForEachWanted<B>(to->out, [&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
+    wanted.for_each([&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
   }
   if (op & kLast) {
-    ForEachWanted<B>(to->out, [&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
+    wanted.for_each([&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
     to->done += hn::Lanes(d);
   } else {
-    ForEachWanted<B>(to->out, [&](auto c) { into[c] = value[c]; });
+    wanted.for_each([&](auto c) { into[c] = value[c]; });
   }
 }
 
 /// A Consume: B is the Blend, F the Format.
 template <class B, class F, bool kBorder>
-void ConsumeStream(const Stream& stream, Consumption* consumption) {
+void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* consumption) {
   using D = BatchTag;
   const D d;
-  const B b(*consumption);
+  const Consumer<B> consumer(*consumption);
   Averages<B, D> averages;
   static_assert(sizeof averages <= sizeof consumption->state);
   if (consumption->open) std::memcpy(&averages, consumption->state, sizeof averages);
-  for (size_t e = 0; e < stream.elements; ++e) {
-    ConsumeElement<B, F, kBorder>(d, b, stream, stream.op[e], e * hn::Lanes(d), &averages, consumption);
+  for (size_t e = first; e < end; ++e) {
+    ConsumeElement<B, F, kBorder>(d, consumer, stream, stream.op[e], e * hn::Lanes(d), &averages, consumption);
   }
-  consumption->open = !(stream.op[stream.elements - 1] & kLast);
+  consumption->open = !(stream.op[end - 1] & kLast);
   if (consumption->open) std::memcpy(consumption->state, &averages, sizeof averages);
 }
 

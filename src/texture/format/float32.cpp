@@ -15,40 +15,64 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// Channels are gathered when they are wanted.
+/// The channels of a texel as words; those that the texture does not have are not defined.
 struct Float32 {
   static constexpr bool kFloat = true;
   template <class D>
   struct Texel {
-    const float* first;
-    Ints<D> index;         // of floats
-    const Texture* apart;  // null, or the texture where the texels lie in two places; the index is then one of texels
+    Ints<D> word[4];
   };
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
-    const auto* first = reinterpret_cast<const float*>(TexelsOf(d, texture, index));
-    if (HWY_UNLIKELY(!first)) return {first, index, &texture};
-    switch (texture.channels) {
-      case 1: return {first, index, nullptr};
-      case 2: return {first, hn::ShiftLeft<1>(index), nullptr};
-      default: return {first, hn::ShiftLeft<2>(index), nullptr};
-    }
+  static HWY_INLINE Texel<D> fetch(D d, const TexelSource& source, const int32_t* at) {
+    return load(d, source, TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at)), at, 0);
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
-    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
-    *left = fetch(d, texture, index);
-    *right = fetch(d, texture, index + hn::Set(hn::RebindToSigned<D>(), 1));
+  static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
+                                    Texel<D>* right) {
+    const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at));
+    if (HWY_LIKELY(texels && source.channels == 1)) {
+      return LoadWordPairs<4>(d, texels, at, &left->word[0], &right->word[0]);
+    }
+    *left = load(d, source, texels, at, 0);
+    *right = load(d, source, texels, at, source.texel_size);
+  }
+  template <class D>
+  static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
+    const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at));
+    for (size_t k = 0; k < 4; ++k) row[k] = load(d, source, texels, at, k * source.texel_size);
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, const Texel<D>& texel) {
-    if (HWY_UNLIKELY(texel.apart)) return hn::BitCast(d, GatherApart(d, *texel.apart, texel.index, 4 * C));
-    return hn::GatherIndex(d, texel.first + C, texel.index);
+    return hn::BitCast(d, texel.word[C]);
   }
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D, hn::Vec<D> value) {
     return value;
+  }
+
+ private:
+  /// Texels `byte` bytes behind those at indices; `texels` is null where they are not all in one block.
+  template <class D>
+  static HWY_INLINE Texel<D> load(D d, const TexelSource& source, const uint8_t* texels, const int32_t* at,
+                                  size_t byte) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    Texel<D> texel;
+    texel.word[0] = texel.word[1] = texel.word[2] = texel.word[3] = hn::Zero(hn::RebindToSigned<D>());
+    if (HWY_UNLIKELY(!texels)) {
+      for (size_t c = 0; c < source.channels; ++c) texel.word[c] = GatherApart(d, source, index, byte + 4 * c);
+    } else if (source.channels == 1) {
+      texel.word[0] = GatherWords(d, texels + byte, index);
+    } else if (source.channels == 2) {
+      LoadWordPairs<8>(d, texels + byte, at, &texel.word[0], &texel.word[1]);
+    } else {
+#if HWY_TARGET == HWY_AVX2
+      for (size_t c = 0; c < 4; ++c) texel.word[c] = GatherWords(d, texels + byte + 4 * c, hn::ShiftLeft<2>(index));
+#else
+      LoadFourWords<16>(d, texels + byte, at, texel.word);
+#endif
+    }
+    return texel;
   }
 };
 

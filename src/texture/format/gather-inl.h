@@ -14,8 +14,8 @@
 
 #include <hwy/highway.h>
 
-#include "texture/store/storage.h"
 #include "texture/store/wrap-inl.h"
+#include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -36,22 +36,23 @@ HWY_INLINE Ints<D> GatherBytes(D, const uint8_t* texels, Ints<D> offset) {
 
 /// What the texels at indices are indexed from: all in one block, or null where some are borrowed and some are not.
 template <class D>
-HWY_INLINE const uint8_t* TexelsOf(D, const Texture& texture, Ints<D> index) {
-  if (HWY_LIKELY(!texture.borrowed)) return texture.origin;
+HWY_INLINE const uint8_t* TexelsOf(D, const TexelSource& source, Ints<D> index) {
+  if (HWY_LIKELY(!source.borrowed)) return source.origin;
   const hn::RebindToSigned<D> di;
-  const auto borrowed = hn::Lt(index, hn::Set(di, static_cast<int32_t>(texture.borrowed_texels)));
-  if (hn::AllTrue(di, borrowed)) return texture.borrowed;
-  return hn::AllFalse(di, borrowed) ? texture.origin : nullptr;
+  const auto borrowed = hn::Lt(index, hn::Set(di, static_cast<int32_t>(source.borrowed_texels)));
+  if (hn::AllTrue(di, borrowed)) return source.borrowed;
+  return hn::AllFalse(di, borrowed) ? source.origin : nullptr;
 }
 
 /// Words `byte` bytes into texels that are not all in one block. Few vectors have lanes on level 0 and on others.
 template <class D>
-HWY_NOINLINE Ints<D> GatherApart(D, const Texture& texture, Ints<D> index, size_t byte) {
+HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, size_t byte) {
   const hn::RebindToSigned<D> di;
   alignas(64) int32_t word[hn::MaxLanes(di)];
   hn::Store(index, di, word);
   for (size_t k = 0; k < hn::Lanes(di); ++k) {
-    const uint8_t* texel = texel_at(texture, static_cast<uint32_t>(word[k])) + byte;
+    const auto i = static_cast<uint32_t>(word[k]);
+    const uint8_t* texel = (i < source.borrowed_texels ? source.borrowed : source.origin) + i * source.texel_size + byte;
     std::memcpy(&word[k], texel, sizeof word[k]);
   }
   return hn::Load(di, word);
@@ -98,25 +99,68 @@ HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D
   return true;
 }
 
-/// Words at index and index + 1; the indices are aligned.
-template <class D>
+/// The two words from an index on, which counts `kStride` bytes.
+template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
-  if (LoadRow(d, texels, index, left, right)) return;
-  GatherWordPairs(d, texels, hn::Load(hn::RebindToSigned<D>(), index), left, right);
+  if (kStride == 4 && LoadRow(d, texels, index, left, right)) return;
+  const auto at = hn::Load(hn::RebindToSigned<D>(), index);
+  GatherWordPairs(d, texels, kStride == 4 ? at : at + at, left, right);
 }
 #else
-/// Words at index and index + 1, by one load of 8 bytes a lane; the indices are aligned.
-template <class D>
+/// The two words from an index on, which counts `kStride` bytes, by one load of 8 bytes a lane.
+template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
   constexpr size_t kLanes = hn::MaxLanes(hn::RebindToSigned<D>());
   alignas(64) int32_t pair[2 * kLanes];
   for (size_t k = 0; k < kLanes; ++k) {
-    std::memcpy(pair + 2 * k, texels + size_t{4} * static_cast<uint32_t>(index[k]), 8);
+    std::memcpy(pair + 2 * k, texels + kStride * static_cast<uint32_t>(index[k]), 8);
   }
   hn::LoadInterleaved2(di, pair, *left, *right);
 }
 #endif
+
+/// The four words from an index on, which counts `kStride` bytes, by one load of 16 bytes a lane. The indices are read
+/// from memory, as elements of a vector are dear to extract.
+template <size_t kStride, class D>
+HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, Ints<D> (&word)[4]) {
+  const hn::RebindToSigned<D> di;
+  constexpr size_t kLanes = hn::MaxLanes(hn::RebindToSigned<D>());
+  const auto at = [&](size_t lane) {
+    return reinterpret_cast<const int32_t*>(texels + kStride * static_cast<uint32_t>(index[lane]));
+  };
+#if HWY_TARGET == HWY_SCALAR
+  static_assert(kLanes == 1);
+  for (size_t k = 0; k < 4; ++k) word[k] = hn::LoadU(di, at(0) + k);
+#else
+  // Block b of vector r is the four words of lane 4 b + r: transposed, word k of every lane is one vector.
+  Ints<D> lane[4];
+  for (size_t r = 0; r < 4; ++r) {
+    if constexpr (kLanes == 4) {
+      lane[r] = hn::LoadU(di, at(r));
+    } else {
+      const hn::Half<decltype(di)> half;
+      if constexpr (kLanes == 8) {
+        lane[r] = hn::Combine(di, hn::LoadU(half, at(r + 4)), hn::LoadU(half, at(r)));
+      } else {
+        const hn::Half<decltype(half)> quarter;
+        const auto low = hn::Combine(half, hn::LoadU(quarter, at(r + 4)), hn::LoadU(quarter, at(r)));
+        const auto high = hn::Combine(half, hn::LoadU(quarter, at(r + 12)), hn::LoadU(quarter, at(r + 8)));
+        lane[r] = hn::Combine(di, high, low);
+      }
+    }
+  }
+  const hn::Repartition<int64_t, decltype(di)> wide;
+  const auto low01 = hn::BitCast(wide, hn::InterleaveLower(di, lane[0], lane[1]));
+  const auto low23 = hn::BitCast(wide, hn::InterleaveLower(di, lane[2], lane[3]));
+  const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(di, lane[0], lane[1]));
+  const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(di, lane[2], lane[3]));
+  word[0] = hn::BitCast(di, hn::InterleaveLower(wide, low01, low23));
+  word[1] = hn::BitCast(di, hn::InterleaveUpper(wide, low01, low23));
+  word[2] = hn::BitCast(di, hn::InterleaveLower(wide, high01, high23));
+  word[3] = hn::BitCast(di, hn::InterleaveUpper(wide, high01, high23));
+#endif
+}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -39,10 +39,11 @@ struct OneWord {
   using Texel = Ints<D>;
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
-    const uint8_t* texels = TexelsOf(d, texture, index);
-    if (HWY_UNLIKELY(!texels)) return GatherApart(d, texture, index, 0);
-    switch (texture.channels) {
+  static HWY_INLINE Texel<D> fetch(D d, const TexelSource& source, const int32_t* at) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    const uint8_t* texels = TexelsOf(d, source, index);
+    if (HWY_UNLIKELY(!texels)) return GatherApart(d, source, index, 0);
+    switch (source.channels) {
       case 1: return GatherBytes(d, texels, index);
       case 2: return GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       default: return GatherWords(d, texels, index);
@@ -50,20 +51,31 @@ struct OneWord {
   }
   /// Of one or two channels, both texels lie in one word.
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
+                                    Texel<D>* right) {
     const auto index = hn::Load(hn::RebindToSigned<D>(), at);
-    const uint8_t* texels = TexelsOf(d, texture, index);
+    const uint8_t* texels = TexelsOf(d, source, index);
     if (HWY_UNLIKELY(!texels)) {
-      *left = GatherApart(d, texture, index, 0);
-      *right = GatherApart(d, texture, index + hn::Set(hn::RebindToSigned<D>(), 1), 0);
-    } else if (texture.channels == 1) {
+      *left = GatherApart(d, source, index, 0);
+      *right = GatherApart(d, source, index, source.texel_size);
+    } else if (source.channels == 1) {
       *left = GatherBytes(d, texels, index);
       *right = hn::ShiftRight<8>(*left);
-    } else if (texture.channels == 2) {
+    } else if (source.channels == 2) {
       *left = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       *right = hn::ShiftRight<16>(*left);
     } else {
-      LoadWordPairs(d, texels, at, left, right);
+      LoadWordPairs<4>(d, texels, at, left, right);
+    }
+  }
+  template <class D>
+  static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    const uint8_t* texels = TexelsOf(d, source, index);
+    if (HWY_LIKELY(texels && source.channels == 4)) return LoadFourWords<4>(d, texels, at, row);
+    for (size_t k = 0; k < 4; ++k) {
+      row[k] = texels ? GatherBytes(d, texels + k * source.texel_size, source.channels == 1 ? index : index + index)
+                      : GatherApart(d, source, index, k * source.texel_size);
     }
   }
 };
@@ -76,39 +88,36 @@ struct TwoWords {
   };
 
   template <class D>
-  static HWY_INLINE Texel<D> fetch(D d, const Texture& texture, Ints<D> index) {
-    const uint8_t* texels = TexelsOf(d, texture, index);
-    if (HWY_UNLIKELY(!texels)) {
-      const auto rg = GatherApart(d, texture, index, 0);
-      return {rg, texture.channels == 4 ? GatherApart(d, texture, index, 4) : rg};
-    }
-    if (texture.channels == 4) {
-      alignas(64) int32_t words[hn::MaxLanes(D())];
-      hn::Store(index + index, hn::RebindToSigned<D>(), words);
-      Texel<D> texel;
-      LoadWordPairs(d, texels, words, &texel.rg, &texel.ba);
-      return texel;
-    }
-    const auto word = texture.channels == 1 ? GatherBytes(d, texels, hn::ShiftLeft<1>(index))
-                                            : GatherWords(d, texels, index);
-    return {word, word};
+  static HWY_INLINE Texel<D> fetch(D d, const TexelSource& source, const int32_t* at) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    return load(d, source, TexelsOf(d, source, index), at, 0);
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D d, const Texture& texture, const int32_t* at, Texel<D>* left, Texel<D>* right) {
-    const hn::RebindToSigned<D> di;
-    const auto index = hn::Load(di, at);
-    const uint8_t* texels = texture.channels < 4 ? TexelsOf(d, texture, index) : nullptr;
+  static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
+                                    Texel<D>* right) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    const uint8_t* texels = TexelsOf(d, source, index);
     if (HWY_UNLIKELY(!texels)) {
-      *left = fetch(d, texture, index);
-      *right = fetch(d, texture, index + hn::Set(di, 1));
-    } else if (texture.channels == 1) {
+      *left = load(d, source, texels, at, 0);
+      *right = load(d, source, texels, at, source.texel_size);
+    } else if (source.channels == 1) {
       left->rg = left->ba = GatherBytes(d, texels, hn::ShiftLeft<1>(index));
       right->rg = right->ba = hn::ShiftRight<16>(left->rg);
-    } else {
-      LoadWordPairs(d, texels, at, &left->rg, &right->rg);
+    } else if (source.channels == 2) {
+      LoadWordPairs<4>(d, texels, at, &left->rg, &right->rg);
       left->ba = left->rg;
       right->ba = right->rg;
+    } else {
+      Ints<D> word[4];
+      LoadFourWords<8>(d, texels, at, word);
+      *left = {word[0], word[1]};
+      *right = {word[2], word[3]};
     }
+  }
+  template <class D>
+  static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
+    const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at));
+    for (size_t k = 0; k < 4; ++k) row[k] = load(d, source, texels, at, k * source.texel_size);
   }
 
   /// Channel C in the lower half of every lane; the upper half is not defined where C is 0 or 2.
@@ -116,6 +125,26 @@ struct TwoWords {
   static HWY_INLINE Ints<D> half(const Texel<D>& texel) {
     const auto pair = C < 2 ? texel.rg : texel.ba;
     return C % 2 ? hn::ShiftRight<16>(pair) : pair;
+  }
+
+ private:
+  /// Texels `byte` bytes behind those at indices; `texels` is null where they are not all in one block.
+  template <class D>
+  static HWY_INLINE Texel<D> load(D d, const TexelSource& source, const uint8_t* texels, const int32_t* at,
+                                  size_t byte) {
+    const auto index = hn::Load(hn::RebindToSigned<D>(), at);
+    if (HWY_UNLIKELY(!texels)) {
+      const auto rg = GatherApart(d, source, index, byte);
+      return {rg, source.channels == 4 ? GatherApart(d, source, index, byte + 4) : rg};
+    }
+    if (source.channels == 4) {
+      Texel<D> texel;
+      LoadWordPairs<8>(d, texels + byte, at, &texel.rg, &texel.ba);
+      return texel;
+    }
+    const auto word = source.channels == 1 ? GatherBytes(d, texels + byte, hn::ShiftLeft<1>(index))
+                                           : GatherWords(d, texels + byte, index);
+    return {word, word};
   }
 };
 
