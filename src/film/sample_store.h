@@ -5,7 +5,8 @@
 
 #include "core/allocator.h"
 #include "film/framebuffer.h"
-#include "film/worker.h"
+#include "film/tile_color.h"
+#include "raster/tile.h"
 
 namespace shd::film {
 
@@ -18,9 +19,10 @@ class SampleStore {
   SampleStore(const core::Allocator& allocator, const Framebuffer& framebuffer, uint32_t tiles);
 
   bool is_empty() const { return is_saved_.size() == 0; }
-  /// What a tile held when it was saved; false if it never was. Different tiles may come and go at a time.
-  bool load(uint32_t tile, Worker* worker) const;
-  void save(uint32_t tile, const Worker& worker);
+  /// Restores tile `index` as it was saved; false if it never was. Threads may load and save different tiles
+  /// concurrently.
+  bool load(uint32_t index, raster::Tile* tile, SplitSamples* split) const;
+  void save(uint32_t index, const raster::Tile& tile, const SplitSamples& split);
 
  private:
   const size_t depths_, colors_;   // elements of a pixel

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "film/fragment_batch.h"
-#include "film/tile_state.h"
+#include "frame/fragment_batch.h"
+#include "frame/tile_state.h"
 #include "raster/edge.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Shades a run of a material that blends or drops fragments and blends it over the colours, triangle by triangle.
 void blend_run(TileState* tile, const Run& run);
@@ -14,7 +14,7 @@ void blend_run(TileState* tile, const Run& run);
 struct Survivor {
   uint32_t pixel, mask;
   float depth[raster::kMaxSamples];  // of the samples in the mask
-  FragmentColor color;
+  film::FragmentColor color;
 };
 
 /// Decides what remains of the fragments of a shaded batch.
@@ -26,7 +26,7 @@ class Survival {
   bool survives(size_t row, Survivor* out);
 
  private:
-  uint32_t kept_samples(size_t row, FragmentColor* color) const;
+  uint32_t kept_samples(size_t row, film::FragmentColor* color) const;
 
   const Draw& draw_;
   TileState& tile_;
@@ -51,4 +51,4 @@ void shade_run(TileState* tile, const Run& run, const geometry::PixelBox& box, c
   batch.flush(run.draw, done);
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

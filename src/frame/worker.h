@@ -7,15 +7,15 @@
 
 #include "core/context.h"
 #include "film/aovs.h"
-#include "film/frame.h"
 #include "film/tile_color.h"
 #include "film/unordered.h"
+#include "frame/frame.h"
 #include "geometry/assemble.h"
 #include "raster/coverage.h"
 #include "raster/fragments.h"
 #include "shade/run.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// The triangles behind a batch of fragments.
 struct BatchTriangles {
@@ -31,11 +31,11 @@ struct Worker {
   raster::CoverMask mask;                               // the latest one
   core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
   core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
-  SplitSamples split;
+  film::SplitSamples split;
   shade::Workspace workspace;
   BatchTriangles triangles;
-  Unordered unordered;
-  AovScratch aovs;
+  film::Unordered unordered;
+  film::AovScratch aovs;
   uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
@@ -59,4 +59,4 @@ class Workers {
   core::Array<Worker*> workers_;
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Wall-clock time that passes in the stages of a frame.
 class Stopwatch {
@@ -21,4 +21,4 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

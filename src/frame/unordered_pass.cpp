@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "film/unordered_pass.h"
+#include "frame/unordered_pass.h"
 
-#include "film/blended_pass.h"
+#include "frame/blended_pass.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 /// body(run) for the draws of one blend.
@@ -46,7 +46,7 @@ size_t count_sorted(TileState* tile, const geometry::PixelBox& box) {
 /// Halves boxes that hold more than the table may.
 void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
   const int32_t width = box.max_x - box.min_x + 1, height = box.max_y - box.min_y + 1;
-  if (width * height > 1 && count_sorted(tile, box) > kMaxNodes) {
+  if (width * height > 1 && count_sorted(tile, box) > film::kMaxNodes) {
     geometry::PixelBox first = box, second = box;
     if (height >= width) {
       first.max_y = box.min_y + height / 2 - 1;
@@ -58,29 +58,29 @@ void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
     draw_sorted_box(tile, first);
     return draw_sorted_box(tile, second);
   }
-  core::Buffer<SortedNode>& nodes = tile->worker.unordered.nodes;
+  core::Buffer<film::SortedNode>& nodes = tile->worker.unordered.nodes;
   nodes.clear();
   for_each_sample(tile, SHD_BLEND_SORTED, box, [&](const Draw& draw, uint32_t sample, const Survivor& left) {
     const auto place = static_cast<uint32_t>(sample * raster::kTilePixels + left.pixel);
     const float depth = left.depth[sample];
     nodes.push_back({place, draw.depth_falls ? -depth : depth, static_cast<uint32_t>(nodes.size()), left.color});
   });
-  blend_sorted(&tile->worker.unordered, &tile->color);
+  film::blend_sorted(&tile->worker.unordered, &tile->color);
 }
 
 }  // namespace
 
 void draw_weighted(TileState* tile) {
-  Unordered* unordered = &tile->worker.unordered;
-  clear_weighted(tile->renderer.context.allocator, tile->pattern.count, unordered);
+  film::Unordered* unordered = &tile->worker.unordered;
+  film::clear_weighted(tile->renderer.context.allocator, tile->pattern.count, unordered);
   for_each_sample(tile, SHD_BLEND_WEIGHTED, tile->box(), [&](const Draw&, uint32_t sample, const Survivor& left) {
-    add_weighted(sample, left.pixel, left.depth[sample], left.color, unordered);
+    film::add_weighted(sample, left.pixel, left.depth[sample], left.color, unordered);
   });
-  blend_weighted(tile->pattern.count, *unordered, &tile->color);
+  film::blend_weighted(tile->pattern.count, *unordered, &tile->color);
 }
 
 void draw_sorted(TileState* tile) {
   draw_sorted_box(tile, tile->box());
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

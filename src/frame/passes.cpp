@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "film/passes.h"
+#include "frame/passes.h"
 
 #include <algorithm>
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 bool is_unordered(const Draw& draw) {
@@ -70,4 +70,4 @@ const Frame& Passes::next() {
   return pass_;
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

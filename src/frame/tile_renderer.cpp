@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "film/tile_renderer.h"
+#include "frame/tile_renderer.h"
 
-#include "film/blended_pass.h"
-#include "film/opaque_pass.h"
-#include "film/tile_state.h"
-#include "film/unordered_pass.h"
+#include "frame/blended_pass.h"
+#include "frame/opaque_pass.h"
+#include "frame/tile_state.h"
+#include "frame/unordered_pass.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 /// What the scissor leaves of a tile; empty if nothing.
-TileArea cleared_area(const TileState& tile) {
+film::TileArea cleared_area(const TileState& tile) {
   const geometry::PixelBox whole = geometry::pixel_rectangle(tile.left, tile.top, tile.area.width, tile.area.height);
   const geometry::PixelBox box = geometry::intersection(whole, tile.renderer.frame.scissor);
   if (geometry::is_empty(box)) return {0, 0, 0, 0};
@@ -23,23 +23,23 @@ TileArea cleared_area(const TileState& tile) {
 bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
   Worker& worker = tile->worker;
-  const TileArea cleared = frame.keep ? TileArea{0, 0, 0, 0} : cleared_area(*tile);
+  const film::TileArea cleared = frame.keep ? film::TileArea{0, 0, 0, 0} : cleared_area(*tile);
   const bool is_whole = cleared.width == tile->area.width && cleared.height == tile->area.height;
   const bool is_bare = tile->is_bare();
-  clear_aovs(cleared, &tile->framebuffer);
+  film::clear_aovs(cleared, &tile->framebuffer);
   tile->color_is_unclear = is_whole && !is_bare;
   if (!tile->color_is_unclear) clear_color(cleared, frame.clear_color, &tile->framebuffer);
-  if (!is_whole || is_bare) clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
+  if (!is_whole || is_bare) film::clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
   if (is_bare) return false;
   raster::forget_bounds(&worker.tile);
-  clear_slots(&worker.tile);
+  film::clear_slots(&worker.tile);
   worker.slots.clear();
-  const SampleStore* samples = tile->renderer.samples;
-  if (samples && samples->load(tile->index, &worker)) return true;
+  const film::SampleStore* samples = tile->renderer.samples;
+  if (samples && samples->load(tile->index, &worker.tile, &worker.split)) return true;
   if (is_whole) {
-    fill_depth(frame.clear_depth, &worker.tile);
+    film::fill_depth(frame.clear_depth, &worker.tile);
   } else {
-    load_depth(tile->area, tile->framebuffer, &worker.tile);
+    film::load_depth(tile->area, tile->framebuffer, &worker.tile);
   }
   tile->color.load();
   return true;
@@ -77,8 +77,8 @@ void TileRenderer::render(uint32_t index, Worker* worker) const {
   if (unfinished.weighted) draw_weighted(&tile);
   if (unfinished.sorted) draw_sorted(&tile);
   tile.color.resolve();
-  store_depth(tile.area, worker->tile, &tile.framebuffer);
-  if (samples) samples->save(index, *worker);
+  film::store_depth(tile.area, worker->tile, &tile.framebuffer);
+  if (samples) samples->save(index, worker->tile, worker->split);
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

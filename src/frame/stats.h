@@ -3,7 +3,7 @@
 
 #include <shd/render.h>
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Adds every count and time of a piece of a frame to those of the frame; memory is not counted here.
 inline void add(const shd_render_stats& piece, shd_render_stats* frame) {
@@ -25,4 +25,4 @@ inline void add(const shd_render_stats& piece, shd_render_stats* frame) {
   frame->tile_seconds += piece.tile_seconds;
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "film/worker.h"
+#include "frame/worker.h"
 
 #include <algorithm>
 
-namespace shd::film {
+namespace shd::frame {
 
 Workers::Workers(const core::Context& context, const Frame& frame)
     : context_(context),
       samples_(frame.framebuffer->samples),
-      targets_(targets_of(*frame.framebuffer)),
+      targets_(film::targets_of(*frame.framebuffer)),
       light_count_(frame.light_count),
       workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
@@ -46,4 +46,4 @@ void Workers::count(shd_render_stats* stats) const {
   }
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "film/shadow_map.h"
+#include "frame/shadow_map.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 #include "core/executor.h"
 #include "light/shadow_fit.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 constexpr uint32_t kBlock = 2048;  // texels a side that are drawn at a time
@@ -161,7 +161,7 @@ class Drawing {
   light::ShadowMap* map_;
   const Linear linear_;
   const core::Buffer<Draw> draws_;
-  Framebuffer framebuffer_{};
+  film::Framebuffer framebuffer_{};
 };
 
 }  // namespace
@@ -180,4 +180,4 @@ void render_shadow(const core::Context& context, const core::Context& owner, con
   shadow->is_rendered = true;
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "film/opaque_pass.h"
+#include "frame/opaque_pass.h"
 
 #include <algorithm>
 
 #include "film/aovs.h"
-#include "film/fragment_batch.h"
+#include "frame/fragment_batch.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 /// A triangle of a run by its mask, which is counted, then into the visibility buffer.
@@ -18,7 +18,7 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   const uint64_t passed = tile->count_masked();
   if (draw.material && tile->framebuffer.aovs & SHD_AOV_OVERDRAW) {
     tile->for_each_masked([&](uint32_t pixel, uint32_t mask) {
-      if (mask & 1) count_overdraw(tile->area, pixel, &tile->framebuffer);
+      if (mask & 1) film::count_overdraw(tile->area, pixel, &tile->framebuffer);
     });
   }
   tile->count_hidden(area, triangle, passed);
@@ -48,7 +48,7 @@ size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_s
 
 /// Colours of a shaded batch to the samples that show them.
 void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, uint32_t all_samples,
-                  TileColor* tile_color) {
+                  film::TileColor* tile_color) {
   for (size_t i = 0; i < f.count;) {
     const size_t neighbours = count_neighbours(f, i, all_samples);
     if (neighbours > 1) {
@@ -67,9 +67,9 @@ void write_batch(const Draw& draw, TileState* tile) {
   worker.nonfinite_fragments += count_nonfinite(f, worker.workspace.columns.radiance);
   write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
-  find_rows(f, &worker.aovs);
-  write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
-             &tile->framebuffer);
+  film::find_rows(f, &worker.aovs);
+  film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
+                   &tile->framebuffer);
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ void shade_visible(TileState* tile) {
   }
   batch.flush(draw, done);
   worker.slots.clear();
-  clear_slots(&worker.tile);
+  film::clear_slots(&worker.tile);
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "film/tile_state.h"
+#include "frame/tile_state.h"
 #include "raster/edge.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Where in its pixels a triangle is shaded.
 struct Placing {
@@ -85,4 +85,4 @@ class FragmentBatch {
   Worker& worker_;
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "film/fragment_batch.h"
+#include "frame/fragment_batch.h"
 
 #include "shade/needs.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
@@ -110,10 +110,10 @@ void FragmentBatch::shade(uint32_t draw) {
                                       scene.transforms[draw].orientation,
                                       d.index,
                                       d.instance,
-                                      columns_of(tile_.framebuffer.aovs),
+                                      film::columns_of(tile_.framebuffer.aovs),
                                       d.uniforms};
   shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

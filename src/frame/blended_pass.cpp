@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "film/blended_pass.h"
+#include "frame/blended_pass.h"
 
 #include <cmath>
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 bool passes(shd_compare compare, float z, float stored) {
@@ -34,11 +34,11 @@ uint32_t covered_by_alpha(float alpha, uint32_t count) {
 }  // namespace
 
 /// Samples that alpha and discard leave of a row.
-uint32_t Survival::kept_samples(size_t row, FragmentColor* color) const {
+uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   const shade::Columns& columns = tile_.worker.workspace.columns;
   const material::Material& material = *draw_.material;
   for (size_t c = 0; c < 4; ++c) color->channel[c] = columns.radiance.channel[c][row];
-  tile_.worker.nonfinite_fragments += !is_finite(*color);
+  tile_.worker.nonfinite_fragments += !film::is_finite(*color);
   uint32_t mask = tile_.worker.workspace.fragments.mask[row];
   if (material.flags & SHD_MATERIAL_DISCARDS && columns.discard[row]) mask = 0;
   if (color->channel[3] < material.alpha_cutoff) mask = 0;
@@ -85,7 +85,7 @@ void blend_run(TileState* tile, const Run& run) {
   raster::forget_bounds(&tile->worker.tile);
   shade_run(tile, run, tile->box(), [&](const Draw& draw) {
     const raster::Fragments& f = tile->worker.workspace.fragments;
-    AovScratch& aovs = tile->worker.aovs;
+    film::AovScratch& aovs = tile->worker.aovs;
     aovs.row_count = 0;
     Survival survival(draw, tile);
     Survivor left;
@@ -98,13 +98,13 @@ void blend_run(TileState* tile, const Run& run) {
       }
       if (!(left.mask & 1) || draw.material->blend != SHD_BLEND_OPAQUE) continue;
       aovs.row[aovs.row_count++] = static_cast<uint16_t>(i);
-      if (tile->framebuffer.aovs & SHD_AOV_OVERDRAW) count_overdraw(tile->area, left.pixel, &tile->framebuffer);
+      if (tile->framebuffer.aovs & SHD_AOV_OVERDRAW) film::count_overdraw(tile->area, left.pixel, &tile->framebuffer);
     }
     if (tile->framebuffer.aovs) {
-      write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, tile->worker.workspace.columns.uv, &aovs,
-                 &tile->framebuffer);
+      film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, tile->worker.workspace.columns.uv,
+                       &aovs, &tile->framebuffer);
     }
   });
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

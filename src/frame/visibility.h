@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/context.h"
-#include "film/frame.h"
-#include "film/scene.h"
+#include "frame/frame.h"
+#include "frame/scene.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Brings the triangles of a scene into the order in which the frame's visibility method paints them: those of draws
 /// whose blend goes by order, far to near, then the others. Counts conflicts if the frame asks for it. Throws.
 void order_triangles(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -5,11 +5,11 @@
 #include <cstdint>
 
 #include "film/tile_color.h"
-#include "film/tile_renderer.h"
-#include "film/worker.h"
+#include "frame/tile_renderer.h"
+#include "frame/worker.h"
 #include "raster/coverage.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Neighbouring triangles of a tile's bin that belong to one draw.
 struct Run {
@@ -87,14 +87,14 @@ class TileState {
   void count_hidden(const raster::CoverArea& area, const geometry::ScreenTriangle& triangle, uint64_t passed) const;
 
   const TileRenderer& renderer;
-  Framebuffer& framebuffer;
+  film::Framebuffer& framebuffer;
   const raster::SamplePattern& pattern;
   const uint32_t index;
-  const TileArea area;      // in the framebuffer
-  const int32_t left, top;  // in the picture
+  const film::TileArea area;  // in the framebuffer
+  const int32_t left, top;    // in the picture
   Worker& worker;
-  TileColor color;
+  film::TileColor color;
   bool color_is_unclear = false;  // the whole tile starts with the frame's colour, which it does not have yet
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -4,10 +4,10 @@
 #include <cstddef>
 
 #include "core/context.h"
-#include "film/frame.h"
+#include "frame/frame.h"
 #include "light/shadow.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// A checked shd_shadow_render_desc.
 struct ShadowFrame {
@@ -24,4 +24,4 @@ struct ShadowFrame {
 void render_shadow(const core::Context& context, const core::Context& owner, const ShadowFrame& frame,
                    light::Shadow* shadow);
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -6,7 +6,7 @@
 
 #include "core/context.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// A context like another one that counts the bytes taken from its allocator.
 class FrameMemory {
@@ -46,4 +46,4 @@ class FrameMemory {
   std::atomic<size_t> used_{0}, peak_{0};
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "film/scene.h"
+#include "frame/scene.h"
 
 #include <algorithm>
 
 #include "core/executor.h"
-#include "film/stats.h"
-#include "film/stopwatch.h"
-#include "film/visibility.h"
+#include "frame/stats.h"
+#include "frame/stopwatch.h"
+#include "frame/visibility.h"
 #include "geometry/assemble.h"
 #include "geometry/attributes.h"
 #include "geometry/vertex_program.h"
 #include "geometry/vertex_window.h"
 #include "shade/needs.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 struct Range {
@@ -175,4 +175,4 @@ void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd
   stats->binning_seconds += watch.lap();
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "film/frame.h"
 #include "film/sample_store.h"
-#include "film/scene.h"
-#include "film/worker.h"
+#include "frame/frame.h"
+#include "frame/scene.h"
+#include "frame/worker.h"
 #include "shade/light_table.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// What the tiles of a frame are drawn from.
 struct TileRenderer {
@@ -15,7 +15,7 @@ struct TileRenderer {
   const Frame& frame;
   const Scene& scene;
   const shade::LightTable& lights;
-  SampleStore* samples;  // null in a frame of one pass, or of one sample a pixel
+  film::SampleStore* samples;  // null in a frame of one pass, or of one sample a pixel
 
   /// Draws one tile: draws take effect in order. Opaque ones go to the visibility buffer, and what it shows is shaded
   /// before a draw that must see colours, and at the end; the others are shaded triangle by triangle and blended.
@@ -23,4 +23,4 @@ struct TileRenderer {
   void render(uint32_t index, Worker* worker) const;
 };
 
-}  // namespace shd::film
+}  // namespace shd::frame

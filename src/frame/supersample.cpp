@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "film/supersample.h"
+#include "frame/supersample.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "core/executor.h"
-#include "film/scene.h"
-#include "film/stats.h"
+#include "frame/scene.h"
+#include "frame/stats.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 constexpr uint32_t kLeastFactor = 2;
@@ -20,10 +20,10 @@ struct Block {
 
 /// body(plane number, from, to) for every plane of two framebuffers alike.
 template <class Body>
-void for_each_plane(Framebuffer& from, Framebuffer& to, const Body& body) {
-  for (uint32_t p = 0; p < kPlaneCount; ++p) {
-    if (!wants_plane(to.aovs, p)) continue;
-    if (kPlanes[p].is_integer) {
+void for_each_plane(film::Framebuffer& from, film::Framebuffer& to, const Body& body) {
+  for (uint32_t p = 0; p < film::kPlaneCount; ++p) {
+    if (!film::wants_plane(to.aovs, p)) continue;
+    if (film::kPlanes[p].is_integer) {
       body(p, from.u32_plane[p].data(), to.u32_plane[p].data());
     } else {
       body(p, from.plane[p].data(), to.plane[p].data());
@@ -90,7 +90,7 @@ class Supersampler {
     if (large.progress.report) large.progress = {BlockProgress::report, &progress};
     if (frame_.keep) for_each_row(block, [&](uint32_t y) { spread_row(block, y); });
     shd_render_stats counts = {};
-    film::render(context_, large, &counts);
+    frame::render(context_, large, &counts);
     add(counts, stats);
     for_each_row(block, [&](uint32_t y) { average_row(block, y); });
     done_ += progress.size;
@@ -161,7 +161,7 @@ class Supersampler {
   const uint32_t n_;
   core::Array<Draw> draws_;  // lines and points n times as wide
   Block area_;               // what the scissor leaves of the framebuffer
-  Framebuffer large_;        // of one block
+  film::Framebuffer large_;  // of one block
   double done_ = 0.0;        // pixels of finished blocks
 };
 
@@ -174,4 +174,4 @@ void render_supersampled(const core::Context& context, const Frame& frame, shd_r
   Supersampler(context, frame).render(stats);
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "film/frame.h"
+#include "frame/frame.h"
 
 #include <atomic>
 #include <mutex>
 
 #include "core/executor.h"
-#include "film/passes.h"
 #include "film/sample_store.h"
-#include "film/scene.h"
-#include "film/stopwatch.h"
-#include "film/tile_renderer.h"
-#include "film/worker.h"
+#include "frame/passes.h"
+#include "frame/scene.h"
+#include "frame/stopwatch.h"
+#include "frame/tile_renderer.h"
+#include "frame/worker.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 /// Reports finished tiles to the host, one call at a time, and carries its wish to stop.
@@ -45,10 +45,10 @@ class Progress {
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats) {
   const shade::LightTable lights =
       shade::make_light_table(context.allocator, frame.lights, frame.light_count, frame.shadows);
-  const Framebuffer& framebuffer = *frame.framebuffer;
+  const film::Framebuffer& framebuffer = *frame.framebuffer;
   const uint32_t tiles = raster::tile_count(framebuffer.width) * raster::tile_count(framebuffer.height);
   Passes passes(context.allocator, frame);
-  SampleStore samples(context.allocator, framebuffer, passes.count() > 1 && framebuffer.samples > 1 ? tiles : 0);
+  film::SampleStore samples(context.allocator, framebuffer, passes.count() > 1 && framebuffer.samples > 1 ? tiles : 0);
   Progress progress(frame.progress, tiles * passes.count());
   for (uint64_t i = 0; i < passes.count(); ++i) {
     const Frame& pass = passes.next();
@@ -66,4 +66,4 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
   }
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

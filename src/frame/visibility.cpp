@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "film/visibility.h"
+#include "frame/visibility.h"
 
 #include "raster/newell.h"
 #include "raster/painter.h"
 
-namespace shd::film {
+namespace shd::frame {
 namespace {
 
 core::Array<raster::PaintRule> make_rules(const core::Context& context, const Frame& frame) {
@@ -69,4 +69,4 @@ void order_triangles(const core::Context& context, const Frame& frame, Scene* sc
   stats->order_conflicts = raster::count_conflicts(context, painting.facets.data(), grid);
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "film/tile_state.h"
+#include "frame/tile_state.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 TileState::TileState(const TileRenderer& tile_renderer, uint32_t tile, Worker* tile_worker)
     : renderer(tile_renderer),
       framebuffer(*renderer.frame.framebuffer),
       pattern(raster::sample_pattern(framebuffer.samples)),
       index(tile),
-      area(tile_area(framebuffer, tile, renderer.scene.bins.tiles_x)),
+      area(film::tile_area(framebuffer, tile, renderer.scene.bins.tiles_x)),
       left(renderer.frame.window.left + static_cast<int32_t>(area.left)),
       top(renderer.frame.window.top + static_cast<int32_t>(area.top)),
       worker(*tile_worker),
@@ -46,4 +46,4 @@ void TileState::count_hidden(const raster::CoverArea& covered, const geometry::S
   worker.hidden_samples += count_masked() - passed;
 }
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/context.h"
-#include "film/frame.h"
+#include "frame/frame.h"
 #include "geometry/vertex.h"
 #include "raster/bin.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// A frame after its geometry stages: what tiles are drawn from.
 struct Scene {
@@ -26,4 +26,4 @@ geometry::PixelBox visible_box(const Frame& frame);
 /// Transforms, assembles, orders and bins every draw of a frame on the executor. Throws.
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 
-}  // namespace shd::film
+}  // namespace shd::frame

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "core/allocator.h"
-#include "film/frame.h"
+#include "frame/frame.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Cuts a frame into passes of at most frame.pass_triangles triangles, which are drawn one after the other: whole
 /// draws, or a part of one that has more. A draw counts for kLeastTriangles of them at least. Draws whose blend has no
@@ -44,4 +44,4 @@ class Passes {
 
 constexpr uint64_t kLeastTriangles = 16;
 
-}  // namespace shd::film
+}  // namespace shd::frame

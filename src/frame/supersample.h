@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/context.h"
-#include "film/frame.h"
+#include "frame/frame.h"
 
-namespace shd::film {
+namespace shd::frame {
 
 /// Renders a frame of which each pixel is the plain average of frame.supersampling^2 pixels of a picture as many times
 /// as large: sums in double, row by row, rounded once; targets too. The other planes are those of the top left one of
@@ -14,4 +14,4 @@ void render_supersampled(const core::Context& context, const Frame& frame, shd_r
 
 constexpr uint32_t kBlockEdge = 1024;
 
-}  // namespace shd::film
+}  // namespace shd::frame
