@@ -6,19 +6,6 @@
 namespace shd::frame {
 namespace {
 
-bool passes(shd_compare compare, float z, float stored) {
-  switch (compare) {
-    case SHD_COMPARE_LESS: return z < stored;
-    case SHD_COMPARE_LESS_EQUAL: return z <= stored;
-    case SHD_COMPARE_EQUAL: return z == stored;
-    case SHD_COMPARE_GREATER_EQUAL: return z >= stored;
-    case SHD_COMPARE_GREATER: return z > stored;
-    case SHD_COMPARE_NOT_EQUAL: return z != stored;
-    case SHD_COMPARE_ALWAYS: return true;
-    default: return false;
-  }
-}
-
 /// A comparison that lets pass at least what this one will after depths have changed by it.
 shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
@@ -63,7 +50,7 @@ bool Survival::survives(size_t row, Survivor* out) {
   for (uint32_t rest = kept; rest; rest &= rest - 1) {
     const uint32_t s = first_sample(rest);
     out->depth[s] = raster::depth_at(plane_[s], x, y);
-    if (passes(draw_.depth.compare, out->depth[s], *tile_.depth_of(s, out->pixel))) out->mask |= 1u << s;
+    if (raster::passes(test_, out->depth[s], *tile_.depth_of(s, out->pixel))) out->mask |= 1u << s;
   }
   return out->mask != 0;
 }

@@ -20,7 +20,8 @@ struct Survivor {
 /// Decides what remains of the fragments of a shaded batch.
 class Survival {
  public:
-  Survival(const Draw& draw, TileState* tile) : draw_(draw), tile_(*tile) {}
+  Survival(const Draw& draw, TileState* tile)
+      : draw_(draw), tile_(*tile), test_(raster::depth_test(draw.depth.compare)) {}
 
   /// Whether a row keeps samples after alpha, discard and the depths of now. Rows must come in order, each once.
   bool survives(size_t row, Survivor* out);
@@ -30,8 +31,9 @@ class Survival {
 
   const Draw& draw_;
   TileState& tile_;
-  const geometry::ScreenTriangle* triangle_ = nullptr;
-  raster::DepthPlane plane_[raster::kMaxSamples];  // of that, by sample
+  const raster::DepthTest test_;
+  const geometry::ScreenTriangle* triangle_ = nullptr;  // of the latest row
+  raster::DepthPlane plane_[raster::kMaxSamples];       // its depths, by sample
 };
 
 /// Finds the covered samples of one triangle whose depth may pass, in the worker's list.

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "geometry/assemble.h"
-#include "raster/coverage.h"
+#include "raster/depth_test.h"
 #include "raster/sample_pattern.h"
 #include "raster/tile.h"
 
@@ -115,6 +115,7 @@ inline bool covers(const EdgeLine (&lines)[3], int32_t x, int32_t y, SamplePoint
   for (const EdgeLine& line : lines) inside &= line.value + line.a * right + line.b * down >= 0;
   return inside;
 }
+
 /// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.
 inline float depth_at(const DepthPlane& plane, int32_t x, int32_t y) {
   const float row = plane.base + plane.dy * static_cast<float>(y - plane.y0);
