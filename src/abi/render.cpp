@@ -178,7 +178,7 @@ shd_result read_window(const shd_render_desc& desc, frame::Frame* frame) {
 }
 
 shd_result check_render_desc(const shd_render_desc& desc) {
-  SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
+  SHD_TRY(check_count("render.load", desc.load, 0, 1));
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
   SHD_TRY(check_count("render.supersampling", desc.supersampling, 0, kMaxSupersampling));
   if (desc.pass_triangles) SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kLeastPass, kMostPass));
@@ -233,7 +233,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
   frame.view = desc.view;
-  frame.keep = desc.keep != 0;
+  frame.load = desc.load != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;
   frame.draws = draws.data();

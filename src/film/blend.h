@@ -19,15 +19,15 @@ inline bool is_finite(const FragmentColor& color) {
 }
 
 /// Where the colour of a sample is.
-struct Below {
+struct Destination {
   float* channel[4];
 };
 
 /// Puts one colour over another, by a blend that has an order.
-inline void blend(shd_blend_mode mode, const FragmentColor& c, const Below& below) {
+inline void blend(shd_blend_mode mode, const FragmentColor& c, const Destination& destination) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {
-    float& d = *below.channel[i];
+    float& d = *destination.channel[i];
     switch (mode) {
       case SHD_BLEND_PREMULTIPLIED: d = c.channel[i] + rest * d; break;
       case SHD_BLEND_STRAIGHT: d = c.channel[3] * c.channel[i] + rest * d; break;
@@ -36,7 +36,7 @@ inline void blend(shd_blend_mode mode, const FragmentColor& c, const Below& belo
       default: d = c.channel[i]; break;
     }
   }
-  float& a = *below.channel[3];
+  float& a = *destination.channel[3];
   switch (mode) {
     case SHD_BLEND_PREMULTIPLIED:
     case SHD_BLEND_STRAIGHT: a = c.channel[3] + rest * a; break;

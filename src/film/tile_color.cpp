@@ -29,7 +29,7 @@ bool are_same(const float* colors, uint32_t samples, size_t stride) {
   return different == 0;
 }
 
-Below at(float* color) {
+Destination at(float* color) {
   return {{color, color + 1, color + 2, color + 3}};
 }
 
@@ -60,7 +60,7 @@ void TileColor::load() {
 }
 
 /// All samples of a pixel that is not split.
-Below TileColor::whole(uint32_t pixel, uint32_t t) const {
+Destination TileColor::whole(uint32_t pixel, uint32_t t) const {
   const size_t place = position(pixel);
   return {{plane_[t][0] + place, plane_[t][1] + place, plane_[t][2] + place, plane_[t][3] + place}};
 }
@@ -92,7 +92,7 @@ void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance&
   }
 }
 
-Below TileColor::sample(uint32_t pixel, uint32_t sample) {
+Destination TileColor::sample(uint32_t pixel, uint32_t sample) {
   if (samples_ == 1) return whole(pixel, 0);
   return at(split(pixel) + 4 * size_t{sample} * target_count_);
 }

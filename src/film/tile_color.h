@@ -54,13 +54,13 @@ class TileColor {
   void blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
              const shade::Radiance& from, size_t row);
   /// The colour of one sample, to be changed.
-  Below sample(uint32_t pixel, uint32_t sample);
+  Destination sample(uint32_t pixel, uint32_t sample);
   /// Plain averages to the framebuffer; samples that are all the same stay what they are, to the bit.
   void resolve();
 
  private:
   size_t position(uint32_t pixel) const { return corner_ + pixel / raster::kTile * stride_ + pixel % raster::kTile; }
-  Below whole(uint32_t pixel, uint32_t t) const;
+  Destination whole(uint32_t pixel, uint32_t t) const;
   float* split(uint32_t pixel);
   void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
 

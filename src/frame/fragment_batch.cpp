@@ -10,7 +10,7 @@ constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSu
 
 }  // namespace
 
-size_t FragmentBatch::most_triangles(const geometry::ScreenTriangle& triangle) const {
+size_t FragmentBatch::max_triangles(const geometry::ScreenTriangle& triangle) const {
   return tile_.draw_of(triangle).frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
 }
 

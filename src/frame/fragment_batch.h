@@ -28,7 +28,7 @@ class FragmentBatch {
   void add(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
            const Done& done) {
     BatchTriangles& triangles = worker_.triangles;
-    if (triangles.count == most_triangles(triangle)) flush(triangle.draw, done);
+    if (triangles.count == max_triangles(triangle)) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
     const Placing placing = placing_of(triangle);
     for (size_t i = 0; i < count && placing.at_samples; ++i) {
@@ -70,7 +70,7 @@ class FragmentBatch {
     return raster::kBatch - f.count;
   }
 
-  size_t most_triangles(const geometry::ScreenTriangle& triangle) const;
+  size_t max_triangles(const geometry::ScreenTriangle& triangle) const;
   Placing placing_of(const geometry::ScreenTriangle& triangle) const;
   bool covers_centre(const Placing& placing, uint32_t pixel) const;
   uint32_t covered_samples(const Placing& placing, size_t row) const;

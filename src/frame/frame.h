@@ -79,7 +79,7 @@ struct Frame {
   geometry::Viewport viewport;
   geometry::PixelBox scissor;  // of the picture
   shd_view view;
-  bool keep;
+  bool load;  // the planes of the framebuffer; else they are cleared
   float clear_color[4];
   float clear_depth;
   const Draw* draws;

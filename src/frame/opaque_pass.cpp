@@ -40,9 +40,9 @@ uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radi
 /// Rows from `begin` on that are neighbours in a row of the tile and show their triangle at all samples.
 size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
   const uint32_t pixel = f.pixel[begin];
-  const size_t most = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
+  const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
   size_t count = 0;
-  while (count < most && f.pixel[begin + count] == pixel + count && f.mask[begin + count] == all_samples) ++count;
+  while (count < max_count && f.pixel[begin + count] == pixel + count && f.mask[begin + count] == all_samples) ++count;
   return count;
 }
 

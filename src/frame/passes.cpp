@@ -12,7 +12,7 @@ bool is_unordered(const Draw& draw) {
 
 /// Triangles that a draw counts for.
 uint64_t weight(uint64_t triangles) {
-  return std::max(triangles, kLeastTriangles);
+  return std::max(triangles, kMinTriangles);
 }
 
 }  // namespace
@@ -33,22 +33,22 @@ Passes::Passes(const core::Allocator& allocator, const Frame& frame) : frame_(fr
 
 template <class Take>
 Passes::Cursor Passes::advance(Cursor from, const Take& take) const {
-  const uint32_t most = frame_.pass_triangles;
-  uint64_t room = most;
+  const uint32_t max_triangles = frame_.pass_triangles;
+  uint64_t room = max_triangles;
   for (; from.draw < frame_.draw_count; from = {from.draw + 1, 0}) {
     const Draw& draw = frame_.draws[from.draw];
     if (is_unordered(draw)) continue;
     const uint32_t begin = draw.begin + from.begin;
     const uint64_t triangles = weight(draw.end - begin);
     if (triangles > room) {
-      if (triangles <= most || room < most) return from;
-      take(draw, begin, begin + most);
-      return {from.draw, from.begin + most};
+      if (triangles <= max_triangles || room < max_triangles) return from;
+      take(draw, begin, begin + max_triangles);
+      return {from.draw, from.begin + max_triangles};
     }
     take(draw, begin, draw.end);
     room -= triangles;
   }
-  if (unordered_ > room && room < most) return from;
+  if (unordered_ > room && room < max_triangles) return from;
   for (; !is_done(from); ++from.draw) {
     const Draw& draw = frame_.draws[from.draw - frame_.draw_count];
     if (is_unordered(draw)) take(draw, draw.begin, draw.end);
@@ -58,7 +58,7 @@ Passes::Cursor Passes::advance(Cursor from, const Take& take) const {
 
 const Frame& Passes::next() {
   if (count_ == 1) return frame_;
-  pass_.keep = frame_.keep || cursor_.draw || cursor_.begin;
+  pass_.load = frame_.load || cursor_.draw || cursor_.begin;
   draws_.clear();
   cursor_ = advance(cursor_, [&](const Draw& draw, uint32_t begin, uint32_t end) {
     draws_.push_back(draw);

@@ -10,7 +10,7 @@
 namespace shd::frame {
 
 /// Cuts a frame into passes of at most frame.pass_triangles triangles, which are drawn one after the other: whole
-/// draws, or a part of one that has more. A draw counts for kLeastTriangles of them at least. Draws whose blend has no
+/// draws, or a part of one that has more. A draw counts for kMinTriangles of them at least. Draws whose blend has no
 /// order come last and stay together, however many triangles they have. One pass is enough for most frames; it is the
 /// frame.
 class Passes {
@@ -42,6 +42,6 @@ class Passes {
   Frame pass_;
 };
 
-constexpr uint64_t kLeastTriangles = 16;
+constexpr uint64_t kMinTriangles = 16;
 
 }  // namespace shd::frame

@@ -121,7 +121,7 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
   core::Array<shd_render_stats> group_stats(context.allocator, groups);
   group_stats.fill_zero();
   core::parallel_for(context, static_cast<uint32_t>(groups), [&](uint32_t g, uint32_t) {
-    raster::Group& group = scene->groups[g];
+    raster::TriangleGroup& group = scene->groups[g];
     group.attach(context.allocator);
     for (size_t i = parts.size() * g / groups; i < parts.size() * (g + 1) / groups; ++i) {
       const Part& part = parts[i];

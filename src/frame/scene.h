@@ -15,7 +15,7 @@ struct Scene {
 
   core::Objects<geometry::Vertices> vertices;   // [draw]
   core::Array<geometry::Transform> transforms;  // [draw]
-  core::Objects<raster::Group> groups;          // in submission order, or that of painting
+  core::Objects<raster::TriangleGroup> groups;  // in submission order, or that of painting
   raster::Bins bins;
 };
 

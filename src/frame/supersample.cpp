@@ -11,7 +11,7 @@
 namespace shd::frame {
 namespace {
 
-constexpr uint32_t kLeastFactor = 2;
+constexpr uint32_t kMinFactor = 2;
 
 /// Pixels of the frame's buffer.
 struct Block {
@@ -88,7 +88,7 @@ class Supersampler {
                               static_cast<double>(area_.width) * area_.height};
     Frame large = large_frame(block);
     if (large.progress.report) large.progress = {BlockProgress::report, &progress};
-    if (frame_.keep) for_each_row(block, [&](uint32_t y) { spread_row(block, y); });
+    if (frame_.load) for_each_row(block, [&](uint32_t y) { spread_row(block, y); });
     shd_render_stats counts = {};
     frame::render(context_, large, &counts);
     add(counts, stats);
@@ -143,7 +143,7 @@ class Supersampler {
         for (uint32_t x = 0; x < block.width; ++x) to[x] = from[size_t{x} * n_];
         return;
       }
-      double sum[kBlockEdge / kLeastFactor];
+      double sum[kBlockEdge / kMinFactor];
       std::fill_n(sum, block.width, -0.0);  // -0 + x is x, its sign too
       for (uint32_t row = 0; row < n_; ++row, from += large_.stride) {
         for (uint32_t x = 0; x < block.width; ++x) {

@@ -23,7 +23,7 @@ film::TileArea cleared_area(const TileState& tile) {
 bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
   Worker& worker = tile->worker;
-  const film::TileArea cleared = frame.keep ? film::TileArea{0, 0, 0, 0} : cleared_area(*tile);
+  const film::TileArea cleared = frame.load ? film::TileArea{0, 0, 0, 0} : cleared_area(*tile);
   const bool is_whole = cleared.width == tile->area.width && cleared.height == tile->area.height;
   const bool is_bare = tile->is_bare();
   film::clear_aovs(cleared, &tile->framebuffer);

@@ -17,30 +17,32 @@ core::Array<raster::PaintRule> make_rules(const core::Context& context, const Fr
   return rules;
 }
 
-/// The triangles that are not painted stay behind the facets.
-void deal_facets(const core::Context& context, const raster::Painting& painting, size_t painted, Scene* scene) {
+/// The triangles that are not painted stay behind the triangles.
+void distribute_painted(const core::Context& context, const raster::Painting& painting, size_t painted, Scene* scene) {
   core::Buffer<geometry::ScreenTriangle> rest(context.allocator);
   size_t seen = 0;
   for (size_t g = 0; g < scene->groups.size(); ++g) {
-    const raster::Group& group = scene->groups[g];
+    const raster::TriangleGroup& group = scene->groups[g];
     for (size_t i = 0; i < group.size(); ++i, ++seen) {
       if (seen >= painted) rest.push_back(group[i]);
     }
   }
-  const size_t facets = painting.order.size();
-  const auto at = [&](size_t i) { return i < facets ? painting.facets[painting.order[i]].triangle : rest[i - facets]; };
-  raster::deal(context, facets + rest.size(), at, &scene->groups);
+  const size_t sorted = painting.order.size();
+  const auto at = [&](size_t i) {
+    return i < sorted ? painting.triangles[painting.order[i]].triangle : rest[i - sorted];
+  };
+  raster::distribute(context, sorted + rest.size(), at, &scene->groups);
 }
 
-/// Facets of the first `painted` triangles.
-void make_facets(const Scene& scene, const raster::PaintRule* rules, size_t painted, raster::Painting* out) {
-  out->facets.reserve(painted);
+/// Triangles of the first `painted` triangles.
+void make_sort_triangles(const Scene& scene, const raster::PaintRule* rules, size_t painted, raster::Painting* out) {
+  out->triangles.reserve(painted);
   out->order.reserve(painted);
   for (size_t g = 0; g < scene.groups.size(); ++g) {
-    const raster::Group& group = scene.groups[g];
-    for (size_t i = 0; i < group.size() && out->facets.size() < painted; ++i) {
-      out->order.push_back(static_cast<uint32_t>(out->facets.size()));
-      out->facets.push_back(raster::make_facet(group[i], rules[group[i].draw]));
+    const raster::TriangleGroup& group = scene.groups[g];
+    for (size_t i = 0; i < group.size() && out->triangles.size() < painted; ++i) {
+      out->order.push_back(static_cast<uint32_t>(out->triangles.size()));
+      out->triangles.push_back(raster::make_sort_triangle(group[i], rules[group[i].draw]));
     }
   }
 }
@@ -53,20 +55,20 @@ void order_triangles(const core::Context& context, const Frame& frame, Scene* sc
   const size_t painted = raster::sort_far_to_near(context, rules.data(), &scene->groups);
   if (painted == 0 || (frame.visibility == SHD_VISIBILITY_PAINTER && !frame.counts_conflicts)) return;
   raster::Painting painting;
-  painting.facets.attach(context.allocator);
+  painting.triangles.attach(context.allocator);
   painting.order.attach(context.allocator);
-  make_facets(*scene, rules.data(), painted, &painting);
+  make_sort_triangles(*scene, rules.data(), painted, &painting);
   const raster::PaintArea area = {visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent};
   if (frame.visibility == SHD_VISIBILITY_NEWELL) {
     raster::newell(context, area, &painting);
-    deal_facets(context, painting, painted, scene);
+    distribute_painted(context, painting, painted, scene);
     stats->splits = painting.cuts;
   }
   if (!frame.counts_conflicts || painting.order.size() == 0) return;
-  raster::FacetGrid grid;
-  raster::make_grid(context.allocator, area.pixels, painting.facets.data(), painting.order.data(),
+  raster::SortGrid grid;
+  raster::make_grid(context.allocator, area.pixels, painting.triangles.data(), painting.order.data(),
                     painting.order.size(), &grid);
-  stats->order_conflicts = raster::count_conflicts(context, painting.facets.data(), grid);
+  stats->order_conflicts = raster::count_conflicts(context, painting.triangles.data(), grid);
 }
 
 }  // namespace shd::frame

@@ -22,8 +22,8 @@ class EdgeFactor {
  private:
   uint32_t adaptive(const Mesh& mesh, uint32_t a, uint32_t b) const;
 
-  uint32_t uniform_;           // or 0
-  double most_;                // parts
+  uint32_t uniform_;  // or 0
+  double max_parts_;
   double edge_length_;         // pixels or world units
   double to_world_[16];        // column-major
   bool in_pixels_;             // the rest is set

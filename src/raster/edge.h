@@ -42,9 +42,9 @@ enum class EdgeSide { kOutside, kInside, kCrossing };
 
 /// How an edge lies to the samples of all pixels of a tile; kCrossing where it only might.
 inline EdgeSide side_of(const EdgeLine& line, const geometry::SampleExtent& samples) {
-  constexpr int64_t kSpan = (kTile - 1) * geometry::kSubpixels;
-  const int64_t left = line.a * samples.min_x, right = line.a * (kSpan + samples.max_x);
-  const int64_t top = line.b * samples.min_y, bottom = line.b * (kSpan + samples.max_y);
+  constexpr int64_t kExtent = (kTile - 1) * geometry::kSubpixels;
+  const int64_t left = line.a * samples.min_x, right = line.a * (kExtent + samples.max_x);
+  const int64_t top = line.b * samples.min_y, bottom = line.b * (kExtent + samples.max_y);
   if (line.value + std::max(left, right) + std::max(top, bottom) < 0) return EdgeSide::kOutside;
   return line.value + std::min(left, right) + std::min(top, bottom) >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
 }

@@ -6,14 +6,14 @@
 
 #include "core/context.h"
 #include "geometry/pixel_box.h"
-#include "raster/facet.h"
+#include "raster/sort_triangle.h"
 
 namespace shd::raster {
 
-/// Facets of a frame and the order in which they are painted.
+/// Triangles of a frame and the order in which they are painted.
 struct Painting {
-  core::Buffer<Facet> facets;
-  core::Buffer<uint32_t> order;  // indices into facets, far to near
+  core::Buffer<SortTriangle> triangles;
+  core::Buffer<uint32_t> order;  // indices into triangles, far to near
   uint64_t cuts = 0;
 };
 
@@ -23,14 +23,14 @@ struct PaintArea {
   geometry::SampleExtent samples;
 };
 
-/// Puts facets right that come sorted by their farthest vertex, far ones first (M. E. Newell, R. G. Newell and Sancha,
-/// "A Solution to the Hidden Surface Problem", 1972): before a facet is painted, each one that may not follow it goes
-/// first; two that pass through each other, and those that go round in a circle, are cut along the plane of another.
-/// Fills `order`; adds pieces to `facets`, but for those without a sample.
+/// Puts triangles right that come sorted by their farthest vertex, far ones first (M. E. Newell, R. G. Newell and
+/// Sancha, "A Solution to the Hidden Surface Problem", 1972): before a triangle is painted, each one that may not
+/// follow it goes first; two that pass through each other, and those that go round in a circle, are cut along the plane
+/// of another. Fills `order`; adds pieces to `triangles`, but for those without a sample.
 ///
-/// Bounds: n + 1024 cuts of n facets, and 1024 n + 2^22 comparisons; what is left then stays in the order that it has.
-/// Up to there, what may remain wrong is a circle none of whose members can be cut: pieces would have no area on the
-/// pixel grid. Throws.
+/// Bounds: n + 1024 cuts of n triangles, and 1024 n + 2^22 comparisons; what is left then stays in the order that it
+/// has. Up to there, what may remain wrong is a circle none of whose members can be cut: pieces would have no area on
+/// the pixel grid. Throws.
 void newell(const core::Context& context, const PaintArea& area, Painting* painting);
 
 }  // namespace shd::raster

@@ -16,7 +16,7 @@
 /// | sample_pattern.h   | where in a pixel its samples lie                                      |
 /// | tile.h             | the tile: depth and the visible triangle of each sample               |
 /// | bin.h              | which triangles touch which tile                                      |
-/// | facet.h            | triangles in depth: which of two may be painted first, and cuts       |
+/// | triangle.h            | triangles in depth: which of two may be painted first, and cuts       |
 /// | facet_grid.h       | which of them may meet on the screen                                  |
 /// | painter.h          | the painter's algorithm, and what it gets wrong                       |
 /// | newell.h           | the order of Newell, Newell and Sancha                                |

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raster/facet_grid.h"
+#include "raster/sort_grid.h"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@ namespace shd::raster {
 namespace {
 
 constexpr int kSmallestShift = 3;
-constexpr size_t kNodesPerFacet = 8;
-constexpr size_t kCellsPerFacet = 4;
+constexpr size_t kNodesPerTriangle = 8;
+constexpr size_t kCellsPerTriangle = 4;
 
-void set_shift(const geometry::PixelBox& pixels, int shift, FacetGrid* grid) {
+void set_shift(const geometry::PixelBox& pixels, int shift, SortGrid* grid) {
   grid->shift = shift;
   grid->columns = ((pixels.max_x - pixels.min_x) >> shift) + 1;
   grid->rows = ((pixels.max_y - pixels.min_y) >> shift) + 1;
@@ -21,19 +21,19 @@ size_t count_cells(const CellRange& cells) {
 }
 
 /// The smallest cells that keep the lists short. Returns the number of nodes.
-size_t choose_shift(const Facet* facets, const uint32_t* order, size_t count, FacetGrid* grid) {
+size_t choose_shift(const SortTriangle* triangles, const uint32_t* order, size_t count, SortGrid* grid) {
   for (int shift = kSmallestShift;; ++shift) {
     set_shift(grid->pixels, shift, grid);
     size_t nodes = 0;
-    for (size_t i = 0; i < count; ++i) nodes += count_cells(cells_of(*grid, facets[order[i]]));
+    for (size_t i = 0; i < count; ++i) nodes += count_cells(cells_of(*grid, triangles[order[i]]));
     const size_t cells = static_cast<size_t>(grid->columns) * static_cast<size_t>(grid->rows);
-    if (cells == 1 || (nodes <= kNodesPerFacet * count && cells <= kCellsPerFacet * count)) return nodes;
+    if (cells == 1 || (nodes <= kNodesPerTriangle * count && cells <= kCellsPerTriangle * count)) return nodes;
   }
 }
 
 }  // namespace
 
-CellRange cells_of(const FacetGrid& grid, const Facet& f) {
+CellRange cells_of(const SortGrid& grid, const SortTriangle& f) {
   const auto cell = [&](int32_t fixed, int32_t low, int32_t high) {
     return (std::min(std::max(fixed >> geometry::kSubpixelBits, low), high) - low) >> grid.shift;
   };
@@ -42,17 +42,17 @@ CellRange cells_of(const FacetGrid& grid, const Facet& f) {
           cell(f.max_y, p.min_y, p.max_y)};
 }
 
-void make_grid(const core::Allocator& allocator, const geometry::PixelBox& pixels, const Facet* facets,
-               const uint32_t* order, size_t count, FacetGrid* out) {
+void make_grid(const core::Allocator& allocator, const geometry::PixelBox& pixels, const SortTriangle* triangles,
+               const uint32_t* order, size_t count, SortGrid* out) {
   out->pixels = pixels;
-  const size_t nodes = choose_shift(facets, order, count, out);
+  const size_t nodes = choose_shift(triangles, order, count, out);
   if (nodes >= kNoNode) throw std::bad_alloc();
   out->head = core::Array<uint32_t>(allocator, static_cast<size_t>(out->columns) * static_cast<size_t>(out->rows));
   for (uint32_t& head : out->head) head = kNoNode;
   out->nodes.attach(allocator);
   out->nodes.reserve(nodes);
   for (size_t i = count; i-- > 0;) {
-    const Facet& f = facets[order[i]];
+    const SortTriangle& f = triangles[order[i]];
     const CellRange cells = cells_of(*out, f);
     for (int32_t y = cells.top; y <= cells.bottom; ++y) {
       for (int32_t x = cells.left; x <= cells.right; ++x) {
@@ -65,14 +65,14 @@ void make_grid(const core::Allocator& allocator, const geometry::PixelBox& pixel
   }
 }
 
-uint64_t insert_piece(const Facet* facets, uint32_t whole, uint32_t piece, FacetGrid* grid) {
-  const Facet& f = facets[piece];
+uint64_t insert_piece(const SortTriangle* triangles, uint32_t whole, uint32_t piece, SortGrid* grid) {
+  const SortTriangle& f = triangles[piece];
   const CellRange cells = cells_of(*grid, f);
   uint64_t passed = 0;
   for (int32_t y = cells.top; y <= cells.bottom; ++y) {
     for (int32_t x = cells.left; x <= cells.right; ++x) {
       uint32_t node = grid->head[static_cast<size_t>(y) * static_cast<size_t>(grid->columns) + static_cast<size_t>(x)];
-      for (; grid->nodes[node].facet != whole; ++passed) node = grid->nodes[node].next;
+      for (; grid->nodes[node].triangle != whole; ++passed) node = grid->nodes[node].next;
       const uint32_t next = grid->nodes[node].next;
       if (grid->nodes.size() + 1 >= kNoNode) throw std::bad_alloc();
       const float rest = next == kNoNode ? f.farthest : grid->nodes[next].farthest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raster/facet.h"
+#include "raster/sort_triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace shd::raster {
 namespace {
 
-/// Half a unit in the last place of depths near 1, for the vertices of both facets, and as much for interpolation.
+/// Half a unit in the last place of depths near 1, for the vertices of both triangles, and as much for interpolation.
 constexpr double kDepthRounding = 0x1p-23;
 
 struct Slope {
@@ -33,7 +33,7 @@ float biased_distance(float z, double bias, bool falls) {
   return static_cast<float>(falls ? -depth : depth);
 }
 
-void find_extents(Facet* f) {
+void find_extents(SortTriangle* f) {
   const geometry::ScreenTriangle& t = f->triangle;
   const float d0 = biased_distance(t.z[0], f->bias, f->falls), d1 = biased_distance(t.z[1], f->bias, f->falls),
               d2 = biased_distance(t.z[2], f->bias, f->falls);
@@ -66,18 +66,18 @@ bool has_separating_edge(const geometry::ScreenTriangle& a, const geometry::Scre
 struct Point {
   double x, y;
 };
-struct Outline {
+struct Polygon {
   Point point[6];
   int count;
 };
 
 /// What lies on the inner side of edge k of `t`; points are relative to (x, y).
-Outline clip_to_edge(const Outline& in, const geometry::ScreenTriangle& t, int k, int32_t x, int32_t y) {
+Polygon clip_to_edge(const Polygon& in, const geometry::ScreenTriangle& t, int k, int32_t x, int32_t y) {
   const int n = next_of(k);
   const double sx = static_cast<double>(t.x[k] - x), sy = static_cast<double>(t.y[k] - y);
   const double dx = static_cast<double>(t.x[n] - t.x[k]), dy = static_cast<double>(t.y[n] - t.y[k]);
   const auto side = [&](const Point& p) { return dx * (p.y - sy) - dy * (p.x - sx); };
-  Outline out;
+  Polygon out;
   out.count = 0;
   for (int i = 0; i < in.count; ++i) {
     const Point &a = in.point[i], &b = in.point[i + 1 == in.count ? 0 : i + 1];
@@ -110,8 +110,8 @@ GridPoint crossing(const geometry::ScreenTriangle& t, const double d[3], int a, 
 }
 
 /// Appends a piece unless it has no area.
-void add_piece(const Facet& f, GridPoint a, GridPoint b, GridPoint c, FacetPieces* out) {
-  Facet& piece = out->piece[out->count];
+void add_piece(const SortTriangle& f, GridPoint a, GridPoint b, GridPoint c, TrianglePieces* out) {
+  SortTriangle& piece = out->piece[out->count];
   piece = f;
   const geometry::ScreenTriangle& whole = f.triangle;
   const float low = std::min({whole.z[0], whole.z[1], whole.z[2]});
@@ -134,8 +134,8 @@ void add_piece(const Facet& f, GridPoint a, GridPoint b, GridPoint c, FacetPiece
 
 }  // namespace
 
-Facet make_facet(const geometry::ScreenTriangle& triangle, const PaintRule& rule) {
-  Facet f = {};
+SortTriangle make_sort_triangle(const geometry::ScreenTriangle& triangle, const PaintRule& rule) {
+  SortTriangle f = {};
   f.triangle = triangle;
   const Slope slope = slope_of(triangle);
   f.bias = bias_of(slope, rule);
@@ -165,11 +165,11 @@ bool overlaps(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle&
   return !has_separating_edge(a, b) && !has_separating_edge(b, a);
 }
 
-double tolerance(const Facet& a, const Facet& b) {
+double tolerance(const SortTriangle& a, const SortTriangle& b) {
   return std::fabs(a.dx - b.dx) + std::fabs(a.dy - b.dy) + kDepthRounding;
 }
 
-DistanceRange beyond_plane(const Facet& a, const Facet& b) {
+DistanceRange beyond_plane(const SortTriangle& a, const SortTriangle& b) {
   DistanceRange range;
   for (int k = 0; k < 3; ++k) {
     const double x = static_cast<double>(a.triangle.x[k]), y = static_cast<double>(a.triangle.y[k]);
@@ -180,26 +180,26 @@ DistanceRange beyond_plane(const Facet& a, const Facet& b) {
   return range;
 }
 
-DistanceRange beyond_overlap(const Facet& a, const Facet& b) {
+DistanceRange beyond_overlap(const SortTriangle& a, const SortTriangle& b) {
   const geometry::ScreenTriangle& t = a.triangle;
-  Outline outline;
-  outline.count = 3;
+  Polygon shared;
+  shared.count = 3;
   for (int k = 0; k < 3; ++k) {
-    outline.point[k] = {static_cast<double>(t.x[k] - t.x[0]), static_cast<double>(t.y[k] - t.y[0])};
+    shared.point[k] = {static_cast<double>(t.x[k] - t.x[0]), static_cast<double>(t.y[k] - t.y[0])};
   }
-  for (int k = 0; k < 3; ++k) outline = clip_to_edge(outline, b.triangle, k, t.x[0], t.y[0]);
+  for (int k = 0; k < 3; ++k) shared = clip_to_edge(shared, b.triangle, k, t.x[0], t.y[0]);
   const double x = static_cast<double>(t.x[0]), y = static_cast<double>(t.y[0]);
   const double origin = distance_at(a, x, y) - distance_at(b, x, y);
   DistanceRange range = {0.0, 0.0};
-  for (int i = 0; i < outline.count; ++i) {
-    const double d = origin + (a.dx - b.dx) * outline.point[i].x + (a.dy - b.dy) * outline.point[i].y;
+  for (int i = 0; i < shared.count; ++i) {
+    const double d = origin + (a.dx - b.dx) * shared.point[i].x + (a.dy - b.dy) * shared.point[i].y;
     range.low = i == 0 ? d : std::min(range.low, d);
     range.high = i == 0 ? d : std::max(range.high, d);
   }
   return range;
 }
 
-bool may_precede(const Facet& a, const Facet& b) {
+bool may_precede(const SortTriangle& a, const SortTriangle& b) {
   if (a.nearest >= b.farthest) return true;
   if (a.max_x <= b.min_x || b.max_x <= a.min_x || a.max_y <= b.min_y || b.max_y <= a.min_y) return true;
   const double limit = tolerance(a, b);
@@ -209,7 +209,7 @@ bool may_precede(const Facet& a, const Facet& b) {
   return beyond_overlap(a, b).low >= -limit;
 }
 
-bool cut_facet(const Facet& f, const Facet& plane, FacetPieces* out) {
+bool split_triangle(const SortTriangle& f, const SortTriangle& plane, TrianglePieces* out) {
   out->count = 0;
   const double limit = tolerance(f, plane);
   if (!straddles(beyond_plane(f, plane), limit)) return false;

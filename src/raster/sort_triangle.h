@@ -16,7 +16,7 @@ struct PaintRule {
 
 /// A triangle and the plane of its distance: depth with its bias, negative where depth falls with the distance. The
 /// pieces of a triangle keep its plane.
-struct Facet {
+struct SortTriangle {
   geometry::ScreenTriangle triangle;
   double distance, dx, dy;  // at (x, y), and per 1 / kSubpixels pixel to the right and down
   double bias;              // of the depth
@@ -26,12 +26,12 @@ struct Facet {
   bool falls;
 };
 
-Facet make_facet(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
+SortTriangle make_sort_triangle(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
-/// Distance of the farthest vertex: what make_facet finds, without the rest.
+/// Distance of the farthest vertex: what make_sort_triangle finds, without the rest.
 float farthest_distance(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
-inline double distance_at(const Facet& f, double x, double y) {
+inline double distance_at(const SortTriangle& f, double x, double y) {
   return f.distance + f.dx * (x - static_cast<double>(f.x)) + f.dy * (y - static_cast<double>(f.y));
 }
 
@@ -43,30 +43,30 @@ bool overlaps(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle&
 
 /// Differences of distance up to this one count as none: what one grid step aside would change, and the rounding of
 /// depth to float.
-double tolerance(const Facet& a, const Facet& b);
+double tolerance(const SortTriangle& a, const SortTriangle& b);
 
 /// Smallest and largest of some differences of distance.
 struct DistanceRange {
   double low, high;
 };
 /// a's vertices minus the plane of b below them.
-DistanceRange beyond_plane(const Facet& a, const Facet& b);
+DistanceRange beyond_plane(const SortTriangle& a, const SortTriangle& b);
 /// a minus b where they overlap; 0 if nothing is left of it.
-DistanceRange beyond_overlap(const Facet& a, const Facet& b);
+DistanceRange beyond_overlap(const SortTriangle& a, const SortTriangle& b);
 
 /// Whether painting a first and b over it is right. The five tests of Newell, Newell and Sancha, "A Solution to the
 /// Hidden Surface Problem" (1972): depths, boxes, a behind the plane of b, b before the plane of a, outlines; and where
 /// none of them tells, the distances over what the outlines share.
-bool may_precede(const Facet& a, const Facet& b);
+bool may_precede(const SortTriangle& a, const SortTriangle& b);
 
 /// Pieces of a triangle.
-struct FacetPieces {
-  Facet piece[3];
+struct TrianglePieces {
+  SortTriangle piece[3];
   int count;
 };
 
-/// Cuts a facet along the plane of another one. New vertices lie on the pixel grid: within half a grid step of the cut
-/// and of the edge. False if the plane misses the facet, or leaves one side without area.
-bool cut_facet(const Facet& f, const Facet& plane, FacetPieces* out);
+/// Cuts a triangle along the plane of another one. New vertices lie on the pixel grid: within half a grid step of the
+/// cut and of the edge. False if the plane misses the triangle, or leaves one side without area.
+bool split_triangle(const SortTriangle& f, const SortTriangle& plane, TrianglePieces* out);
 
 }  // namespace shd::raster
