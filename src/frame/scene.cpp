@@ -55,14 +55,13 @@ void transform(const core::Context& context, const Frame& frame, const Part& par
   const Draw& draw = frame.draws[part.draw];
   const geometry::Transform& matrices = scene->transforms[part.draw];
   geometry::Vertices* out = &scene->vertices[part.draw];
-  const size_t end = begin + (part.end - part.begin);
-  geometry::transform_attributes(mesh.mesh, matrices, begin, end, part.begin, out);
+  const geometry::VertexRange range = {begin, begin + (part.end - part.begin), part.begin};
+  geometry::transform_attributes(mesh.mesh, matrices, range, out);
   if (!draw.material || !draw.material->program.vertex) {
-    return geometry::transform_vertices(context.simd, mesh.mesh, matrices, begin, end, part.begin, out);
+    return geometry::transform_vertices(context.simd, mesh.mesh, matrices, range, out);
   }
   if (scratch->block.size() == 0) geometry::allocate(context.allocator, scratch);
-  geometry::run_vertex_program(context.simd, mesh, matrices, vertex_program(frame, draw), begin, end, part.begin,
-                               scratch, out);
+  geometry::run_vertex_program(context.simd, mesh, matrices, vertex_program(frame, draw), range, scratch, out);
 }
 
 /// Rows of a draw's vertices.

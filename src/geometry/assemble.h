@@ -57,13 +57,23 @@ struct Assembly {
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);
 
+/// A box on the pixel grid, fixed point, ends included.
+struct GridBox {
+  int32_t min_x, min_y, max_x, max_y;
+};
+
+/// Pixels that may have a sample in a box.
+inline PixelBox pixel_box(const GridBox& box, const SampleExtent& samples) {
+  const int32_t up = kSubpixels - 1;
+  return {(box.min_x - samples.max_x + up) >> kSubpixelBits, (box.min_y - samples.max_y + up) >> kSubpixelBits,
+          (box.max_x - samples.min_x) >> kSubpixelBits, (box.max_y - samples.min_y) >> kSubpixelBits};
+}
+
 /// Pixels that may have a sample in the bounding box of a triangle.
 inline PixelBox pixel_box(const ScreenTriangle& t, const SampleExtent& samples) {
-  const int32_t up = kSubpixels - 1;
-  return {(std::min({t.x[0], t.x[1], t.x[2]}) - samples.max_x + up) >> kSubpixelBits,
-          (std::min({t.y[0], t.y[1], t.y[2]}) - samples.max_y + up) >> kSubpixelBits,
-          (std::max({t.x[0], t.x[1], t.x[2]}) - samples.min_x) >> kSubpixelBits,
-          (std::max({t.y[0], t.y[1], t.y[2]}) - samples.min_y) >> kSubpixelBits};
+  const GridBox bounds = {std::min({t.x[0], t.x[1], t.x[2]}), std::min({t.y[0], t.y[1], t.y[2]}),
+                          std::max({t.x[0], t.x[1], t.x[2]}), std::max({t.y[0], t.y[1], t.y[2]})};
+  return pixel_box(bounds, samples);
 }
 
 }  // namespace shd::geometry

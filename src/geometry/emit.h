@@ -5,10 +5,11 @@
 
 namespace shd::geometry {
 
-/// What becomes of a triangle, the better the higher; what is unseen lies outside.
+/// What becomes of a triangle. Ordered: the outcome of a clipped triangle is the highest one of its pieces. kUnseen:
+/// all of it lies outside the visible pixels.
 enum class TriangleOutcome { kUnseen, kCulled, kEmpty, kRasterised };
 
-/// Of a triangle on the pixel grid; > 0 if it is clockwise on the screen.
+/// Twice the signed area of a triangle on the pixel grid; > 0 if it is clockwise on the screen.
 inline int64_t twice_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
 }

@@ -9,14 +9,14 @@
 namespace shd::geometry {
 namespace {
 
-/// One triangle on its way.
+/// One triangle of the mesh, and where its pieces go.
 struct Outlined {
-  Assembly assembly;  // culls nothing: pieces have no facing of their own
+  Assembly assembly;  // with SHD_CULL_NONE: pieces have no facing of their own
   uint32_t primitive;
   core::Buffer<ScreenTriangle>* out;
 };
 
-/// Corners in order around the piece.
+/// Emits a quadrilateral as two triangles; corners in order around it.
 TriangleOutcome emit_piece(const Outlined& o, const ScreenVertex (&corner)[4]) {
   const TriangleOutcome first = emit(o.assembly, corner[0], corner[1], corner[2], o.primitive, o.out);
   return std::max(first, emit(o.assembly, corner[0], corner[2], corner[3], o.primitive, o.out));
@@ -40,7 +40,7 @@ TriangleOutcome emit_line(const Outlined& o, const ScreenVertex& a, const Screen
   return emit_piece(o, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)});
 }
 
-/// Neighbours come along a shared edge from either end: whether it starts at the second one, so that they do the same.
+/// Whether the edge is drawn from its second vertex, so that both triangles that share it emit identical lines.
 bool starts_at_second(const Vertices& vertices, uint32_t first, uint32_t second) {
   const float *a = &vertices.raster[4 * size_t{first}], *b = &vertices.raster[4 * size_t{second}];
   return std::lexicographical_compare(b, b + 4, a, a + 4);
@@ -55,7 +55,7 @@ TriangleOutcome emit_edge(const Outlined& o, uint32_t first, uint32_t second) {
   return clip_segment(vertices, first, second, end) ? emit_line(o, end[0], end[1]) : TriangleOutcome::kUnseen;
 }
 
-/// A triangle that has only one edge, its rows repeating, draws it once.
+/// Emits all edges. A triangle whose rows repeat has one edge, which is emitted once.
 TriangleOutcome emit_edges(const Outlined& o, const uint32_t row[3]) {
   const bool repeats = row[0] == row[1] || row[1] == row[2] || row[2] == row[0];
   TriangleOutcome outcome = TriangleOutcome::kUnseen;
@@ -69,7 +69,7 @@ TriangleOutcome emit_edges(const Outlined& o, const uint32_t row[3]) {
   return has_edge ? outcome : TriangleOutcome::kCulled;
 }
 
-/// Of a triangle the edges that are lines.
+/// Emits the feature edges that this triangle owns.
 TriangleOutcome emit_lines(const Outlined& o, const uint32_t row[3]) {
   uint32_t kinds[3];
   find_edge_kinds(*o.assembly.mesh, o.assembly.query, o.primitive, kinds);
@@ -101,15 +101,11 @@ int64_t clipped_area(const Vertices& vertices, const uint32_t row[3]) {
   return area;
 }
 
-/// Whether all that a triangle could draw is far from the visible pixels; it needs no clipping.
+/// Whether everything that a triangle could draw lies beyond the visible pixels. The triangle needs no clipping.
 bool is_far(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   const int32_t reach = assembly.outline.reach;
-  const ScreenTriangle box = {{std::min({a.x, b.x, c.x}) - reach, std::max({a.x, b.x, c.x}) + reach, a.x},
-                              {std::min({a.y, b.y, c.y}) - reach, std::max({a.y, b.y, c.y}) + reach, a.y},
-                              {},
-                              0,
-                              0,
-                              0};
+  const GridBox box = {std::min({a.x, b.x, c.x}) - reach, std::min({a.y, b.y, c.y}) - reach,
+                       std::max({a.x, b.x, c.x}) + reach, std::max({a.y, b.y, c.y}) + reach};
   return is_empty(intersection(pixel_box(box, assembly.samples), assembly.visible));
 }
 

@@ -68,7 +68,7 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
                          const PixelBox& visible);
 
 /// Transformed vertices of one draw or of a part of it. Rows of four, not columns: a fragment gathers all of a vertex
-/// at once, and a row shares one cache line.
+/// at once, and a row shares one cache line. u and v fill the rows of positions and normals: see u_of() and v_of().
 struct Vertices {
   core::Array<ScreenVertex> screen;  // [padded]
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
@@ -94,14 +94,43 @@ inline uint32_t row_of(const Vertices& vertices, size_t triangle, size_t k) {
   return vertices.indices[3 * (triangle - vertices.first_triangle) + k] - vertices.first_index;
 }
 
+/// One component of rows of four.
+struct RowComponent {
+  const float* rows;  // [padded][4]
+  uint32_t component;
+
+  float operator[](size_t row) const { return rows[4 * row + component]; }
+};
+
+/// Texture coordinates of the first set, and of the second set where vertices.texture1 is not empty.
+inline RowComponent u_of(const Vertices& vertices) {
+  return {vertices.world.data(), 3};
+}
+inline RowComponent v_of(const Vertices& vertices) {
+  return {vertices.normal.data(), 3};
+}
+inline RowComponent u1_of(const Vertices& vertices) {
+  return {vertices.texture1.data(), 0};
+}
+inline RowComponent v1_of(const Vertices& vertices) {
+  return {vertices.texture1.data(), 1};
+}
+
+/// Vertices [begin, end) of a mesh, and the first of the rows that they are transformed to. Kernels need multiples of
+/// data::kRowPad.
+struct VertexRange {
+  size_t begin, end;
+  size_t row;
+};
+
 /// Makes room for a number of rows, a multiple of data::kRowPad. Throws std::bad_alloc.
 void allocate_rows(const core::Allocator& allocator, size_t rows, uint32_t varying_count, Vertices* out);
 
 /// A row for every vertex of a mesh. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out);
 
-/// Transforms vertices [begin, end) of a mesh, multiples of data::kRowPad, to rows from `row` on.
-void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
-                        size_t end, size_t row, Vertices* out);
+/// Transforms vertices of a mesh by the matrices alone.
+void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
+                        const VertexRange& range, Vertices* out);
 
 }  // namespace shd::geometry

@@ -16,8 +16,8 @@
 /// | sample_pattern.h   | where in a pixel its samples lie                                      |
 /// | tile.h             | the tile: depth and the visible triangle of each sample               |
 /// | bin.h              | which triangles touch which tile                                      |
-/// | triangle.h            | triangles in depth: which of two may be painted first, and cuts       |
-/// | facet_grid.h       | which of them may meet on the screen                                  |
+/// | sort_triangle.h    | SortTriangle, for sorting by depth: order of two triangles, splits    |
+/// | sort_grid.h        | which sort triangles may meet on the screen                           |
 /// | painter.h          | the painter's algorithm, and what it gets wrong                       |
 /// | newell.h           | the order of Newell, Newell and Sancha                                |
 /// | edge.h             | edge functions and the depth plane of one triangle                    |

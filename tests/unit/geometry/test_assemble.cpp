@@ -54,7 +54,7 @@ void transform(bool perspective) {
   t.right = static_cast<float>(kWidth);
   t.bottom = static_cast<float>(kHeight);
   const core::SimdTarget target = best_target();
-  geometry::transform_vertices(target, g->mesh, t, 0, kRows, 0, &g->vertices);
+  geometry::transform_vertices(target, g->mesh, t, {0, kRows, 0}, &g->vertices);
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
