@@ -7,7 +7,7 @@
 
 namespace shd::film {
 
-/// The colour and opacity of a fragment, as the material's model and blend have them.
+/// Colour and opacity of a fragment: the source of a blend, in the convention of the material's blend mode.
 struct FragmentColor {
   float channel[4];
 };
@@ -18,12 +18,12 @@ inline bool is_finite(const FragmentColor& color) {
   return finite;
 }
 
-/// Where the colour of a sample is.
+/// The stored colour of a sample: the destination of a blend.
 struct Destination {
   float* channel[4];
 };
 
-/// Puts one colour over another, by a blend that has an order.
+/// Blends a source over its destination, by a mode that depends on the order of draws.
 inline void blend(shd_blend_mode mode, const FragmentColor& c, const Destination& destination) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {

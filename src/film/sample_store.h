@@ -10,11 +10,10 @@
 
 namespace shd::film {
 
-/// Depth, colour and targets of the samples of a framebuffer with several of them, from one pass of a frame to the
-/// next.
+/// Depth, colour and targets of every sample, kept between the passes of a frame with several samples a pixel.
 class SampleStore {
  public:
-  /// 4 bytes a sample and 16 for each of its targets, one a pixel, in whole tiles; empty for none. Throws
+  /// Room for `tiles` tiles, which may be none: 4 bytes a sample, 16 for each of its targets, and 1 a pixel. Throws
   /// std::bad_alloc.
   SampleStore(const core::Allocator& allocator, const Framebuffer& framebuffer, uint32_t tiles);
 
@@ -25,7 +24,7 @@ class SampleStore {
   void save(uint32_t index, const raster::Tile& tile, const SplitSamples& split);
 
  private:
-  const size_t depths_, colors_;   // elements of a pixel
+  const size_t depths_, colors_;   // elements a pixel
   core::Array<uint8_t> is_saved_;  // [tile]
   core::Array<float> depth_;       // [tile][kTilePixels][depths]
   core::Array<uint8_t> is_split_;  // [tile][kTilePixels]

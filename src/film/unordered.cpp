@@ -23,9 +23,9 @@ float weight_at(float depth) {
   return weight > 0.01f ? weight : 0.01f;
 }
 
-/// Place, then from far to near, then as they came: no two are equal.
+/// By position, then from far to near, then in order of arrival: a total order.
 bool comes_before(const SortedNode& a, const SortedNode& b) {
-  if (a.place != b.place) return a.place < b.place;
+  if (a.position != b.position) return a.position < b.position;
   if (a.distance != b.distance) return a.distance > b.distance;
   return a.order < b.order;
 }
@@ -68,7 +68,7 @@ void blend_sorted(Unordered* unordered, TileColor* color) {
   SortedNode* nodes = unordered->nodes.data();
   std::sort(nodes, nodes + unordered->nodes.size(), comes_before);
   for (size_t i = 0; i < unordered->nodes.size(); ++i) {
-    const Destination destination = color->sample(nodes[i].place % kTilePixels, nodes[i].place / kTilePixels);
+    const Destination destination = color->sample(nodes[i].position % kTilePixels, nodes[i].position / kTilePixels);
     blend(SHD_BLEND_PREMULTIPLIED, nodes[i].color, destination);
   }
 }

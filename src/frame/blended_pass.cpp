@@ -6,7 +6,8 @@
 namespace shd::frame {
 namespace {
 
-/// A comparison that lets pass at least what this one will after depths have changed by it.
+/// A comparison whose early test rejects no fragment that may pass the late one: a NOT_EQUAL draw changes the depths
+/// that its own later fragments are compared with.
 shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
 }
@@ -20,7 +21,7 @@ uint32_t covered_by_alpha(float alpha, uint32_t count) {
 
 }  // namespace
 
-/// Samples that alpha and discard leave of a row.
+/// Samples of a row that alpha and discard leave.
 uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   const shade::Columns& columns = tile_.worker.workspace.columns;
   const material::Material& material = *draw_.material;

@@ -7,23 +7,23 @@
 
 namespace shd::frame {
 
-/// Shades a run of a material that blends or drops fragments and blends it over the colours, triangle by triangle.
+/// Shades a run whose material blends or drops fragments, and blends it over the colours, triangle by triangle.
 void blend_run(TileState* tile, const Run& run);
 
-/// What remains of a shaded fragment.
+/// A shaded fragment that passes the tests, and the samples at which it does.
 struct Survivor {
   uint32_t pixel, mask;
   float depth[raster::kMaxSamples];  // of the samples in the mask
   film::FragmentColor color;
 };
 
-/// Decides what remains of the fragments of a shaded batch.
+/// The late tests of the fragments of a shaded batch: alpha, discard and depth.
 class Survival {
  public:
   Survival(const Draw& draw, TileState* tile)
       : draw_(draw), tile_(*tile), test_(raster::depth_test(draw.depth.compare)) {}
 
-  /// Whether a row keeps samples after alpha, discard and the depths of now. Rows must come in order, each once.
+  /// Whether a row has samples left after alpha, discard and the current depths. Call once for each row, in order.
   bool survives(size_t row, Survivor* out);
 
  private:
@@ -36,11 +36,11 @@ class Survival {
   raster::DepthPlane plane_[raster::kMaxSamples];       // its depths, by sample
 };
 
-/// Finds the covered samples of one triangle whose depth may pass, in the worker's list.
+/// Lists the pixels, in worker.covered, where the depth of one triangle may pass.
 void cover_triangle(TileState* tile, const Draw& draw, const geometry::PixelBox& box,
                     const geometry::ScreenTriangle& triangle);
 
-/// Shades what a run covers in a box; done(draw) sees batches.
+/// Shades the fragments of a run in a box; done(draw) reads each shaded batch.
 template <class Done>
 void shade_run(TileState* tile, const Run& run, const geometry::PixelBox& box, const Done& done) {
   FragmentBatch batch(*tile);

@@ -10,42 +10,42 @@
 
 namespace shd::frame {
 
-/// Where in its pixels a triangle is shaded.
-struct Placing {
-  bool at_samples;
-  raster::EdgeLine line[3];   // with several samples
-  raster::Edge at_centre[3];  // the same
+/// Where in its pixels a triangle is shaded: once at each sample, or once for the pixel, at the centre or at the
+/// centroid of the covered samples.
+struct ShadingPoints {
+  bool per_sample;
+  raster::EdgeLine line[3];   // set with several samples a pixel
+  raster::Edge at_centre[3];  // set with several samples a pixel
 };
 
-/// Gathers the fragments of one draw into the worker's table and shades it when it is full: its owner's done(draw)
-/// then sees the radiance.
+/// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
 class FragmentBatch {
  public:
   explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
 
-  /// Adds pixels of one triangle, one fragment for each or for each of its samples.
+  /// Adds pixels of one triangle: one fragment a pixel, or one for each of its samples.
   template <class Done>
   void add(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
            const Done& done) {
     BatchTriangles& triangles = worker_.triangles;
     if (triangles.count == max_triangles(triangle)) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
-    const Placing placing = placing_of(triangle);
-    for (size_t i = 0; i < count && placing.at_samples; ++i) {
+    const ShadingPoints points = shading_points(triangle);
+    for (size_t i = 0; i < count && points.per_sample; ++i) {
       for (uint32_t mask = pixels[i].mask; mask; mask &= mask - 1) {
         make_room(done);
         const raster::VisiblePixel sample = {pixels[i].position, static_cast<uint16_t>(mask & ~(mask - 1))};
-        append(triangle, placing, &sample, 1);
+        append(triangle, points, &sample, 1);
       }
     }
-    for (size_t i = 0; i < count && !placing.at_samples;) {
+    for (size_t i = 0; i < count && !points.per_sample;) {
       const size_t more = std::min(count - i, make_room(done));
-      append(triangle, placing, pixels + i, more);
+      append(triangle, points, pixels + i, more);
       i += more;
     }
   }
 
-  /// Shades what there is, and empties the table.
+  /// Shades the table if it holds fragments, and empties it.
   template <class Done>
   void flush(uint32_t draw, const Done& done) {
     if (worker_.workspace.fragments.count) {
@@ -57,7 +57,7 @@ class FragmentBatch {
   }
 
  private:
-  /// Makes room for fragments of the latest triangle. Returns for how many.
+  /// Makes room for fragments of the latest triangle. Returns how many fit.
   template <class Done>
   size_t make_room(const Done& done) {
     const raster::Fragments& f = worker_.workspace.fragments;
@@ -71,13 +71,13 @@ class FragmentBatch {
   }
 
   size_t max_triangles(const geometry::ScreenTriangle& triangle) const;
-  Placing placing_of(const geometry::ScreenTriangle& triangle) const;
-  bool covers_centre(const Placing& placing, uint32_t pixel) const;
-  uint32_t covered_samples(const Placing& placing, size_t row) const;
-  void place(const Placing& placing, size_t row) const;
-  void append(const geometry::ScreenTriangle& triangle, const Placing& placing, const raster::VisiblePixel* pixels,
+  ShadingPoints shading_points(const geometry::ScreenTriangle& triangle) const;
+  bool covers_centre(const ShadingPoints& points, uint32_t pixel) const;
+  uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
+  void move_to_centroid(const ShadingPoints& points, size_t row) const;
+  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::VisiblePixel* pixels,
               size_t count);
-  void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const Placing& placing, size_t begin,
+  void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);
   void shade(uint32_t draw);
 

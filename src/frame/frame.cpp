@@ -15,7 +15,7 @@
 namespace shd::frame {
 namespace {
 
-/// Reports finished tiles to the host, one call at a time, and carries its wish to stop.
+/// Reports finished tiles to the host, never concurrently, and stores a cancellation request.
 class Progress {
  public:
   Progress(const shd_progress& callback, uint64_t total) : callback_(callback), total_(total) {}

@@ -52,14 +52,14 @@ namespace shd::frame {
 
 /// A checked shd_draw, or one instance of it.
 struct Draw {
-  uint32_t index;     // of the caller's draw
-  uint32_t instance;  // of that
+  uint32_t index;     // in the caller's draws
+  uint32_t instance;  // of the draw
   const geometry::Mesh* mesh;
   const material::Material* material;  // null = depth alone
   shd_frequency frequency;
   shd_cull cull;
   raster::DepthState depth;
-  bool depth_falls;  // with the distance
+  bool depth_falls;  // depth falls with the distance from the eye
   bool sample_shading;
   const void* uniforms;  // of the programs of the material
   geometry::Outline outline;
@@ -67,7 +67,7 @@ struct Draw {
   float object_to_world[16];
 };
 
-/// Where the framebuffer's first pixel lies in the picture.
+/// Position of the framebuffer's first pixel in the picture.
 struct Window {
   int32_t left, top;
 };
@@ -88,15 +88,14 @@ struct Frame {
   size_t light_count;
   const light::Shadow* const* shadows;  // [light_count], or null
   shd_progress progress;
-  uint32_t pass_triangles;  // most that are assembled at a time
+  uint32_t pass_triangles;  // upper bound of the triangles of a pass
   uint32_t supersampling;   // 0 and 1 = off
-  bool counts_hidden;       // samples that fail the depth test before shading
+  bool counts_hidden;       // counts samples that fail the depth test before shading
   shd_visibility visibility;
-  bool counts_conflicts;  // of the order of painting
+  bool counts_conflicts;  // counts conflicts of the order of painting
 };
 
-/// Renders a frame on the context's executor, in passes: vertices, assembly and binning in groups of triangles, then
-/// tiles. What triangles a pass has leaves no trace in the framebuffer.
+/// Renders a frame on the context's executor, pass by pass; frame.supersampling is ignored.
 /// Throws Failure and std::bad_alloc; then the framebuffer may hold part of the frame.
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats);
 

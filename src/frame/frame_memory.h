@@ -8,7 +8,7 @@
 
 namespace shd::frame {
 
-/// A context like another one that counts the bytes taken from its allocator.
+/// A copy of a context whose allocator counts its bytes.
 class FrameMemory {
  public:
   explicit FrameMemory(const core::Context& host) : host_(host.allocator.callbacks) {
@@ -21,7 +21,7 @@ class FrameMemory {
   FrameMemory(const FrameMemory&) = delete;
   FrameMemory& operator=(const FrameMemory&) = delete;
 
-  /// The most bytes that were in use at a time.
+  /// The largest number of bytes in use so far.
   size_t peak() const { return peak_; }
 
   core::Context context{};

@@ -9,7 +9,7 @@
 namespace shd::frame {
 namespace {
 
-/// A triangle of a run by its mask, which is counted, then into the visibility buffer.
+/// Draws one triangle of a run into the visibility buffer, and counts overdraw and hidden samples by its mask.
 void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, uint32_t slot) {
   Worker& worker = tile->worker;
   const raster::CoverArea area = tile->cover_area(tile->box());
@@ -25,7 +25,7 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
 }
 
-/// Rows with a channel that is not finite: one that is not itself less itself.
+/// Counts rows with a channel that is not finite: x - x is 0 only for finite x.
 uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
   const float* __restrict r = radiance.channel[0], * __restrict g = radiance.channel[1];
   const float* __restrict b = radiance.channel[2], * __restrict a = radiance.channel[3];
@@ -37,7 +37,7 @@ uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radi
   return f.count - finite;
 }
 
-/// Rows from `begin` on that are neighbours in a row of the tile and show their triangle at all samples.
+/// Counts rows from `begin` on that are neighbours in a pixel row and cover all samples.
 size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
   const uint32_t pixel = f.pixel[begin];
   const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
@@ -46,7 +46,7 @@ size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_s
   return count;
 }
 
-/// Colours of a shaded batch to the samples that show them.
+/// Writes the colours of a shaded batch to its samples.
 void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, uint32_t all_samples,
                   film::TileColor* tile_color) {
   for (size_t i = 0; i < f.count;) {
@@ -99,7 +99,7 @@ void shade_visible(TileState* tile) {
   if (worker.slots.size() == 0) return;
   raster::sort_pixels(tile->simd(), worker.tile, worker.slots.size(), &worker.order);
   const size_t samples = size_t{tile->area.width} * tile->area.height * tile->pattern.count;
-  if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // all of it is drawn over
+  if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // every sample is overwritten
   tile->clear_color();
   FragmentBatch batch(*tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };

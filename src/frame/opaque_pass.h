@@ -5,10 +5,10 @@
 
 namespace shd::frame {
 
-/// Draws a run of an is_plain() material, or of depth alone, into the visibility buffer.
+/// Draws a run into the visibility buffer; its material is_plain(), or it draws depth alone.
 void cover_run(TileState* tile, const Run& run);
 
-/// Shades what the visibility buffer shows, and empties it.
+/// Shades the visible fragments, and empties the visibility buffer.
 void shade_visible(TileState* tile);
 
 }  // namespace shd::frame

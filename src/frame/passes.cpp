@@ -18,7 +18,7 @@ uint64_t weight(uint64_t triangles) {
 }  // namespace
 
 Passes::Passes(const core::Allocator& allocator, const Frame& frame) : frame_(frame), draws_(allocator), pass_(frame) {
-  if (frame.visibility != SHD_VISIBILITY_DEPTH) return;  // which orders all triangles
+  if (frame.visibility != SHD_VISIBILITY_DEPTH) return;  // the other methods sort all triangles together
   uint64_t total = 0;
   for (size_t i = 0; i < frame.draw_count; ++i) {
     const uint64_t triangles = weight(frame.draws[i].end - frame.draws[i].begin);

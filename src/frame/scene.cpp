@@ -49,7 +49,7 @@ geometry::VertexProgram vertex_program(const Frame& frame, const Draw& draw) {
           draw.object_to_world, draw.index,        draw.instance, draw.material->varying_count};
 }
 
-/// Vertices of a mesh from `begin` on to the rows of a part, by the draw's program if it has one.
+/// Transforms vertices of a mesh, from `begin` on, to the rows of a part; by the draw's program if it has one.
 void transform(const core::Context& context, const Frame& frame, const Part& part, const geometry::NumberedMesh& mesh,
                size_t begin, Scene* scene, geometry::VertexColumns* scratch) {
   const Draw& draw = frame.draws[part.draw];
@@ -64,7 +64,7 @@ void transform(const core::Context& context, const Frame& frame, const Part& par
   geometry::run_vertex_program(context.simd, mesh, matrices, vertex_program(frame, draw), range, scratch, out);
 }
 
-/// Rows of a draw's vertices.
+/// Transforms the vertices of one part.
 void transform_part(const core::Context& context, const Frame& frame, const Part& part, Scene* scene,
                     geometry::VertexColumns* scratch) {
   const geometry::Mesh& mesh = *frame.draws[part.draw].mesh;

@@ -8,18 +8,19 @@
 
 namespace shd::frame {
 
-/// A frame after its geometry stages: what tiles are drawn from.
+/// A pass after its geometry stages: the input of its tiles.
 struct Scene {
   /// Empty; throws std::bad_alloc.
   Scene(const core::Allocator& allocator, const Frame& frame);
 
   core::Objects<geometry::Vertices> vertices;   // [draw]
   core::Array<geometry::Transform> transforms;  // [draw]
-  core::Objects<raster::TriangleGroup> groups;  // in submission order, or that of painting
+  core::Objects<raster::TriangleGroup> groups;  // in submission order, or in the order of painting
   raster::Bins bins;
 };
 
-/// Pixels of the picture that the framebuffer holds, and those of them that triangles may change (none if it is empty).
+/// The pixels of the picture that the framebuffer holds, and those of them that triangles may change; both may be
+/// empty.
 geometry::PixelBox window_box(const Frame& frame);
 geometry::PixelBox visible_box(const Frame& frame);
 

@@ -11,15 +11,15 @@
 namespace shd::frame {
 namespace {
 
-constexpr uint32_t kBlock = 2048;  // texels a side that are drawn at a time
+constexpr uint32_t kBlock = 2048;  // texels a side of what is drawn at once
 constexpr uint32_t kPassTriangles = 1u << 21;
 
-/// Whether a draw leaves depth by more than its mesh: fragments that it drops, or vertices that a program moves.
+/// Whether the depths of a draw depend on its material: it drops fragments, or a program moves its vertices.
 bool needs_material(const material::Material& material) {
   return !material::is_unordered(material) && (material::drops_fragments(material) || material.program.vertex);
 }
 
-/// What casts shadows of the caller's draws.
+/// The caller's draws that cast shadows, as draws of depth alone where possible.
 core::Buffer<Draw> casters(const core::Context& context, const ShadowFrame& frame, const light::ShadowOptions& options,
                            bool falls) {
   core::Buffer<Draw> draws(context.allocator);
@@ -96,7 +96,7 @@ shd_view view_of(const light::ShadowPlacement& placement, uint32_t face, uint32_
   return view;
 }
 
-/// Depths in world lengths from those of a framebuffer.
+/// Converts depths of a framebuffer to world lengths.
 struct Linear {
   bool is_perspective;
   double near, range, product;

@@ -19,8 +19,8 @@ struct ShadowFrame {
   float bounds_min[3], bounds_max[3];
 };
 
-/// Draws the depths that the light of a shadow sees, face by face, and what its filter reads of them, on the context's
-/// executor; memory that stays comes from `owner`. Throws; then the shadow is as before.
+/// Renders the depth map of a shadow face by face on the context's executor, then builds the tables that its filter
+/// reads. Memory that the shadow keeps comes from `owner`. Throws; then the shadow is as before.
 void render_shadow(const core::Context& context, const core::Context& owner, const ShadowFrame& frame,
                    light::Shadow* shadow);
 

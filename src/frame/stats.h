@@ -5,7 +5,7 @@
 
 namespace shd::frame {
 
-/// Adds every count and time of a piece of a frame to those of the frame; memory is not counted here.
+/// Adds the counts and times of a part of a frame to those of the frame; scratch_bytes is left.
 inline void add(const shd_render_stats& piece, shd_render_stats* frame) {
   frame->triangles += piece.triangles;
   frame->nonfinite += piece.nonfinite;

@@ -5,10 +5,10 @@
 
 namespace shd::frame {
 
-/// Wall-clock time that passes in the stages of a frame.
+/// Measures the wall-clock time of the stages of a frame.
 class Stopwatch {
  public:
-  /// Seconds since the latest lap, or since it was made.
+  /// Seconds since the latest lap, or since construction.
   double lap() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> passed = now - start_;

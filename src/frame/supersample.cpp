@@ -13,12 +13,12 @@ namespace {
 
 constexpr uint32_t kMinFactor = 2;
 
-/// Pixels of the frame's buffer.
+/// A rectangle of pixels of the framebuffer.
 struct Block {
   uint32_t left, top, width, height;
 };
 
-/// body(plane number, from, to) for every plane of two framebuffers alike.
+/// body(plane, from, to) for every plane of two framebuffers with the same planes.
 template <class Body>
 void for_each_plane(film::Framebuffer& from, film::Framebuffer& to, const Body& body) {
   for (uint32_t p = 0; p < film::kPlaneCount; ++p) {
@@ -31,7 +31,7 @@ void for_each_plane(film::Framebuffer& from, film::Framebuffer& to, const Body& 
   }
 }
 
-/// Tells the host of a block's progress as that of the frame.
+/// Reports the progress of a block as progress of the frame.
 struct BlockProgress {
   const shd_progress& host;
   double before, size, total;  // pixels
@@ -43,7 +43,7 @@ struct BlockProgress {
   }
 };
 
-/// A frame whose pixels are n x n large ones.
+/// Renders a frame from blocks of the large picture.
 class Supersampler {
  public:
   Supersampler(const core::Context& context, const Frame& frame)
@@ -78,7 +78,7 @@ class Supersampler {
   }
 
  private:
-  /// Of a block, in pixels of the frame.
+  /// Largest edge of a block, in pixels of the frame.
   uint32_t edge() const { return kBlockEdge / n_; }
 
   void render_block(const Block& block, shd_render_stats* stats) {
@@ -117,13 +117,13 @@ class Supersampler {
     core::parallel_for(context_, block.height, [&](uint32_t y, uint32_t) { body(y); });
   }
 
-  /// First pixel of a row of the block in the frame's planes, and that of its first large row.
+  /// Position of the first pixel of a row of the block: in the frame's planes, and in the large planes.
   size_t start_of(const Block& block, uint32_t y) const {
     return (block.top + size_t{y}) * frame_.framebuffer->stride + block.left;
   }
   size_t large_start_of(uint32_t y) const { return size_t{y} * n_ * large_.stride; }
 
-  /// Every large pixel of a row starts as its pixel.
+  /// Copies each pixel of a row to its large pixels.
   void spread_row(const Block& block, uint32_t y) {
     for_each_plane(*frame_.framebuffer, large_, [&](uint32_t, const auto* plane, auto* large) {
       const auto* from = plane + start_of(block, y);

@@ -6,10 +6,10 @@
 
 namespace shd::frame {
 
-/// Renders a frame of which each pixel is the plain average of frame.supersampling^2 pixels of a picture as many times
-/// as large: sums in double, row by row, rounded once; targets too. The other planes are those of the top left one of
-/// them. The large picture is drawn in blocks of at most kBlockEdge^2 pixels, which leave no trace in the bits. Throws
-/// as render() does.
+/// Renders a frame from a picture n = frame.supersampling times as large. Colour and targets of a pixel are the plain
+/// average of its n x n large pixels: summed in double, row by row, and rounded once. The other planes have the values
+/// of the top left large pixel. The large picture is drawn in blocks of at most kBlockEdge^2 pixels, which leave no
+/// trace in the bits. Throws like render().
 void render_supersampled(const core::Context& context, const Frame& frame, shd_render_stats* stats);
 
 constexpr uint32_t kBlockEdge = 1024;

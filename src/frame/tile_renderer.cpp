@@ -9,7 +9,7 @@
 namespace shd::frame {
 namespace {
 
-/// What the scissor leaves of a tile; empty if nothing.
+/// The part of a tile inside the scissor; may be empty.
 film::TileArea cleared_area(const TileState& tile) {
   const geometry::PixelBox whole = geometry::pixel_rectangle(tile.left, tile.top, tile.area.width, tile.area.height);
   const geometry::PixelBox box = geometry::intersection(whole, tile.renderer.frame.scissor);
@@ -19,7 +19,7 @@ film::TileArea cleared_area(const TileState& tile) {
           static_cast<uint32_t>(box.max_y - box.min_y + 1)};
 }
 
-/// Depth and colours of a tile as they are before its first draw; false if there is none.
+/// Sets depth and colours of a tile to their values before its first draw. False if no draw touches it.
 bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
   Worker& worker = tile->worker;
@@ -45,10 +45,12 @@ bool begin(TileState* tile) {
   return true;
 }
 
-/// Draws whose blend has an order.
+/// Order-independent blends that the tile has.
 struct Unfinished {
   bool weighted, sorted;
 };
+
+/// Draws everything that takes effect in order. Returns which other blends follow.
 Unfinished draw_in_order(TileState* tile) {
   Unfinished unfinished = {false, false};
   tile->for_each_run([&](const Run& run) {

@@ -9,17 +9,17 @@
 
 namespace shd::frame {
 
-/// What the tiles of a frame are drawn from.
+/// Draws the tiles of one pass.
 struct TileRenderer {
   const core::Context& context;
   const Frame& frame;
   const Scene& scene;
   const shade::LightTable& lights;
-  film::SampleStore* samples;  // null in a frame of one pass, or of one sample a pixel
+  film::SampleStore* samples;  // null with one pass or one sample a pixel
 
-  /// Draws one tile: draws take effect in order. Opaque ones go to the visibility buffer, and what it shows is shaded
-  /// before a draw that must see colours, and at the end; the others are shaded triangle by triangle and blended.
-  /// Blends without an order follow. Throws Failure and std::bad_alloc.
+  /// Draws one tile; draws take effect in order. Opaque draws go to the visibility buffer, which is shaded before a
+  /// draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle. Order-independent
+  /// blends come last. Throws Failure and std::bad_alloc.
   void render(uint32_t index, Worker* worker) const;
 };
 

@@ -19,7 +19,7 @@ struct Run {
   size_t count;
 };
 
-/// Whether the visibility buffer alone tells what a draw shows.
+/// Whether the visibility buffer can resolve a material: opaque, without dropped fragments.
 inline bool is_plain(const material::Material& material) {
   return material.blend == SHD_BLEND_OPAQUE && !material::drops_fragments(material);
 }
@@ -28,7 +28,7 @@ inline uint32_t first_sample(uint32_t mask) {
   return static_cast<uint32_t>(__builtin_ctz(mask));
 }
 
-/// One tile while it is drawn: where it lies, and what it holds.
+/// One tile while it is drawn: its area and contents.
 class TileState {
  public:
   TileState(const TileRenderer& renderer, uint32_t index, Worker* worker);
@@ -50,7 +50,7 @@ class TileState {
 
   /// Whether no triangle touches the tile.
   bool is_bare() const;
-  /// Clears colour, if that is still to be done.
+  /// Clears colour, unless that was done.
   void clear_color();
 
   /// body(run) for the triangles of the tile, in order.
@@ -81,9 +81,10 @@ class TileState {
       }
     }
   }
-  /// Samples of the mask.
+  /// Counts the samples of the mask.
   uint64_t count_masked() const;
-  /// Counts the samples that a triangle covers beyond those that passed, if asked to. Overwrites the mask.
+  /// Adds the covered samples that did not pass to the worker's statistics, if the frame wants them. Overwrites the
+  /// mask.
   void count_hidden(const raster::CoverArea& area, const geometry::ScreenTriangle& triangle, uint64_t passed) const;
 
   const TileRenderer& renderer;
@@ -94,7 +95,7 @@ class TileState {
   const int32_t left, top;    // in the picture
   Worker& worker;
   film::TileColor color;
-  bool color_is_unclear = false;  // the whole tile starts with the frame's colour, which it does not have yet
+  bool color_is_unclear = false;  // the whole tile is still to be cleared
 };
 
 }  // namespace shd::frame

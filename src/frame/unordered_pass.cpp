@@ -6,7 +6,7 @@
 namespace shd::frame {
 namespace {
 
-/// body(run) for the draws of one blend.
+/// body(run) for the runs of one blend mode.
 template <class Body>
 void for_each_unordered(const TileState& tile, shd_blend_mode blend, const Body& body) {
   tile.for_each_run([&](const Run& run) {
@@ -15,7 +15,7 @@ void for_each_unordered(const TileState& tile, shd_blend_mode blend, const Body&
   });
 }
 
-/// body(sample, survivor) for every sample that the draws of one blend leave in a box.
+/// body(draw, sample, survivor) for every sample in a box that passes the tests of a draw of one blend mode.
 template <class Body>
 void for_each_sample(TileState* tile, shd_blend_mode blend, const geometry::PixelBox& box, const Body& body) {
   for_each_unordered(*tile, blend, [&](const Run& run) {
@@ -30,7 +30,7 @@ void for_each_sample(TileState* tile, shd_blend_mode blend, const geometry::Pixe
   });
 }
 
-/// Samples that the sorted draws cover in a box.
+/// Counts the samples in a box that the sorted draws cover.
 size_t count_sorted(TileState* tile, const geometry::PixelBox& box) {
   size_t count = 0;
   for_each_unordered(*tile, SHD_BLEND_SORTED, [&](const Run& run) {
@@ -43,7 +43,7 @@ size_t count_sorted(TileState* tile, const geometry::PixelBox& box) {
   return count;
 }
 
-/// Halves boxes that hold more than the table may.
+/// Draws a box; halves it first if it holds more samples than the table may.
 void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
   const int32_t width = box.max_x - box.min_x + 1, height = box.max_y - box.min_y + 1;
   if (width * height > 1 && count_sorted(tile, box) > film::kMaxNodes) {
@@ -61,9 +61,9 @@ void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
   core::Buffer<film::SortedNode>& nodes = tile->worker.unordered.nodes;
   nodes.clear();
   for_each_sample(tile, SHD_BLEND_SORTED, box, [&](const Draw& draw, uint32_t sample, const Survivor& left) {
-    const auto place = static_cast<uint32_t>(sample * raster::kTilePixels + left.pixel);
+    const auto position = static_cast<uint32_t>(sample * raster::kTilePixels + left.pixel);
     const float depth = left.depth[sample];
-    nodes.push_back({place, draw.depth_falls ? -depth : depth, static_cast<uint32_t>(nodes.size()), left.color});
+    nodes.push_back({position, draw.depth_falls ? -depth : depth, static_cast<uint32_t>(nodes.size()), left.color});
   });
   film::blend_sorted(&tile->worker.unordered, &tile->color);
 }

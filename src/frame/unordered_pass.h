@@ -8,7 +8,7 @@ namespace shd::frame {
 /// Draws the runs of SHD_BLEND_WEIGHTED over the colours.
 void draw_weighted(TileState* tile);
 
-/// The same for SHD_BLEND_SORTED, in boxes of the tile that hold no more than kMaxNodes samples.
+/// Draws the runs of SHD_BLEND_SORTED over the colours, in boxes of the tile with at most film::kMaxNodes samples.
 void draw_sorted(TileState* tile);
 
 }  // namespace shd::frame

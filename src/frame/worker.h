@@ -21,14 +21,14 @@ namespace shd::frame {
 struct BatchTriangles {
   size_t count = 0;
   const geometry::ScreenTriangle* triangle[raster::kBatch];
-  uint16_t of[raster::kBatch];  // which of them a fragment belongs to; where its material is_plain() nobody asks
+  uint16_t of[raster::kBatch];  // index of a fragment's triangle; unused for is_plain() materials
 };
 
-/// Everything one worker needs to draw tiles, made when it takes its first one.
+/// The memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
   raster::Tile tile;
   raster::TileOrder order;
-  raster::CoverMask mask;                               // the latest one
+  raster::CoverMask mask;                               // of the latest triangle
   core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
   core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
   film::SplitSamples split;
@@ -55,7 +55,7 @@ class Workers {
   const core::Context& context_;
   const uint32_t samples_, targets_;
   const size_t light_count_;
-  uint32_t varying_count_ = 0;  // most of a draw
+  uint32_t varying_count_ = 0;  // largest of all draws
   core::Array<Worker*> workers_;
 };
 

@@ -31,11 +31,11 @@ struct SampleExtent {
   int32_t min_x, max_x, min_y, max_y;
 };
 
-/// What of its triangles a draw shows.
+/// Which part of its triangles a draw shows: their interior, edges or vertices.
 struct Outline {
   shd_fill fill;
   int32_t reach;       // half the width of lines and points, fixed point, > 0
-  uint32_t edges = 0;  // of SHD_FILL_LINES: shd_edge_kind bits
+  uint32_t edges = 0;  // for SHD_FILL_LINES: shd_edge_kind bits
   float crease_cosine = 0.0f;
 };
 inline int32_t outline_reach(float width) {
@@ -51,7 +51,7 @@ struct Assembly {
   PixelBox visible;
   SampleExtent samples;
   Outline outline = {SHD_FILL_SOLID, 0, 0, 0.0f};
-  const Mesh* mesh = nullptr;  // of SHD_FILL_LINES, and which of its edges
+  const Mesh* mesh = nullptr;  // for SHD_FILL_LINES: the owner of the edges
   EdgeQuery query = {};
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,

@@ -10,7 +10,7 @@
 
 namespace shd::geometry {
 
-/// Columns of vertices that only some materials read, as bits.
+/// Columns of vertices that only some materials read.
 enum Extra : uint32_t { kExtraTangent = 1, kExtraTexture1 = 2, kExtraAttributes = 4 };
 
 /// Room for the wanted columns (Extra bits) that the mesh has, for as many rows as the vertices have. Throws

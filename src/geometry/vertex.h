@@ -24,7 +24,7 @@ constexpr float kGuardBand = 1048576.0f;
 /// Smallest W that is not clipped away.
 constexpr float kMinW = 0x1p-100f;
 
-/// Where a vertex lies; a bit set in all three vertices means the triangle is outside.
+/// Which limits a vertex lies beyond. A triangle is outside if its three vertices share a bit.
 enum Outcode : uint32_t {
   kOutLeft = 1,
   kOutRight = 2,
@@ -39,7 +39,7 @@ enum Outcode : uint32_t {
 constexpr uint32_t kOutside = kOutLeft | kOutRight | kOutTop | kOutBottom | kOutNear | kOutFar | kOutBehind;
 constexpr uint32_t kMustClip = kOutNear | kOutFar | kOutBehind | kOutGuard;
 
-/// A vertex on the pixel grid; x, y and z mean nothing where outcode & kMustClip.
+/// A vertex on the pixel grid; x, y and z are undefined where outcode & kMustClip.
 struct ScreenVertex {
   int32_t x, y;  // raster position in 1 / kSubpixels pixel, origin at the top left corner, y down
   float z;       // depth, 0 near .. 1 far
@@ -52,7 +52,7 @@ struct Transform {
   float world[16];    // object space to world space; affine
   float normal[9];    // object space normals to world space, up to length: cofactors times the sign of det
   float orientation;  // sign of det: -1 where the matrix mirrors
-  float left, top, right, bottom;  // what lies beyond is outside [pixels]
+  float left, top, right, bottom;  // limits of the visible pixels [pixels]
   float clip[16];                  // object space to clip space (x, y, z, w); z and w are Z and W
   float half[2], centre[2];        // of the viewport: X = centre w + half x, Y = centre w - half y
 };
@@ -63,7 +63,7 @@ struct Viewport {
 };
 
 /// Products in double, rounded once.
-/// @param visible  the only pixels that count; what cannot reach them may be outside
+/// @param visible  the visible pixels; triangles that cannot reach them may count as outside
 Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
                          const PixelBox& visible);
 

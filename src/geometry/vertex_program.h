@@ -17,7 +17,7 @@ namespace shd::geometry {
 /// Largest number of vertices in one call of a program; a multiple of data::kRowPad. The columns of a batch stay in L2.
 constexpr size_t kVertexBatch = 512;
 
-/// What a caller's program does to the vertices of one draw, and what it is told.
+/// A caller's program for the vertices of one draw, and its inputs.
 struct VertexProgram {
   shd_vertex_fn function;
   void* user_data;
@@ -28,7 +28,7 @@ struct VertexProgram {
   uint32_t varying_count;
 };
 
-/// What a program writes: scratch of one worker, columns of kVertexBatch elements in one block.
+/// The outputs of a program: scratch of one worker, columns of kVertexBatch elements in one block.
 struct VertexColumns {
   core::Array<float> block;
   float *x, *y, *z, *w;  // clip space

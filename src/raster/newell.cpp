@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The list of the paper as a search in depth: triangles are taken from the far end; one that is taken stays open while
-// those that must go before it are painted, in the paper marked and moved to the end of the list. Meeting an open one
-// again is the cyclic overlap that a cut resolves.
+// The list of the paper as a depth-first search. Triangles are taken from the far end. A triangle stays open while
+// those that must be painted before it are painted; the paper marks them and moves them to the end of the list. An open
+// triangle that is met again is part of a cyclic overlap, which a cut resolves.
 #include "raster/newell.h"
 
 #include "raster/sort_grid.h"
@@ -9,13 +9,13 @@
 namespace shd::raster {
 namespace {
 
-// Instead of a level in the stack.
+// Values of a level that is none.
 constexpr uint32_t kWaiting = 0xffffffffu;
 constexpr uint32_t kPainted = 0xfffffffeu;
 constexpr uint32_t kCut = 0xfffffffdu;
 constexpr uint32_t kMaxTriangles = 0xfffffff0u;
 
-/// Members of a circle whose planes are tried.
+/// How many members of a cycle lend their planes to a cut.
 constexpr size_t kPlanesTried = 16;
 
 /// A triangle whose predecessors are being painted, and how far the search for them has come.
@@ -33,7 +33,7 @@ class Newell {
         triangles_(painting->triangles),
         order_(painting->order),
         cuts_(painting->cuts),
-        place_(context.allocator),
+        level_(context.allocator),
         next_(context.allocator),
         stack_(context.allocator),
         cuts_left_(triangles_.size() + 1024),
@@ -41,11 +41,11 @@ class Newell {
     const size_t count = triangles_.size();
     if (count >= kMaxTriangles) throw std::bad_alloc();
     order_.resize(count);
-    place_.resize(count);
+    level_.resize(count);
     next_.resize(count);
     for (size_t i = 0; i < count; ++i) {
       order_[i] = static_cast<uint32_t>(i);
-      place_[i] = kWaiting;
+      level_[i] = kWaiting;
       next_[i] = i + 1 < count ? static_cast<uint32_t>(i + 1) : kNoTriangle;
     }
     make_grid(context.allocator, area.pixels, triangles_.data(), order_.data(), count, &grid_);
@@ -54,7 +54,7 @@ class Newell {
 
   void run() {
     for (uint32_t f = 0; f != kNoTriangle; f = next_[f]) {
-      if (place_[f] == kWaiting) paint(f);
+      if (level_[f] == kWaiting) paint(f);
     }
   }
 
@@ -67,36 +67,36 @@ class Newell {
       const uint32_t other = next_predecessor(&stack_[stack_.size() - 1]);
       if (other == kNoTriangle) {
         close(stack_.size() - 1);
-        place_[current] = kPainted;
+        level_[current] = kPainted;
         order_.push_back(current);
       } else if (!may_precede(triangles_[other], triangles_[current])) {
         cut_pair(current, other);
-      } else if (place_[other] == kWaiting) {
+      } else if (level_[other] == kWaiting) {
         open(other);
       } else {
-        cut_circle(place_[other]);
+        cut_cycle(level_[other]);
       }
     }
   }
 
   void open(uint32_t triangle) {
     const CellRange cells = cells_of(grid_, triangles_[triangle]);
-    place_[triangle] = static_cast<uint32_t>(stack_.size());
+    level_[triangle] = static_cast<uint32_t>(stack_.size());
     stack_.push_back({triangle, cells, cells.left, cells.top, kNoNode});
   }
 
   /// Drops the open triangles from `level` on.
   void close(size_t level) {
-    for (size_t i = level; i < stack_.size(); ++i) place_[stack_[i].triangle] = kWaiting;
+    for (size_t i = level; i < stack_.size(); ++i) level_[stack_[i].triangle] = kWaiting;
     stack_.resize(level);
   }
 
   uint32_t& head_of(const Open& o) {
     return grid_.head[static_cast<size_t>(o.y) * static_cast<size_t>(grid_.columns) + static_cast<size_t>(o.x)];
   }
-  bool is_gone(uint32_t triangle) const { return place_[triangle] == kPainted || place_[triangle] == kCut; }
+  bool is_gone(uint32_t triangle) const { return level_[triangle] == kPainted || level_[triangle] == kCut; }
 
-  /// The next triangle of the latest cell, kNoNode at its end. Forgets the first ones of its list once they are gone.
+  /// The next triangle of the latest cell, kNoNode at its end. Drops painted and cut triangles from the list's head.
   uint32_t next_node(const Open& o) {
     if (o.node != kNoNode) return grid_.nodes[o.node].next;
     uint32_t& head = head_of(o);
@@ -133,10 +133,10 @@ class Newell {
     if (!cut(a_first ? a : b, a_first ? b : a)) cut(a_first ? b : a, a_first ? a : b);
   }
 
-  /// Cuts one of the open triangles from `level` on, each of which must follow the next and the last the first. Were
-  /// there none that the plane of a certain one cuts, then all would lie on this side of it or on that, and there were
-  /// no circle through it.
-  void cut_circle(size_t level) {
+  /// Cuts one of the open triangles from `level` on. They form a cycle: each must follow the next, and the last the
+  /// first. If no triangle of the cycle crossed the plane of a given one, all would lie on one side of it and there
+  /// would be no cycle.
+  void cut_cycle(size_t level) {
     const size_t end = stack_.size();
     for (size_t i = end; i-- > level && end - i <= kPlanesTried;) {
       for (size_t j = end; j-- > level;) {
@@ -156,8 +156,8 @@ class Newell {
     for (int i = 0; i < pieces.count; ++i) {
       if (shows(pieces.piece[i])) add(whole, pieces.piece[i]);
     }
-    if (place_[whole] != kWaiting) close(place_[whole]);
-    place_[whole] = kCut;
+    if (level_[whole] != kWaiting) close(level_[whole]);
+    level_[whole] = kCut;
     ++cuts_;
     --cuts_left_;
     return true;
@@ -172,7 +172,7 @@ class Newell {
     const auto index = static_cast<uint32_t>(triangles_.size());
     const uint32_t after = next_[whole];
     triangles_.push_back(piece);
-    place_.push_back(kWaiting);
+    level_.push_back(kWaiting);
     next_.push_back(after);
     next_[whole] = index;
     spend(insert_piece(triangles_.data(), whole, index, &grid_));
@@ -189,7 +189,7 @@ class Newell {
   core::Buffer<SortTriangle>& triangles_;
   core::Buffer<uint32_t>& order_;
   uint64_t& cuts_;
-  core::Buffer<uint32_t> place_;  // [triangle] level in the stack, or one of the constants
+  core::Buffer<uint32_t> level_;  // [triangle] level in the stack, or one of the constants
   core::Buffer<uint32_t> next_;   // [triangle] the list from far to near
   core::Buffer<Open> stack_;
   SortGrid grid_;

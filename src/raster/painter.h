@@ -12,7 +12,8 @@
 
 namespace shd::raster {
 
-/// Fills the groups anew with at(0), ..., at(count - 1), in parts of the same size; `at` may read the old ones. Throws.
+/// Replaces the contents of the groups by at(0), ..., at(count - 1), in parts of equal size; `at` may read the old
+/// contents. Throws.
 template <class At>
 void distribute(const core::Context& context, size_t count, const At& at, core::Objects<TriangleGroup>* groups) {
   const size_t parts = groups->size();
@@ -26,15 +27,13 @@ void distribute(const core::Context& context, size_t count, const At& at, core::
   for (size_t g = 0; g < parts; ++g) (*groups)[g] = std::move(filled[g]);
 }
 
-/// The painter's algorithm: sorts the triangles of all groups by their farthest vertex, far ones first, equal ones in
-/// the order that they had. Those that are not painted follow, in the order that they had. Returns how many are
-/// painted. O(n log n). Throws.
+/// The painter's algorithm: a stable sort of the triangles of all groups by their farthest vertex, far ones first.
+/// Triangles that are not painted follow in their order. Returns how many are painted. O(n log n). Throws.
 /// @param rules  [draw]
 size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<TriangleGroup>* groups);
 
-/// Pairs of triangles that a later one should not cover where it does, by may_precede. Triangles that share a cell of
-/// the grid are compared: every pair of them, up to 64 for each triangle of a cell on average and 1024 more in a cell.
-/// Throws.
+/// Counts pairs of triangles that are painted in the wrong order: those without may_precede(). Compares the pairs of
+/// each cell of the grid, up to 64 times its number of triangles plus 1024. Throws.
 /// @param grid  made of triangles[order[0]], triangles[order[1]], ..., in the order of painting
 uint64_t count_conflicts(const core::Context& context, const SortTriangle* triangles, const SortGrid& grid);
 

@@ -20,7 +20,7 @@ struct SortNode {
   float farthest;  // of this node and all that follow
 };
 
-/// Square cells over the pixels that count, each with a list of the triangles whose box touches it.
+/// Square cells over the visible pixels, each with a list of the triangles whose box touches it.
 struct SortGrid {
   geometry::PixelBox pixels;
   int shift;  // log2 of the size of a cell [pixels]
@@ -29,11 +29,13 @@ struct SortGrid {
   core::Buffer<SortNode> nodes;
 };
 
-/// Lists triangles order[0], order[1], ... in that order; up to 8 nodes for each. Throws std::bad_alloc.
+/// Builds the lists of triangles order[0], order[1], ..., in that order; about 8 nodes a triangle or less. Throws
+/// std::bad_alloc.
 void make_grid(const core::Allocator& allocator, const geometry::PixelBox& pixels, const SortTriangle* triangles,
                const uint32_t* order, size_t count, SortGrid* out);
 
-/// Lists a piece of `whole` behind it, in every cell that the piece touches. Returns how many nodes it has passed.
+/// Inserts a piece behind the triangle that it was cut from, in every cell that the piece touches. Returns the number
+/// of nodes that were passed.
 uint64_t insert_piece(const SortTriangle* triangles, uint32_t whole, uint32_t piece, SortGrid* grid);
 
 /// Cells that the box of a triangle touches, ends included.
@@ -42,7 +44,7 @@ struct CellRange {
 };
 CellRange cells_of(const SortGrid& grid, const SortTriangle& f);
 
-/// Whether a cell that two triangles touch is the first of those.
+/// Whether (x, y) is the first cell that two ranges share.
 inline bool is_first_shared(const CellRange& a, const CellRange& b, int32_t x, int32_t y) {
   return x == (a.left > b.left ? a.left : b.left) && y == (a.top > b.top ? a.top : b.top);
 }

@@ -7,15 +7,15 @@
 
 namespace shd::raster {
 
-/// How the triangles of a draw stand in the order of painting.
+/// How the triangles of a draw are ordered for painting.
 struct PaintRule {
-  bool painted;            // by its distance; else after all that are
-  bool falls;              // depth falls with the distance
+  bool painted;            // sorted by distance; other triangles come last
+  bool falls;              // depth falls with the distance from the eye
   float bias, slope_bias;  // as in DepthState
 };
 
-/// A triangle and the plane of its distance: depth with its bias, negative where depth falls with the distance. The
-/// pieces of a triangle keep its plane.
+/// A depth-sorted triangle and the plane of its distance. Distance is depth with its bias; its negative where depth
+/// falls with the distance from the eye. The pieces of a triangle keep its plane.
 struct SortTriangle {
   geometry::ScreenTriangle triangle;
   double distance, dx, dy;  // at (x, y), and per 1 / kSubpixels pixel to the right and down
@@ -28,7 +28,7 @@ struct SortTriangle {
 
 SortTriangle make_sort_triangle(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
-/// Distance of the farthest vertex: what make_sort_triangle finds, without the rest.
+/// SortTriangle::farthest alone.
 float farthest_distance(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
 inline double distance_at(const SortTriangle& f, double x, double y) {
@@ -38,28 +38,28 @@ inline double distance_at(const SortTriangle& f, double x, double y) {
 /// Twice the area, in fixed point; > 0.
 int64_t doubled_area(const geometry::ScreenTriangle& t);
 
-/// Whether the insides of two triangles meet on the screen. Exact.
+/// Whether the interiors of two triangles overlap on the screen. Exact.
 bool overlaps(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle& b);
 
-/// Differences of distance up to this one count as none: what one grid step aside would change, and the rounding of
-/// depth to float.
+/// Differences of distance up to this one count as zero: the change over one grid step, plus the rounding of depth to
+/// float.
 double tolerance(const SortTriangle& a, const SortTriangle& b);
 
 /// Smallest and largest of some differences of distance.
 struct DistanceRange {
   double low, high;
 };
-/// a's vertices minus the plane of b below them.
+/// Distances of a's vertices minus the plane of b there.
 DistanceRange beyond_plane(const SortTriangle& a, const SortTriangle& b);
-/// a minus b where they overlap; 0 if nothing is left of it.
+/// Distance of a minus that of b over their overlap; 0 without overlap.
 DistanceRange beyond_overlap(const SortTriangle& a, const SortTriangle& b);
 
-/// Whether painting a first and b over it is right. The five tests of Newell, Newell and Sancha, "A Solution to the
-/// Hidden Surface Problem" (1972): depths, boxes, a behind the plane of b, b before the plane of a, outlines; and where
-/// none of them tells, the distances over what the outlines share.
+/// Whether a may be painted before b. The five tests of Newell, Newell and Sancha, "A Solution to the Hidden Surface
+/// Problem" (1972): depths, boxes, a behind the plane of b, b in front of the plane of a, screen overlap; if all of
+/// them fail, the distances over the overlap decide.
 bool may_precede(const SortTriangle& a, const SortTriangle& b);
 
-/// Pieces of a triangle.
+/// The pieces that a cut leaves.
 struct TrianglePieces {
   SortTriangle piece[3];
   int count;

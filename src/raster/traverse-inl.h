@@ -36,7 +36,7 @@ class Period {
     const auto lanes = static_cast<int32_t>(hn::Lanes(Tag())), samples = static_cast<int32_t>(pattern_.count);
     length = kSamples == Samples::kVectors ? samples : lanes;
     pixels = kSamples == Samples::kVectors ? 1 : lanes / samples;
-    PlaceDepth(t.slope);
+    SetBase(t.slope);
     for (int32_t at = 0; kSamples == Samples::kVectors && at < length; at += lanes) {
       for (int k = 0; k < 3; ++k) hn::Store(edge(t.line[k], at), hn::RebindToSigned<Tag>(), edge_[k] + at);
     }
@@ -62,7 +62,7 @@ class Period {
 
  private:
   /// plane_at().base for every lane.
-  HWY_INLINE void PlaceDepth(const DepthSlope& slope) {
+  HWY_INLINE void SetBase(const DepthSlope& slope) {
     const hn::ScalableTag<double> d;
     const DepthOrigin origin = origin_of(slope);
     for (int32_t at = 0; at < length; at += static_cast<int32_t>(hn::Lanes(d))) {
