@@ -29,7 +29,7 @@ class EdgeFactor {
   bool in_pixels_;             // the rest is set
   double w_[4] = {};           // clip w = w_ . (world position, 1)
   double pixels_ = 0.0;        // of a unit of length at w = 1
-  double w_per_length_ = 0.0;  // most that w changes along a unit of length
+  double w_per_length_ = 0.0;  // largest change of w along a unit of length
 };
 
 /// An edge between two vertices and the vertices on it.

@@ -74,7 +74,7 @@ struct Vertices {
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
   core::Array<float> world;          // [padded][4] x, y, z, u
   core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
-  core::Array<float> varying;        // [padded][varying_count] what a vertex program hands on
+  core::Array<float> varying;        // [padded][varying_count] outputs of a vertex program
   uint32_t varying_count = 0;
   core::Array<float> tangent;       // [padded][4] x, y, z (world space), handedness; or empty
   core::Array<float> texture1;      // [padded][4] u, v of the second set, 0, 0; or empty
