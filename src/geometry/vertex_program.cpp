@@ -167,7 +167,7 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
 #endif
 }
 
-/// The same for a batch, in one call for all vertices whose numbers follow each other.
+/// Calls a program for a batch: once for each run of consecutive vertex numbers.
 void run_batch(const NumberedMesh& vertices, const VertexProgram& program, size_t first, size_t count,
                const VertexColumns& c) {
   const uint32_t* numbers = vertices.numbers;

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Component c of rows of four, the same row in every lane.
+/// Reads component c of rows of four; one row for all lanes.
 struct OneRow {
   size_t row;
   template <class D>
@@ -29,7 +29,7 @@ struct OneRow {
   }
 };
 
-/// The same, a row for each lane.
+/// Reads component c of rows of four; a row for each lane.
 template <class D>
 struct RowPerLane {
   hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0

@@ -39,7 +39,8 @@ struct TriangleSetup {
   bool is_narrow;          // edge functions fit int32 all over the tile
 };
 
-/// Prepares a triangle for the pixels of its box_in_tile(), which is not empty. False if it covers no sample there.
+/// Prepares a triangle for the pixels of its box_in_tile(), which is not empty. False if it covers no sample there. Not
+/// inline: compiled into the AVX2 kernels by GCC 12, a triangle of one pixel took 142 ns instead of 28 ns (Ice Lake).
 bool set_up(const geometry::ScreenTriangle& triangle, const CoverArea& area, const DepthState& state,
             const geometry::PixelBox& box, TriangleSetup* out);
 
