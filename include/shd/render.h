@@ -222,8 +222,7 @@ typedef struct shd_region {
  * (crop_x, crop_y) on, each with the bits that it has in the whole. Everything is borrowed for the call. */
 typedef struct shd_render_desc {
     uint32_t struct_size;           /**< set by shd_render_desc_default() */
-    uint32_t keep;                  /**< 0 = clear first; 1 = draw over what the framebuffer holds, each sample
-                                         starting as its pixel */
+    uint32_t load;                  /**< 0 = clear the planes first; 1 = load them: each sample starts as its pixel */
     float clear_color[4];           /**< linear, premultiplied RGBA; default 0 */
     float clear_depth;              /**< 0..1; default 1 */
     uint32_t flags;                 /**< shd_render_flag bits */
@@ -247,7 +246,7 @@ typedef struct shd_render_desc {
      * the framebuffer's samples in each of its pixels; up to 65536 of them a side. Colour and targets of a pixel are
      * the plain average of its n x n; depth and the other planes are those of the top left one. Derivatives, and
      * so footprints of textures, are those of the large picture, as are raster positions in programs; lines and points
-     * are n times as wide there. With `keep` each starts as its pixel. The large picture is drawn in blocks of up to
+     * are n times as wide there. With `load` each starts as its pixel. The large picture is drawn in blocks of up to
      * 1024 x 1024, in memory for one of them; statistics are the sums over blocks, so that a triangle counts in each.
      */
     uint32_t supersampling;

@@ -6,7 +6,7 @@
 #include <shd/render.h>
 
 #include "core/allocator.h"
-#include "film/frame.h"
+#include "frame/frame.h"
 
 namespace shd::abi {
 
@@ -17,6 +17,6 @@ shd_result in_element(shd_result result, const char* desc, const char* array, si
 
 /// Checks a caller's draws and appends them, instances as draws of their own. They lie struct_size bytes apart, as the
 /// caller's header laid them out. `desc` names the desc that they are in.
-shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<film::Draw>* out);
+shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<frame::Draw>* out);
 
 }  // namespace shd::abi

@@ -7,9 +7,9 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "film/frame.h"
-#include "film/frame_memory.h"
-#include "film/supersample.h"
+#include "frame/frame.h"
+#include "frame/frame_memory.h"
+#include "frame/supersample.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ struct Instances {
   size_t count;
 };
 
-shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) {
+shd_result read_draw(const shd_draw* in, frame::Draw* out, Instances* instances) {
   shd_draw draw = shd_draw_default();
   SHD_TRY(read_desc("draw", in, false, &draw));
   SHD_TRY(check_enum("draw.frequency", draw.frequency, 0, SHD_FREQUENCY_FLAT));
@@ -73,7 +73,7 @@ shd_result read_draw(const shd_draw* in, film::Draw* out, Instances* instances) 
 }
 
 /// Appends a draw, or its instances as draws of their own. The matrices may lie at any address.
-shd_result append_draw(film::Draw draw, const Instances& instances, core::Buffer<film::Draw>* out) {
+shd_result append_draw(frame::Draw draw, const Instances& instances, core::Buffer<frame::Draw>* out) {
   const size_t count = instances.count ? instances.count : 1;
   if (out->size() + count > kMaxItems) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "draw.instance_count: %zu after %zu in other draws exceed %llu",
@@ -103,7 +103,7 @@ shd_result in_element(shd_result result, const char* desc, const char* array, si
   return core::fail(result, "%s.%s[%zu]: %s", desc, array, index, text);
 }
 
-shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<film::Draw>* out) {
+shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, core::Buffer<frame::Draw>* out) {
   const auto* bytes = reinterpret_cast<const char*>(draws);
   uint32_t stride = 0;
   if (count) std::memcpy(&stride, bytes, sizeof stride);
@@ -115,7 +115,7 @@ shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, cor
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.draws[%zu].struct_size: %u differs from that of draws[0], %u",
                         desc, i, size, stride);
     }
-    film::Draw read = {};
+    frame::Draw read = {};
     read.index = static_cast<uint32_t>(i);
     Instances instances = {};
     SHD_TRY(in_element(read_draw(reinterpret_cast<const shd_draw*>(draw), &read, &instances), desc, "draws", i));
@@ -129,9 +129,9 @@ shd_result read_draws(const char* desc, const shd_draw* draws, size_t count, cor
 namespace {
 
 /// Draws whose blend goes by order are painted over what is there.
-void ignore_depth(core::Buffer<film::Draw>* draws) {
+void ignore_depth(core::Buffer<frame::Draw>* draws) {
   for (size_t i = 0; i < draws->size(); ++i) {
-    film::Draw& draw = (*draws)[i];
+    frame::Draw& draw = (*draws)[i];
     if (!draw.material || !material::is_unordered(*draw.material)) draw.depth.compare = SHD_COMPARE_ALWAYS;
   }
 }
@@ -152,7 +152,7 @@ shd_result check_region(const char* name, const shd_region& region, uint32_t lea
 }
 
 /// The picture, and where framebuffer, viewport and scissor lie in it.
-shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
+shd_result read_window(const shd_render_desc& desc, frame::Frame* frame) {
   const film::Framebuffer& framebuffer = *frame->framebuffer;
   const uint32_t width = desc.picture_width ? desc.picture_width : framebuffer.width;
   const uint32_t height = desc.picture_height ? desc.picture_height : framebuffer.height;
@@ -178,7 +178,7 @@ shd_result read_window(const shd_render_desc& desc, film::Frame* frame) {
 }
 
 shd_result check_render_desc(const shd_render_desc& desc) {
-  SHD_TRY(check_count("render.keep", desc.keep, 0, 1));
+  SHD_TRY(check_count("render.load", desc.load, 0, 1));
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
   SHD_TRY(check_count("render.supersampling", desc.supersampling, 0, kMaxSupersampling));
   if (desc.pass_triangles) SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kLeastPass, kMostPass));
@@ -215,10 +215,10 @@ shd_result read_shadow(const shd_shadow* handle, const light::Light& light, cons
 /// Reads a desc with the memory that the frame is drawn with.
 shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
-  film::Frame frame = {};
+  frame::Frame frame = {};
   SHD_TRY(read_handle("render.framebuffer", desc.framebuffer, core::ObjectType::kFramebuffer, &frame.framebuffer));
   SHD_TRY(read_window(desc, &frame));
-  core::Buffer<film::Draw> draws(context.allocator);
+  core::Buffer<frame::Draw> draws(context.allocator);
   draws.reserve(desc.draw_count);
   SHD_TRY(read_draws("render", desc.draws, desc.draw_count, &draws));
   if (desc.visibility != SHD_VISIBILITY_DEPTH) ignore_depth(&draws);
@@ -233,7 +233,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
   frame.view = desc.view;
-  frame.keep = desc.keep != 0;
+  frame.load = desc.load != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;
   frame.draws = draws.data();
@@ -248,9 +248,9 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.supersampling = desc.supersampling;
   frame.pass_triangles = desc.pass_triangles ? desc.pass_triangles : kDefaultPass;
   if (frame.supersampling > 1) {
-    film::render_supersampled(context, frame, stats);
+    frame::render_supersampled(context, frame, stats);
   } else {
-    film::render(context, frame, stats);
+    frame::render(context, frame, stats);
   }
   return SHD_OK;
 }
@@ -265,7 +265,7 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
     shd_render_desc read = shd_render_desc_default();
     SHD_TRY(read_desc("render", desc, false, &read));
     wanted = read.stats;
-    film::FrameMemory memory(context_of(context));
+    frame::FrameMemory memory(context_of(context));
     SHD_TRY(render(memory.context, read, &stats));
     stats.scratch_bytes = memory.peak();
     return SHD_OK;

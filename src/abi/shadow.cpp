@@ -7,7 +7,7 @@
 #include "abi/handle.h"
 #include "core/executor.h"
 #include "data/column.h"
-#include "film/shadow_map.h"
+#include "frame/shadow_map.h"
 #include "light/shadow.h"
 
 namespace {
@@ -43,7 +43,7 @@ bool is_zero(const float (&v)[3]) {
   return v[0] == 0.0f && v[1] == 0.0f && v[2] == 0.0f;
 }
 
-shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& light, film::ShadowFrame* out) {
+shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& light, frame::ShadowFrame* out) {
   SHD_TRY(check_finite("shadow_render.near_plane", &desc.near_plane, 1));
   SHD_TRY(check_finite("shadow_render.far_plane", &desc.far_plane, 1));
   out->near = desc.near_plane;
@@ -63,7 +63,7 @@ shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& 
   return SHD_OK;
 }
 
-shd_result check_bounds(const shd_shadow_render_desc& desc, film::ShadowFrame* out) {
+shd_result check_bounds(const shd_shadow_render_desc& desc, frame::ShadowFrame* out) {
   SHD_TRY(check_finite("shadow_render.bounds_min", desc.bounds_min, 3));
   SHD_TRY(check_finite("shadow_render.bounds_max", desc.bounds_max, 3));
   for (int k = 0; k < 3; ++k) {
@@ -88,15 +88,15 @@ shd_result render_shadow(const core::Context& context, const core::Context& owne
   if (body->light.kind == SHD_LIGHT_AMBIENT) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.light: AMBIENT casts no shadows");
   }
-  film::ShadowFrame frame = {};
+  frame::ShadowFrame frame = {};
   frame.light = &body->light;
   SHD_TRY(check_planes(desc, body->light, &frame));
   SHD_TRY(check_bounds(desc, &frame));
-  core::Buffer<film::Draw> draws(context.allocator);
+  core::Buffer<frame::Draw> draws(context.allocator);
   SHD_TRY(read_draws("shadow_render", desc.draws, desc.draw_count, &draws));
   frame.draws = draws.data();
   frame.draw_count = draws.size();
-  film::render_shadow(context, owner, frame, shadow);
+  frame::render_shadow(context, owner, frame, shadow);
   return SHD_OK;
 }
 

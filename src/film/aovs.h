@@ -12,27 +12,27 @@
 
 namespace shd::film {
 
-/// Of one batch, where AOVs are wanted.
+/// Scratch of one batch, for frames with AOVs.
 struct AovScratch {
-  uint16_t row[raster::kBatch];  // fragments that the first sample of their pixel shows, in order
+  uint16_t row[raster::kBatch];  // fragments visible at the first sample of their pixel, in order
   size_t row_count;
   float lod[raster::kBatch];
   uint32_t level[raster::kBatch];
   uint32_t draw[raster::kBatch];
 };
 
-/// Columns that the planes of shd_aov bits are taken from, as raster::Interpolated bits.
+/// The columns, as raster::Interpolated bits, that the planes of shd_aov bits are taken from.
 uint32_t columns_of(uint32_t aovs);
 
-/// All fragments that the first sample of their pixel shows.
+/// Lists the fragments that are visible at the first sample of their pixel.
 void find_rows(const raster::Fragments& fragments, AovScratch* scratch);
 
-/// Writes every AOV but overdraw of the rows of a shaded batch of one draw.
+/// Writes every AOV except overdraw, for the listed rows of a shaded batch of one draw.
 void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
                 const raster::Fragments& fragments, float* const scratch_uv[6], AovScratch* scratch,
                 Framebuffer* framebuffer);
 
-/// The first sample of a pixel was drawn once more; the framebuffer has SHD_PLANE_OVERDRAW.
+/// Counts one more draw of a pixel's first sample; the framebuffer has SHD_PLANE_OVERDRAW.
 void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);
 
 }  // namespace shd::film

@@ -7,7 +7,7 @@
 
 namespace shd::film {
 
-/// The colour and opacity of a fragment, as the material's model and blend have them.
+/// Colour and opacity of a fragment: the source of a blend, in the convention of the material's blend mode.
 struct FragmentColor {
   float channel[4];
 };
@@ -18,16 +18,16 @@ inline bool is_finite(const FragmentColor& color) {
   return finite;
 }
 
-/// Where the colour of a sample is.
-struct Below {
+/// The stored colour of a sample: the destination of a blend.
+struct Destination {
   float* channel[4];
 };
 
-/// Puts one colour over another, by a blend that has an order.
-inline void blend(shd_blend_mode mode, const FragmentColor& c, const Below& below) {
+/// Blends a source over its destination, by a mode that depends on the order of draws.
+inline void blend(shd_blend_mode mode, const FragmentColor& c, const Destination& destination) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {
-    float& d = *below.channel[i];
+    float& d = *destination.channel[i];
     switch (mode) {
       case SHD_BLEND_PREMULTIPLIED: d = c.channel[i] + rest * d; break;
       case SHD_BLEND_STRAIGHT: d = c.channel[3] * c.channel[i] + rest * d; break;
@@ -36,7 +36,7 @@ inline void blend(shd_blend_mode mode, const FragmentColor& c, const Below& belo
       default: d = c.channel[i]; break;
     }
   }
-  float& a = *below.channel[3];
+  float& a = *destination.channel[3];
   switch (mode) {
     case SHD_BLEND_PREMULTIPLIED:
     case SHD_BLEND_STRAIGHT: a = c.channel[3] + rest * a; break;

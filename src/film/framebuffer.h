@@ -19,7 +19,7 @@ struct Framebuffer {
   uint32_t aovs;                                 // shd_aov bits
   size_t stride;                                 // elements between rows: width rounded up to a cache line
   core::Array<float> plane[kPlaneCount];         // by shd_plane
-  core::Array<uint32_t> u32_plane[kPlaneCount];  // likewise; those of integers are here
+  core::Array<uint32_t> u32_plane[kPlaneCount];  // planes of integers, by shd_plane
 };
 
 /// Makes the planes of a checked desc: every plane empty. Throws std::bad_alloc.
@@ -28,7 +28,7 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
 /// True if the framebuffer has the plane.
 bool has_plane(const Framebuffer& framebuffer, shd_plane plane);
 
-/// Bit t is set if there is target t; 0 is colour.
+/// Bit t is set if the framebuffer has target t; target 0 is colour.
 uint32_t targets_of(const Framebuffer& framebuffer);
 
 /// Bytes of all planes.

@@ -7,17 +7,17 @@
 
 namespace shd::film {
 
-/// A float plane into a checked column of width * height elements, row by row from the top.
+/// Copies a float plane to a checked column of width * height elements, row by row from the top.
 void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_out& out);
 
-/// A plane of uint32_t, likewise.
+/// read_plane() for planes of uint32_t.
 void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out);
 
 /// True for the formats that read_color writes.
 bool can_read_color(shd_format format);
 
-/// Colour into a checked image of the same size and a format that can_read_color: interleaved RGBA, linear but
-/// for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are exact: the nearest to the clamped value.
+/// Copies colour to a checked image of the same size, in a format that can_read_color(): interleaved RGBA, linear
+/// except for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are the nearest to the clamped value, exactly.
 void read_color(const Framebuffer& framebuffer, const shd_image& out);
 
 }  // namespace shd::film

@@ -26,25 +26,21 @@ SampleStore::SampleStore(const core::Allocator& allocator, const Framebuffer& fr
   is_saved_.fill_zero();
 }
 
-bool SampleStore::load(uint32_t tile, Worker* worker) const {
-  if (!is_saved_[tile]) return false;
-  const size_t first = tile * raster::kTilePixels;
-  core::Array<float>& depth = worker->tile.depth;
-  SplitSamples& split = worker->split;
-  std::memcpy(depth.data(), &depth_[first * depths_], depth.size() * sizeof(float));
-  std::memcpy(split.is_split.data(), &is_split_[first], raster::kTilePixels);
-  copy_split(&is_split_[first], &color_[first * colors_], colors_, split.color.data());
+bool SampleStore::load(uint32_t index, raster::Tile* tile, SplitSamples* split) const {
+  if (!is_saved_[index]) return false;
+  const size_t first = index * raster::kTilePixels;
+  std::memcpy(tile->depth.data(), &depth_[first * depths_], tile->depth.size() * sizeof(float));
+  std::memcpy(split->is_split.data(), &is_split_[first], raster::kTilePixels);
+  copy_split(&is_split_[first], &color_[first * colors_], colors_, split->color.data());
   return true;
 }
 
-void SampleStore::save(uint32_t tile, const Worker& worker) {
-  const size_t first = tile * raster::kTilePixels;
-  const core::Array<float>& depth = worker.tile.depth;
-  const SplitSamples& split = worker.split;
-  std::memcpy(&depth_[first * depths_], depth.data(), depth.size() * sizeof(float));
+void SampleStore::save(uint32_t index, const raster::Tile& tile, const SplitSamples& split) {
+  const size_t first = index * raster::kTilePixels;
+  std::memcpy(&depth_[first * depths_], tile.depth.data(), tile.depth.size() * sizeof(float));
   std::memcpy(&is_split_[first], split.is_split.data(), raster::kTilePixels);
   copy_split(split.is_split.data(), split.color.data(), colors_, &color_[first * colors_]);
-  is_saved_[tile] = 1;
+  is_saved_[index] = 1;
 }
 
 }  // namespace shd::film

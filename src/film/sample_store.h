@@ -5,25 +5,26 @@
 
 #include "core/allocator.h"
 #include "film/framebuffer.h"
-#include "film/worker.h"
+#include "film/tile_color.h"
+#include "raster/tile.h"
 
 namespace shd::film {
 
-/// Depth, colour and targets of the samples of a framebuffer with several of them, from one pass of a frame to the
-/// next.
+/// Depth, colour and targets of every sample, kept between the passes of a frame with several samples a pixel.
 class SampleStore {
  public:
-  /// 4 bytes a sample and 16 for each of its targets, one a pixel, in whole tiles; empty for none. Throws
+  /// Room for `tiles` tiles, which may be none: 4 bytes a sample, 16 for each of its targets, and 1 a pixel. Throws
   /// std::bad_alloc.
   SampleStore(const core::Allocator& allocator, const Framebuffer& framebuffer, uint32_t tiles);
 
   bool is_empty() const { return is_saved_.size() == 0; }
-  /// What a tile held when it was saved; false if it never was. Different tiles may come and go at a time.
-  bool load(uint32_t tile, Worker* worker) const;
-  void save(uint32_t tile, const Worker& worker);
+  /// Restores tile `index` as it was saved; false if it never was. Threads may load and save different tiles
+  /// concurrently.
+  bool load(uint32_t index, raster::Tile* tile, SplitSamples* split) const;
+  void save(uint32_t index, const raster::Tile& tile, const SplitSamples& split);
 
  private:
-  const size_t depths_, colors_;   // elements of a pixel
+  const size_t depths_, colors_;   // elements a pixel
   core::Array<uint8_t> is_saved_;  // [tile]
   core::Array<float> depth_;       // [tile][kTilePixels][depths]
   core::Array<uint8_t> is_split_;  // [tile][kTilePixels]

@@ -19,16 +19,16 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
 
 void clear_color(const TileArea& area, const float color[4], Framebuffer* framebuffer);
 void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer);
-/// The planes of AOVs, empty.
+/// Sets the planes of AOVs to their empty values.
 void clear_aovs(const TileArea& area, Framebuffer* framebuffer);
 
 void clear_slots(raster::Tile* tile);
 
-/// One depth for all samples.
+/// Sets every sample to one depth.
 void fill_depth(float depth, raster::Tile* tile);
-/// Depth from the framebuffer for every sample. Pixels outside the frame are left as they are.
+/// Sets every sample to its pixel's depth in the framebuffer. Pixels outside the framebuffer stay.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
-/// That of the first sample.
+/// Writes the depth of each first sample to the framebuffer.
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
 
 }  // namespace shd::film

@@ -7,7 +7,7 @@
 namespace shd::film {
 namespace {
 
-/// Of colours `stride` floats apart.
+/// Average of colours spaced `stride` floats apart.
 void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   const float share = 1.0f / static_cast<float>(samples);
   float sum[4] = {};
@@ -17,7 +17,7 @@ void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   for (size_t c = 0; c < 4; ++c) out[c] = sum[c] * share;
 }
 
-/// Whether colours `stride` floats apart are the same, to the bit.
+/// Whether colours spaced `stride` floats apart have the same bits.
 bool are_same(const float* colors, uint32_t samples, size_t stride) {
   uint64_t different = 0, first[2];
   std::memcpy(first, colors, sizeof first);
@@ -29,7 +29,7 @@ bool are_same(const float* colors, uint32_t samples, size_t stride) {
   return different == 0;
 }
 
-Below at(float* color) {
+Destination at(float* color) {
   return {{color, color + 1, color + 2, color + 3}};
 }
 
@@ -60,9 +60,9 @@ void TileColor::load() {
 }
 
 /// All samples of a pixel that is not split.
-Below TileColor::whole(uint32_t pixel, uint32_t t) const {
-  const size_t place = position(pixel);
-  return {{plane_[t][0] + place, plane_[t][1] + place, plane_[t][2] + place, plane_[t][3] + place}};
+Destination TileColor::whole(uint32_t pixel, uint32_t t) const {
+  const size_t at_pixel = position(pixel);
+  return {{plane_[t][0] + at_pixel, plane_[t][1] + at_pixel, plane_[t][2] + at_pixel, plane_[t][3] + at_pixel}};
 }
 
 /// The samples of a pixel, apart from each other.
@@ -70,11 +70,11 @@ float* TileColor::split(uint32_t pixel) {
   float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
   split_.is_split[pixel] = 1;
-  const size_t place = position(pixel);
+  const size_t at_pixel = position(pixel);
   float* to = samples;
   for (uint32_t s = 0; s < samples_; ++s) {
     for (uint32_t t = 0; t < target_count_; ++t) {
-      for (uint32_t c = 0; c < 4; ++c) *to++ = plane_[t][c][place];
+      for (uint32_t c = 0; c < 4; ++c) *to++ = plane_[t][c][at_pixel];
     }
   }
   return samples;
@@ -92,7 +92,7 @@ void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance&
   }
 }
 
-Below TileColor::sample(uint32_t pixel, uint32_t sample) {
+Destination TileColor::sample(uint32_t pixel, uint32_t sample) {
   if (samples_ == 1) return whole(pixel, 0);
   return at(split(pixel) + 4 * size_t{sample} * target_count_);
 }

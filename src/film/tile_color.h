@@ -22,16 +22,16 @@ struct SplitSamples {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out);
 
-/// Colour and targets of the samples of a tile while it is drawn. Where all samples of a pixel have the same they are
-/// in the framebuffer; where they may differ they are split until the tile is resolved. Pixels are row-major in the
-/// tile, samples are bits of a mask.
+/// Colour and targets of the samples of a tile while it is drawn. A pixel whose samples are all equal lives in the
+/// framebuffer; a pixel whose samples may differ is split until the tile is resolved. Pixels are row-major in the tile,
+/// samples are bits of a mask.
 class TileColor {
  public:
   TileColor(const TileArea& area, Framebuffer* framebuffer, SplitSamples* split);
 
-  /// Every pixel as the framebuffer has it.
+  /// Starts every pixel as the framebuffer has it.
   void load();
-  /// Colour and targets of a row of `from`.
+  /// Writes colour and targets of a row of `from` to the samples of a mask.
   void write(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
     if (mask == all_) {
       write_row(pixel, 1, from, row);
@@ -39,7 +39,7 @@ class TileColor {
       write_some(pixel, mask, from, row);
     }
   }
-  /// The same to all samples of `count` neighbours in a row from `pixel` on.
+  /// Writes rows of `from` to all samples of `count` neighbours in a pixel row, from `pixel` on.
   void write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
     const size_t at = position(pixel);
     for (uint32_t t = 0; t < target_count_; ++t) {
@@ -53,22 +53,22 @@ class TileColor {
   /// Blends a colour and the targets of a row of `from`.
   void blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
              const shade::Radiance& from, size_t row);
-  /// The colour of one sample, to be changed.
-  Below sample(uint32_t pixel, uint32_t sample);
-  /// Plain averages to the framebuffer; samples that are all the same stay what they are, to the bit.
+  /// The colour of one sample as a blend's destination.
+  Destination sample(uint32_t pixel, uint32_t sample);
+  /// Writes the plain average of each split pixel to the framebuffer; equal samples keep their bits.
   void resolve();
 
  private:
   size_t position(uint32_t pixel) const { return corner_ + pixel / raster::kTile * stride_ + pixel % raster::kTile; }
-  Below whole(uint32_t pixel, uint32_t t) const;
+  Destination whole(uint32_t pixel, uint32_t t) const;
   float* split(uint32_t pixel);
   void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
 
   const size_t corner_, stride_;
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;
-  uint32_t target_[shade::kMaxTargets];  // those that there are
-  float* plane_[shade::kMaxTargets][4];  // of those
+  uint32_t target_[shade::kMaxTargets];  // numbers of the targets that exist
+  float* plane_[shade::kMaxTargets][4];  // their planes
   SplitSamples& split_;
 };
 

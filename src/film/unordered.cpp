@@ -23,9 +23,9 @@ float weight_at(float depth) {
   return weight > 0.01f ? weight : 0.01f;
 }
 
-/// Place, then from far to near, then as they came: no two are equal.
+/// By position, then from far to near, then in order of arrival: a total order.
 bool comes_before(const SortedNode& a, const SortedNode& b) {
-  if (a.place != b.place) return a.place < b.place;
+  if (a.position != b.position) return a.position < b.position;
   if (a.distance != b.distance) return a.distance > b.distance;
   return a.order < b.order;
 }
@@ -53,12 +53,12 @@ void blend_weighted(uint32_t samples, const Unordered& unordered, TileColor* col
     for (uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
       if (weights[pixel] == 0.0f) continue;
       const float cover = 1.0f - rests[pixel], share = cover / weights[pixel];
-      const Below below = color->sample(pixel, s);
+      const Destination destination = color->sample(pixel, s);
       for (size_t i = 0; i < 3; ++i) {
-        float& d = *below.channel[i];
+        float& d = *destination.channel[i];
         d = share * sums_of(unordered, s, i)[pixel] + rests[pixel] * d;
       }
-      float& a = *below.channel[3];
+      float& a = *destination.channel[3];
       a = cover + rests[pixel] * a;
     }
   }
@@ -68,8 +68,8 @@ void blend_sorted(Unordered* unordered, TileColor* color) {
   SortedNode* nodes = unordered->nodes.data();
   std::sort(nodes, nodes + unordered->nodes.size(), comes_before);
   for (size_t i = 0; i < unordered->nodes.size(); ++i) {
-    const Below below = color->sample(nodes[i].place % kTilePixels, nodes[i].place / kTilePixels);
-    blend(SHD_BLEND_PREMULTIPLIED, nodes[i].color, below);
+    const Destination destination = color->sample(nodes[i].position % kTilePixels, nodes[i].position / kTilePixels);
+    blend(SHD_BLEND_PREMULTIPLIED, nodes[i].color, destination);
   }
 }
 

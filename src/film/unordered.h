@@ -9,29 +9,29 @@
 
 namespace shd::film {
 
-/// One sample of one fragment that waits for its turn.
+/// One sample of one fragment that is to be sorted.
 struct SortedNode {
-  uint32_t place;  // sample * kTilePixels + pixel
-  float distance;  // grows away from the eye
-  uint32_t order;  // in which the fragments came
+  uint32_t position;  // sample * kTilePixels + pixel
+  float distance;     // larger = farther from the eye
+  uint32_t order;     // of arrival
   FragmentColor color;
 };
 
-/// Fragments of a tile whose blend does not go by the order of draws.
+/// Fragments of a tile whose blend is order-independent.
 struct Unordered {
   core::Array<float> sums;         // [samples][5][kTilePixels]: sums of w c (three), of w a, and the product of 1 - a
-  core::Buffer<SortedNode> nodes;  // at most kMaxNodes but for one pixel alone
+  core::Buffer<SortedNode> nodes;  // at most kMaxNodes, unless one pixel has more
 };
 constexpr size_t kMaxNodes = size_t{1} << 17;
 constexpr size_t kSums = 5;
 
-/// Sums of nothing, for every sample; allocates them on first use. Throws std::bad_alloc.
+/// Resets the sums of every sample; allocates them on first use. Throws std::bad_alloc.
 void clear_weighted(const core::Allocator& allocator, uint32_t samples, Unordered* unordered);
 void add_weighted(uint32_t sample, uint32_t pixel, float depth, const FragmentColor& color, Unordered* unordered);
-/// Puts the sums over the colours of each sample.
+/// Blends the sums over the colour of each sample.
 void blend_weighted(uint32_t samples, const Unordered& unordered, TileColor* color);
 
-/// Sorts the nodes and puts them over the colours, far ones first.
+/// Sorts the nodes and blends them over the colours, far ones first.
 void blend_sorted(Unordered* unordered, TileColor* color);
 
 }  // namespace shd::film

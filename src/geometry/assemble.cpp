@@ -8,16 +8,16 @@
 namespace shd::geometry {
 namespace {
 
-/// Clips and emits the fan; the best fate of its pieces counts.
-Fate clip_and_emit(const Assembly& assembly, const uint32_t row[3], uint32_t primitive,
-                   core::Buffer<ScreenTriangle>* out) {
+/// Clips and emits the fan; the highest outcome of its pieces counts.
+TriangleOutcome clip_and_emit(const Assembly& assembly, const uint32_t row[3], uint32_t primitive,
+                              core::Buffer<ScreenTriangle>* out) {
   ScreenVertex polygon[kMaxClipped];
   const int count = clip_triangle(*assembly.vertices, row, polygon);
-  Fate fate = Fate::kUnseen;
+  TriangleOutcome outcome = TriangleOutcome::kUnseen;
   for (int i = 2; i < count; ++i) {
-    fate = std::max(fate, emit(assembly, polygon[0], polygon[i - 1], polygon[i], primitive, out));
+    outcome = std::max(outcome, emit(assembly, polygon[0], polygon[i - 1], polygon[i], primitive, out));
   }
-  return fate;
+  return outcome;
 }
 
 }  // namespace
@@ -41,14 +41,14 @@ void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<S
       ++stats->outside;
       continue;
     }
-    Fate fate;
+    TriangleOutcome outcome;
     if (any & kMustClip) {
       ++stats->clipped;
-      fate = clip_and_emit(assembly, row, static_cast<uint32_t>(i), out);
+      outcome = clip_and_emit(assembly, row, static_cast<uint32_t>(i), out);
     } else {
-      fate = emit(assembly, a, b, c, static_cast<uint32_t>(i), out);
+      outcome = emit(assembly, a, b, c, static_cast<uint32_t>(i), out);
     }
-    count(fate, stats);
+    count(outcome, stats);
   }
   stats->triangles += end - begin;
 }

@@ -31,11 +31,11 @@ struct SampleExtent {
   int32_t min_x, max_x, min_y, max_y;
 };
 
-/// What of its triangles a draw shows.
+/// Which part of its triangles a draw shows: their interior, edges or vertices.
 struct Outline {
   shd_fill fill;
   int32_t reach;       // half the width of lines and points, fixed point, > 0
-  uint32_t edges = 0;  // of SHD_FILL_LINES: shd_edge_kind bits
+  uint32_t edges = 0;  // for SHD_FILL_LINES: shd_edge_kind bits
   float crease_cosine = 0.0f;
 };
 inline int32_t outline_reach(float width) {
@@ -51,19 +51,29 @@ struct Assembly {
   PixelBox visible;
   SampleExtent samples;
   Outline outline = {SHD_FILL_SOLID, 0, 0, 0.0f};
-  const Mesh* mesh = nullptr;  // of SHD_FILL_LINES, and which of its edges
+  const Mesh* mesh = nullptr;  // for SHD_FILL_LINES: the owner of the edges
   EdgeQuery query = {};
 };
 void assemble(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,
               shd_render_stats* stats);
 
+/// A box on the pixel grid, fixed point, ends included.
+struct GridBox {
+  int32_t min_x, min_y, max_x, max_y;
+};
+
+/// Pixels that may have a sample in a box.
+inline PixelBox pixel_box(const GridBox& box, const SampleExtent& samples) {
+  const int32_t up = kSubpixels - 1;
+  return {(box.min_x - samples.max_x + up) >> kSubpixelBits, (box.min_y - samples.max_y + up) >> kSubpixelBits,
+          (box.max_x - samples.min_x) >> kSubpixelBits, (box.max_y - samples.min_y) >> kSubpixelBits};
+}
+
 /// Pixels that may have a sample in the bounding box of a triangle.
 inline PixelBox pixel_box(const ScreenTriangle& t, const SampleExtent& samples) {
-  const int32_t up = kSubpixels - 1;
-  return {(std::min({t.x[0], t.x[1], t.x[2]}) - samples.max_x + up) >> kSubpixelBits,
-          (std::min({t.y[0], t.y[1], t.y[2]}) - samples.max_y + up) >> kSubpixelBits,
-          (std::max({t.x[0], t.x[1], t.x[2]}) - samples.min_x) >> kSubpixelBits,
-          (std::max({t.y[0], t.y[1], t.y[2]}) - samples.min_y) >> kSubpixelBits};
+  const GridBox bounds = {std::min({t.x[0], t.x[1], t.x[2]}), std::min({t.y[0], t.y[1], t.y[2]}),
+                          std::max({t.x[0], t.x[1], t.x[2]}), std::max({t.y[0], t.y[1], t.y[2]})};
+  return pixel_box(bounds, samples);
 }
 
 }  // namespace shd::geometry

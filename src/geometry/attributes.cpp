@@ -44,8 +44,8 @@ void allocate_attributes(const core::Allocator& allocator, const Mesh& mesh, uin
   }
 }
 
-void transform_attributes(const Mesh& mesh, const Transform& transform, size_t begin, size_t end, size_t row,
-                          Vertices* out) {
+void transform_attributes(const Mesh& mesh, const Transform& transform, const VertexRange& range, Vertices* out) {
+  const auto [begin, end, row] = range;
   if (out->tangent.size()) transform_tangents(mesh, transform, begin, end, &out->tangent[4 * row]);
   if (out->texture1.size()) {
     const core::Array<float>* const columns[4] = {&mesh.u1, &mesh.v1, nullptr, nullptr};

@@ -21,8 +21,8 @@ void store(Vec3d a, size_t i, Column* x, Column* y, Column* z) {
   (*z)[i] = static_cast<float>(a.z);
 }
 bool fits(Vec3d a) {
-  constexpr double kMost = 3.4028234663852886e38;
-  return std::fabs(a.x) <= kMost && std::fabs(a.y) <= kMost && std::fabs(a.z) <= kMost;
+  constexpr double kMaxFloat = 3.4028234663852886e38;
+  return std::fabs(a.x) <= kMaxFloat && std::fabs(a.y) <= kMaxFloat && std::fabs(a.z) <= kMaxFloat;
 }
 
 /// The texture at the uv of every vertex, channel r.

@@ -5,38 +5,39 @@
 
 namespace shd::geometry {
 
-/// What becomes of a triangle, the better the higher; what is unseen lies outside.
-enum class Fate { kUnseen, kCulled, kEmpty, kRasterised };
+/// What becomes of a triangle. Ordered: the outcome of a clipped triangle is the highest one of its pieces. kUnseen:
+/// all of it lies outside the visible pixels.
+enum class TriangleOutcome { kUnseen, kCulled, kEmpty, kRasterised };
 
-/// Of a triangle on the pixel grid; > 0 if it is clockwise on the screen.
+/// Twice the signed area of a triangle on the pixel grid; > 0 if it is clockwise on the screen.
 inline int64_t twice_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
 }
 
 /// Appends the triangle unless it cannot be seen.
-inline Fate emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                 uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
+inline TriangleOutcome emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b,
+                            const ScreenVertex& c, uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
   const int64_t area = twice_area(a, b, c);
   // Counter-clockwise with y up is negative with y down.
   if (area == 0 || (assembly.cull == SHD_CULL_BACK && area > 0) || (assembly.cull == SHD_CULL_FRONT && area < 0)) {
-    return Fate::kCulled;
+    return TriangleOutcome::kCulled;
   }
   const ScreenVertex& second = area > 0 ? b : c;
   const ScreenVertex& third = area > 0 ? c : b;
   const ScreenTriangle triangle = {
       {a.x, second.x, third.x}, {a.y, second.y, third.y}, {a.z, second.z, third.z}, assembly.draw, primitive, 0};
   const PixelBox box = pixel_box(triangle, assembly.samples);
-  if (is_empty(box)) return Fate::kEmpty;
-  if (is_empty(intersection(box, assembly.visible))) return Fate::kUnseen;
+  if (is_empty(box)) return TriangleOutcome::kEmpty;
+  if (is_empty(intersection(box, assembly.visible))) return TriangleOutcome::kUnseen;
   out->push_back(triangle);
-  return Fate::kRasterised;
+  return TriangleOutcome::kRasterised;
 }
 
-inline void count(Fate fate, shd_render_stats* stats) {
-  stats->outside += fate == Fate::kUnseen;
-  stats->culled += fate == Fate::kCulled;
-  stats->empty += fate == Fate::kEmpty;
-  stats->rasterised += fate == Fate::kRasterised;
+inline void count(TriangleOutcome outcome, shd_render_stats* stats) {
+  stats->outside += outcome == TriangleOutcome::kUnseen;
+  stats->culled += outcome == TriangleOutcome::kCulled;
+  stats->empty += outcome == TriangleOutcome::kEmpty;
+  stats->rasterised += outcome == TriangleOutcome::kRasterised;
 }
 
 }  // namespace shd::geometry

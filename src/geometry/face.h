@@ -16,7 +16,7 @@ inline data::Vec3d vertex_normal(const Mesh& mesh, size_t vertex) {
   return {double{mesh.nx[vertex]}, double{mesh.ny[vertex]}, double{mesh.nz[vertex]}};
 }
 
-/// Of a triangle, counter-clockwise around it; its length is twice the area.
+/// The normal of a triangle, counter-clockwise around it, with twice the area as length.
 inline data::Vec3d area_vector(const Mesh& mesh, size_t triangle) {
   const uint32_t* corner = &mesh.indices[3 * triangle];
   const data::Vec3d a = position(mesh, corner[0]);

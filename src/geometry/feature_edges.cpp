@@ -33,7 +33,7 @@ bool is_crease(const Face& a, const Face& b, double cosine) {
   return dot(a.normal, b.normal) <= cosine * std::sqrt(dot(a.normal, a.normal)) * std::sqrt(dot(b.normal, b.normal));
 }
 
-/// Of an edge between two triangles.
+/// The kinds of an edge between two triangles.
 uint32_t kinds_between(const EdgeQuery& query, const Face& a, Face b, bool same_direction) {
   if (same_direction) b = {{-b.normal.x, -b.normal.y, -b.normal.z}, -b.side};
   uint32_t kinds = 0;

@@ -21,8 +21,8 @@ struct EdgeQuery {
 /// other; each is asked for the side on which the eye is at its own corner, so that silhouettes never end.
 void find_edge_kinds(const Mesh& mesh, const EdgeQuery& query, size_t triangle, uint32_t kinds[3]);
 
-/// The point that a view shows nowhere, in object space: the eye, or without perspective the direction to it. In
-/// double, up to length and sign; 0 if there is no such point or more than one.
+/// The centre of projection of a view in object space: the eye, or without perspective the direction to it. In double,
+/// up to length and sign; 0 if there is no such point or more than one.
 void centre_of_projection(const shd_view& view, const float object_to_world[16], double out[4]);
 
 }  // namespace shd::geometry

@@ -36,6 +36,6 @@
 /// | clip.h           | a triangle cut at the near and far plane and the guard band                 |
 /// | pixel_box.h      | boxes of pixels                                                             |
 /// | outline.h        | edges and vertices of triangles as rectangles                               |
-/// | emit.h           | the fate of one triangle on the pixel grid                                  |
+/// | emit.h           | the outcome of one triangle on the pixel grid                               |
 /// | assemble.h       | culling, clipping and counting: mesh triangles to ScreenTriangle            |
 #pragma once

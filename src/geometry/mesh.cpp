@@ -36,7 +36,7 @@ Column copy_column(const core::Allocator& allocator, const shd_f32_in& in, size_
   return column;
 }
 
-/// The same with what is not finite as 0.
+/// Copies a column; values that are not finite become 0.
 Column copy_finite(const core::Allocator& allocator, const shd_f32_in& in, size_t count) {
   if (!in.data) return zero_column(allocator, count);
   Column column = copy_column(allocator, in, count);

@@ -9,16 +9,16 @@
 namespace shd::geometry {
 namespace {
 
-/// One triangle on its way.
+/// One triangle of the mesh, and where its pieces go.
 struct Outlined {
-  Assembly assembly;  // culls nothing: pieces have no facing of their own
+  Assembly assembly;  // with SHD_CULL_NONE: pieces have no facing of their own
   uint32_t primitive;
   core::Buffer<ScreenTriangle>* out;
 };
 
-/// Corners in order around the piece.
-Fate emit_piece(const Outlined& o, const ScreenVertex (&corner)[4]) {
-  const Fate first = emit(o.assembly, corner[0], corner[1], corner[2], o.primitive, o.out);
+/// Emits a quadrilateral as two triangles; corners in order around it.
+TriangleOutcome emit_piece(const Outlined& o, const ScreenVertex (&corner)[4]) {
+  const TriangleOutcome first = emit(o.assembly, corner[0], corner[1], corner[2], o.primitive, o.out);
   return std::max(first, emit(o.assembly, corner[0], corner[2], corner[3], o.primitive, o.out));
 }
 
@@ -26,70 +26,70 @@ ScreenVertex moved(const ScreenVertex& v, int32_t x, int32_t y) {
   return {v.x + x, v.y + y, v.z, 0};
 }
 
-Fate emit_point(const Outlined& o, const ScreenVertex& v) {
+TriangleOutcome emit_point(const Outlined& o, const ScreenVertex& v) {
   const int32_t r = o.assembly.outline.reach;
   return emit_piece(o, {moved(v, -r, -r), moved(v, r, -r), moved(v, r, r), moved(v, -r, r)});
 }
 
-Fate emit_line(const Outlined& o, const ScreenVertex& a, const ScreenVertex& b) {
+TriangleOutcome emit_line(const Outlined& o, const ScreenVertex& a, const ScreenVertex& b) {
   const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
-  if (dx == 0.0 && dy == 0.0) return Fate::kCulled;
+  if (dx == 0.0 && dy == 0.0) return TriangleOutcome::kCulled;
   const double scale = static_cast<double>(o.assembly.outline.reach) / std::sqrt(dx * dx + dy * dy);
   const auto x = static_cast<int32_t>(std::floor(0.5 - dy * scale));
   const auto y = static_cast<int32_t>(std::floor(0.5 + dx * scale));
   return emit_piece(o, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)});
 }
 
-/// Neighbours come along a shared edge from either end: whether it starts at the second one, so that they do the same.
+/// Whether the edge is drawn from its second vertex, so that both triangles that share it emit identical lines.
 bool starts_at_second(const Vertices& vertices, uint32_t first, uint32_t second) {
   const float *a = &vertices.raster[4 * size_t{first}], *b = &vertices.raster[4 * size_t{second}];
   return std::lexicographical_compare(b, b + 4, a, a + 4);
 }
 
-Fate emit_edge(const Outlined& o, uint32_t first, uint32_t second) {
+TriangleOutcome emit_edge(const Outlined& o, uint32_t first, uint32_t second) {
   const Vertices& vertices = *o.assembly.vertices;
   if (starts_at_second(vertices, first, second)) std::swap(first, second);
   const ScreenVertex &a = vertices.screen[first], &b = vertices.screen[second];
   if (!((a.outcode | b.outcode) & kMustClip)) return emit_line(o, a, b);
   ScreenVertex end[2];
-  return clip_segment(vertices, first, second, end) ? emit_line(o, end[0], end[1]) : Fate::kUnseen;
+  return clip_segment(vertices, first, second, end) ? emit_line(o, end[0], end[1]) : TriangleOutcome::kUnseen;
 }
 
-/// A triangle that has only one edge, its rows repeating, draws it once.
-Fate emit_edges(const Outlined& o, const uint32_t row[3]) {
+/// Emits all edges. A triangle whose rows repeat has one edge, which is emitted once.
+TriangleOutcome emit_edges(const Outlined& o, const uint32_t row[3]) {
   const bool repeats = row[0] == row[1] || row[1] == row[2] || row[2] == row[0];
-  Fate fate = Fate::kUnseen;
+  TriangleOutcome outcome = TriangleOutcome::kUnseen;
   bool has_edge = false;
   for (int k = 0; k < 3 && !(repeats && has_edge); ++k) {
     const uint32_t first = row[k], second = row[k == 2 ? 0 : k + 1];
     if (first == second) continue;
-    fate = std::max(fate, emit_edge(o, first, second));
+    outcome = std::max(outcome, emit_edge(o, first, second));
     has_edge = true;
   }
-  return has_edge ? fate : Fate::kCulled;
+  return has_edge ? outcome : TriangleOutcome::kCulled;
 }
 
-/// Of a triangle the edges that are lines.
-Fate emit_lines(const Outlined& o, const uint32_t row[3]) {
+/// Emits the feature edges that this triangle owns.
+TriangleOutcome emit_lines(const Outlined& o, const uint32_t row[3]) {
   uint32_t kinds[3];
   find_edge_kinds(*o.assembly.mesh, o.assembly.query, o.primitive, kinds);
-  if (!(kinds[0] | kinds[1] | kinds[2])) return Fate::kCulled;
-  Fate fate = Fate::kUnseen;
+  if (!(kinds[0] | kinds[1] | kinds[2])) return TriangleOutcome::kCulled;
+  TriangleOutcome outcome = TriangleOutcome::kUnseen;
   for (int k = 0; k < 3; ++k) {
-    if (kinds[k]) fate = std::max(fate, emit_edge(o, row[k], row[k == 2 ? 0 : k + 1]));
+    if (kinds[k]) outcome = std::max(outcome, emit_edge(o, row[k], row[k == 2 ? 0 : k + 1]));
   }
-  return fate;
+  return outcome;
 }
 
-Fate emit_points(const Outlined& o, const uint32_t row[3]) {
-  Fate fate = Fate::kUnseen;
+TriangleOutcome emit_points(const Outlined& o, const uint32_t row[3]) {
+  TriangleOutcome outcome = TriangleOutcome::kUnseen;
   for (int k = 0; k < 3; ++k) {
     const ScreenVertex& v = o.assembly.vertices->screen[row[k]];
     const bool is_repeated = (k > 0 && row[k] == row[0]) || (k > 1 && row[k] == row[1]);
     if (is_repeated || v.outcode & kMustClip) continue;
-    fate = std::max(fate, emit_point(o, v));
+    outcome = std::max(outcome, emit_point(o, v));
   }
-  return fate;
+  return outcome;
 }
 
 /// Twice the area of what clipping leaves of a triangle.
@@ -101,25 +101,21 @@ int64_t clipped_area(const Vertices& vertices, const uint32_t row[3]) {
   return area;
 }
 
-/// Whether all that a triangle could draw is far from the visible pixels; it needs no clipping.
+/// Whether everything that a triangle could draw lies beyond the visible pixels. The triangle needs no clipping.
 bool is_far(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   const int32_t reach = assembly.outline.reach;
-  const ScreenTriangle box = {{std::min({a.x, b.x, c.x}) - reach, std::max({a.x, b.x, c.x}) + reach, a.x},
-                              {std::min({a.y, b.y, c.y}) - reach, std::max({a.y, b.y, c.y}) + reach, a.y},
-                              {},
-                              0,
-                              0,
-                              0};
+  const GridBox box = {std::min({a.x, b.x, c.x}) - reach, std::min({a.y, b.y, c.y}) - reach,
+                       std::max({a.x, b.x, c.x}) + reach, std::max({a.y, b.y, c.y}) + reach};
   return is_empty(intersection(pixel_box(box, assembly.samples), assembly.visible));
 }
 
-Fate outline(const Outlined& o, shd_cull cull, const uint32_t row[3], bool must_clip) {
+TriangleOutcome outline(const Outlined& o, shd_cull cull, const uint32_t row[3], bool must_clip) {
   const Vertices& vertices = *o.assembly.vertices;
   const ScreenVertex &a = vertices.screen[row[0]], &b = vertices.screen[row[1]], &c = vertices.screen[row[2]];
-  if (!must_clip && is_far(o.assembly, a, b, c)) return Fate::kUnseen;
+  if (!must_clip && is_far(o.assembly, a, b, c)) return TriangleOutcome::kUnseen;
   if (cull != SHD_CULL_NONE && o.assembly.outline.fill != SHD_FILL_LINES) {
     const int64_t area = must_clip ? clipped_area(vertices, row) : twice_area(a, b, c);
-    if (cull == SHD_CULL_BACK ? area >= 0 : area <= 0) return Fate::kCulled;
+    if (cull == SHD_CULL_BACK ? area >= 0 : area <= 0) return TriangleOutcome::kCulled;
   }
   switch (o.assembly.outline.fill) {
     case SHD_FILL_LINES: return emit_lines(o, row);

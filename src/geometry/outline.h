@@ -5,8 +5,8 @@
 
 namespace shd::geometry {
 
-/// What assemble() does, for draws that show edges, all or some, or vertices: each becomes the two triangles of a
-/// rectangle. Every triangle of the mesh counts once, by the best fate among its pieces. The corners of a line are its
+/// assemble() for draws that show edges or vertices: each edge and each vertex becomes a rectangle of two triangles.
+/// Every triangle of the mesh counts once, by the highest TriangleOutcome of its pieces. The corners of a line are its
 /// ends moved by the same offset, rounded to the pixel grid, so that its halves share their diagonal and neighbours
 /// draw the same line.
 void assemble_outlines(const Assembly& assembly, size_t begin, size_t end, core::Buffer<ScreenTriangle>* out,

@@ -24,7 +24,7 @@ Vec3d row_of(const double* matrix, int row) {
 
 EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
     : uniform_(desc.mode == SHD_TESSELLATION_UNIFORM ? desc.segments : 0),
-      most_(desc.max_segments),
+      max_parts_(desc.max_segments),
       edge_length_(double{desc.edge_length}),
       in_pixels_(desc.view != nullptr) {
   for (int i = 0; i < 16; ++i) {
@@ -58,12 +58,12 @@ uint32_t EdgeFactor::adaptive(const Mesh& mesh, uint32_t a, uint32_t b) const {
   if (in_pixels_) {
     const Vec3d middle = to_world(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]), 1.0);
     const double w = w_[0] * middle.x + w_[1] * middle.y + w_[2] * middle.z + w_[3];
-    if (!(w > 0.0)) return w + 0.5 * length * w_per_length_ > 0.0 ? static_cast<uint32_t>(most_) : 1;
+    if (!(w > 0.0)) return w + 0.5 * length * w_per_length_ > 0.0 ? static_cast<uint32_t>(max_parts_) : 1;
     parts = length * pixels_ / w / edge_length_;
   }
   if (std::isnan(parts) || std::isinf(length)) return 1;
   parts = std::ceil(parts);
-  return static_cast<uint32_t>(parts < 1.0 ? 1.0 : parts > most_ ? most_ : parts);
+  return static_cast<uint32_t>(parts < 1.0 ? 1.0 : parts > max_parts_ ? max_parts_ : parts);
 }
 
 SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const EdgeFactor& factor) {

@@ -22,14 +22,14 @@ class EdgeFactor {
  private:
   uint32_t adaptive(const Mesh& mesh, uint32_t a, uint32_t b) const;
 
-  uint32_t uniform_;           // or 0
-  double most_;                // parts
+  uint32_t uniform_;  // or 0
+  double max_parts_;
   double edge_length_;         // pixels or world units
   double to_world_[16];        // column-major
   bool in_pixels_;             // the rest is set
   double w_[4] = {};           // clip w = w_ . (world position, 1)
   double pixels_ = 0.0;        // of a unit of length at w = 1
-  double w_per_length_ = 0.0;  // most that w changes along a unit of length
+  double w_per_length_ = 0.0;  // largest change of w along a unit of length
 };
 
 /// An edge between two vertices and the vertices on it.

@@ -39,21 +39,27 @@ HWY_INLINE hn::Vec<DI> Bit(DI di, M mask, uint32_t bit) {
   return hn::BitCast(di, hn::IfThenElseZero(mask, hn::BitCast(d, hn::Set(di, static_cast<int32_t>(bit)))));
 }
 
-/// Outcodes of (X, Y, Z, W); `finite` says which lanes are.
+/// (X, Y, Z, W) of vertices.
+template <class V>
+struct Homogeneous {
+  V x, y, z, w;
+};
+
+/// Outcodes of vertices; `finite` says which lanes are.
 template <class D, class V>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transform, V x, V y, V z, V w,
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transform, const Homogeneous<V>& h,
                                                    hn::Mask<D> finite) {
   const hn::RebindToSigned<D> di;
   const V zero = hn::Zero(d);
-  const V guard = hn::Mul(w, hn::Set(d, kGuardBand));
-  auto code = Bit(di, hn::Lt(x, hn::Mul(w, hn::Set(d, transform.left))), kOutLeft);
-  code = hn::Or(code, Bit(di, hn::Gt(x, hn::Mul(w, hn::Set(d, transform.right))), kOutRight));
-  code = hn::Or(code, Bit(di, hn::Lt(y, hn::Mul(w, hn::Set(d, transform.top))), kOutTop));
-  code = hn::Or(code, Bit(di, hn::Gt(y, hn::Mul(w, hn::Set(d, transform.bottom))), kOutBottom));
-  code = hn::Or(code, Bit(di, hn::Lt(z, zero), kOutNear));
-  code = hn::Or(code, Bit(di, hn::Gt(z, w), kOutFar));
-  code = hn::Or(code, Bit(di, hn::Lt(w, hn::Set(d, kMinW)), kOutBehind));
-  code = hn::Or(code, Bit(di, hn::Or(hn::Gt(hn::Abs(x), guard), hn::Gt(hn::Abs(y), guard)), kOutGuard));
+  const V guard = hn::Mul(h.w, hn::Set(d, kGuardBand));
+  auto code = Bit(di, hn::Lt(h.x, hn::Mul(h.w, hn::Set(d, transform.left))), kOutLeft);
+  code = hn::Or(code, Bit(di, hn::Gt(h.x, hn::Mul(h.w, hn::Set(d, transform.right))), kOutRight));
+  code = hn::Or(code, Bit(di, hn::Lt(h.y, hn::Mul(h.w, hn::Set(d, transform.top))), kOutTop));
+  code = hn::Or(code, Bit(di, hn::Gt(h.y, hn::Mul(h.w, hn::Set(d, transform.bottom))), kOutBottom));
+  code = hn::Or(code, Bit(di, hn::Lt(h.z, zero), kOutNear));
+  code = hn::Or(code, Bit(di, hn::Gt(h.z, h.w), kOutFar));
+  code = hn::Or(code, Bit(di, hn::Lt(h.w, hn::Set(d, kMinW)), kOutBehind));
+  code = hn::Or(code, Bit(di, hn::Or(hn::Gt(hn::Abs(h.x), guard), hn::Gt(hn::Abs(h.y), guard)), kOutGuard));
   return hn::Or(code, Bit(di, hn::Not(finite), kOutNonfinite));
 }
 
@@ -78,17 +84,30 @@ HWY_INLINE Vec3V<V> WorldNormal(D d, const Transform& transform, const Vec3V<V>&
                   TransformNormalRow(d, transform.normal, 2, n)});
 }
 
-/// Stores (X, Y, Z, W) and what follows from it of rows i and up; `finite` says which lanes are, in all their parts.
+/// Stores world-space positions and u to rows i and up.
 template <class D, class V>
-HWY_INLINE void StoreRaster(D d, const Transform& transform, V x, V y, V z, V w, hn::Mask<D> finite, size_t i,
+HWY_INLINE void StorePositions(D d, const Vec3V<V>& p, V u, size_t i, Vertices& out) {
+  hn::StoreInterleaved4(p.x, p.y, p.z, u, d, &out.world[4 * i]);
+}
+
+/// Stores world-space unit normals and v to rows i and up.
+template <class D, class V>
+HWY_INLINE void StoreNormals(D d, const Vec3V<V>& n, V v, size_t i, Vertices& out) {
+  hn::StoreInterleaved4(n.x, n.y, n.z, v, d, &out.normal[4 * i]);
+}
+
+/// Stores (X, Y, Z, W) and the ScreenVertex that follows from it to rows i and up; `finite` says which lanes are, in
+/// all their parts.
+template <class D, class V>
+HWY_INLINE void StoreRaster(D d, const Transform& transform, const Homogeneous<V>& h, hn::Mask<D> finite, size_t i,
                             Vertices& out) {
   const hn::RebindToSigned<D> di;
-  const auto code = Outcodes(d, transform, x, y, z, w, finite);
+  const auto code = Outcodes(d, transform, h, finite);
   const auto usable = hn::RebindMask(
       d, hn::Eq(hn::And(code, hn::Set(di, static_cast<int32_t>(kMustClip | kOutNonfinite))), hn::Zero(di)));
-  hn::StoreInterleaved4(x, y, z, w, d, &out.raster[4 * i]);
-  const V depth = hn::IfThenElseZero(usable, hn::Div(z, w));
-  hn::StoreInterleaved4(Snap(d, x, w, usable), Snap(d, y, w, usable), hn::BitCast(di, depth), code, di,
+  hn::StoreInterleaved4(h.x, h.y, h.z, h.w, d, &out.raster[4 * i]);
+  const V depth = hn::IfThenElseZero(usable, hn::Div(h.z, h.w));
+  hn::StoreInterleaved4(Snap(d, h.x, h.w, usable), Snap(d, h.y, h.w, usable), hn::BitCast(di, depth), code, di,
                         &out.screen[i].x);
 }
 

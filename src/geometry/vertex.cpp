@@ -18,29 +18,28 @@ namespace shd::geometry::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Vec3V;
 
-void TransformVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t end, size_t row,
-                       Vertices& out) {
+void TransformVertices(const Mesh& mesh, const Transform& transform, const VertexRange& range, Vertices& out) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
-  for (size_t i = begin; i < end; i += hn::Lanes(d)) {
-    const size_t to = row + (i - begin);
+  for (size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
+    const size_t to = range.row + (i - range.begin);
     const Vec3V<V> p = {hn::Load(d, &mesh.px[i]), hn::Load(d, &mesh.py[i]), hn::Load(d, &mesh.pz[i])};
     const Vec3V<V> n = {hn::Load(d, &mesh.nx[i]), hn::Load(d, &mesh.ny[i]), hn::Load(d, &mesh.nz[i])};
-    const V x = TransformRow(d, transform.raster, 0, p), y = TransformRow(d, transform.raster, 1, p);
-    const V z = TransformRow(d, transform.raster, 2, p), w = TransformRow(d, transform.raster, 3, p);
+    const Homogeneous<V> h = {TransformRow(d, transform.raster, 0, p), TransformRow(d, transform.raster, 1, p),
+                              TransformRow(d, transform.raster, 2, p), TransformRow(d, transform.raster, 3, p)};
     const Vec3V<V> world = WorldPosition(d, transform, p), normal = WorldNormal(d, transform, n);
 
     // A sum is finite only if its terms are; eighths keep finite terms from overflowing together.
     const V eighth = hn::Set(d, 0.125f);
-    const V clip_sum = hn::Add(hn::Add(hn::Mul(hn::Abs(x), eighth), hn::Mul(hn::Abs(y), eighth)),
-                               hn::Add(hn::Mul(hn::Abs(z), eighth), hn::Mul(hn::Abs(w), eighth)));
+    const V clip_sum = hn::Add(hn::Add(hn::Mul(hn::Abs(h.x), eighth), hn::Mul(hn::Abs(h.y), eighth)),
+                               hn::Add(hn::Mul(hn::Abs(h.z), eighth), hn::Mul(hn::Abs(h.w), eighth)));
     const V world_sum = hn::Add(hn::Add(hn::Mul(hn::Abs(world.x), eighth), hn::Mul(hn::Abs(world.y), eighth)),
                                 hn::Mul(hn::Abs(world.z), eighth));
     const auto finite =
         hn::Lt(hn::Add(hn::Mul(clip_sum, eighth), hn::Mul(world_sum, eighth)), hn::Set(d, __builtin_inff()));
-    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, &mesh.u[i]), d, &out.world[4 * to]);
-    hn::StoreInterleaved4(normal.x, normal.y, normal.z, hn::Load(d, &mesh.v[i]), d, &out.normal[4 * to]);
-    StoreRaster(d, transform, x, y, z, w, finite, to, out);
+    StorePositions(d, world, hn::Load(d, &mesh.u[i]), to, out);
+    StoreNormals(d, normal, hn::Load(d, &mesh.v[i]), to, out);
+    StoreRaster(d, transform, h, finite, to, out);
   }
 }
 
@@ -118,9 +117,9 @@ void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varyi
   out->indices = mesh.indices.data();
 }
 
-void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
-                        size_t end, size_t row, Vertices* out) {
-  SHD_DISPATCH(TransformVertices, simd)(mesh, transform, begin, end, row, *out);
+void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
+                        const VertexRange& range, Vertices* out) {
+  SHD_DISPATCH(TransformVertices, simd)(mesh, transform, range, *out);
 }
 
 }  // namespace shd::geometry

@@ -24,7 +24,7 @@ constexpr float kGuardBand = 1048576.0f;
 /// Smallest W that is not clipped away.
 constexpr float kMinW = 0x1p-100f;
 
-/// Where a vertex lies; a bit set in all three vertices means the triangle is outside.
+/// Which limits a vertex lies beyond. A triangle is outside if its three vertices share a bit.
 enum Outcode : uint32_t {
   kOutLeft = 1,
   kOutRight = 2,
@@ -39,7 +39,7 @@ enum Outcode : uint32_t {
 constexpr uint32_t kOutside = kOutLeft | kOutRight | kOutTop | kOutBottom | kOutNear | kOutFar | kOutBehind;
 constexpr uint32_t kMustClip = kOutNear | kOutFar | kOutBehind | kOutGuard;
 
-/// A vertex on the pixel grid; x, y and z mean nothing where outcode & kMustClip.
+/// A vertex on the pixel grid; x, y and z are undefined where outcode & kMustClip.
 struct ScreenVertex {
   int32_t x, y;  // raster position in 1 / kSubpixels pixel, origin at the top left corner, y down
   float z;       // depth, 0 near .. 1 far
@@ -52,7 +52,7 @@ struct Transform {
   float world[16];    // object space to world space; affine
   float normal[9];    // object space normals to world space, up to length: cofactors times the sign of det
   float orientation;  // sign of det: -1 where the matrix mirrors
-  float left, top, right, bottom;  // what lies beyond is outside [pixels]
+  float left, top, right, bottom;  // limits of the visible pixels [pixels]
   float clip[16];                  // object space to clip space (x, y, z, w); z and w are Z and W
   float half[2], centre[2];        // of the viewport: X = centre w + half x, Y = centre w - half y
 };
@@ -63,18 +63,18 @@ struct Viewport {
 };
 
 /// Products in double, rounded once.
-/// @param visible  the only pixels that count; what cannot reach them may be outside
+/// @param visible  the visible pixels; triangles that cannot reach them may count as outside
 Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
                          const PixelBox& visible);
 
 /// Transformed vertices of one draw or of a part of it. Rows of four, not columns: a fragment gathers all of a vertex
-/// at once, and a row shares one cache line.
+/// at once, and a row shares one cache line. u and v fill the rows of positions and normals: see u_of() and v_of().
 struct Vertices {
   core::Array<ScreenVertex> screen;  // [padded]
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
   core::Array<float> world;          // [padded][4] x, y, z, u
   core::Array<float> normal;         // [padded][4] x, y, z (unit, world space), v
-  core::Array<float> varying;        // [padded][varying_count] what a vertex program hands on
+  core::Array<float> varying;        // [padded][varying_count] outputs of a vertex program
   uint32_t varying_count = 0;
   core::Array<float> tangent;       // [padded][4] x, y, z (world space), handedness; or empty
   core::Array<float> texture1;      // [padded][4] u, v of the second set, 0, 0; or empty
@@ -94,14 +94,43 @@ inline uint32_t row_of(const Vertices& vertices, size_t triangle, size_t k) {
   return vertices.indices[3 * (triangle - vertices.first_triangle) + k] - vertices.first_index;
 }
 
+/// One component of rows of four.
+struct RowComponent {
+  const float* rows;  // [padded][4]
+  uint32_t component;
+
+  float operator[](size_t row) const { return rows[4 * row + component]; }
+};
+
+/// Texture coordinates of the first set, and of the second set where vertices.texture1 is not empty.
+inline RowComponent u_of(const Vertices& vertices) {
+  return {vertices.world.data(), 3};
+}
+inline RowComponent v_of(const Vertices& vertices) {
+  return {vertices.normal.data(), 3};
+}
+inline RowComponent u1_of(const Vertices& vertices) {
+  return {vertices.texture1.data(), 0};
+}
+inline RowComponent v1_of(const Vertices& vertices) {
+  return {vertices.texture1.data(), 1};
+}
+
+/// Vertices [begin, end) of a mesh, and the first of the rows that they are transformed to. Kernels need multiples of
+/// data::kRowPad.
+struct VertexRange {
+  size_t begin, end;
+  size_t row;
+};
+
 /// Makes room for a number of rows, a multiple of data::kRowPad. Throws std::bad_alloc.
 void allocate_rows(const core::Allocator& allocator, size_t rows, uint32_t varying_count, Vertices* out);
 
 /// A row for every vertex of a mesh. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out);
 
-/// Transforms vertices [begin, end) of a mesh, multiples of data::kRowPad, to rows from `row` on.
-void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform, size_t begin,
-                        size_t end, size_t row, Vertices* out);
+/// Transforms vertices of a mesh by the matrices alone.
+void transform_vertices(const core::SimdTarget& simd, const Mesh& mesh, const Transform& transform,
+                        const VertexRange& range, Vertices* out);
 
 }  // namespace shd::geometry

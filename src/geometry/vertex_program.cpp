@@ -97,10 +97,11 @@ void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexCo
     auto finite = hn::And(hn::And(Finite(d, x), Finite(d, y)), hn::And(Finite(d, z), Finite(d, w)));
     finite = hn::And(finite, hn::And(Finite3(d, world), Finite3(d, given)));
     finite = hn::And(finite, FiniteAttributes(d, c, out.varying_count, i));
-    hn::StoreInterleaved4(world.x, world.y, world.z, hn::Load(d, c.u + i), d, &out.world[4 * (row + i)]);
-    hn::StoreInterleaved4(hn::IfThenElse(same, fixed.x, unit.x), hn::IfThenElse(same, fixed.y, unit.y),
-                          hn::IfThenElse(same, fixed.z, unit.z), hn::Load(d, c.v + i), d, &out.normal[4 * (row + i)]);
-    StoreRaster(d, transform, x, y, z, w, finite, row + i, out);
+    const Vec3V<V> normal = {hn::IfThenElse(same, fixed.x, unit.x), hn::IfThenElse(same, fixed.y, unit.y),
+                             hn::IfThenElse(same, fixed.z, unit.z)};
+    StorePositions(d, world, hn::Load(d, c.u + i), row + i, out);
+    StoreNormals(d, normal, hn::Load(d, c.v + i), row + i, out);
+    StoreRaster(d, transform, Homogeneous<V>{x, y, z, w}, finite, row + i, out);
   }
 }
 
@@ -166,7 +167,7 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
 #endif
 }
 
-/// The same for a batch, in one call for all vertices whose numbers follow each other.
+/// Calls a program for a batch: once for each run of consecutive vertex numbers.
 void run_batch(const NumberedMesh& vertices, const VertexProgram& program, size_t first, size_t count,
                const VertexColumns& c) {
   const uint32_t* numbers = vertices.numbers;
@@ -197,12 +198,11 @@ void allocate(const core::Allocator& allocator, VertexColumns* out) {
 }
 
 void run_vertex_program(const core::SimdTarget& simd, const NumberedMesh& vertices, const Transform& transform,
-                        const VertexProgram& program, size_t begin, size_t end, size_t row, VertexColumns* scratch,
-                        Vertices* out) {
+                        const VertexProgram& program, const VertexRange& range, VertexColumns* scratch, Vertices* out) {
   const Mesh& mesh = vertices.mesh;
   const uint32_t varying_count = program.varying_count;
-  for (size_t first = begin; first < end; first += kVertexBatch) {
-    const size_t rows = std::min(kVertexBatch, end - first), to = row + (first - begin);
+  for (size_t first = range.begin; first < range.end; first += kVertexBatch) {
+    const size_t rows = std::min(kVertexBatch, range.end - first), to = range.row + (first - range.begin);
     SHD_DISPATCH(BeginVertices, simd)(mesh, transform, first, rows, *scratch);
     for (uint32_t k = 0; k < varying_count; ++k) std::fill_n(scratch->varying[k], rows, 0.0f);
     run_batch(vertices, program, first, std::min<size_t>(rows, mesh.vertex_count - first), *scratch);

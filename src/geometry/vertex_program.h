@@ -14,10 +14,10 @@
 
 namespace shd::geometry {
 
-/// Most vertices that a program sees at a time; a multiple of data::kRowPad. The columns of a batch stay in L2.
+/// Largest number of vertices in one call of a program; a multiple of data::kRowPad. The columns of a batch stay in L2.
 constexpr size_t kVertexBatch = 512;
 
-/// What a caller's program does to the vertices of one draw, and what it is told.
+/// A caller's program for the vertices of one draw, and its inputs.
 struct VertexProgram {
   shd_vertex_fn function;
   void* user_data;
@@ -28,7 +28,7 @@ struct VertexProgram {
   uint32_t varying_count;
 };
 
-/// What a program writes: scratch of one worker, columns of kVertexBatch elements in one block.
+/// The outputs of a program: scratch of one worker, columns of kVertexBatch elements in one block.
 struct VertexColumns {
   core::Array<float> block;
   float *x, *y, *z, *w;  // clip space
@@ -47,11 +47,10 @@ struct NumberedMesh {
   const uint32_t* numbers;  // of its vertices for the program; null = 0, 1 and so on
 };
 
-/// As transform_vertices, but that the program may change every vertex before it comes to the raster. A vertex that it
+/// Like transform_vertices, but the program may change every vertex before it is projected. A vertex that the program
 /// leaves as it was keeps its bits. Throws Failure if the program threw.
 /// @param out  with room for the program's varyings
 void run_vertex_program(const core::SimdTarget& simd, const NumberedMesh& vertices, const Transform& transform,
-                        const VertexProgram& program, size_t begin, size_t end, size_t row, VertexColumns* scratch,
-                        Vertices* out);
+                        const VertexProgram& program, const VertexRange& range, VertexColumns* scratch, Vertices* out);
 
 }  // namespace shd::geometry

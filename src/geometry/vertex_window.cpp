@@ -8,36 +8,36 @@
 namespace shd::geometry {
 namespace {
 
-struct Span {
+struct IndexRange {
   uint32_t first, last;
 };
-Span span_of(const uint32_t* indices, size_t count) {
-  Span span = {~0u, 0};
+IndexRange range_of(const uint32_t* indices, size_t count) {
+  IndexRange range = {~0u, 0};
   for (size_t i = 0; i < count; ++i) {
-    span.first = std::min(span.first, indices[i]);
-    span.last = std::max(span.last, indices[i]);
+    range.first = std::min(range.first, indices[i]);
+    range.last = std::max(range.last, indices[i]);
   }
-  return span;
+  return range;
 }
 
 }  // namespace
 
 void allocate_window(const core::Allocator& allocator, const Mesh& mesh, size_t begin, size_t end,
                      uint32_t varying_count, Vertices* out) {
-  const size_t corners = 3 * (end - begin), most = data::padded(corners);
-  if (data::padded(mesh.vertex_count) <= most) return allocate(allocator, mesh, varying_count, out);
+  const size_t corners = 3 * (end - begin), max_rows = data::padded(corners);
+  if (data::padded(mesh.vertex_count) <= max_rows) return allocate(allocator, mesh, varying_count, out);
   out->indices = mesh.indices.data() + 3 * begin;
   out->first_triangle = static_cast<uint32_t>(begin);
   out->varying_count = varying_count;
   if (corners == 0) return;
-  const Span span = span_of(out->indices, corners);
-  const size_t first = span.first / data::kRowPad * data::kRowPad;
-  const size_t rows = data::padded(span.last + size_t{1}) - first;
-  if (rows <= most + data::kRowPad) {
+  const IndexRange range = range_of(out->indices, corners);
+  const size_t first = range.first / data::kRowPad * data::kRowPad;
+  const size_t rows = data::padded(range.last + size_t{1}) - first;
+  if (rows <= max_rows + data::kRowPad) {
     out->first_index = static_cast<uint32_t>(first);
     return allocate_rows(allocator, rows, varying_count, out);
   }
-  allocate_rows(allocator, most, varying_count, out);
+  allocate_rows(allocator, max_rows, varying_count, out);
   out->own_indices = core::Array<uint32_t>(allocator, corners);
   for (size_t i = 0; i < corners; ++i) {
     size_t row = i - i % 3;  // corners of a triangle that are one vertex share a row

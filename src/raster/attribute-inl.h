@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a0 + b1 (a1 - a0) + b2 (a2 - a0): a constant stays that constant to the bit. Where a difference overflows, the same
-/// on halves.
+/// a0 + b1 (a1 - a0) + b2 (a2 - a0): equal values keep their bits. Computed on halves where a
+/// difference overflows.
 template <class D, class V>
 HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   const V blend = hn::Add(hn::Add(a0, hn::Mul(b1, hn::Sub(a1, a0))), hn::Mul(b2, hn::Sub(a2, a0)));
@@ -30,8 +30,8 @@ HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   return hn::IfThenElse(finite, blend, hn::Add(bounded, bounded));
 }
 
-/// Whether a vector of fragments from row `at` on belongs to one triangle. Its ends do not tell: pieces of a triangle
-/// may have another one between them.
+/// Whether a vector of fragments from row `at` on belongs to one triangle. Comparing its first and last row is not
+/// enough: another triangle may lie between two pieces of one triangle.
 template <class D>
 HWY_INLINE bool ShareTriangle(D, const Fragments& f, size_t at) {
   const hn::RebindToUnsigned<D> du;

@@ -21,7 +21,7 @@ void for_tiles(const geometry::ScreenTriangle& triangle, const geometry::SampleE
 
 }  // namespace
 
-void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count,
+void bin_triangles(const core::Context& context, const TriangleGroup* groups, uint32_t group_count,
                    const geometry::PixelBox& window, const geometry::PixelBox& visible,
                    const geometry::SampleExtent& samples, Bins* out) {
   out->tiles_x = tile_count(static_cast<uint32_t>(window.max_x - window.min_x + 1));

@@ -10,7 +10,7 @@
 namespace shd::raster {
 
 /// Triangles of part of a frame; groups follow each other in submission order.
-using Group = core::Buffer<geometry::ScreenTriangle>;
+using TriangleGroup = core::Buffer<geometry::ScreenTriangle>;
 
 /// For each tile, the triangles whose bounding box touches it, in submission order.
 struct Bins {
@@ -22,7 +22,7 @@ struct Bins {
 
 /// Sorts every triangle into the tiles of a window of the picture, groups in parallel. Throws.
 /// @param visible  pixels of the window that triangles may change
-void bin_triangles(const core::Context& context, const Group* groups, uint32_t group_count,
+void bin_triangles(const core::Context& context, const TriangleGroup* groups, uint32_t group_count,
                    const geometry::PixelBox& window, const geometry::PixelBox& visible,
                    const geometry::SampleExtent& samples, Bins* out);
 

@@ -8,7 +8,7 @@
 
 namespace shd::raster {
 
-/// Bit i of `bits` tells whether values[i] is not values[i - 1]; bit 0 is 1.
+/// Sets bit i of `bits` if values[i] differs from values[i - 1]; bit 0 is 1.
 /// @param count  a multiple of 64
 /// @param bits   [count / 64]
 void find_changes(const core::SimdTarget& simd, const uint32_t* values, size_t count, uint64_t* bits);

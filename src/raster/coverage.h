@@ -4,28 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <shd/render.h>
-
 #include "core/simd_target.h"
 #include "geometry/assemble.h"
-#include "raster/sample_pattern.h"
+#include "raster/depth_test.h"
 #include "raster/tile.h"
+#include "raster/triangle_setup.h"
 
 namespace shd::raster {
-
-/// How the depths of a draw meet those of the tile.
-struct DepthState {
-  shd_compare compare;
-  bool writes;
-  float bias, slope_bias;  // slope_bias: times the larger of |dz/dx| and |dz/dy| per pixel
-};
-
-/// Where triangles are drawn.
-struct CoverArea {
-  const SamplePattern& pattern;
-  int32_t left, top;       // pixel position of the tile in the picture
-  geometry::PixelBox box;  // pixels of the picture that may change, within the tile
-};
 
 /// Depth-tests triangles into a tile, in order: where a sample is covered and passes, depth (if the state writes it)
 /// and slot are replaced.

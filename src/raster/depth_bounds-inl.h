@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hierarchical depth: triangles that no block of a tile lets pass.
+// Hierarchical depth: finds triangles that fail the depth test in every block of a tile.
 #if defined(SHD_RASTER_DEPTH_BOUNDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_RASTER_DEPTH_BOUNDS_INL_H_
 #undef SHD_RASTER_DEPTH_BOUNDS_INL_H_
@@ -9,26 +9,20 @@
 
 #include <algorithm>
 
-#include <shd/render.h>
-
 #include <hwy/highway.h>
 
 #include "geometry/assemble.h"
+#include "raster/depth_test.h"
 #include "raster/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whether a comparison lets pass what is smaller, or larger, alone.
-constexpr DepthTrend trend_of(shd_compare compare) {
-  switch (compare) {
-    case SHD_COMPARE_LESS:
-    case SHD_COMPARE_LESS_EQUAL: return DepthTrend::kFalling;
-    case SHD_COMPARE_GREATER:
-    case SHD_COMPARE_GREATER_EQUAL: return DepthTrend::kRising;
-    default: return DepthTrend::kUnknown;
-  }
+/// Which way a test that writes depths moves them.
+constexpr DepthTrend trend_of(const DepthTest& test) {
+  if (test.less == test.greater) return DepthTrend::kUnknown;
+  return test.less ? DepthTrend::kFalling : DepthTrend::kRising;
 }
 
 /// The blocks of a tile that a box of its pixels touches.
@@ -41,37 +35,47 @@ struct BlockBox {
   int32_t first_x, first_y, last_x, last_y;
 };
 
-/// The bounds of a tile for one trend.
-template <DepthTrend kTrend>
+/// The bounds of a tile while triangles of one depth test are drawn.
 class Bounds {
  public:
-  static constexpr bool kFalling = kTrend == DepthTrend::kFalling;
-
-  HWY_INLINE explicit Bounds(Tile& tile) : tile_(tile), bounds_(tile.bounds) {
-    if (bounds_.trend == kTrend) return;
-    bounds_.trend = kTrend;
-    for (float& bound : bounds_.bound) bound = kFalling ? 2.0f : -1.0f;  // beyond all depths
+  HWY_INLINE Bounds(DepthTrend trend, bool writes, Tile& tile) : trend_(trend), tile_(tile), bounds_(tile.bounds) {
+    if (trend == DepthTrend::kUnknown) {
+      if (writes) forget_bounds(&tile);
+    } else if (bounds_.trend != trend) {
+      bounds_.trend = trend;
+      for (float& bound : bounds_.bound) bound = trend == DepthTrend::kFalling ? 2.0f : -1.0f;  // beyond all depths
+    }
   }
 
   /// Whether some depth of a triangle may pass in one of the blocks.
-  HWY_NOINLINE bool MayPass(const BlockBox& box, const geometry::ScreenTriangle& triangle) {
+  HWY_INLINE bool MayPass(const BlockBox& box, const geometry::ScreenTriangle& triangle) {
+    if (trend_ == DepthTrend::kUnknown) return true;
+    return trend_ == DepthTrend::kFalling ? MayPassIn<true>(box, triangle) : MayPassIn<false>(box, triangle);
+  }
+
+ private:
+  template <bool kFalling>
+  HWY_NOINLINE bool MayPassIn(const BlockBox& box, const geometry::ScreenTriangle& triangle) {
     const float nearest = kFalling ? std::min({triangle.z[0], triangle.z[1], triangle.z[2]})
                                    : std::max({triangle.z[0], triangle.z[1], triangle.z[2]});
     for (int32_t y = box.first_y; y <= box.last_y; ++y) {
       for (int32_t x = box.first_x; x <= box.last_x; ++x) {
         float& bound = bounds_.bound[y * kBlocksPerRow + x];
-        if (!MayPassBound(nearest, bound)) continue;
-        bound = FarthestOf(x, y);
-        if (MayPassBound(nearest, bound)) return true;
+        if (!MayPassBound<kFalling>(nearest, bound)) continue;
+        bound = FarthestOf<kFalling>(x, y);
+        if (MayPassBound<kFalling>(nearest, bound)) return true;
       }
     }
     return false;
   }
 
- private:
   /// Equal depths may pass some comparisons.
-  static HWY_INLINE bool MayPassBound(float z, float bound) { return kFalling ? z <= bound : z >= bound; }
+  template <bool kFalling>
+  static HWY_INLINE bool MayPassBound(float z, float bound) {
+    return kFalling ? z <= bound : z >= bound;
+  }
 
+  template <bool kFalling>
   HWY_INLINE float FarthestOf(int32_t x, int32_t y) const {
     const hn::CappedTag<float, kBlock> d;
     const size_t samples = tile_.samples;
@@ -86,16 +90,9 @@ class Bounds {
     return hn::GetLane(kFalling ? hn::MaxOfLanes(d, farthest) : hn::MinOfLanes(d, farthest));
   }
 
+  const DepthTrend trend_;
   const Tile& tile_;
   DepthBounds& bounds_;
-};
-
-/// Without bounds.
-template <>
-class Bounds<DepthTrend::kUnknown> {
- public:
-  HWY_INLINE explicit Bounds(Tile&) {}
-  HWY_INLINE bool MayPass(const BlockBox&, const geometry::ScreenTriangle&) { return true; }
 };
 
 }  // namespace shd::raster::HWY_NAMESPACE

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "geometry/assemble.h"
-#include "raster/coverage.h"
+#include "raster/depth_test.h"
 #include "raster/sample_pattern.h"
 #include "raster/tile.h"
 
@@ -27,9 +27,9 @@ inline EdgeLine make_edge_line(const geometry::ScreenTriangle& t, int k, int32_t
   return {a * (x - t.x[k]) + b * (y - t.y[k]) - (owns_boundary ? 0 : 1), a, b};
 }
 
-/// The same at one sample of each pixel, in whole pixels: that of pixel (i, j) of the tile is on the inner side iff
-/// value + a * i + b * j >= 0. Exact: from pixel to pixel the function moves in steps of 256 a and 256 b, so dividing
-/// it by 256 and rounding down keeps its sign.
+/// An edge function at one sample of each pixel, in whole pixels: the sample of pixel (i, j) of the tile is on the
+/// inner side if and only if value + a * i + b * j >= 0. Exact: the function changes in steps of 256 a and 256 b from
+/// pixel to pixel, so that division by 256, rounded down, keeps its sign.
 struct Edge {
   int64_t value, a, b;
 };
@@ -40,17 +40,17 @@ inline Edge edge_at(const EdgeLine& line, SamplePoint sample) {
 
 enum class EdgeSide { kOutside, kInside, kCrossing };
 
-/// How an edge lies to the samples of all pixels of a tile; kCrossing where it only might.
+/// On which side of an edge all samples of a tile lie. Conservative: kCrossing may be returned for the other cases.
 inline EdgeSide side_of(const EdgeLine& line, const geometry::SampleExtent& samples) {
-  constexpr int64_t kSpan = (kTile - 1) * geometry::kSubpixels;
-  const int64_t left = line.a * samples.min_x, right = line.a * (kSpan + samples.max_x);
-  const int64_t top = line.b * samples.min_y, bottom = line.b * (kSpan + samples.max_y);
+  constexpr int64_t kExtent = (kTile - 1) * geometry::kSubpixels;
+  const int64_t left = line.a * samples.min_x, right = line.a * (kExtent + samples.max_x);
+  const int64_t top = line.b * samples.min_y, bottom = line.b * (kExtent + samples.max_y);
   if (line.value + std::max(left, right) + std::max(top, bottom) < 0) return EdgeSide::kOutside;
   return line.value + std::min(left, right) + std::min(top, bottom) >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
 }
 
-/// Steps up to this size keep an edge that crosses a tile, all its values there, and what the place of a sample in its
-/// pixel adds in 2^-16 pixel^2, inside int32.
+/// Largest step for which the values of an edge that crosses a tile fit int32, together with what the position of a
+/// sample in its pixel adds, in 2^-16 pixel^2.
 constexpr int64_t kNarrowStep = int64_t{1} << 22;
 
 /// Depth of a triangle: at vertex 0, per pixel, and its range, all with the bias.
@@ -83,7 +83,7 @@ struct DepthPlane {
   int32_t x0, y0;
 };
 
-/// Where that origin is, and from vertex 0 to its top left corner in pixels.
+/// The origin of a depth plane, and the vector from vertex 0 to its top left corner [pixels].
 struct DepthOrigin {
   int32_t x, y;
   double step_x, step_y;
@@ -115,7 +115,8 @@ inline bool covers(const EdgeLine (&lines)[3], int32_t x, int32_t y, SamplePoint
   for (const EdgeLine& line : lines) inside &= line.value + line.a * right + line.b * down >= 0;
   return inside;
 }
-/// Depth at a sample of pixel (x, y) of the frame: the bits that the coverage kernels find.
+
+/// Depth at a sample of pixel (x, y) of the frame, with the bits of the coverage kernels.
 inline float depth_at(const DepthPlane& plane, int32_t x, int32_t y) {
   const float row = plane.base + plane.dy * static_cast<float>(y - plane.y0);
   const float z = plane.dx * static_cast<float>(x - plane.x0) + row;

@@ -15,7 +15,7 @@ namespace shd::raster {
 /// Rows of a batch: whole vectors may run past count, and the columns of a batch stay in L2.
 constexpr size_t kBatch = 512;
 
-/// Points waiting for light, one row each: fragments, or the corners or centroids of triangles. Columns of kBatch
+/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. Columns of kBatch
 /// elements in one block.
 struct Fragments {
   size_t count = 0;  // rows in use
@@ -44,26 +44,26 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Neighbouring pixels of a tile, in row-major order, that show the same triangle at the same samples.
+/// Neighbouring pixels of a tile, in row-major order, with one triangle at the same samples.
 struct PixelRun {
   uint32_t slot;
   uint16_t begin, end;
   uint32_t mask;
 };
 
-/// A pixel that shows a triangle.
+/// A pixel in which a triangle is visible.
 struct VisiblePixel {
   uint16_t position;  // row-major in the tile
-  uint16_t mask;      // at which samples, as bits
+  uint16_t mask;      // samples at which it is visible, as bits
 };
 
-/// Pixels of a tile in the order of their triangles; one that shows several is there for each of them.
+/// Pixels of a tile in the order of their triangles; a pixel with several triangles is listed once for each.
 struct TileOrder {
   core::Array<uint64_t> changes;     // scratch
   core::Buffer<PixelRun> run;        // scratch
   core::Buffer<uint32_t> start;      // [slots + 1] first position of each slot
   core::Buffer<VisiblePixel> pixel;  // sorted by slot, then by position
-  size_t covered_samples;            // that show a triangle
+  size_t covered_samples;            // samples with a triangle
 };
 
 /// Room for tiles of this many samples a pixel. Throws std::bad_alloc.

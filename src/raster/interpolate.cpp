@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Component c of rows of four, the same row in every lane.
+/// Reads component c of rows of four; one row for all lanes.
 struct OneRow {
   size_t row;
   template <class D>
@@ -29,7 +29,7 @@ struct OneRow {
   }
 };
 
-/// The same, a row for each lane.
+/// Reads component c of rows of four; a row for each lane.
 template <class D>
 struct RowPerLane {
   hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
@@ -101,10 +101,11 @@ HWY_INLINE V FiniteOrZero(D d, V x) {
 
 /// A texture coordinate with its derivatives.
 template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void Coordinate(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b, size_t at,
-                           float* out, float* out_dx, float* out_dy) {
-  const V a0 = rows[0].Get(d, values, c);
-  const V corner1 = rows[1].Get(d, values, c), corner2 = rows[2].Get(d, values, c);
+HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (&rows)[3], const Barycentric<V>& b,
+                           size_t at, float* out, float* out_dx, float* out_dy) {
+  const auto c = static_cast<int>(from.component);
+  const V a0 = rows[0].Get(d, from.rows, c);
+  const V corner1 = rows[1].Get(d, from.rows, c), corner2 = rows[2].Get(d, from.rows, c);
   const V a1 = hn::Sub(corner1, a0), a2 = hn::Sub(corner2, a0);
   hn::Store(Blend(d, a0, corner1, corner2, b.b1, b.b2), d, out + at);
   hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dx, a1), hn::Mul(b.b2_dx, a2))), d, out_dx + at);
@@ -143,8 +144,8 @@ template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
                                   const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
   if (wanted & kTexture1 && vertices.texture1.size()) {
-    Coordinate(d, vertices.texture1.data(), 0, rows, b, at, f.u1, f.du1dx, f.du1dy);
-    Coordinate(d, vertices.texture1.data(), 1, rows, b, at, f.v1, f.dv1dx, f.dv1dy);
+    Coordinate(d, geometry::u1_of(vertices), rows, b, at, f.u1, f.du1dx, f.du1dy);
+    Coordinate(d, geometry::v1_of(vertices), rows, b, at, f.v1, f.dv1dx, f.dv1dy);
   }
   if (wanted & kTangent && vertices.tangent.size()) {
     float* const out[4] = {f.tx, f.ty, f.tz, f.tw};
@@ -168,8 +169,8 @@ HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const R
   }
   InterpolateSpace(d, vertices, rows, b, eye, wanted, at, f);
   if (wanted & kTexture) {
-    Coordinate(d, vertices.world.data(), 3, rows, b, at, f.u, f.dudx, f.dudy);
-    Coordinate(d, vertices.normal.data(), 3, rows, b, at, f.v, f.dvdx, f.dvdy);
+    Coordinate(d, geometry::u_of(vertices), rows, b, at, f.u, f.dudx, f.dudy);
+    Coordinate(d, geometry::v_of(vertices), rows, b, at, f.v, f.dvdx, f.dvdy);
   }
   InterpolateExtras(d, vertices, rows, b, wanted, at, f);
 }

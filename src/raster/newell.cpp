@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The list of the paper as a search in depth: facets are taken from the far end; one that is taken stays open while
-// those that must go before it are painted, in the paper marked and moved to the end of the list. Meeting an open one
-// again is the cyclic overlap that a cut resolves.
+// The list of the paper as a depth-first search. Triangles are taken from the far end. A triangle stays open while
+// those that must be painted before it are painted; the paper marks them and moves them to the end of the list. An open
+// triangle that is met again is part of a cyclic overlap, which a cut resolves.
 #include "raster/newell.h"
 
-#include "raster/facet_grid.h"
+#include "raster/sort_grid.h"
 
 namespace shd::raster {
 namespace {
 
-// Instead of a level in the stack.
+// Values of a level that is none.
 constexpr uint32_t kWaiting = 0xffffffffu;
 constexpr uint32_t kPainted = 0xfffffffeu;
 constexpr uint32_t kCut = 0xfffffffdu;
-constexpr uint32_t kMaxFacets = 0xfffffff0u;
+constexpr uint32_t kMaxTriangles = 0xfffffff0u;
 
-/// Members of a circle whose planes are tried.
+/// How many members of a cycle lend their planes to a cut.
 constexpr size_t kPlanesTried = 16;
 
-/// A facet whose predecessors are being painted, and how far the search for them has come.
+/// A triangle whose predecessors are being painted, and how far the search for them has come.
 struct Open {
-  uint32_t facet;
+  uint32_t triangle;
   CellRange cells;
   int32_t x, y;   // cell
   uint32_t node;  // the latest one seen in it, or kNoNode before the first
@@ -30,92 +30,92 @@ class Newell {
  public:
   Newell(const core::Context& context, const PaintArea& area, Painting* painting)
       : area_(area),
-        facets_(painting->facets),
+        triangles_(painting->triangles),
         order_(painting->order),
         cuts_(painting->cuts),
-        place_(context.allocator),
+        level_(context.allocator),
         next_(context.allocator),
         stack_(context.allocator),
-        cuts_left_(facets_.size() + 1024),
-        comparisons_left_(1024 * uint64_t{facets_.size()} + (1u << 22)) {
-    const size_t count = facets_.size();
-    if (count >= kMaxFacets) throw std::bad_alloc();
+        cuts_left_(triangles_.size() + 1024),
+        comparisons_left_(1024 * uint64_t{triangles_.size()} + (1u << 22)) {
+    const size_t count = triangles_.size();
+    if (count >= kMaxTriangles) throw std::bad_alloc();
     order_.resize(count);
-    place_.resize(count);
+    level_.resize(count);
     next_.resize(count);
     for (size_t i = 0; i < count; ++i) {
       order_[i] = static_cast<uint32_t>(i);
-      place_[i] = kWaiting;
-      next_[i] = i + 1 < count ? static_cast<uint32_t>(i + 1) : kNoFacet;
+      level_[i] = kWaiting;
+      next_[i] = i + 1 < count ? static_cast<uint32_t>(i + 1) : kNoTriangle;
     }
-    make_grid(context.allocator, area.pixels, facets_.data(), order_.data(), count, &grid_);
+    make_grid(context.allocator, area.pixels, triangles_.data(), order_.data(), count, &grid_);
     order_.clear();
   }
 
   void run() {
-    for (uint32_t f = 0; f != kNoFacet; f = next_[f]) {
-      if (place_[f] == kWaiting) paint(f);
+    for (uint32_t f = 0; f != kNoTriangle; f = next_[f]) {
+      if (level_[f] == kWaiting) paint(f);
     }
   }
 
  private:
-  /// Paints a facet and all that must go before it, or cuts it.
+  /// Paints a triangle and all that must go before it, or cuts it.
   void paint(uint32_t root) {
     open(root);
     while (stack_.size()) {
-      const uint32_t current = stack_[stack_.size() - 1].facet;
+      const uint32_t current = stack_[stack_.size() - 1].triangle;
       const uint32_t other = next_predecessor(&stack_[stack_.size() - 1]);
-      if (other == kNoFacet) {
+      if (other == kNoTriangle) {
         close(stack_.size() - 1);
-        place_[current] = kPainted;
+        level_[current] = kPainted;
         order_.push_back(current);
-      } else if (!may_precede(facets_[other], facets_[current])) {
+      } else if (!may_precede(triangles_[other], triangles_[current])) {
         cut_pair(current, other);
-      } else if (place_[other] == kWaiting) {
+      } else if (level_[other] == kWaiting) {
         open(other);
       } else {
-        cut_circle(place_[other]);
+        cut_cycle(level_[other]);
       }
     }
   }
 
-  void open(uint32_t facet) {
-    const CellRange cells = cells_of(grid_, facets_[facet]);
-    place_[facet] = static_cast<uint32_t>(stack_.size());
-    stack_.push_back({facet, cells, cells.left, cells.top, kNoNode});
+  void open(uint32_t triangle) {
+    const CellRange cells = cells_of(grid_, triangles_[triangle]);
+    level_[triangle] = static_cast<uint32_t>(stack_.size());
+    stack_.push_back({triangle, cells, cells.left, cells.top, kNoNode});
   }
 
-  /// Drops the open facets from `level` on.
+  /// Drops the open triangles from `level` on.
   void close(size_t level) {
-    for (size_t i = level; i < stack_.size(); ++i) place_[stack_[i].facet] = kWaiting;
+    for (size_t i = level; i < stack_.size(); ++i) level_[stack_[i].triangle] = kWaiting;
     stack_.resize(level);
   }
 
   uint32_t& head_of(const Open& o) {
     return grid_.head[static_cast<size_t>(o.y) * static_cast<size_t>(grid_.columns) + static_cast<size_t>(o.x)];
   }
-  bool is_gone(uint32_t facet) const { return place_[facet] == kPainted || place_[facet] == kCut; }
+  bool is_gone(uint32_t triangle) const { return level_[triangle] == kPainted || level_[triangle] == kCut; }
 
-  /// The next facet of the latest cell, kNoNode at its end. Forgets the first ones of its list once they are gone.
+  /// The next triangle of the latest cell, kNoNode at its end. Drops painted and cut triangles from the list's head.
   uint32_t next_node(const Open& o) {
     if (o.node != kNoNode) return grid_.nodes[o.node].next;
     uint32_t& head = head_of(o);
-    while (head != kNoNode && is_gone(grid_.nodes[head].facet)) head = grid_.nodes[head].next;
+    while (head != kNoNode && is_gone(grid_.nodes[head].triangle)) head = grid_.nodes[head].next;
     return head;
   }
 
-  /// The next facet that an open one may not be painted before, or kNoFacet. Pieces stand behind what they were cut
-  /// from, in the list of a cell and in that of cells: the search meets all that it has not passed.
+  /// The next triangle that an open one may not be painted before, or kNoTriangle. Pieces stand behind what they were
+  /// cut from, in the list of a cell and in that of cells: the search meets all that it has not passed.
   uint32_t next_predecessor(Open* o) {
-    const Facet& f = facets_[o->facet];
+    const SortTriangle& f = triangles_[o->triangle];
     while (o->y <= o->cells.bottom) {
       for (uint32_t node = next_node(*o); node != kNoNode && grid_.nodes[node].farthest > f.nearest;
            node = grid_.nodes[node].next) {
-        if (!spend(1)) return kNoFacet;
+        if (!spend(1)) return kNoTriangle;
         o->node = node;
-        const uint32_t other = grid_.nodes[node].facet;
-        if (other == o->facet || is_gone(other)) continue;
-        const Facet& g = facets_[other];
+        const uint32_t other = grid_.nodes[node].triangle;
+        if (other == o->triangle || is_gone(other)) continue;
+        const SortTriangle& g = triangles_[other];
         if (is_first_shared(o->cells, cells_of(grid_, g), o->x, o->y) && !may_precede(f, g)) return other;
       }
       o->node = kNoNode;
@@ -124,56 +124,58 @@ class Newell {
         ++o->y;
       }
     }
-    return kNoFacet;
+    return kNoTriangle;
   }
 
-  /// Cuts one of two facets that pass through each other, the smaller one if it can be.
+  /// Cuts one of two triangles that pass through each other, the smaller one if it can be.
   void cut_pair(uint32_t a, uint32_t b) {
-    const bool a_first = doubled_area(facets_[a].triangle) <= doubled_area(facets_[b].triangle);
+    const bool a_first = doubled_area(triangles_[a].triangle) <= doubled_area(triangles_[b].triangle);
     if (!cut(a_first ? a : b, a_first ? b : a)) cut(a_first ? b : a, a_first ? a : b);
   }
 
-  /// Cuts one of the open facets from `level` on, each of which must follow the next and the last the first. Were there
-  /// none that the plane of a certain one cuts, then all would lie on this side of it or on that, and there were no
-  /// circle through it.
-  void cut_circle(size_t level) {
+  /// Cuts one of the open triangles from `level` on. They form a cycle: each must follow the next, and the last the
+  /// first. If no triangle of the cycle crossed the plane of a given one, all would lie on one side of it and there
+  /// would be no cycle.
+  void cut_cycle(size_t level) {
     const size_t end = stack_.size();
     for (size_t i = end; i-- > level && end - i <= kPlanesTried;) {
       for (size_t j = end; j-- > level;) {
         if (!spend(1)) return;
-        if (i != j && cut(stack_[j].facet, stack_[i].facet)) return;
+        if (i != j && cut(stack_[j].triangle, stack_[i].triangle)) return;
       }
     }
   }
 
-  /// Replaces a facet by its pieces on both sides of the plane of another one. An open one is closed with all after it.
+  /// Replaces a triangle by its pieces on both sides of the plane of another one. An open one is closed with all after
+  /// it.
   bool cut(uint32_t whole, uint32_t plane) {
-    FacetPieces pieces;
-    if (cuts_left_ == 0 || comparisons_left_ == 0 || !cut_facet(facets_[whole], facets_[plane], &pieces)) return false;
-    if (facets_.size() + 3 >= kMaxFacets) throw std::bad_alloc();
+    TrianglePieces pieces;
+    if (cuts_left_ == 0 || comparisons_left_ == 0 || !split_triangle(triangles_[whole], triangles_[plane], &pieces))
+      return false;
+    if (triangles_.size() + 3 >= kMaxTriangles) throw std::bad_alloc();
     for (int i = 0; i < pieces.count; ++i) {
       if (shows(pieces.piece[i])) add(whole, pieces.piece[i]);
     }
-    if (place_[whole] != kWaiting) close(place_[whole]);
-    place_[whole] = kCut;
+    if (level_[whole] != kWaiting) close(level_[whole]);
+    level_[whole] = kCut;
     ++cuts_;
     --cuts_left_;
     return true;
   }
 
-  bool shows(const Facet& f) const {
+  bool shows(const SortTriangle& f) const {
     const geometry::PixelBox box = geometry::pixel_box(f.triangle, area_.samples);
     return !geometry::is_empty(box) && !geometry::is_empty(geometry::intersection(box, area_.pixels));
   }
 
-  void add(uint32_t whole, const Facet& piece) {
-    const auto index = static_cast<uint32_t>(facets_.size());
+  void add(uint32_t whole, const SortTriangle& piece) {
+    const auto index = static_cast<uint32_t>(triangles_.size());
     const uint32_t after = next_[whole];
-    facets_.push_back(piece);
-    place_.push_back(kWaiting);
+    triangles_.push_back(piece);
+    level_.push_back(kWaiting);
     next_.push_back(after);
     next_[whole] = index;
-    spend(insert_piece(facets_.data(), whole, index, &grid_));
+    spend(insert_piece(triangles_.data(), whole, index, &grid_));
   }
 
   /// Counts comparisons, or walks along lists that take as long. False once there are none left.
@@ -184,13 +186,13 @@ class Newell {
   }
 
   const PaintArea& area_;
-  core::Buffer<Facet>& facets_;
+  core::Buffer<SortTriangle>& triangles_;
   core::Buffer<uint32_t>& order_;
   uint64_t& cuts_;
-  core::Buffer<uint32_t> place_;  // [facet] level in the stack, or one of the constants
-  core::Buffer<uint32_t> next_;   // [facet] the list from far to near
+  core::Buffer<uint32_t> level_;  // [triangle] level in the stack, or one of the constants
+  core::Buffer<uint32_t> next_;   // [triangle] the list from far to near
   core::Buffer<Open> stack_;
-  FacetGrid grid_;
+  SortGrid grid_;
   uint64_t cuts_left_, comparisons_left_;
 };
 
@@ -199,7 +201,7 @@ class Newell {
 void newell(const core::Context& context, const PaintArea& area, Painting* painting) {
   painting->cuts = 0;
   painting->order.clear();
-  if (painting->facets.size()) Newell(context, area, painting).run();
+  if (painting->triangles.size()) Newell(context, area, painting).run();
 }
 
 }  // namespace shd::raster

@@ -6,30 +6,30 @@
 
 #include "core/context.h"
 #include "geometry/pixel_box.h"
-#include "raster/facet.h"
+#include "raster/sort_triangle.h"
 
 namespace shd::raster {
 
-/// Facets of a frame and the order in which they are painted.
+/// The triangles of a frame and their order of painting.
 struct Painting {
-  core::Buffer<Facet> facets;
-  core::Buffer<uint32_t> order;  // indices into facets, far to near
+  core::Buffer<SortTriangle> triangles;
+  core::Buffer<uint32_t> order;  // indices into triangles, far to near
   uint64_t cuts = 0;
 };
 
-/// Pixels that count, and where in them their samples lie.
+/// The visible pixels, and where in a pixel its samples lie.
 struct PaintArea {
   geometry::PixelBox pixels;
   geometry::SampleExtent samples;
 };
 
-/// Puts facets right that come sorted by their farthest vertex, far ones first (M. E. Newell, R. G. Newell and Sancha,
-/// "A Solution to the Hidden Surface Problem", 1972): before a facet is painted, each one that may not follow it goes
-/// first; two that pass through each other, and those that go round in a circle, are cut along the plane of another.
-/// Fills `order`; adds pieces to `facets`, but for those without a sample.
+/// The order of M. E. Newell, R. G. Newell and Sancha, "A Solution to the Hidden Surface Problem" (1972). The triangles
+/// come sorted by their farthest vertex, far ones first. Before a triangle is painted, each triangle that may not
+/// follow it is painted. Two triangles that intersect, and triangles that form a cycle, are cut along the plane of
+/// another one. Fills `order`; appends pieces that have a sample to `triangles`.
 ///
-/// Bounds: n + 1024 cuts of n facets, and 1024 n + 2^22 comparisons; what is left then stays in the order that it has.
-/// Up to there, what may remain wrong is a circle none of whose members can be cut: pieces would have no area on the
+/// Bounds: n + 1024 cuts and 1024 n + 2^22 comparisons for n triangles; then the rest keeps its order. Within these
+/// bounds a cycle stays unresolved only if none of its members can be cut, because a piece would have no area on the
 /// pixel grid. Throws.
 void newell(const core::Context& context, const PaintArea& area, Painting* painting);
 

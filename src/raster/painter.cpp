@@ -19,22 +19,22 @@ bool is_before(const Key& a, const Key& b) {
   return a.group != b.group ? a.group < b.group : a.entry < b.entry;
 }
 
-constexpr uint64_t kPairsPerFacet = 64;
+constexpr uint64_t kPairsPerTriangle = 64;
 constexpr uint64_t kPairsPerCell = 1024;
 
-/// Conflicts between the facets of one cell, each pair in the first of the cells that it shares.
-uint64_t count_in_cell(const Facet* facets, const FacetGrid& grid, int32_t x, int32_t y) {
-  const FacetNode* nodes = grid.nodes.data();
+/// Conflicts between the triangles of one cell, each pair in the first of the cells that it shares.
+uint64_t count_in_cell(const SortTriangle* triangles, const SortGrid& grid, int32_t x, int32_t y) {
+  const SortNode* nodes = grid.nodes.data();
   const uint32_t head = grid.head[static_cast<size_t>(y) * static_cast<size_t>(grid.columns) + static_cast<size_t>(x)];
   uint64_t left = kPairsPerCell, conflicts = 0;
-  for (uint32_t node = head; node != kNoNode; node = nodes[node].next) left += kPairsPerFacet;
+  for (uint32_t node = head; node != kNoNode; node = nodes[node].next) left += kPairsPerTriangle;
   for (uint32_t node = head; node != kNoNode; node = nodes[node].next) {
-    const Facet& first = facets[nodes[node].facet];
+    const SortTriangle& first = triangles[nodes[node].triangle];
     const CellRange cells = cells_of(grid, first);
     for (uint32_t other = nodes[node].next; other != kNoNode && nodes[other].farthest > first.nearest;
          other = nodes[other].next) {
       if (left-- == 0) return conflicts;
-      const Facet& later = facets[nodes[other].facet];
+      const SortTriangle& later = triangles[nodes[other].triangle];
       if (is_first_shared(cells, cells_of(grid, later), x, y)) conflicts += !may_precede(first, later);
     }
   }
@@ -43,7 +43,7 @@ uint64_t count_in_cell(const Facet* facets, const FacetGrid& grid, int32_t x, in
 
 }  // namespace
 
-size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<Group>* groups) {
+size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<TriangleGroup>* groups) {
   const auto parts = static_cast<uint32_t>(groups->size());
   core::Array<size_t> start(context.allocator, size_t{parts} + 1), painted(context.allocator, parts);
   size_t count = 0;
@@ -53,7 +53,7 @@ size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, co
   }
   core::Array<Key> keys(context.allocator, count);
   core::parallel_for(context, parts, [&](uint32_t g, uint32_t) {
-    const Group& group = (*groups)[g];
+    const TriangleGroup& group = (*groups)[g];
     painted[g] = 0;
     for (size_t i = 0; i < group.size(); ++i) {
       const PaintRule& rule = rules[group[i].draw];
@@ -63,20 +63,20 @@ size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, co
     }
   });
   std::sort(keys.begin(), keys.end(), is_before);
-  deal(
+  distribute(
       context, count, [&](size_t i) { return (*groups)[keys[i].group][keys[i].entry]; }, groups);
   size_t total = 0;
   for (uint32_t g = 0; g < parts; ++g) total += painted[g];
   return total;
 }
 
-uint64_t count_conflicts(const core::Context& context, const Facet* facets, const FacetGrid& grid) {
+uint64_t count_conflicts(const core::Context& context, const SortTriangle* triangles, const SortGrid& grid) {
   const auto rows = static_cast<uint32_t>(grid.rows);
   core::Array<uint64_t> conflicts(context.allocator, rows);
   core::parallel_for(context, rows, [&](uint32_t y, uint32_t) {
     conflicts[y] = 0;
     for (int32_t x = 0; x < grid.columns; ++x) {
-      conflicts[y] += count_in_cell(facets, grid, x, static_cast<int32_t>(y));
+      conflicts[y] += count_in_cell(triangles, grid, x, static_cast<int32_t>(y));
     }
   });
   uint64_t total = 0;

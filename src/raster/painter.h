@@ -7,34 +7,34 @@
 #include "core/context.h"
 #include "core/executor.h"
 #include "raster/bin.h"
-#include "raster/facet.h"
-#include "raster/facet_grid.h"
+#include "raster/sort_grid.h"
+#include "raster/sort_triangle.h"
 
 namespace shd::raster {
 
-/// Fills the groups anew with at(0), ..., at(count - 1), in parts of the same size; `at` may read the old ones. Throws.
+/// Replaces the contents of the groups by at(0), ..., at(count - 1), in parts of equal size; `at` may read the old
+/// contents. Throws.
 template <class At>
-void deal(const core::Context& context, size_t count, const At& at, core::Objects<Group>* groups) {
+void distribute(const core::Context& context, size_t count, const At& at, core::Objects<TriangleGroup>* groups) {
   const size_t parts = groups->size();
-  core::Objects<Group> dealt(context.allocator, parts);
+  core::Objects<TriangleGroup> filled(context.allocator, parts);
   core::parallel_for(context, static_cast<uint32_t>(parts), [&](uint32_t g, uint32_t) {
     const size_t begin = count * g / parts, end = count * (g + 1) / parts;
-    dealt[g].attach(context.allocator);
-    dealt[g].reserve(end - begin);
-    for (size_t i = begin; i < end; ++i) dealt[g].push_back(at(i));
+    filled[g].attach(context.allocator);
+    filled[g].reserve(end - begin);
+    for (size_t i = begin; i < end; ++i) filled[g].push_back(at(i));
   });
-  for (size_t g = 0; g < parts; ++g) (*groups)[g] = std::move(dealt[g]);
+  for (size_t g = 0; g < parts; ++g) (*groups)[g] = std::move(filled[g]);
 }
 
-/// The painter's algorithm: sorts the triangles of all groups by their farthest vertex, far ones first, equal ones in
-/// the order that they had. Those that are not painted follow, in the order that they had. Returns how many are
-/// painted. O(n log n). Throws.
+/// The painter's algorithm: a stable sort of the triangles of all groups by their farthest vertex, far ones first.
+/// Triangles that are not painted follow in their order. Returns how many are painted. O(n log n). Throws.
 /// @param rules  [draw]
-size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<Group>* groups);
+size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<TriangleGroup>* groups);
 
-/// Pairs of facets that a later one should not cover where it does, by may_precede. Facets that share a cell of the
-/// grid are compared: every pair of them, up to 64 for each facet of a cell on average and 1024 more in a cell. Throws.
-/// @param grid  made of facets[order[0]], facets[order[1]], ..., in the order of painting
-uint64_t count_conflicts(const core::Context& context, const Facet* facets, const FacetGrid& grid);
+/// Counts pairs of triangles that are painted in the wrong order: those without may_precede(). Compares the pairs of
+/// each cell of the grid, up to 64 times its number of triangles plus 1024. Throws.
+/// @param grid  made of triangles[order[0]], triangles[order[1]], ..., in the order of painting
+uint64_t count_conflicts(const core::Context& context, const SortTriangle* triangles, const SortGrid& grid);
 
 }  // namespace shd::raster

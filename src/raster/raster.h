@@ -16,13 +16,17 @@
 /// | sample_pattern.h   | where in a pixel its samples lie                                      |
 /// | tile.h             | the tile: depth and the visible triangle of each sample               |
 /// | bin.h              | which triangles touch which tile                                      |
-/// | facet.h            | triangles in depth: which of two may be painted first, and cuts       |
-/// | facet_grid.h       | which of them may meet on the screen                                  |
+/// | sort_triangle.h    | SortTriangle, for sorting by depth: order of two triangles, splits    |
+/// | sort_grid.h        | which sort triangles may meet on the screen                           |
 /// | painter.h          | the painter's algorithm, and what it gets wrong                       |
 /// | newell.h           | the order of Newell, Newell and Sancha                                |
 /// | edge.h             | edge functions and the depth plane of one triangle                    |
-/// | coverage.h         | kernels: edge functions, depth tests                                  |
-/// | depth_bounds-inl.h | hierarchical depth, for those kernels                                 |
+/// | depth_test.h       | DepthState, and which depths pass a comparison                        |
+/// | triangle_setup.h   | one triangle over one tile: edges, depth and pixels                   |
+/// | coverage.h         | kernels: triangles into a tile's depths and slots, or into a mask     |
+/// | traverse-inl.h     | the covered samples of a triangle, vector by vector                   |
+/// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
+/// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
 /// | changes.h          | kernel: where neighbouring samples show other triangles               |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |

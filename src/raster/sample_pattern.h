@@ -38,7 +38,7 @@ inline PointSum sum_of_points(const SamplePattern& pattern, uint32_t mask) {
   return {low.x + high.x, low.y + high.y, low.count + high.count};
 }
 
-/// Of 1, 2, 4, 8 or 16 samples.
+/// The pattern of 1, 2, 4, 8 or 16 samples.
 const SamplePattern& sample_pattern(uint32_t count);
 
 }  // namespace shd::raster

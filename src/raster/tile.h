@@ -21,12 +21,12 @@ constexpr int32_t kBlockBits = 3;
 constexpr int32_t kBlock = 1 << kBlockBits;
 constexpr int32_t kBlocksPerRow = kTile / kBlock;
 
-/// Which way the depths of a tile went since its bounds were found: comparisons that let smaller ones pass, or larger
+/// Which way the depths of a tile have changed since its bounds were found: only smaller depths passed, or only larger
 /// ones.
 enum class DepthTrend { kUnknown, kFalling, kRising };
 
-/// Hierarchical depth: what no depth of a block lies beyond, so that a triangle that cannot pass is dropped before its
-/// samples are looked at. A bound stays true while depths follow the trend, and is found anew where it does not help.
+/// Hierarchical depth: no depth of a block lies beyond its bound, so a triangle that cannot pass is rejected before its
+/// samples are visited. A bound stays valid while depths follow the trend; it is recomputed where it rejects nothing.
 struct DepthBounds {
   DepthTrend trend;
   float bound[kBlocksPerRow * kBlocksPerRow];  // largest depth if falling, smallest if rising
@@ -48,7 +48,7 @@ inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* o
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
 }
 
-/// Depths of a tile were written in any way.
+/// Call after depths of a tile were written without regard to the trend.
 inline void forget_bounds(Tile* tile) {
   tile->bounds.trend = DepthTrend::kUnknown;
 }

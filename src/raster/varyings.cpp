@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The same vertices in every lane.
+/// One triangle for all lanes.
 struct OneTriangle {
   size_t vertex[3];
 

@@ -12,8 +12,8 @@
 
 namespace shd::raster {
 
-/// What vertex programs handed on, at the rows of a batch: columns of kBatch elements in one block. Without memory
-/// where no draw of the frame has any.
+/// Varyings of vertex programs at the rows of a batch: columns of kBatch elements in one block. Empty if no draw of the
+/// frame has varyings.
 struct Varyings {
   core::Array<float> block;
   float* column[SHD_MAX_VARYINGS] = {};

@@ -28,11 +28,11 @@ struct Frame {
 Frame frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t triangle) {
   double p[3][3], uv[3][2];
   for (size_t k = 0; k < 3; ++k) {
-    const size_t row = 4 * size_t{geometry::row_of(vertices, triangle, k)};
-    for (size_t c = 0; c < 3; ++c) p[k][c] = double{vertices.world[row + c]};
+    const size_t row = geometry::row_of(vertices, triangle, k);
+    for (size_t c = 0; c < 3; ++c) p[k][c] = double{vertices.world[4 * row + c]};
     const bool has_second = vertices.texture1.size() != 0;
-    uv[k][0] = uv_set == 0 ? double{vertices.world[row + 3]} : has_second ? double{vertices.texture1[row]} : 0.0;
-    uv[k][1] = uv_set == 0 ? double{vertices.normal[row + 3]} : has_second ? double{vertices.texture1[row + 1]} : 0.0;
+    uv[k][0] = uv_set == 0 ? double{u_of(vertices)[row]} : has_second ? double{u1_of(vertices)[row]} : 0.0;
+    uv[k][1] = uv_set == 0 ? double{v_of(vertices)[row]} : has_second ? double{v1_of(vertices)[row]} : 0.0;
   }
   const double du1 = uv[1][0] - uv[0][0], dv1 = uv[1][1] - uv[0][1];
   const double du2 = uv[2][0] - uv[0][0], dv2 = uv[2][1] - uv[0][1];

@@ -19,7 +19,10 @@ struct Corner {
 Corner corner(const geometry::Vertices& vertices, uint32_t row) {
   const float* world = &vertices.world[4 * size_t{row}];
   const float* normal = &vertices.normal[4 * size_t{row}];
-  return {{world[0], world[1], world[2]}, {normal[0], normal[1], normal[2]}, world[3], normal[3]};
+  return {{world[0], world[1], world[2]},
+          {normal[0], normal[1], normal[2]},
+          geometry::u_of(vertices)[row],
+          geometry::v_of(vertices)[row]};
 }
 
 float varying(const geometry::Vertices& vertices, uint32_t row, uint32_t c) {

@@ -67,7 +67,7 @@ static void edit_nothing(struct frame *f) { (void)f; }
 static void size_zero(struct frame *f) { f->desc.struct_size = 0; }
 static void size_small(struct frame *f) { f->desc.struct_size = (uint32_t)sizeof f->desc - 4; }
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
-static void keep_2(struct frame *f) { f->desc.keep = 2; }
+static void load_2(struct frame *f) { f->desc.load = 2; }
 static void picture_narrow(struct frame *f) { f->desc.picture_width = 99; }
 static void picture_low(struct frame *f) { f->desc.picture_height = 1; }
 static void picture_wide(struct frame *f) { f->desc.picture_width = 65537; }
@@ -207,7 +207,7 @@ static const struct edit_case k_edits[] = {
     {"struct_size/0", size_zero, REFUSED, "render.struct_size: 0 is below"},
     {"struct_size/4_less", size_small, REFUSED, "render.struct_size"},
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
-    {"keep/2", keep_2, REFUSED, "render.keep: 2 is not in 0..1"},
+    {"load/2", load_2, REFUSED, "render.load: 2 is not in 0..1"},
     {"picture_width/below_framebuffer", picture_narrow, REFUSED, "render.picture_width: 99 is not in 100..65536"},
     {"picture_height/below_framebuffer", picture_low, REFUSED, "render.picture_height: 1 is not in 70..65536"},
     {"picture_width/65537", picture_wide, REFUSED, "render.picture_width: 65537 is not in 100..65536"},

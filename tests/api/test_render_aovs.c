@@ -328,7 +328,7 @@ static void test_layers(void **state)
 }
 
 /* A second frame over the first goes on counting; a cleared one starts anew. */
-static void test_keep(void **state)
+static void test_load(void **state)
 {
     const shd_material_desc plain = shd_frame_plain(1, 1, 1);
     shd_frame f;
@@ -336,7 +336,7 @@ static void test_keep(void **state)
     open_layers(&f, 2, &plain);
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 2);
-    f.desc.keep = 1;
+    f.desc.load = 1;
     f.draw[1].compare = SHD_COMPARE_LESS_EQUAL;
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 3);
@@ -344,7 +344,7 @@ static void test_keep(void **state)
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 3);
     assert_int_equal(f.u32[SHD_PLANE_DRAW][77], 1);
-    f.desc.keep = 0;
+    f.desc.load = 0;
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 0);
     assert_int_equal(f.u32[SHD_PLANE_DRAW][77], 0xffffffffu);
@@ -391,7 +391,7 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"levels/1", test_levels, NULL, NULL, (void *)&k_one};
     tests[n++] = (struct CMUnitTest){"levels/4", test_levels, NULL, NULL, (void *)&k_four};
-    tests[n++] = (struct CMUnitTest){"keep", test_keep, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"load", test_load, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"statistics", test_statistics, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.render_aovs", tests, n, NULL, NULL);
 }

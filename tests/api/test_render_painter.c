@@ -285,14 +285,14 @@ static void test_states(void **state)
         shd_frame f;
         render_stack(&f, depths, 2, SHD_BLEND_OPAQUE, (shd_visibility)method, 1);
         assert_true(f.plane[SHD_PLANE_R][0] == 1.0f && f.plane[SHD_PLANE_DEPTH][0] == 0.25f);
-        f.desc.keep = 1;
+        f.desc.load = 1;
         f.desc.draws = f.draw + 1;
         f.desc.draw_count = 1;
         f.draw[1].compare = SHD_COMPARE_NEVER;
         f.draw[1].flags = SHD_DRAW_KEEP_DEPTH;
         shd_frame_render(&f);
         assert_true(f.plane[SHD_PLANE_G][0] == 1.0f && f.plane[SHD_PLANE_DEPTH][0] == 0.25f);
-        f.desc.keep = 0;
+        f.desc.load = 0;
         f.desc.draws = f.draw;
         f.desc.draw_count = 2;
         f.draw[1].flags = SHD_DRAW_NONE;

@@ -162,13 +162,13 @@ enum { SIZES = sizeof k_sizes / sizeof k_sizes[0] };
 struct bits_case {
     const char *name;
     uint32_t samples, n;
-    uint32_t keep;
+    uint32_t load;
     size_t sizes;
 };
 static const struct bits_case k_bits[] = {{"bits/samples_1", 1, 120, 0, SIZES}, {"bits/samples_4", 4, 120, 0, SIZES},
                                           {"bits/samples_2", 2, 60, 0, SIZES},  {"bits/samples_8", 8, 40, 0, 3},
-                                          {"bits/samples_16", 16, 40, 0, 3},    {"bits/keep/samples_1", 1, 60, 1, 3},
-                                          {"bits/keep/samples_4", 4, 60, 1, 3}, {"bits/large/samples_4", 4, 300, 0, 1}};
+                                          {"bits/samples_16", 16, 40, 0, 3},    {"bits/load/samples_1", 1, 60, 1, 3},
+                                          {"bits/load/samples_4", 4, 60, 1, 3}, {"bits/large/samples_4", 4, 300, 0, 1}};
 enum { BITS = sizeof k_bits / sizeof k_bits[0] };
 
 static void test_bits(void **state)
@@ -180,7 +180,7 @@ static void test_bits(void **state)
     size_t i;
     shd_assert_ok(shd_context_create(NULL, &context));
     open_stage(&t, context, c->samples, c->n);
-    t.scene.desc.keep = c->keep;
+    t.scene.desc.load = c->load;
     t.scene.desc.clear_color[0] = 0.1f;
     want = render(&t, 0);
     assert_true(t.scene.stats.triangles > 4 * 2 * c->n * c->n);
@@ -189,7 +189,7 @@ static void test_bits(void **state)
         struct stage other;
         uint64_t got;
         open_stage(&other, context, samples, c->n);
-        other.scene.desc.keep = c->keep;
+        other.scene.desc.load = c->load;
         other.scene.desc.clear_color[0] = 0.1f;
         got = render(&other, k_sizes[i]);
         close_stage(&other);

@@ -18,7 +18,7 @@ struct frame_case {
     uint32_t picture_width, picture_height; /* 0 = as the framebuffer */
     uint32_t crop_x, crop_y;
     shd_region viewport, scissor; /* empty = all */
-    uint32_t keep;
+    uint32_t load;
 };
 static const struct frame_case k_frames[] = {
     {"one", SHD_SCENE_SMALL, 1, 2, 51, 37, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
@@ -28,10 +28,10 @@ static const struct frame_case k_frames[] = {
     {"three/samples", SHD_SCENE_GLASS, 3, 4, 101, 77, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
     {"three/blocks", SHD_SCENE_FLOOR, 3, 1, 350, 7, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
     {"three/crop", SHD_SCENE_GLASS, 3, 2, 45, 33, 203, 151, 77, 59, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
-    {"seven/keep", SHD_SCENE_SMALL, 7, 1, 61, 43, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 1},
+    {"seven/load", SHD_SCENE_SMALL, 7, 1, 61, 43, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 1},
     {"sixteen", SHD_SCENE_SMALL, 16, 1, 77, 69, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
     {"sixteen/samples", SHD_SCENE_SMALL, 16, 4, 33, 21, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
-    {"sixteen/keep", SHD_SCENE_SMALL, 16, 2, 70, 9, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 1},
+    {"sixteen/load", SHD_SCENE_SMALL, 16, 2, 70, 9, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 1},
     {"sixteen/one_pixel", SHD_SCENE_GLASS, 16, 1, 1, 1, 203, 151, 100, 90, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
     {"five/viewport", SHD_SCENE_GLASS, 5, 1, 90, 60, 0, 0, 0, 0, {13, 7, 61, 50}, {0, 0, 0, 0}, 0},
     {"five/scissor", SHD_SCENE_GLASS, 5, 1, 90, 60, 0, 0, 0, 0, {0, 0, 0, 0}, {21, 11, 33, 29}, 0},
@@ -119,7 +119,7 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     s->desc.crop_y = c->crop_y * size;
     s->desc.viewport = c->viewport.width ? &viewport : NULL;
     s->desc.scissor = c->scissor.width ? &scissor : NULL;
-    s->desc.keep = c->keep;
+    s->desc.load = c->load;
     s->desc.supersampling = n;
     outline_scene(s, (float)size);
     scale_lines(s, (float)size);

@@ -172,13 +172,13 @@ static void test_models_and_keep(void **state)
     }
     f.desc.draw_count = 1;
     f.draw[0].depth_bias = -0.5f; /* in front of what is kept */
-    f.desc.keep = 1;
+    f.desc.load = 1;
     shd_frame_render(&f);
     check_planes(&f, 2, want, 0);
     f.desc.draw_count = 0;
     shd_frame_render(&f);
     check_planes(&f, 2, want, 0);
-    f.desc.keep = 0;
+    f.desc.load = 0;
     shd_frame_render(&f);
     check_planes(&f, 2, k_zero, 0);
     f.desc.draw_count = 2;

@@ -132,8 +132,8 @@ static void test_order(void **state)
     shd_frame_close(&f);
 }
 
-/* Two draws in one frame, and one after the other with keep = 1: the same pixels. */
-static void test_keep(void **state)
+/* Two draws in one frame, and one after the other with load = 1: the same pixels. */
+static void test_load(void **state)
 {
     const shd_material_desc red = shd_frame_plain(1, 0, 0), green = shd_frame_plain(0, 1, 0);
     static float together[SHD_PLANE_TRIANGLE][100 * 80];
@@ -152,7 +152,7 @@ static void test_keep(void **state)
     for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) memcpy(together[plane], f.plane[plane], sizeof together[0]);
     f.desc.draw_count = 1;
     shd_frame_render(&f);
-    f.desc.keep = 1;
+    f.desc.load = 1;
     f.desc.clear_color[0] = 0.75f; /* not used */
     f.desc.clear_depth = 0.0f;
     f.desc.draws = &f.draw[1];
@@ -319,7 +319,7 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"shared_edge", test_shared_edge, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"depth_ramp", test_depth_ramp, NULL, NULL, NULL};
-    tests[n++] = (struct CMUnitTest){"keep", test_keep, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"load", test_load, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"texels", test_texels, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"perspective", test_perspective, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.render_truth", tests, n, NULL, NULL);

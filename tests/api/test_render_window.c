@@ -85,7 +85,7 @@ static void render_windows(shd_scene *s, const struct window_case *c)
             make_framebuffer(s, width, height, c->samples);
             s->desc.crop_x = x;
             s->desc.crop_y = y;
-            for (s->desc.keep = 0; s->desc.keep < 2; ++s->desc.keep) shd_assert_ok(shd_render(s->context, &s->desc));
+            for (s->desc.load = 0; s->desc.load < 2; ++s->desc.load) shd_assert_ok(shd_render(s->context, &s->desc));
             read_into(s->framebuffer, x, y, &g_parts);
         }
     }
@@ -95,7 +95,7 @@ static void render_windows(shd_scene *s, const struct window_case *c)
 static void render_whole(shd_scene *s, uint32_t samples)
 {
     make_framebuffer(s, WIDTH, HEIGHT, samples);
-    for (s->desc.keep = 0; s->desc.keep < 2; ++s->desc.keep) shd_assert_ok(shd_render(s->context, &s->desc));
+    for (s->desc.load = 0; s->desc.load < 2; ++s->desc.load) shd_assert_ok(shd_render(s->context, &s->desc));
     read_into(s->framebuffer, 0, 0, &g_whole);
 }
 

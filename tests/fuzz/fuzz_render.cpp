@@ -124,7 +124,7 @@ void fill_case(Source& source, Case& c) {
   if (source.one_in(4)) fill_matrix(source, c.render.view.world_to_view, true);
   if (source.one_in(4)) fill_matrix(source, c.render.view.view_to_clip, false);
   for (float& value : c.render.clear_color) value = source.one_in(16) ? source.hostile() : source.unit();
-  c.render.keep = source.below(source.one_in(32) ? 5 : 2);
+  c.render.load = source.below(source.one_in(32) ? 5 : 2);
   c.render.visibility = static_cast<shd_visibility>(source.below(source.one_in(32) ? 5 : 3));
 }
 

@@ -54,7 +54,7 @@ void transform(bool perspective) {
   t.right = static_cast<float>(kWidth);
   t.bottom = static_cast<float>(kHeight);
   const core::SimdTarget target = best_target();
-  geometry::transform_vertices(target, g->mesh, t, 0, kRows, 0, &g->vertices);
+  geometry::transform_vertices(target, g->mesh, t, {0, kRows, 0}, &g->vertices);
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
@@ -168,32 +168,32 @@ struct fate_case {
   const char* name;
   float v[3][3];
   shd_cull cull;
-  const char* fate;
+  const char* outcome;
 };
 const fate_case k_fates[] = {
-    {"fate/clockwise_with_y_down_is_back", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_BACK, "culled"},
-    {"fate/clockwise_kept_by_front", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_FRONT, "rasterised"},
-    {"fate/counter_clockwise_is_front", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_FRONT, "culled"},
-    {"fate/counter_clockwise_kept_by_back", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_BACK, "rasterised"},
-    {"fate/both_kept_by_none", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_NONE, "rasterised"},
-    {"fate/point", {{10, 10, 0}, {10, 10, 0}, {10, 10, 0}}, SHD_CULL_NONE, "culled"},
-    {"fate/line", {{10, 10, 0}, {20, 20, 0}, {30, 30, 0}}, SHD_CULL_NONE, "culled"},
-    {"fate/repeated_vertex", {{10, 10, 0}, {20, 10, 0}, {10, 10, 0}}, SHD_CULL_NONE, "culled"},
-    {"fate/no_area_on_the_grid", {{10, 10, 0}, {20, 10, 0}, {15, 10.001f, 0}}, SHD_CULL_NONE, "culled"},
-    {"fate/between_centres", {{10.6f, 10.6f, 0}, {11.4f, 10.6f, 0}, {10.6f, 11.4f, 0}}, SHD_CULL_NONE, "empty"},
-    {"fate/between_rows", {{10, 10.6f, 0}, {90, 10.6f, 0}, {10, 11.4f, 0}}, SHD_CULL_NONE, "empty"},
-    {"fate/one_centre", {{10.4f, 10.4f, 0}, {10.9f, 10.4f, 0}, {10.4f, 10.9f, 0}}, SHD_CULL_NONE, "rasterised"},
-    {"fate/left_of_frame", {{-50, 10, 0}, {-10, 10, 0}, {-50, 90, 0}}, SHD_CULL_NONE, "outside"},
-    {"fate/below_frame", {{10, 201, 0}, {90, 201, 0}, {10, 290, 0}}, SHD_CULL_NONE, "outside"},
-    {"fate/left_edge_before_first_centre", {{-10, 10, 0}, {0.4f, 10, 0}, {-10, 90, 0}}, SHD_CULL_NONE, "outside"},
-    {"fate/past_a_corner", {{-50, 20, 0}, {-40, 900, 0}, {-1, 250, 0}}, SHD_CULL_NONE, "outside"},
-    {"fate/near", {{10, 10, -0.5f}, {50, 10, -0.1f}, {10, 50, -0.2f}}, SHD_CULL_NONE, "outside"},
-    {"fate/far", {{10, 10, 1.5f}, {50, 10, 1.1f}, {10, 50, 1.2f}}, SHD_CULL_NONE, "outside"},
-    {"fate/crosses_near", {{10, 10, -0.5f}, {50, 10, 0.5f}, {10, 50, 0.5f}}, SHD_CULL_NONE, "rasterised"},
-    {"fate/on_near_and_far", {{10, 10, 0}, {50, 10, 1}, {10, 50, 1}}, SHD_CULL_NONE, "rasterised"},
-    {"fate/nan", {{10, 10, 0}, {50, NAN, 0}, {10, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
-    {"fate/infinite", {{10, 10, 0}, {50, 10, 0}, {-INFINITY, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
-    {"fate/nan_and_outside", {{-10, 10, 0}, {-50, NAN, 0}, {-10, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
+    {"outcome/clockwise_with_y_down_is_back", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_BACK, "culled"},
+    {"outcome/clockwise_kept_by_front", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_FRONT, "rasterised"},
+    {"outcome/counter_clockwise_is_front", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_FRONT, "culled"},
+    {"outcome/counter_clockwise_kept_by_back", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_BACK, "rasterised"},
+    {"outcome/both_kept_by_none", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_NONE, "rasterised"},
+    {"outcome/point", {{10, 10, 0}, {10, 10, 0}, {10, 10, 0}}, SHD_CULL_NONE, "culled"},
+    {"outcome/line", {{10, 10, 0}, {20, 20, 0}, {30, 30, 0}}, SHD_CULL_NONE, "culled"},
+    {"outcome/repeated_vertex", {{10, 10, 0}, {20, 10, 0}, {10, 10, 0}}, SHD_CULL_NONE, "culled"},
+    {"outcome/no_area_on_the_grid", {{10, 10, 0}, {20, 10, 0}, {15, 10.001f, 0}}, SHD_CULL_NONE, "culled"},
+    {"outcome/between_centres", {{10.6f, 10.6f, 0}, {11.4f, 10.6f, 0}, {10.6f, 11.4f, 0}}, SHD_CULL_NONE, "empty"},
+    {"outcome/between_rows", {{10, 10.6f, 0}, {90, 10.6f, 0}, {10, 11.4f, 0}}, SHD_CULL_NONE, "empty"},
+    {"outcome/one_centre", {{10.4f, 10.4f, 0}, {10.9f, 10.4f, 0}, {10.4f, 10.9f, 0}}, SHD_CULL_NONE, "rasterised"},
+    {"outcome/left_of_frame", {{-50, 10, 0}, {-10, 10, 0}, {-50, 90, 0}}, SHD_CULL_NONE, "outside"},
+    {"outcome/below_frame", {{10, 201, 0}, {90, 201, 0}, {10, 290, 0}}, SHD_CULL_NONE, "outside"},
+    {"outcome/left_edge_before_first_centre", {{-10, 10, 0}, {0.4f, 10, 0}, {-10, 90, 0}}, SHD_CULL_NONE, "outside"},
+    {"outcome/past_a_corner", {{-50, 20, 0}, {-40, 900, 0}, {-1, 250, 0}}, SHD_CULL_NONE, "outside"},
+    {"outcome/near", {{10, 10, -0.5f}, {50, 10, -0.1f}, {10, 50, -0.2f}}, SHD_CULL_NONE, "outside"},
+    {"outcome/far", {{10, 10, 1.5f}, {50, 10, 1.1f}, {10, 50, 1.2f}}, SHD_CULL_NONE, "outside"},
+    {"outcome/crosses_near", {{10, 10, -0.5f}, {50, 10, 0.5f}, {10, 50, 0.5f}}, SHD_CULL_NONE, "rasterised"},
+    {"outcome/on_near_and_far", {{10, 10, 0}, {50, 10, 1}, {10, 50, 1}}, SHD_CULL_NONE, "rasterised"},
+    {"outcome/nan", {{10, 10, 0}, {50, NAN, 0}, {10, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
+    {"outcome/infinite", {{10, 10, 0}, {50, 10, 0}, {-INFINITY, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
+    {"outcome/nan_and_outside", {{-10, 10, 0}, {-50, NAN, 0}, {-10, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
 };
 
 void test_fate(void** state) {
@@ -212,7 +212,7 @@ void test_fate(void** state) {
                     : s.rasterised ? "rasterised"
                                    : "none";
   assert_int_equal(sum(s), 1);
-  assert_string_equal(got, c->fate);
+  assert_string_equal(got, c->outcome);
   assert_int_equal(g->out.size() > 0, s.rasterised);
 }
 

@@ -48,7 +48,7 @@ void set_vertex(size_t index, const float* v) {
   transform.right = 640.0f;
   transform.bottom = 480.0f;
   const core::SimdTarget target = best_target();
-  geometry::transform_vertices(target, g->mesh, transform, 0, kRows, 0, &g->one);
+  geometry::transform_vertices(target, g->mesh, transform, {0, kRows, 0}, &g->one);
   g->vertices.screen[index] = g->one.screen[0];
   memcpy(&g->vertices.raster[4 * index], &g->one.raster[0], 4 * sizeof(float));
 }

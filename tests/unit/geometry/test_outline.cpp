@@ -52,7 +52,7 @@ void set_vertex(size_t index, const float* v) {
   geometry::Transform transform = {};
   for (int c = 0; c < 4; ++c) transform.raster[12 + c] = v[c];
   transform.right = transform.bottom = static_cast<float>(kSize);
-  geometry::transform_vertices(best_target(), g->mesh, transform, 0, kRows, 0, &g->one);
+  geometry::transform_vertices(best_target(), g->mesh, transform, {0, kRows, 0}, &g->one);
   g->vertices.screen[index] = g->one.screen[0];
   memcpy(&g->vertices.raster[4 * index], &g->one.raster[0], 4 * sizeof(float));
 }

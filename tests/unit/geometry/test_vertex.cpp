@@ -49,8 +49,8 @@ void transform_everywhere(const Transform& transform) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     geometry::Vertices& out = first ? g->first : g->vertices;
     for (size_t begin = 0; begin < kRows; begin += 3 * data::kRowPad) {
-      geometry::transform_vertices(target, g->mesh, transform, begin, std::min(kRows, begin + 3 * data::kRowPad), begin,
-                                   &out);
+      geometry::transform_vertices(target, g->mesh, transform,
+                                   {begin, std::min(kRows, begin + 3 * data::kRowPad), begin}, &out);
     }
     if (first) return;
     if (memcmp(out.screen.data(), g->first.screen.data(), kRows * sizeof out.screen[0]) != 0 ||

@@ -74,8 +74,8 @@ void run(const core::SimdTarget& target, shd_vertex_fn function, size_t part, ge
   const geometry::VertexProgram program = {function, nullptr, nullptr, &g->view, g->world, 0, 0, kVaryings};
   const size_t rows = data::padded(kVertices);
   for (size_t begin = 0; begin < rows; begin += part) {
-    geometry::run_vertex_program(target, {g->mesh, nullptr}, g->transform, program, begin, std::min(rows, begin + part),
-                                 begin, &g->columns, out);
+    geometry::run_vertex_program(target, {g->mesh, nullptr}, g->transform, program,
+                                 {begin, std::min(rows, begin + part), begin}, &g->columns, out);
   }
 }
 
@@ -90,7 +90,7 @@ void compare(const char* name, const geometry::Vertices& a, const geometry::Vert
 
 void test_nothing(void**) {
   for_each_target([&](const core::SimdTarget& target, bool) {
-    geometry::transform_vertices(target, g->mesh, g->transform, 0, data::padded(kVertices), 0, &g->want);
+    geometry::transform_vertices(target, g->mesh, g->transform, {0, data::padded(kVertices), 0}, &g->want);
     run(target, nothing, data::padded(kVertices), &g->got);
     compare(target.name, g->got, g->want, false);
     for (size_t i = 0; i < kVaryings * size_t{kVertices}; ++i) assert_true(g->got.varying[i] == 0.0f);

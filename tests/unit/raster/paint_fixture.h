@@ -120,7 +120,7 @@ inline Triangles make_floor(Random random, int cells) {
 
 /// Group of triangles `begin`..`end` - 1.
 inline void fill_groups(const core::Context& context, const Triangles& triangles,
-                        core::Objects<raster::Group>* groups) {
+                        core::Objects<raster::TriangleGroup>* groups) {
   for (size_t g = 0; g < groups->size(); ++g) {
     (*groups)[g].attach(context.allocator);
     for (size_t i = triangles.size() * g / groups->size(); i < triangles.size() * (g + 1) / groups->size(); ++i) {
@@ -129,7 +129,7 @@ inline void fill_groups(const core::Context& context, const Triangles& triangles
   }
 }
 
-inline Triangles read_groups(const core::Objects<raster::Group>& groups) {
+inline Triangles read_groups(const core::Objects<raster::TriangleGroup>& groups) {
   Triangles out;
   for (size_t g = 0; g < groups.size(); ++g)
     out.insert(out.end(), groups[g].data(), groups[g].data() + groups[g].size());

@@ -20,7 +20,7 @@ core::Context* g_context;
 
 struct Fixture {
   core::Buffer<ScreenTriangle> triangles;  // all groups, one after the other
-  core::Objects<raster::Group> groups;
+  core::Objects<raster::TriangleGroup> groups;
   raster::Bins bins = {};
 
   explicit Fixture(size_t group_count) : triangles(g_context->allocator), groups(g_context->allocator, group_count) {

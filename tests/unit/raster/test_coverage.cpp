@@ -393,11 +393,14 @@ const compare_case k_compares[] = {
     {"compare/always", SHD_COMPARE_ALWAYS, true, true, true},
     {"compare/never", SHD_COMPARE_NEVER, false, false, false},
 };
+/// Covers the left half of the tile; its edge there is too long for int32.
+const ScreenTriangle kWideHalf = {
+    {32 * 256, 32 * 256, -(1 << 24)}, {-(1 << 24), 1 << 24, 0}, {0.5f, 0.5f, 0.5f}, 0, 0, 0};
 const ScreenTriangle kEverywhere = {{-20000, 100000, -20000}, {-20000, -20000, 100000}, {0.5f, 0.5f, 0.5f}, 0, 0, 0};
 
-/// Depths 0.75, 0.5 and 0.25 in turn, met by 0.5: by the kernels that write and by those that make masks.
-void test_compare(void** state) {
-  const auto* c = static_cast<const compare_case*>(*state);
+/// Depths 0.75, 0.5 and 0.25 in turn, met by 0.5: by the kernels that write and by those that make masks, for narrow
+/// and for wide triangles.
+void check_compare(const compare_case* c, const ScreenTriangle& triangle, size_t columns) {
   static raster::CoverMask mask;
   const uint32_t entry = 0;
   const float before[3] = {0.75f, 0.5f, 0.25f};
@@ -407,16 +410,24 @@ void test_compare(void** state) {
     for_each_target([&](const core::SimdTarget& target, bool) {
       clear(&g_tile);
       for (size_t i = 0; i < kTilePixels; ++i) g_tile.depth[i] = before[i % 3];
-      raster::cover_mask(target, area_at(0, 0), depth, kEverywhere, g_tile, &mask);
-      raster::cover(target, area_at(0, 0), depth, &kEverywhere, &entry, 1, 7, &g_tile);
+      raster::cover_mask(target, area_at(0, 0), depth, triangle, g_tile, &mask);
+      raster::cover(target, area_at(0, 0), depth, &triangle, &entry, 1, 7, &g_tile);
       for (size_t i = 0; i < kTilePixels; ++i) {
-        const bool pass = want[i % 3];
-        assert_int_equal(mask.bits[i], pass);
+        const bool pass = want[i % 3] && i % kTile < columns;
+        if (i % kTile < columns) assert_int_equal(mask.bits[i], pass);
         assert_int_equal(g_tile.slot[i], pass ? 7 : kNoSlot);
         assert_true(g_tile.depth[i] == (pass && writes ? 0.5f : before[i % 3]));
       }
     });
   }
+}
+
+void test_compare(void** state) {
+  const auto* c = static_cast<const compare_case*>(*state);
+  check_compare(c, kEverywhere, kTile);
+  ScreenTriangle wide = kWideHalf;
+  assert_true(turn(&wide));
+  check_compare(c, wide, kTile / 2);
 }
 
 /// Triangles over each other, by comparisons that make depths fall, rise or neither: those that are dropped by the

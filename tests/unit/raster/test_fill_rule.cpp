@@ -23,7 +23,7 @@ constexpr int kFans = 1000000 / 50;
 constexpr int kFans = 1000000;
 #endif
 constexpr uint32_t kPatterns = 5;  // of 1, 2, 4, 8 and 16 samples
-constexpr int kMostVertices = 24;
+constexpr int kMaxVertices = 24;
 constexpr int64_t kFarthest = 1 << 28;  // guard band in fixed point
 
 const core::Allocator g_allocator = {core::default_allocator()};
@@ -48,7 +48,7 @@ bool comes_before(Spoke a, Spoke b) {
 struct Fan {
   int64_t x, y;  // middle, fixed point
   int count;
-  Spoke spoke[kMostVertices];
+  Spoke spoke[kMaxVertices];
 };
 
 /// How fans are made: vertices at up to 2^size subpixels from the middle, moved onto a grid.
@@ -102,7 +102,7 @@ bool close(Fan* fan) {
       if (cross(fan->spoke[i], fan->spoke[(i + 1) % fan->count]) < 0) gap = i;
     }
     if (gap < 0) return fan->count >= 3;
-    if (fan->count == kMostVertices) return false;
+    if (fan->count == kMaxVertices) return false;
     const Spoke a = fan->spoke[gap], b = fan->spoke[(gap + 1) % fan->count];
     const Spoke opposite = spoke_to(*fan, fan->x - a.x - b.x, fan->y - a.y - b.y);
     if (opposite.x != 0 || opposite.y != 0) fan->spoke[fan->count++] = opposite;
@@ -119,7 +119,7 @@ bool make_fan(const Kind& kind, const raster::SamplePattern& pattern, int32_t le
   fan->y = 256 * int64_t{top} + random->whole(-64, 256 * kTile + 64);
   snap(kind.grid, pattern, random, &fan->x, &fan->y);
   fan->count = 0;
-  for (int wanted = random->whole(3, random->bits() % 4 ? 6 : kMostVertices - 3); wanted > 0; --wanted) {
+  for (int wanted = random->whole(3, random->bits() % 4 ? 6 : kMaxVertices - 3); wanted > 0; --wanted) {
     double x, y;
     if (kind.is_thin) {
       const double along = random->in(-reach, reach), across = random->in(-3, 3);

@@ -70,9 +70,9 @@ void make_painting(const Triangles& triangles, const raster::PaintRule& rule, ra
   std::stable_sort(sorted.begin(), sorted.end(), [&](const ScreenTriangle& a, const ScreenTriangle& b) {
     return raster::farthest_distance(a, rule) > raster::farthest_distance(b, rule);
   });
-  painting->facets.attach(g_context->allocator);
+  painting->triangles.attach(g_context->allocator);
   painting->order.attach(g_context->allocator);
-  for (const ScreenTriangle& t : sorted) painting->facets.push_back(raster::make_facet(t, rule));
+  for (const ScreenTriangle& t : sorted) painting->triangles.push_back(raster::make_sort_triangle(t, rule));
   raster::newell(*g_context, k_area, painting);
 }
 
@@ -103,15 +103,15 @@ void test_order(void** state) {
   make_painting(*triangles, rule, painting);
   auto* painted = new Triangles;
   for (size_t i = 0; i < painting->order.size(); ++i) {
-    painted->push_back(painting->facets[painting->order[i]].triangle);
+    painted->push_back(painting->triangles[painting->order[i]].triangle);
     assert_true(raster::doubled_area(painted->back()) > 0);
   }
   if (c->cuts != (painting->cuts > 0)) fail_msg("%s: %zu cuts", c->name, static_cast<size_t>(painting->cuts));
   if (painted->size()) {
-    raster::FacetGrid grid;
-    raster::make_grid(g_context->allocator, k_area.pixels, painting->facets.data(), painting->order.data(),
+    raster::SortGrid grid;
+    raster::make_grid(g_context->allocator, k_area.pixels, painting->triangles.data(), painting->order.data(),
                       painting->order.size(), &grid);
-    assert_int_equal(raster::count_conflicts(*g_context, painting->facets.data(), grid), 0);
+    assert_int_equal(raster::count_conflicts(*g_context, painting->triangles.data(), grid), 0);
   }
   check_pixels(c->name, *triangles, *painted, c->falls ? -1.0 : 1.0);
   delete painted;
@@ -135,8 +135,8 @@ void test_pairs(void**) {
   for (int round = 0; round < 20000; ++round) {
     ScreenTriangle pair[2];
     if (!make_pair(&random, round % 2 ? 3 : 30, pair)) continue;
-    const raster::Facet a = raster::make_facet(pair[0], {true, false, 0, 0});
-    const raster::Facet b = raster::make_facet(pair[1], {true, false, 0, 0});
+    const raster::SortTriangle a = raster::make_sort_triangle(pair[0], {true, false, 0, 0});
+    const raster::SortTriangle b = raster::make_sort_triangle(pair[1], {true, false, 0, 0});
     const double a_nearer = ref::nearer_by(pair[0], pair[1]), b_nearer = ref::nearer_by(pair[1], pair[0]);
     assert_true(raster::overlaps(pair[0], pair[1]) == raster::overlaps(pair[1], pair[0]));
     assert_int_equal(raster::overlaps(pair[0], pair[1]), a_nearer > -HUGE_VAL);
@@ -156,14 +156,15 @@ void test_cuts(void**) {
     ScreenTriangle pair[2];
     if (!make_pair(&random, round % 2 ? 0.2 : 30, pair)) continue;
     const raster::PaintRule rule = {true, round % 3 == 0, round % 5 ? 0.0f : 0.125f, 0};
-    const raster::Facet a = raster::make_facet(pair[0], rule), b = raster::make_facet(pair[1], rule);
-    raster::FacetPieces pieces;
-    if (!raster::cut_facet(a, b, &pieces)) continue;
+    const raster::SortTriangle a = raster::make_sort_triangle(pair[0], rule),
+                               b = raster::make_sort_triangle(pair[1], rule);
+    raster::TrianglePieces pieces;
+    if (!raster::split_triangle(a, b, &pieces)) continue;
     ++cuts;
     const double limit = raster::tolerance(a, b);
     double area = 0, sides = 0;
     for (int i = 0; i < pieces.count; ++i) {
-      const raster::Facet& p = pieces.piece[i];
+      const raster::SortTriangle& p = pieces.piece[i];
       const raster::DistanceRange range = raster::beyond_plane(p, b);
       assert_true(range.low >= -limit || range.high <= limit);
       sides += range.high > limit ? 1 : range.low < -limit ? -1 : 0;
@@ -193,12 +194,12 @@ void test_bound(void**) {
   auto* painting = new raster::Painting;
   make_painting(*triangles, {true, false, 0, 0}, painting);
   assert_int_equal(painting->cuts, triangles->size() + 1024);
-  raster::FacetGrid grid;
-  raster::make_grid(g_context->allocator, k_area.pixels, painting->facets.data(), painting->order.data(),
+  raster::SortGrid grid;
+  raster::make_grid(g_context->allocator, k_area.pixels, painting->triangles.data(), painting->order.data(),
                     painting->order.size(), &grid);
-  assert_true(raster::count_conflicts(*g_context, painting->facets.data(), grid) > 1000);
+  assert_true(raster::count_conflicts(*g_context, painting->triangles.data(), grid) > 1000);
   assert_true(painting->order.size() <= 3 * painting->cuts + triangles->size());
-  auto* times = new std::vector<int>(painting->facets.size());
+  auto* times = new std::vector<int>(painting->triangles.size());
   for (size_t i = 0; i < painting->order.size(); ++i) ++(*times)[painting->order[i]];
   for (int n : *times) assert_true(n <= 1);
   print_message("bound: %zu triangles, %zu cuts\n", triangles->size(), static_cast<size_t>(painting->cuts));

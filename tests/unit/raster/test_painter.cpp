@@ -43,7 +43,7 @@ void test_sort(void**) {
       t.draw = static_cast<uint32_t>(random.whole(0, 4));
       if (t.draw != 4 && i % 3 == 0) t.z[0] = t.z[1] = t.z[2] = 0.25f * static_cast<float>(random.whole(0, 4));
     }
-    auto* groups = new core::Objects<raster::Group>(g_context->allocator, group_count);
+    auto* groups = new core::Objects<raster::TriangleGroup>(g_context->allocator, group_count);
     fill_groups(*g_context, *triangles, groups);
     const size_t painted = raster::sort_far_to_near(*g_context, k_rules, groups);
     auto* sorted = new Triangles(read_groups(*groups));
@@ -82,15 +82,15 @@ const conflict_case k_conflicts[] = {
 /// Every pair of the painter's order.
 void test_conflicts(void** state) {
   const auto* c = static_cast<const conflict_case*>(*state);
-  auto* groups = new core::Objects<raster::Group>(g_context->allocator, 3);
+  auto* groups = new core::Objects<raster::TriangleGroup>(g_context->allocator, 3);
   fill_groups(*g_context, c->make(), groups);
   const size_t painted = raster::sort_far_to_near(*g_context, k_rules, groups);
   auto* sorted = new Triangles(read_groups(*groups));
-  auto* facets = new std::vector<raster::Facet>;
+  auto* triangles = new std::vector<raster::SortTriangle>;
   auto* order = new std::vector<uint32_t>;
   for (const ScreenTriangle& t : *sorted) {
-    order->push_back(static_cast<uint32_t>(facets->size()));
-    facets->push_back(raster::make_facet(t, k_rules[0]));
+    order->push_back(static_cast<uint32_t>(triangles->size()));
+    triangles->push_back(raster::make_sort_triangle(t, k_rules[0]));
   }
   assert_int_equal(painted, sorted->size());
   uint64_t sure = 0, possible = 0;
@@ -101,17 +101,17 @@ void test_conflicts(void** state) {
       possible += by > -1e-9;
     }
   }
-  raster::FacetGrid grid;
-  raster::make_grid(g_context->allocator, {0, 0, kEdge - 1, kEdge - 1}, facets->data(), order->data(), order->size(),
+  raster::SortGrid grid;
+  raster::make_grid(g_context->allocator, {0, 0, kEdge - 1, kEdge - 1}, triangles->data(), order->data(), order->size(),
                     &grid);
-  const uint64_t got = raster::count_conflicts(*g_context, facets->data(), grid);
+  const uint64_t got = raster::count_conflicts(*g_context, triangles->data(), grid);
   print_message("%s: %zu triangles, %llu conflicts\n", c->name, sorted->size(), static_cast<unsigned long long>(got));
   if (got < sure || got > possible) {
     fail_msg("%s: %llu conflicts, want %llu..%llu", c->name, static_cast<unsigned long long>(got),
              static_cast<unsigned long long>(sure), static_cast<unsigned long long>(possible));
   }
   delete order;
-  delete facets;
+  delete triangles;
   delete sorted;
   delete groups;
 }

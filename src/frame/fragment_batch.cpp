@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "frame/fragment_batch.h"
+
+#include "shade/needs.h"
+
+namespace shd::frame {
+namespace {
+
+constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
+
+}  // namespace
+
+size_t FragmentBatch::max_triangles(const geometry::ScreenTriangle& triangle) const {
+  return tile_.draw_of(triangle).frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
+}
+
+ShadingPoints FragmentBatch::shading_points(const geometry::ScreenTriangle& triangle) const {
+  ShadingPoints points;
+  const bool several = tile_.pattern.count > 1;
+  points.per_sample = several && tile_.draw_of(triangle).sample_shading;
+  for (int k = 0; k < 3 && several; ++k) {
+    points.line[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
+    points.at_centre[k] = raster::edge_at(points.line[k], kCentre);
+  }
+  return points;
+}
+
+bool FragmentBatch::covers_centre(const ShadingPoints& points, uint32_t pixel) const {
+  const int64_t x = pixel % raster::kTile, y = pixel / raster::kTile;
+  int64_t sides = 0;
+  for (const raster::Edge& edge : points.at_centre) sides |= edge.value + edge.a * x + edge.b * y;
+  return sides >= 0;
+}
+
+/// Samples of a row that the triangle covers, visible or not. Independent of occlusion, so that results do not depend
+/// on batch or pass boundaries. With sample shading: the one sample of the row.
+uint32_t FragmentBatch::covered_samples(const ShadingPoints& points, size_t row) const {
+  const raster::Fragments& f = worker_.workspace.fragments;
+  if (points.per_sample || f.mask[row] == tile_.all_samples()) return f.mask[row];
+  const int64_t x = f.pixel[row] % raster::kTile * geometry::kSubpixels;
+  const int64_t y = f.pixel[row] / raster::kTile * geometry::kSubpixels;
+  int64_t corner[3];
+  for (int k = 0; k < 3; ++k) corner[k] = points.line[k].value + points.line[k].a * x + points.line[k].b * y;
+  uint32_t mask = 0;
+  for (uint32_t s = 0; s < tile_.pattern.count; ++s) {
+    const raster::SamplePoint& point = tile_.pattern.point[s];
+    int64_t sides = 0;
+    for (int k = 0; k < 3; ++k) sides |= corner[k] + points.line[k].a * point.x + points.line[k].b * point.y;
+    mask |= static_cast<uint32_t>(sides >= 0) << s;
+  }
+  return mask;
+}
+
+/// Moves a row from the centre of its pixel to the centroid of the covered samples, unless the triangle covers the
+/// centre.
+void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) const {
+  raster::Fragments& f = worker_.workspace.fragments;
+  if (!points.per_sample && (f.mask[row] == tile_.all_samples() || covers_centre(points, f.pixel[row]))) return;
+  const uint32_t mask = covered_samples(points, row);
+  if (!points.per_sample && mask == tile_.all_samples()) return;
+  const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
+  const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
+  f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
+  f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
+}
+
+/// Adds pixels of the latest triangle to the table, which has room for them.
+void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
+                           const raster::VisiblePixel* pixels, size_t count) {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const size_t begin = f.count;
+  uint32_t* __restrict pixel = f.pixel + begin, * __restrict mask = f.mask + begin;
+  for (size_t i = 0; i < count; ++i) {
+    pixel[i] = pixels[i].position;
+    mask[i] = pixels[i].mask;
+  }
+  std::fill_n(f.triangle + begin, count, triangle.primitive);
+  float* __restrict x = f.x + begin, * __restrict y = f.y + begin;
+  const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
+  for (size_t i = 0; i < count; ++i) {
+    x[i] = left + static_cast<float>(static_cast<int32_t>(pixel[i] % raster::kTile));
+    y[i] = top + static_cast<float>(static_cast<int32_t>(pixel[i] / raster::kTile));
+  }
+  f.count += count;
+  const Draw& draw = tile_.draw_of(triangle);
+  for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) move_to_centroid(points, i);
+  if (shade::shows_rows(*draw.material)) set_depths(triangle, draw, points, begin, f.count);
+  if (is_plain(*draw.material)) return;
+  const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
+  for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
+}
+
+/// Sets the depths that a program reads: those at the first sample that the triangle covers.
+void FragmentBatch::set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points,
+                               size_t begin, size_t end) {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const raster::DepthSlope slope = raster::make_depth_slope(triangle, draw.depth);
+  for (size_t i = begin; i < end; ++i) {
+    const uint32_t sample = first_sample(covered_samples(points, i));
+    const raster::DepthPlane plane = raster::plane_at(slope, tile_.pattern.point[sample]);
+    f.depth[i] = raster::depth_at(plane, tile_.left_of(f.pixel[i]), tile_.top_of(f.pixel[i]));
+  }
+}
+
+void FragmentBatch::shade(uint32_t draw) {
+  const Draw& d = tile_.renderer.frame.draws[draw];
+  const Scene& scene = tile_.renderer.scene;
+  const shade::DrawShading shading = {&scene.vertices[draw],
+                                      d.material,
+                                      d.frequency,
+                                      scene.transforms[draw].orientation,
+                                      d.index,
+                                      d.instance,
+                                      film::columns_of(tile_.framebuffer.aovs),
+                                      d.uniforms};
+  shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
+  worker_.fragments += worker_.workspace.fragments.count;
+}
+
+}  // namespace shd::frame

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "frame/tile_state.h"
+#include "raster/edge.h"
+
+namespace shd::frame {
+
+/// Where in its pixels a triangle is shaded: once at each sample, or once for the pixel, at the centre or at the
+/// centroid of the covered samples.
+struct ShadingPoints {
+  bool per_sample;
+  raster::EdgeLine line[3];   // set with several samples a pixel
+  raster::Edge at_centre[3];  // set with several samples a pixel
+};
+
+/// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
+class FragmentBatch {
+ public:
+  explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
+
+  /// Adds pixels of one triangle: one fragment a pixel, or one for each of its samples.
+  template <class Done>
+  void add(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
+           const Done& done) {
+    BatchTriangles& triangles = worker_.triangles;
+    if (triangles.count == max_triangles(triangle)) flush(triangle.draw, done);
+    triangles.triangle[triangles.count++] = &triangle;
+    const ShadingPoints points = shading_points(triangle);
+    for (size_t i = 0; i < count && points.per_sample; ++i) {
+      for (uint32_t mask = pixels[i].mask; mask; mask &= mask - 1) {
+        make_room(done);
+        const raster::VisiblePixel sample = {pixels[i].position, static_cast<uint16_t>(mask & ~(mask - 1))};
+        append(triangle, points, &sample, 1);
+      }
+    }
+    for (size_t i = 0; i < count && !points.per_sample;) {
+      const size_t more = std::min(count - i, make_room(done));
+      append(triangle, points, pixels + i, more);
+      i += more;
+    }
+  }
+
+  /// Shades the table if it holds fragments, and empties it.
+  template <class Done>
+  void flush(uint32_t draw, const Done& done) {
+    if (worker_.workspace.fragments.count) {
+      shade(draw);
+      done(tile_.renderer.frame.draws[draw]);
+    }
+    worker_.workspace.fragments.count = 0;
+    worker_.triangles.count = 0;
+  }
+
+ private:
+  /// Makes room for fragments of the latest triangle. Returns how many fit.
+  template <class Done>
+  size_t make_room(const Done& done) {
+    const raster::Fragments& f = worker_.workspace.fragments;
+    BatchTriangles& triangles = worker_.triangles;
+    if (f.count == raster::kBatch) {
+      const geometry::ScreenTriangle* triangle = triangles.triangle[triangles.count - 1];
+      flush(triangle->draw, done);
+      triangles.triangle[triangles.count++] = triangle;
+    }
+    return raster::kBatch - f.count;
+  }
+
+  size_t max_triangles(const geometry::ScreenTriangle& triangle) const;
+  ShadingPoints shading_points(const geometry::ScreenTriangle& triangle) const;
+  bool covers_centre(const ShadingPoints& points, uint32_t pixel) const;
+  uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
+  void move_to_centroid(const ShadingPoints& points, size_t row) const;
+  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::VisiblePixel* pixels,
+              size_t count);
+  void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
+                  size_t end);
+  void shade(uint32_t draw);
+
+  const TileState& tile_;
+  Worker& worker_;
+};
+
+}  // namespace shd::frame

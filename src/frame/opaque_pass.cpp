@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "frame/opaque_pass.h"
+
+#include <algorithm>
+
+#include "film/aovs.h"
+#include "frame/fragment_batch.h"
+
+namespace shd::frame {
+namespace {
+
+/// Draws one triangle of a run into the visibility buffer, and counts overdraw and hidden samples by its mask.
+void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, uint32_t slot) {
+  Worker& worker = tile->worker;
+  const raster::CoverArea area = tile->cover_area(tile->box());
+  const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
+  raster::cover_mask(tile->simd(), area, draw.depth, triangle, worker.tile, &worker.mask);
+  const uint64_t passed = tile->count_masked();
+  if (draw.material && tile->framebuffer.aovs & SHD_AOV_OVERDRAW) {
+    tile->for_each_masked([&](uint32_t pixel, uint32_t mask) {
+      if (mask & 1) film::count_overdraw(tile->area, pixel, &tile->framebuffer);
+    });
+  }
+  tile->count_hidden(area, triangle, passed);
+  raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
+}
+
+/// Counts rows with a channel that is not finite: x - x is 0 only for finite x.
+uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
+  const float* __restrict r = radiance.channel[0], * __restrict g = radiance.channel[1];
+  const float* __restrict b = radiance.channel[2], * __restrict a = radiance.channel[3];
+  uint32_t finite = 0;
+  for (size_t i = 0; i < f.count; ++i) {
+    const float zero = ((r[i] - r[i]) + (g[i] - g[i])) + ((b[i] - b[i]) + (a[i] - a[i]));
+    finite += zero == 0.0f;
+  }
+  return f.count - finite;
+}
+
+/// Counts rows from `begin` on that are neighbours in a pixel row and cover all samples.
+size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
+  const uint32_t pixel = f.pixel[begin];
+  const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
+  size_t count = 0;
+  while (count < max_count && f.pixel[begin + count] == pixel + count && f.mask[begin + count] == all_samples) ++count;
+  return count;
+}
+
+/// Writes the colours of a shaded batch to its samples.
+void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, uint32_t all_samples,
+                  film::TileColor* tile_color) {
+  for (size_t i = 0; i < f.count;) {
+    const size_t neighbours = count_neighbours(f, i, all_samples);
+    if (neighbours > 1) {
+      tile_color->write_row(f.pixel[i], neighbours, radiance, i);
+      i += neighbours;
+      continue;
+    }
+    tile_color->write(f.pixel[i], f.mask[i], radiance, i);
+    ++i;
+  }
+}
+
+void write_batch(const Draw& draw, TileState* tile) {
+  Worker& worker = tile->worker;
+  const raster::Fragments& f = worker.workspace.fragments;
+  worker.nonfinite_fragments += count_nonfinite(f, worker.workspace.columns.radiance);
+  write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
+  if (!tile->framebuffer.aovs) return;
+  film::find_rows(f, &worker.aovs);
+  film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
+                   &tile->framebuffer);
+}
+
+}  // namespace
+
+void cover_run(TileState* tile, const Run& run) {
+  Worker& worker = tile->worker;
+  const Draw& draw = tile->draw_of(run);
+  auto first_slot = raster::kNoSlot;
+  if (draw.material) {
+    first_slot = static_cast<uint32_t>(worker.slots.size());
+    for (size_t i = 0; i < run.count; ++i) worker.slots.push_back(run.triangles + run.entries[i]);
+  }
+  const bool counts_overdraw = draw.material && tile->framebuffer.aovs & SHD_AOV_OVERDRAW;
+  if (!counts_overdraw && !tile->renderer.frame.counts_hidden) {
+    raster::cover(tile->simd(), tile->cover_area(tile->box()), draw.depth, run.triangles, run.entries, run.count,
+                  first_slot, &worker.tile);
+    return;
+  }
+  for (size_t i = 0; i < run.count; ++i) {
+    const uint32_t slot = draw.material ? first_slot + static_cast<uint32_t>(i) : raster::kNoSlot;
+    cover_counted(tile, draw, run, i, slot);
+  }
+}
+
+void shade_visible(TileState* tile) {
+  Worker& worker = tile->worker;
+  if (worker.slots.size() == 0) return;
+  raster::sort_pixels(tile->simd(), worker.tile, worker.slots.size(), &worker.order);
+  const size_t samples = size_t{tile->area.width} * tile->area.height * tile->pattern.count;
+  if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // every sample is overwritten
+  tile->clear_color();
+  FragmentBatch batch(*tile);
+  const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
+  uint32_t draw = 0;
+  for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
+    const size_t begin = worker.order.start[slot], end = worker.order.start[slot + 1];
+    if (begin == end) continue;
+    const geometry::ScreenTriangle& triangle = *worker.slots[slot];
+    if (triangle.draw != draw) batch.flush(draw, done);
+    draw = triangle.draw;
+    batch.add(triangle, worker.order.pixel.data() + begin, end - begin, done);
+  }
+  batch.flush(draw, done);
+  worker.slots.clear();
+  film::clear_slots(&worker.tile);
+}
+
+}  // namespace shd::frame

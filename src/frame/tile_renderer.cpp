@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "frame/tile_renderer.h"
+
+#include "frame/blended_pass.h"
+#include "frame/opaque_pass.h"
+#include "frame/tile_state.h"
+#include "frame/unordered_pass.h"
+
+namespace shd::frame {
+namespace {
+
+/// The part of a tile inside the scissor; may be empty.
+film::TileArea cleared_area(const TileState& tile) {
+  const geometry::PixelBox whole = geometry::pixel_rectangle(tile.left, tile.top, tile.area.width, tile.area.height);
+  const geometry::PixelBox box = geometry::intersection(whole, tile.renderer.frame.scissor);
+  if (geometry::is_empty(box)) return {0, 0, 0, 0};
+  return {tile.area.left + static_cast<uint32_t>(box.min_x - tile.left),
+          tile.area.top + static_cast<uint32_t>(box.min_y - tile.top), static_cast<uint32_t>(box.max_x - box.min_x + 1),
+          static_cast<uint32_t>(box.max_y - box.min_y + 1)};
+}
+
+/// Sets depth and colours of a tile to their values before its first draw. False if no draw touches it.
+bool begin(TileState* tile) {
+  const Frame& frame = tile->renderer.frame;
+  Worker& worker = tile->worker;
+  const film::TileArea cleared = frame.load ? film::TileArea{0, 0, 0, 0} : cleared_area(*tile);
+  const bool is_whole = cleared.width == tile->area.width && cleared.height == tile->area.height;
+  const bool is_bare = tile->is_bare();
+  film::clear_aovs(cleared, &tile->framebuffer);
+  tile->color_is_unclear = is_whole && !is_bare;
+  if (!tile->color_is_unclear) clear_color(cleared, frame.clear_color, &tile->framebuffer);
+  if (!is_whole || is_bare) film::clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
+  if (is_bare) return false;
+  raster::forget_bounds(&worker.tile);
+  film::clear_slots(&worker.tile);
+  worker.slots.clear();
+  const film::SampleStore* samples = tile->renderer.samples;
+  if (samples && samples->load(tile->index, &worker.tile, &worker.split)) return true;
+  if (is_whole) {
+    film::fill_depth(frame.clear_depth, &worker.tile);
+  } else {
+    film::load_depth(tile->area, tile->framebuffer, &worker.tile);
+  }
+  tile->color.load();
+  return true;
+}
+
+/// Order-independent blends that the tile has.
+struct Unfinished {
+  bool weighted, sorted;
+};
+
+/// Draws everything that takes effect in order. Returns which other blends follow.
+Unfinished draw_in_order(TileState* tile) {
+  Unfinished unfinished = {false, false};
+  tile->for_each_run([&](const Run& run) {
+    const material::Material* material = tile->draw_of(run).material;
+    if (material && material::is_unordered(*material)) {
+      (material->blend == SHD_BLEND_WEIGHTED ? unfinished.weighted : unfinished.sorted) = true;
+    } else if (!material || is_plain(*material)) {
+      cover_run(tile, run);
+    } else {
+      shade_visible(tile);
+      tile->clear_color();
+      blend_run(tile, run);
+    }
+  });
+  shade_visible(tile);
+  return unfinished;
+}
+
+}  // namespace
+
+void TileRenderer::render(uint32_t index, Worker* worker) const {
+  TileState tile(*this, index, worker);
+  if (!begin(&tile)) return;
+  const Unfinished unfinished = draw_in_order(&tile);
+  tile.clear_color();
+  if (unfinished.weighted) draw_weighted(&tile);
+  if (unfinished.sorted) draw_sorted(&tile);
+  tile.color.resolve();
+  film::store_depth(tile.area, worker->tile, &tile.framebuffer);
+  if (samples) samples->save(index, worker->tile, worker->split);
+}
+
+}  // namespace shd::frame

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "frame/tile_state.h"
+
+namespace shd::frame {
+
+TileState::TileState(const TileRenderer& tile_renderer, uint32_t tile, Worker* tile_worker)
+    : renderer(tile_renderer),
+      framebuffer(*renderer.frame.framebuffer),
+      pattern(raster::sample_pattern(framebuffer.samples)),
+      index(tile),
+      area(film::tile_area(framebuffer, tile, renderer.scene.bins.tiles_x)),
+      left(renderer.frame.window.left + static_cast<int32_t>(area.left)),
+      top(renderer.frame.window.top + static_cast<int32_t>(area.top)),
+      worker(*tile_worker),
+      color(area, &framebuffer, &worker.split) {}
+
+geometry::PixelBox TileState::box() const {
+  return geometry::intersection(geometry::pixel_rectangle(left, top, area.width, area.height),
+                                visible_box(renderer.frame));
+}
+
+bool TileState::is_bare() const {
+  const raster::Bins& bins = renderer.scene.bins;
+  for (uint32_t g = 0; g < bins.group_count; ++g) {
+    if (raster::segment(bins, index, g).count) return false;
+  }
+  return true;
+}
+
+void TileState::clear_color() {
+  if (color_is_unclear) film::clear_color(area, renderer.frame.clear_color, &framebuffer);
+  color_is_unclear = false;
+}
+
+uint64_t TileState::count_masked() const {
+  uint64_t count = 0;
+  for_each_masked([&](uint32_t, uint32_t mask) { count += static_cast<uint64_t>(__builtin_popcount(mask)); });
+  return count;
+}
+
+void TileState::count_hidden(const raster::CoverArea& covered, const geometry::ScreenTriangle& triangle,
+                             uint64_t passed) const {
+  if (!renderer.frame.counts_hidden) return;
+  const raster::DepthState always = {SHD_COMPARE_ALWAYS, false, 0.0f, 0.0f};
+  raster::cover_mask(simd(), covered, always, triangle, worker.tile, &worker.mask);
+  worker.hidden_samples += count_masked() - passed;
+}
+
+}  // namespace shd::frame

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "frame/worker.h"
+
+#include <algorithm>
+
+namespace shd::frame {
+
+Workers::Workers(const core::Context& context, const Frame& frame)
+    : context_(context),
+      samples_(frame.framebuffer->samples),
+      targets_(film::targets_of(*frame.framebuffer)),
+      light_count_(frame.light_count),
+      workers_(context.allocator, context.executor.worker_count) {
+  for (Worker*& worker : workers_) worker = nullptr;
+  for (size_t i = 0; i < frame.draw_count; ++i) {
+    if (frame.draws[i].material) varying_count_ = std::max(varying_count_, frame.draws[i].material->varying_count);
+  }
+}
+
+Workers::~Workers() {
+  for (Worker* worker : workers_) core::destroy(context_.allocator, worker);
+}
+
+Worker& Workers::get(uint32_t index) {
+  if (!workers_[index]) {
+    const core::Allocator& allocator = context_.allocator;
+    Worker* worker = core::create<Worker>(allocator);
+    workers_[index] = worker;
+    raster::allocate(allocator, samples_, &worker->tile);
+    raster::allocate(allocator, samples_, &worker->order);
+    worker->covered.attach(allocator);
+    worker->slots.attach(allocator);
+    worker->unordered.nodes.attach(allocator);
+    allocate(allocator, samples_, targets_, &worker->split);
+    shade::allocate(allocator, {varying_count_, targets_, light_count_}, &worker->workspace);
+  }
+  return *workers_[index];
+}
+
+void Workers::count(shd_render_stats* stats) const {
+  for (size_t i = 0; i < workers_.size(); ++i) {
+    if (!workers_[i]) continue;
+    stats->fragments += workers_[i]->fragments;
+    stats->nonfinite_fragments += workers_[i]->nonfinite_fragments;
+    stats->hidden_samples += workers_[i]->hidden_samples;
+  }
+}
+
+}  // namespace shd::frame
