@@ -34,12 +34,9 @@ HWY_INLINE V Cone(D d, const Light& light, V cosine) {
 template <class D, class V>
 HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const simd::HWY_NAMESPACE::Vec3V<V> axis = {hn::Set(d, light.to_light[0]), hn::Set(d, light.to_light[1]),
-                                              hn::Set(d, light.to_light[2])};
+  const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
   if (light.kind == SHD_LIGHT_DIRECTIONAL) return {axis, one};
-  const simd::HWY_NAMESPACE::Vec3V<V> to_light = {hn::Sub(hn::Set(d, light.position[0]), p.x),
-                                                  hn::Sub(hn::Set(d, light.position[1]), p.y),
-                                                  hn::Sub(hn::Set(d, light.position[2]), p.z)};
+  const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
   const V safe = hn::IfThenElse(usable, squared, one);

@@ -13,12 +13,18 @@
 #include <hwy/highway.h>
 
 #include "light/shadow.h"
+#include "simd/finite-inl.h"
+#include "simd/gather-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::GatherPairs;
+using simd::HWY_NAMESPACE::IsFinite;
+using simd::HWY_NAMESPACE::Set3;
 using simd::HWY_NAMESPACE::Vec3V;
 
 constexpr size_t kMaxReceiverLanes = 16;
@@ -45,10 +51,7 @@ struct FaceVector {
 
 template <class D, class V>
 HWY_INLINE FaceVector<V> ToFace(D d, const ShadowAxes& axes, const Vec3V<V>& a) {
-  const auto dot = [&](const float(&b)[3]) {
-    return Dot(a, Vec3V<V>{hn::Set(d, b[0]), hn::Set(d, b[1]), hn::Set(d, b[2])});
-  };
-  return {dot(axes.right), dot(axes.down), dot(axes.forward)};
+  return {Dot(a, Set3(d, axes.right)), Dot(a, Set3(d, axes.down)), Dot(a, Set3(d, axes.forward))};
 }
 
 /// The face of a cube that a vector points at, the later axis where two are equally long.
@@ -83,11 +86,6 @@ HWY_INLINE V Clamp(D d, V value, float low, float high) {
   return hn::Min(hn::Max(value, hn::Set(d, low)), hn::Set(d, high));
 }
 
-template <class D, class V>
-HWY_INLINE hn::Mask<D> IsFinite(D d, V value) {
-  return hn::Eq(hn::Sub(value, value), hn::Zero(d));
-}
-
 /// Where q, from the map's origin, lies with a surface of normal n, both in the face's axes.
 /// @param has_normal  lanes whose n is one
 template <class D, class V, class M>
@@ -113,7 +111,7 @@ HWY_INLINE Receiver<D> PlaceOnFace(D d, const Shadow& shadow, const FaceVector<V
   const V steep = hn::CopySign(hn::Max(hn::Abs(hn::IfThenElseZero(has_normal, facing)), hn::Set(d, 1e-6f)), facing);
   const auto slope = [&](V component) {
     const V s = hn::Div(hn::Neg(hn::IfThenElseZero(has_normal, component)), steep);
-    return Clamp(d, hn::IfThenElseZero(IsFinite(d, s), s), -kMaxSlope, kMaxSlope);
+    return Clamp(d, FiniteOrZero(d, s), -kMaxSlope, kMaxSlope);
   };
   const V slope_x = slope(n.right), slope_y = slope(n.down);
   at.dx = hn::Mul(at.texel, slope_x);
@@ -136,7 +134,7 @@ HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& 
   const hn::RebindToSigned<D> di;
   const ShadowPlacement& placement = shadow.map.placement;
   const V zero = hn::Zero(d);
-  const auto usable = hn::And(IsFinite(d, normal.x), hn::And(IsFinite(d, normal.y), IsFinite(d, normal.z)));
+  const auto usable = IsFinite(d, normal);
   const auto has_normal = has_normals ? usable : hn::Lt(zero, zero);
   const V offset = hn::Set(d, shadow.options.normal_offset);
   const auto from_origin = [&](V p, V n, float origin) {
@@ -218,27 +216,6 @@ HWY_INLINE V PlaneDepth(D d, const Receiver<D>& at, V column, V row) {
 template <class D>
 HWY_INLINE hn::Vec<D> GatherDepths(D d, const ShadowMap& map, ShadowInts<D> index) {
   return hn::GatherIndex(d, map.depth.data(), index);
-}
-
-/// Values at index and index + 1. A gather costs by the element, so the two are one of 8 bytes where the target has
-/// such: PCF 7 x 7 does 70 instead of 43 million lookups a second on AVX-512, 60 instead of 28 on AVX2.
-template <class D>
-HWY_INLINE void GatherPairs(D d, const float* values, ShadowInts<D> index, hn::Vec<D>* left, hn::Vec<D>* right) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-  const hn::RebindToSigned<D> di;
-  const hn::Half<decltype(di)> half;
-  const hn::Repartition<int64_t, decltype(di)> wide;
-  const auto offset = hn::ShiftLeft<2>(index);
-  const auto* base = reinterpret_cast<const int64_t*>(values);
-  const auto low = hn::BitCast(d, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::LowerHalf(half, offset))));
-  const auto high = hn::BitCast(d, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::UpperHalf(half, offset))));
-  *left = hn::ConcatEven(d, high, low);
-  *right = hn::ConcatOdd(d, high, low);
-#else
-  const hn::RebindToSigned<D> di;
-  *left = hn::GatherIndex(d, values, index);
-  *right = hn::GatherIndex(d, values, hn::Add(index, hn::Set(di, 1)));
-#endif
 }
 
 /// Chebyshev's inequality (Donnelly and Lauritzen, "Variance Shadow Maps", 2006): an upper bound of the part of the

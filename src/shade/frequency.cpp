@@ -9,6 +9,7 @@ namespace shd::shade {
 namespace {
 
 using data::Vec3;
+using data::Vec3d;
 
 /// A transformed vertex.
 struct Corner {
@@ -32,15 +33,16 @@ float mean(float a, float b, float c) {
   return static_cast<float>((static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c)) / 3.0);
 }
 
+Vec3d widened(const Vec3& a) {
+  return {double{a.x}, double{a.y}, double{a.z}};
+}
+
 /// Unit normal of a triangle, counter-clockwise = towards the viewer; 0 without area.
 Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto minus = [](float p, float q) { return static_cast<double>(p) - static_cast<double>(q); };
-  const double e[3] = {minus(b.x, a.x), minus(b.y, a.y), minus(b.z, a.z)};
-  const double f[3] = {minus(c.x, a.x), minus(c.y, a.y), minus(c.z, a.z)};
-  const double n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  const Vec3d origin = widened(a), n = cross(widened(b) - origin, widened(c) - origin);
+  const double length = data::length(n);
   if (!(length > 0.0)) return {0.0f, 0.0f, 0.0f};
-  return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
+  return {static_cast<float>(n.x / length), static_cast<float>(n.y / length), static_cast<float>(n.z / length)};
 }
 
 /// Component c of four at three vertices, in the shares of each; 0 where there are none.

@@ -14,25 +14,20 @@ namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Cross;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Load3;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Scaled;
 using simd::HWY_NAMESPACE::Select;
+using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vec3V<V> LoadVec3(D d, const float* x, const float* y, const float* z, size_t i) {
-  return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-}
 
 /// n at row i, unless it is 0 or not finite.
 template <class D, class V>
 HWY_INLINE void StoreNormal(D d, const Vec3V<V>& wanted, const Vec3V<V>& old, size_t i, raster::Fragments& rows) {
   const Vec3V<V> n = Normalize(d, wanted);
   const auto usable = hn::Gt(Dot(n, n), hn::Zero(d));
-  hn::Store(hn::IfThenElse(usable, n.x, old.x), d, rows.nx + i);
-  hn::Store(hn::IfThenElse(usable, n.y, old.y), d, rows.ny + i);
-  hn::Store(hn::IfThenElse(usable, n.z, old.z), d, rows.nz + i);
+  Store3(d, Select(usable, n, old), rows.nx, rows.ny, rows.nz, i);
 }
 
 /// Some unit vector at right angles to n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
@@ -49,7 +44,7 @@ HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
 template <class D, class V>
 HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& rows, const Vec3V<V>& n, const Vec3V<V>& m,
                                      size_t i) {
-  const Vec3V<V> given = Normalize(d, LoadVec3(d, rows.tx, rows.ty, rows.tz, i));
+  const Vec3V<V> given = Normalize(d, Load3(d, rows.tx, rows.ty, rows.tz, i));
   const Vec3V<V> across = Cross(n, given);
   const auto usable = hn::Gt(Dot(across, across), hn::Set(d, 1e-8f));
   const Vec3V<V> t = Select(usable, given, AnyTangent(d, n));
@@ -96,7 +91,7 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
 void MapNormals(const material::Material& material, const float* const* map, raster::Fragments& rows, float* variance) {
   const hn::ScalableTag<float> d;
   for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
+    const auto n = Load3(d, rows.nx, rows.ny, rows.nz, i);
     const auto mapped = Decode(d, material, map, i);
     hn::Store(mapped.variance, d, variance + i);
     StoreNormal(d, FromTangentSpace(d, rows, n, mapped.m, i), n, i, rows);
@@ -106,7 +101,7 @@ void MapNormals(const material::Material& material, const float* const* map, ras
 void TiltNormals(const float* const* tilt, raster::Fragments& rows) {
   const hn::ScalableTag<float> d;
   for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
+    const auto n = Load3(d, rows.nx, rows.ny, rows.nz, i);
     const Vec3V<hn::Vec<decltype(d)>> m = {hn::Load(d, tilt[0] + i), hn::Load(d, tilt[1] + i), hn::Set(d, 1.0f)};
     StoreNormal(d, FromTangentSpace(d, rows, n, m, i), n, i, rows);
   }
@@ -115,9 +110,9 @@ void TiltNormals(const float* const* tilt, raster::Fragments& rows) {
 void BumpNormals(const float* const* tilt, const float* const* frame, raster::Fragments& rows) {
   const hn::ScalableTag<float> d;
   for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
-    const auto dpdu = LoadVec3(d, frame[0], frame[1], frame[2], i);
-    const auto dpdv = LoadVec3(d, frame[3], frame[4], frame[5], i);
+    const auto n = Load3(d, rows.nx, rows.ny, rows.nz, i);
+    const auto dpdu = Load3(d, frame[0], frame[1], frame[2], i);
+    const auto dpdv = Load3(d, frame[3], frame[4], frame[5], i);
     const auto r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const auto area = Dot(dpdu, r1);
     const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));

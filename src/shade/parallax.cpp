@@ -17,6 +17,7 @@ namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Cross;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Load3;
 using simd::HWY_NAMESPACE::Scaled;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
@@ -26,18 +27,15 @@ using simd::HWY_NAMESPACE::Vec3V;
 void FindShift(float depth, const float* const* frame, const raster::Fragments& f, float* du, float* dv) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
-  const auto load = [&](const float* x, const float* y, const float* z, size_t i) -> Vec3V<V> {
-    return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-  };
   const V limit = hn::Set(d, 1e6f), zero = hn::Zero(d);
   for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-    const Vec3V<V> n = load(f.nx, f.ny, f.nz, i), wo = load(f.ox, f.oy, f.oz, i);
+    const Vec3V<V> n = Load3(d, f.nx, f.ny, f.nz, i), wo = Load3(d, f.ox, f.oy, f.oz, i);
     const V cosine = Dot(n, wo);
     const V steep = hn::Max(hn::Abs(cosine), hn::Set(d, 0.1f));
     // Away from the eye, along the surface.
     const Vec3V<V> along =
         Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Div(hn::Set(d, depth), steep));
-    const Vec3V<V> dpdu = load(frame[0], frame[1], frame[2], i), dpdv = load(frame[3], frame[4], frame[5], i);
+    const Vec3V<V> dpdu = Load3(d, frame[0], frame[1], frame[2], i), dpdv = Load3(d, frame[3], frame[4], frame[5], i);
     const Vec3V<V> r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const V area = Dot(dpdu, r1);
     const auto flat = hn::Eq(area, zero);
