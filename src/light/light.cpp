@@ -49,13 +49,13 @@ LightBody::~LightBody() {
   core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));
 }
 
-Light make_light(const shd_light_desc& desc, const texture::Texture* texture, const texture::Sampler* sampler) {
+Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, const texture::Sampler* cookie_sampler) {
   Light light = {};
   light.kind = desc.kind;
   for (int c = 0; c < 3; ++c) light.intensity[c] = desc.intensity[c];
   const bool is_local = desc.kind == SHD_LIGHT_POINT || desc.kind == SHD_LIGHT_SPOT;
   const bool is_aimed = desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT;
-  if (is_local || (is_aimed && texture)) {
+  if (is_local || (is_aimed && cookie)) {
     for (int c = 0; c < 3; ++c) light.position[c] = desc.position[c];
   }
   if (is_local && desc.range > 0.0f) {
@@ -64,11 +64,11 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* texture, co
   }
   if (is_aimed) set_axes(desc, &light);
   if (desc.kind == SHD_LIGHT_SPOT) set_cone(desc, &light);
-  if (!texture) return light;
-  light.texture = texture;
-  light.sampler = sampler;
+  if (!cookie) return light;
+  light.cookie = cookie;
+  light.cookie_sampler = cookie_sampler;
   for (int c = 0; c < 2; ++c) {
-    light.slide_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
+    light.cookie_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
   }
   return light;
 }

@@ -22,7 +22,7 @@ void Project(const Light& light, size_t count, const float* const* p, float* u, 
   const hn::ScalableTag<float> d;
   using Vf = hn::Vec<decltype(d)>;
   const Vf half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f), zero = hn::Zero(d), outside = hn::Set(d, -1.0f);
-  const Vf scale_x = hn::Set(d, light.slide_scale[0]), scale_y = hn::Set(d, light.slide_scale[1]);
+  const Vf scale_x = hn::Set(d, light.cookie_scale[0]), scale_y = hn::Set(d, light.cookie_scale[1]);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto q = Difference(Load3(d, p[0], p[1], p[2], i), Set3(d, light.position));
     Vf x = hn::Mul(Dot(q, Set3(d, light.right)), scale_x), y = hn::Mul(Dot(q, Set3(d, light.up)), scale_y);

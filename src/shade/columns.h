@@ -21,7 +21,7 @@ struct LobeShape {
   const float* column[material::kMaxShapeColumns];
 };
 
-/// Largest number of lights with a texture or a shadow whose factors are held at once.
+/// Largest number of lights with a cookie or a shadow whose factors are held at once.
 constexpr size_t kModulated = 4;
 
 /// Columns of a march along lines of sight over the heights of a surface, of the fragments.
@@ -48,9 +48,9 @@ struct Columns {
   float* variance;                           // of slopes that a normal map lost
   MarchColumns march;                        // of parallax
   float* shape[material::kMaxShapeColumns];  // of the points' lobes
-  float* factor[kModulated][3];              // of the points: part of a light that its texture and shadow let pass
+  float* factor[kModulated][3];              // of the points: part of a light that passes its cookie and shadow
   float* shadow_normal[3];                   // of the points, before maps and bumps; only with shadows
-  float* visibility;                         // of the points, for a light with texture and shadow
+  float* visibility;                         // of the points, for a light with cookie and shadow
   uint32_t* point;                           // of the fragments: the first point of their triangle
   uint32_t* discard;                         // of the fragments: not 0 where a program dropped them
   uint32_t* point_discard;                   // of corners or centroids

@@ -18,7 +18,7 @@ using simd::HWY_NAMESPACE::Load3;
 
 namespace {
 
-/// Adds I w, times the factors of textures and shadows, to the channels of a lobe. Zero weights stay zero even if a
+/// Adds I w, times the factors of cookies and shadows, to the channels of a lobe. Zero weights stay zero even if a
 /// factor is NaN.
 template <class D, class V>
 HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&sum)[3]) {

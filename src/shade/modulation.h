@@ -10,9 +10,9 @@
 
 namespace shd::shade {
 
-/// Whether a texture or a shadow modulates a light.
+/// Whether a cookie or a shadow modulates a light.
 inline bool is_modulated(const light::Light& light, const light::Shadow* shadow) {
-  return light.texture || shadow;
+  return light.cookie || shadow;
 }
 
 /// Copies the points' normals to columns->shadow_normal: shadows use the surface without maps and bumps.

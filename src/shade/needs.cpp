@@ -37,7 +37,7 @@ uint32_t lit_columns(const Material& material, const LightTable& lights) {
   if (info.needs_eye) needed |= raster::kToEye;
   if (lights.any_shadow) needed |= raster::kPosition;
   for (size_t i = 0; i < lights.count; ++i) {
-    if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].texture) needed |= raster::kPosition;
+    if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].cookie) needed |= raster::kPosition;
   }
   return needed;
 }

@@ -97,7 +97,7 @@ size_t find_affecting(const core::SimdTarget& simd, const LightTable& lights, co
   return lights.count;
 }
 
-/// Lobes of points under the affecting lights, with at most kModulated lights with a texture or a shadow per group.
+/// Lobes of points under the affecting lights, with at most kModulated lights with a cookie or a shadow per group.
 void light_points(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
                   const LightTable& lights, const raster::Fragments& points, Workspace* w, material::Lobes* out) {
   const bool ignores_irradiance = material::info_of(material.model).ignores_irradiance;

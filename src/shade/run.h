@@ -34,7 +34,7 @@ struct Workspace {
   raster::Varyings varyings;    // of the fragments at Phong frequency, else of the points
   Columns columns;
   core::Array<uint32_t> affecting;  // [padded] indices of the lights that affect a batch, in the table
-  core::Array<ActiveLight> active;  // [padded] those lights with the factors of their textures and shadows
+  core::Array<ActiveLight> active;  // [padded] those lights with the factors of their cookies and shadows
 };
 
 /// Capacities of a workspace.
