@@ -44,7 +44,7 @@ struct Comparison {
     return GatherDepths(d, map, TexelIndex(d, map, at.face, x, y));
   }
   /// The bilinear mean of four comparisons around (x, y).
-  HWY_INLINE V blend(D d, V x, V y) const {
+  HWY_INLINE V bilinear(D d, V x, V y) const {
     const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
     const V left = hn::Sub(x, half), top = hn::Sub(y, half);
     const V column = hn::Floor(left), row = hn::Floor(top);
@@ -103,7 +103,7 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     for (uint32_t i = 0; i < taps; ++i) {
       for (uint32_t j = 0; j < taps; ++j) {
         const V x = hn::Add(at.x, grid.offset(d, j, i)), y = hn::Add(at.y, grid.offset(d, i, j));
-        lit = hn::Add(lit, comparison.blend(d, x, y));
+        lit = hn::Add(lit, comparison.bilinear(d, x, y));
       }
     }
     const V mean = hn::Div(lit, hn::Set(d, static_cast<float>(taps * taps)));
