@@ -38,14 +38,23 @@ template <class... Rows>
 struct ModelTable {};
 
 /// Every model but SHD_MODEL_PROGRAM, which has no reflectance of its own. A new model is one file and one row.
-using Models =
-    ModelTable<ModelRow<SHD_MODEL_LAMBERT, Lambert>, ModelRow<SHD_MODEL_BLINN_PHONG, BlinnPhong>,
-               ModelRow<SHD_MODEL_UNLIT, Unlit>, ModelRow<SHD_MODEL_PHONG, Phong>,
-               ModelRow<SHD_MODEL_BLINN_PHONG_NORMALIZED, BlinnPhongNormalized>, ModelRow<SHD_MODEL_COMBINED, Combined>,
-               ModelRow<SHD_MODEL_GOOCH, Gooch>, ModelRow<SHD_MODEL_TOON, Toon>,
-               ModelRow<SHD_MODEL_METALLIC_ROUGHNESS, MetallicRoughness>, ModelRow<SHD_MODEL_MATCAP, Matcap>,
-               ModelRow<SHD_MODEL_SHOW_NORMAL, ShowNormal>, ModelRow<SHD_MODEL_SHOW_UV, ShowUv>,
-               ModelRow<SHD_MODEL_SHOW_LEVEL, ShowLevel>, ModelRow<SHD_MODEL_SHOW_BARYCENTRICS, ShowBarycentrics>>;
+// clang-format off
+using Models = ModelTable<
+    ModelRow<SHD_MODEL_LAMBERT, Lambert>,
+    ModelRow<SHD_MODEL_BLINN_PHONG, BlinnPhong>,
+    ModelRow<SHD_MODEL_UNLIT, Unlit>,
+    ModelRow<SHD_MODEL_PHONG, Phong>,
+    ModelRow<SHD_MODEL_BLINN_PHONG_NORMALIZED, BlinnPhongNormalized>,
+    ModelRow<SHD_MODEL_COMBINED, Combined>,
+    ModelRow<SHD_MODEL_GOOCH, Gooch>,
+    ModelRow<SHD_MODEL_TOON, Toon>,
+    ModelRow<SHD_MODEL_METALLIC_ROUGHNESS, MetallicRoughness>,
+    ModelRow<SHD_MODEL_MATCAP, Matcap>,
+    ModelRow<SHD_MODEL_SHOW_NORMAL, ShowNormal>,
+    ModelRow<SHD_MODEL_SHOW_UV, ShowUv>,
+    ModelRow<SHD_MODEL_SHOW_LEVEL, ShowLevel>,
+    ModelRow<SHD_MODEL_SHOW_BARYCENTRICS, ShowBarycentrics>>;
+// clang-format on
 
 template <class Visit, class... Rows>
 HWY_INLINE void VisitRow(shd_model model, const Visit& visit, ModelTable<Rows...>) {
