@@ -19,7 +19,7 @@ using simd::HWY_NAMESPACE::Dot;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// A point on a surface: unit normal, and unit vector to the eye (0 for models without kNeedsEye).
+/// A point on a surface: unit normal, and unit vector to the eye (unspecified without kNeedsEye).
 template <class V>
 struct Point {
   Vec3V<V> n, wo;
@@ -90,7 +90,8 @@ struct LightingBase {
 
   // Lighting with lobes also has
   //   AddLight(d, material, point, incoming, shape, lobe)
-  // which sets lobe[kLobes] to what one light adds, over E.
+  // which sets lobe[kLobes] to what one light adds, over E. Lobe 0 must be 0 where n.l <= 0, unless kIgnoresIrradiance:
+  // lights behind all points of a vector are skipped.
 
   /// Scales the sums over all lights.
   template <class D, class V, class Sums>
