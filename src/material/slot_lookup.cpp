@@ -24,6 +24,15 @@ constexpr Column make_ones() {
 }
 constexpr Column kOnes = make_ones();
 
+constexpr Parameters make_unset() {
+  Parameters unset = {};
+  for (auto& slot : unset.value) {
+    for (const float*& column : slot) column = kOnes.value;
+  }
+  return unset;
+}
+constexpr Parameters kUnset = make_unset();
+
 }  // namespace
 
 texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, bool has_footprint, float* const scratch[6]) {
@@ -56,6 +65,10 @@ Parameters complete(const Parameters& parameters) {
     for (const float*& column : slot) column = column ? column : kOnes.value;
   }
   return all;
+}
+
+const Parameters& unset_parameters() {
+  return kUnset;
 }
 
 void find_levels(const core::SimdTarget& simd, const Material& material, const raster::Fragments& fragments,

@@ -16,6 +16,9 @@ texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& points, b
 /// The same values with a column of ones in place of each null: kernels then need no branches.
 Parameters complete(const Parameters& parameters);
 
+/// All ones.
+const Parameters& unset_parameters();
+
 /// Levels of detail of the diffuse slot's texture after bias and clamps; 0 without a texture. `scratch` holds lookups.
 void find_levels(const core::SimdTarget& simd, const Material& material, const raster::Fragments& fragments,
                  float* const scratch[6], float* lod);

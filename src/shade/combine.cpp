@@ -25,9 +25,8 @@ struct Inputs {
   size_t count;
 };
 
-/// Colour of all points without emission.
-template <class Combination>
-HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
+/// Occluded ambient light of all points.
+void CombineAmbient(const Inputs& in, Radiance& out) {
   using D = hn::ScalableTag<float>;
   const D d;
   const auto one = hn::Set(d, 1.0f), strength = hn::Set(d, in.material.occlusion_strength);
@@ -35,9 +34,21 @@ HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
     for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
       const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
       const auto lost = hn::Sub(slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0), one);
-      const auto ambient =
-          hn::Mul(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c), hn::Add(one, hn::Mul(strength, lost)));
-      const material::HWY_NAMESPACE::ChannelAt<D> channel = {in.material, slots, in.lobes, c, in.light_count, ambient};
+      const auto kept = hn::Add(one, hn::Mul(strength, lost));
+      hn::Store(hn::Mul(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c), kept), d, out.channel[c] + i);
+    }
+  }
+}
+
+/// Colour of all points without emission, in place of their ambient light.
+template <class Combination>
+HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+      const material::HWY_NAMESPACE::ChannelAt<D> channel = {
+          in.material, {in.parameters, d, i}, in.lobes, c, in.light_count, hn::Load(d, out.channel[c] + i)};
       hn::Store(Combination::Combine(d, channel), d, out.channel[c] + i);
     }
   }
@@ -74,6 +85,7 @@ void CombineOpacity(const Inputs& in, Radiance& out) {
 void Combine(const material::Material& material, const float* ambient, float light_count, const material::Lobes& lobes,
              const material::Parameters& parameters, size_t count, Radiance& out) {
   const Inputs in = {material, parameters, lobes, ambient, light_count, count};
+  CombineAmbient(in, out);
   material::HWY_NAMESPACE::VisitModel(
       material.model, [&](auto model) { CombineColor<typename decltype(model)::Combination>(in, out); });
   for (int c = 0; c < 3; ++c) {

@@ -62,8 +62,8 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
   const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_SPECULAR_UNGATED);
   const V zero = hn::Zero(d);
   V constant[material::kMaxShapeColumns];
-  const material::Parameters ones = material::complete({});
-  Lighting::Shape::Derive(d, material, material::HWY_NAMESPACE::SlotsAt<D>{ones, d, 0}, zero, constant);
+  const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
+  Lighting::Shape::Derive(d, material, unset, zero, constant);
   for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
     const auto p = Load3(d, f.px, f.py, f.pz, i);
     const material::HWY_NAMESPACE::Point<V> point = {Load3(d, f.nx, f.ny, f.nz, i), Load3(d, f.ox, f.oy, f.oz, i)};
