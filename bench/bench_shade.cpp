@@ -84,7 +84,7 @@ std::unique_ptr<Batch> make_batch(shd_model model, size_t light_count) {
 
 void run(benchmark::State& state, shd_model model, size_t light_count, const core::SimdTarget& target) {
   const std::unique_ptr<Batch> batch = make_batch(model, light_count);
-  const shade::Parameters parameters = {};
+  const material::Parameters parameters = {};
   for (auto _ : state) {
     shade::illuminate(target, batch->material, {}, batch->active, light_count, batch->rows, {false, true},
                       &batch->columns.lobes);

@@ -31,7 +31,7 @@ Light
   --sun X,Y,Z[:R,G,B]   light from that direction; repeatable
   --spot X,Y,Z[:R,G,B]  spot light there, as --light, that shines at the centre; repeatable
   --cone INNER,OUTER    half angles of spots, degrees (default 15,25)
-  --cookie FILE         what spots project like a slide; "window" = built in
+  --cookie FILE         light cookie of spots: a projected texture; "window" = built in
   --shadows FILTER      hard, pcf, variance, summed-area, pcss: of all lights but lamps and ambient (default none)
   --softness S          how wide summed-area filters, and how large lights are to pcss, in radii (default 0.05)
   --shadow-size N       texels a side of each map (default 1024)

@@ -6,12 +6,12 @@
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; a light never changes, so concurrent use is free.
  *
- * What a surface that faces a light gets of it is E: I of a directional light, I / r^2 of a point or spot light at
- * distance r, with r^2 not below 1e-8 and nothing at r = 0. That times
- *  - max(0, 1 - (r / range)^4) where there is a range (Khronos glTF extension KHR_lights_punctual): 0 from there on;
- *  - in spots t^2 (3 - 2 t), with t = (cos a - cos outer) / (cos inner - cos outer) held in 0..1 at the angle a off the
- *    axis: 1 inside the inner cone, 0 outside the outer one;
- *  - the light's texture, which it projects as a slide.
+ * E is the irradiance of a surface that faces a light: I for a directional light, I / r^2 for a point or spot light at
+ * distance r, with r^2 at least 1e-8, and 0 at r = 0. E is further scaled by
+ *  - max(0, 1 - (r / range)^4) if the light has a range (glTF extension KHR_lights_punctual): 0 beyond the range;
+ *  - t^2 (3 - 2 t) for spots, with t = (cos a - cos outer) / (cos inner - cos outer) clamped to 0..1 and a the angle to
+ *    the axis: 1 inside the inner cone, 0 outside the outer cone;
+ *  - the light cookie, a texture that the light projects onto the scene.
  */
 #ifndef SHD_LIGHT_H
 #define SHD_LIGHT_H
@@ -27,9 +27,9 @@ typedef struct shd_light shd_light;
 
 /** Kind of light. */
 typedef enum shd_light_kind {
-    SHD_LIGHT_POINT = 0,       /**< from a point to all sides */
+    SHD_LIGHT_POINT = 0,       /**< from a point in all directions */
     SHD_LIGHT_DIRECTIONAL = 1, /**< the same everywhere, from far away */
-    SHD_LIGHT_AMBIENT = 2,     /**< I_a, from all sides; several ambient lights add up */
+    SHD_LIGHT_AMBIENT = 2,     /**< I_a, from all directions; ambient lights are summed */
     SHD_LIGHT_SPOT = 3,        /**< from a point into a cone */
     SHD_LIGHT_KIND_MAX_ENUM = 0x7fffffff
 } shd_light_kind;
@@ -39,24 +39,24 @@ typedef struct shd_light_desc {
     uint32_t struct_size; /**< set by shd_light_desc_default() */
     shd_light_kind kind;  /**< default SHD_LIGHT_POINT */
     float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1 */
-    float position[3];    /**< of points and spots, and of the texture of directional lights: world space, finite;
+    float position[3];    /**< of points and spots, and of the cookie of directional lights: world space, finite;
                                default 0 */
-    float direction[3];   /**< of directional lights and spots: the way the light travels, world space; any length
-                               but 0; default (0, -1, 0) */
+    float direction[3];   /**< of directional lights and spots: direction of the light rays, world space, any length
+                               except 0; default (0, -1, 0) */
     uint32_t reserved;    /**< 0 */
-    float range;       /**< of points and spots: where they end, in world units; 0 = nowhere, the default. Lights that
-                               end cost little where they do not reach */
+    float range;       /**< of points and spots: distance from which E is 0, in world units; 0 = no limit, the default.
+                               Lights with a finite range are culled beyond it */
     float inner_angle; /**< of spots: half angle of the full cone [rad], 0..outer_angle; default 0 */
-    float outer_angle; /**< of spots: half angle of the cone [rad], 0.001..pi/2, with a texture up to 1.55; default
+    float outer_angle; /**< of spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default
                                pi/4 */
-    float up[3];       /**< world direction that is up in the texture and in shadow maps; what is not at a right angle
-                               to `direction` does not count; along it, some other is taken; default (0, 1, 0) */
-    float extent[2];   /**< of directional lights with a texture: its width and height in world units, above 0;
-                               default 1. Its middle lies on the ray from `position`; samplers that repeat tile it */
+    float up[3];       /**< up direction of the cookie and of shadow maps, world space. Orthogonalised against
+                               `direction`; replaced by another direction if parallel to it. Default (0, 1, 0) */
+    float extent[2];   /**< of directional lights: width and height of the cookie in world units, above 0; default 1.
+                               Its centre lies on the ray from `position`; samplers that repeat tile it */
     /**
-     * Colour that multiplies E, as if seen from the light: of a spot the square around its outer cone, of a directional
-     * light a rectangle of `extent`. The fourth channel does not count. NULL = none; retained. Not for points and
-     * ambient lights.
+     * Light cookie: a colour that multiplies E, seen from the light. It covers the square around the outer cone of a
+     * spot, or a rectangle of `extent` of a directional light. The fourth channel is ignored. Points and ambient lights
+     * have no cookie. NULL = none; retained.
      */
     shd_texture *texture;
     shd_sampler *sampler; /**< NULL = bilinear, black outside; retained */
@@ -76,11 +76,11 @@ static inline shd_light_desc shd_light_desc_default(void)
     return desc;
 }
 
-/** Sets of lights that are often wanted. */
+/** Common sets of lights. */
 typedef enum shd_light_preset {
     /**
-     * Two points of intensity 500 at (30, 50, 20) and (-30, 50, 0), and ambient light of 10: what graphics courses
-     * light their models with, seen from (0, 0, 10). The models' k_a is 0.005, k_s 0.7937 and p 150.
+     * Two points of intensity 500 at (30, 50, 20) and (-30, 50, 0), and ambient light of 10: the lights of graphics
+     * courses, for models with k_a 0.005, k_s 0.7937 and p 150 seen from (0, 0, 10).
      */
     SHD_LIGHT_PRESET_TWO_POINTS = 0,
     SHD_LIGHT_PRESET_MAX_ENUM = 0x7fffffff

@@ -67,7 +67,7 @@ shd_result check_surface(const shd_material_desc& desc) {
 }
 
 shd_result check_material_desc(const shd_material_desc& desc) {
-  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, SHD_MODEL_SHOW_BARYCENTRICS));
+  SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, material::last_model()));
   SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));

@@ -34,7 +34,7 @@ shd_result check_shadow_desc(const shd_shadow_desc& desc) {
   SHD_TRY(check_length("shadow.bias", desc.bias));
   SHD_TRY(check_range("shadow.bias_slope", static_cast<double>(desc.bias_slope), 0.0, 1000.0));
   SHD_TRY(check_length("shadow.normal_offset", desc.normal_offset));
-  SHD_TRY(check_enum("shadow.casters", desc.casters, 0, SHD_CULL_FRONT));
+  SHD_TRY(check_enum("shadow.caster_cull", desc.caster_cull, 0, SHD_CULL_FRONT));
   SHD_TRY(check_range("shadow.bleed", static_cast<double>(desc.bleed), 0.0, static_cast<double>(0.99f)));
   return check_length("shadow.min_variance", desc.min_variance);
 }
@@ -178,8 +178,9 @@ shd_result shd_shadow_create(shd_context* context, const shd_shadow_desc* desc, 
     SHD_TRY(check_shadow_desc(read));
     core::Context& owner = context_of(context);
     auto* shadow = core::create<light::Shadow>(owner.allocator);
-    shadow->options = {read.size, read.filter,     read.taps,          read.casters, read.filter_size, read.light_size,
-                       read.bias, read.bias_slope, read.normal_offset, read.bleed,   read.min_variance};
+    shadow->options = {read.size,          read.filter,     read.taps,        read.caster_cull,
+                       read.filter_size,   read.light_size, read.bias,        read.bias_slope,
+                       read.normal_offset, read.bleed,      read.min_variance};
     make_handle(owner, kType, shadow, out_shadow);
     return SHD_OK;
   });

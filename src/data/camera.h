@@ -4,37 +4,26 @@
 #include <cmath>
 
 #include "data/trig.h"
+#include "data/vec3.h"
 
 namespace shd::data {
 
 /// World-to-view matrix [16], column-major: the eye at the origin looking along -Z, +Y up. Computed in double
-/// and rounded once. False, and nothing written, when up is along the line of sight (within 1e-6 rad) or there is none.
-/// Elements beyond the range of float come out infinite.
+/// and rounded once. Returns false and writes nothing when eye and target coincide, or when up lies within 1e-6 rad of
+/// the line of sight. Elements beyond the range of float are infinite.
 inline bool look_at(const float eye[3], const float target[3], const float up[3], float out[16]) {
-  const auto unit = [](double v[3]) {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    for (int k = 0; k < 3; ++k) v[k] = v[k] / length;
-    return length;
-  };
-  const auto cross = [](const double a[3], const double b[3], double c[3]) {
-    for (int k = 0; k < 3; ++k) c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  };
-  double back[3], top[3], right[3];
-  for (int k = 0; k < 3; ++k) {
-    back[k] = double{eye[k]} - double{target[k]};
-    top[k] = double{up[k]};
-  }
-  unit(back);
-  unit(top);
-  cross(top, back, right);
-  if (!(unit(right) > 1e-6)) return false;
-  cross(back, right, top);
+  const Vec3d origin = {double{eye[0]}, double{eye[1]}, double{eye[2]}};
+  const Vec3d back = normalized(origin - Vec3d{double{target[0]}, double{target[1]}, double{target[2]}});
+  const Vec3d side = cross(normalized(Vec3d{double{up[0]}, double{up[1]}, double{up[2]}}), back);
+  if (!(length(side) > 1e-6)) return false;
+  const Vec3d right = normalized(side), top = cross(back, right);
 
-  const double* const rows[3] = {right, top, back};
+  const Vec3d rows[3] = {right, top, back};
   for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) out[4 * c + r] = static_cast<float>(rows[r][c]);
-    const double shift = rows[r][0] * eye[0] + rows[r][1] * eye[1] + rows[r][2] * eye[2];
-    out[12 + r] = static_cast<float>(0.0 - shift);
+    out[r] = static_cast<float>(rows[r].x);
+    out[4 + r] = static_cast<float>(rows[r].y);
+    out[8 + r] = static_cast<float>(rows[r].z);
+    out[12 + r] = static_cast<float>(0.0 - dot(rows[r], origin));
     out[4 * r + 3] = 0.0f;
   }
   out[15] = 1.0f;

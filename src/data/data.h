@@ -2,16 +2,15 @@
 /// @file
 /// Stage contract: data, the plain vocabulary of the other folders.
 ///
-/// Input and output: nothing of its own; types that stages hand to each other.
+/// Input and output: nothing of its own; the types that stages hand to each other.
 ///
-/// | file     | what                                                       |
-/// |----------|------------------------------------------------------------|
-/// | column.h | reading and writing the caller's strided columns           |
-/// | vec3.h   | 3-vectors, scalar, for setup code                           |
-/// | vec3d.h  | the same in double                                          |
-/// | matrix.h | products of 4 x 4 matrices                                  |
-/// | trig.h   | angles and tangents in double, the same bits everywhere    |
-/// | camera.h | look-at and perspective matrices, the same bits everywhere |
+/// | file     | what                                                              |
+/// |----------|-------------------------------------------------------------------|
+/// | column.h | reading and writing the caller's strided columns                  |
+/// | vec3.h   | 3-vectors of floats and doubles, for setup code                   |
+/// | matrix.h | products of 4 x 4 matrices                                        |
+/// | trig.h   | angles, tangents and cosines in double, same bits everywhere      |
+/// | camera.h | look-at and perspective matrices, same bits everywhere            |
 #pragma once
 
 #include <cstddef>
@@ -19,7 +18,7 @@
 namespace shd::data {
 
 /// Columns that kernels read or write are allocated in multiples of this many elements, so that whole vectors
-/// may run past the last row. At least the widest vector: 16 lanes of AVX-512, 64 of the widest SVE.
+/// may run past the last row. No vector is wider: AVX-512 has 16 lanes.
 constexpr size_t kRowPad = 64;
 
 constexpr size_t padded(size_t rows) {

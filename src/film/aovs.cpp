@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "material/slot_lookup.h"
 #include "raster/interpolate.h"
-#include "shade/show.h"
 #include "texture/footprint/profile.h"
 
 namespace shd::film {
@@ -14,7 +14,7 @@ namespace {
 /// What shd_texture_query_levels has for the diffuse texture; 0 without.
 void find_levels(const core::SimdTarget& simd, const material::Material& material, const raster::Fragments& f,
                  float* const scratch_uv[6], AovScratch* scratch) {
-  shade::find_levels(simd, material, f, scratch_uv, scratch->lod);
+  material::find_levels(simd, material, f, scratch_uv, scratch->lod);
   std::fill_n(scratch->level, f.count, 0u);
   if (!material::has_slot(material, SHD_SLOT_DIFFUSE) || !material.slot[SHD_SLOT_DIFFUSE].texture) return;
   const texture::Sampler& sampler = *material.slot[SHD_SLOT_DIFFUSE].sampler;

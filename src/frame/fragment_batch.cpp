@@ -84,7 +84,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   f.count += count;
   const Draw& draw = tile_.draw_of(triangle);
   for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) move_to_centroid(points, i);
-  if (shade::shows_rows(*draw.material)) set_depths(triangle, draw, points, begin, f.count);
+  if (shade::runs_caller_code(*draw.material)) set_depths(triangle, draw, points, begin, f.count);
   if (is_plain(*draw.material)) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
   for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;

@@ -27,7 +27,7 @@ core::Buffer<Draw> casters(const core::Context& context, const ShadowFrame& fram
     Draw draw = frame.draws[i];
     if (!draw.depth.writes) continue;
     if (draw.material && !needs_material(*draw.material)) draw.material = nullptr;
-    draw.cull = options.casters;
+    draw.cull = options.caster_cull;
     draw.depth = {falls ? SHD_COMPARE_GREATER : SHD_COMPARE_LESS, true, 0.0f, 0.0f};
     draw.depth_falls = falls;
     draw.sample_shading = false;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/executor.h"
-#include "data/vec3d.h"
+#include "data/vec3.h"
 #include "geometry/face.h"
 #include "geometry/tangents.h"
 #include "geometry/weld.h"

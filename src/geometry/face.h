@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "data/vec3d.h"
+#include "data/vec3.h"
 #include "geometry/mesh.h"
 
 namespace shd::geometry {

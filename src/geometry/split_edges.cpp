@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "data/matrix.h"
-#include "data/vec3d.h"
+#include "data/vec3.h"
 #include "geometry/buckets.h"
 #include "geometry/weld.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
-#include "data/vec3d.h"
+#include "data/vec3.h"
 #include "geometry/mesh.h"
 
 namespace shd::geometry {

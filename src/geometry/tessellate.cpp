@@ -6,7 +6,7 @@
 #include "core/executor.h"
 #include "core/status.h"
 #include "data/data.h"
-#include "data/vec3d.h"
+#include "data/vec3.h"
 #include "geometry/cut.h"
 #include "geometry/displace.h"
 #include "geometry/row_pattern.h"
@@ -72,7 +72,7 @@ void interpolate(const core::Context& context, const Mesh& mesh, const core::Arr
 }
 
 void make_unit(float* x, float* y, float* z, Vec3d otherwise) {
-  Vec3d a = data::normalized({double{*x}, double{*y}, double{*z}});
+  Vec3d a = data::normalized(Vec3d{double{*x}, double{*y}, double{*z}});
   if (data::is_zero(a)) a = otherwise;
   *x = static_cast<float>(a.x);
   *y = static_cast<float>(a.y);

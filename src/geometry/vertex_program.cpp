@@ -13,31 +13,16 @@
 #include <hwy/highway.h>
 
 #include "geometry/vertex-inl.h"
+#include "simd/finite-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::geometry::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::IsFinite;
+using simd::HWY_NAMESPACE::Load3;
 using simd::HWY_NAMESPACE::Normalize;
+using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vec3V<V> Load3(D d, const float* x, const float* y, const float* z, size_t i) {
-  return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-}
-template <class D, class V>
-HWY_INLINE void Store3(D d, const Vec3V<V>& v, float* x, float* y, float* z, size_t i) {
-  hn::Store(v.x, d, x + i);
-  hn::Store(v.y, d, y + i);
-  hn::Store(v.z, d, z + i);
-}
-template <class D, class V>
-HWY_INLINE hn::Mask<D> Finite(D d, V x) {
-  return hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff()));
-}
-template <class D, class V>
-HWY_INLINE hn::Mask<D> Finite3(D d, const Vec3V<V>& v) {
-  return hn::And(hn::And(Finite(d, v.x), Finite(d, v.y)), Finite(d, v.z));
-}
 
 /// Vertices [begin, begin + rows) as they are without a program.
 void BeginVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t rows, const VertexColumns& c) {
@@ -71,8 +56,8 @@ HWY_INLINE V RasterCoordinate(D d, const Transform& transform, int axis, V x, V 
 /// Whether a program's lanes i and up of the columns that go to the fragments as they are are finite.
 template <class D>
 HWY_INLINE hn::Mask<D> FiniteAttributes(D d, const VertexColumns& c, uint32_t varying_count, size_t i) {
-  auto finite = hn::And(Finite(d, hn::Load(d, c.u + i)), Finite(d, hn::Load(d, c.v + i)));
-  for (uint32_t k = 0; k < varying_count; ++k) finite = hn::And(finite, Finite(d, hn::Load(d, c.varying[k] + i)));
+  auto finite = hn::And(IsFinite(d, hn::Load(d, c.u + i)), IsFinite(d, hn::Load(d, c.v + i)));
+  for (uint32_t k = 0; k < varying_count; ++k) finite = hn::And(finite, IsFinite(d, hn::Load(d, c.varying[k] + i)));
   return finite;
 }
 
@@ -94,8 +79,8 @@ void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexCo
     const Vec3V<V> fixed = WorldNormal(d, transform, n), unit = Normalize(d, given);
     const auto same = hn::And(hn::And(hn::Eq(given.x, fixed.x), hn::Eq(given.y, fixed.y)), hn::Eq(given.z, fixed.z));
 
-    auto finite = hn::And(hn::And(Finite(d, x), Finite(d, y)), hn::And(Finite(d, z), Finite(d, w)));
-    finite = hn::And(finite, hn::And(Finite3(d, world), Finite3(d, given)));
+    auto finite = hn::And(hn::And(IsFinite(d, x), IsFinite(d, y)), hn::And(IsFinite(d, z), IsFinite(d, w)));
+    finite = hn::And(finite, hn::And(IsFinite(d, world), IsFinite(d, given)));
     finite = hn::And(finite, FiniteAttributes(d, c, out.varying_count, i));
     const Vec3V<V> normal = {hn::IfThenElse(same, fixed.x, unit.x), hn::IfThenElse(same, fixed.y, unit.y),
                              hn::IfThenElse(same, fixed.z, unit.z)};

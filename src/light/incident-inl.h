@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point.
+// Incident light at a point.
 
 #if defined(SHD_LIGHT_INCIDENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_LIGHT_INCIDENT_INL_H_
@@ -26,20 +26,17 @@ struct Incident {
 template <class D, class V>
 HWY_INLINE V Cone(D d, const Light& light, V cosine) {
   const V t = hn::Mul(hn::Set(d, light.cone_scale), hn::Sub(cosine, hn::Set(d, light.cone_start)));
-  const V held = hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0f));
-  return hn::Mul(hn::Mul(held, held), hn::Sub(hn::Set(d, 3.0f), hn::Add(held, held)));
+  const V clamped = hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0f));
+  return hn::Mul(hn::Mul(clamped, clamped), hn::Sub(hn::Set(d, 3.0f), hn::Add(clamped, clamped)));
 }
 
-/// A light but ambient ones seen from p, without texture and shadow: falloff is E / I. 0 where r = 0 or r^2 overflows.
+/// Any light except ambient ones at p, without cookie and shadow: falloff is E / I. 0 where r = 0 or r^2 overflows.
 template <class D, class V>
 HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const simd::HWY_NAMESPACE::Vec3V<V> axis = {hn::Set(d, light.to_light[0]), hn::Set(d, light.to_light[1]),
-                                              hn::Set(d, light.to_light[2])};
+  const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
   if (light.kind == SHD_LIGHT_DIRECTIONAL) return {axis, one};
-  const simd::HWY_NAMESPACE::Vec3V<V> to_light = {hn::Sub(hn::Set(d, light.position[0]), p.x),
-                                                  hn::Sub(hn::Set(d, light.position[1]), p.y),
-                                                  hn::Sub(hn::Set(d, light.position[2]), p.z)};
+  const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
   const V safe = hn::IfThenElse(usable, squared, one);

@@ -12,42 +12,32 @@ namespace {
 
 using data::Vec3;
 
-Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 void store(Vec3 from, float to[3]) {
   to[0] = 0.0f + from.x;  // no -0
   to[1] = 0.0f + from.y;
   to[2] = 0.0f + from.z;
 }
 
-/// Axes around the direction of a light: up as near to the wanted one as it goes.
+/// Axes around the direction of a light. up is the desc's vector orthogonalised against the direction.
 void set_axes(const shd_light_desc& desc, Light* light) {
-  const Vec3 way = data::normalized({desc.direction[0], desc.direction[1], desc.direction[2]});
+  const Vec3 way = data::normalized(Vec3{desc.direction[0], desc.direction[1], desc.direction[2]});
   const Vec3 back = {0.0f - way.x, 0.0f - way.y, 0.0f - way.z};
-  const Vec3 wanted = data::normalized({desc.up[0], desc.up[1], desc.up[2]});
-  Vec3 right = cross(wanted, back);
+  const Vec3 wanted = data::normalized(Vec3{desc.up[0], desc.up[1], desc.up[2]});
+  Vec3 right = data::cross(wanted, back);
   if (!(data::dot(right, right) > 1e-8f)) {
     const bool along_x = std::fabs(back.x) > 0.5f;
-    right = cross(along_x ? Vec3{0.0f, 0.0f, 1.0f} : Vec3{1.0f, 0.0f, 0.0f}, back);
+    right = data::cross(along_x ? Vec3{0.0f, 0.0f, 1.0f} : Vec3{1.0f, 0.0f, 0.0f}, back);
   }
   right = data::normalized(right);
   store(back, light->to_light);
   store(right, light->right);
-  store(data::normalized(cross(back, right)), light->up);
-}
-
-/// cos(x) for x in [0, pi / 2].
-double cosine(double x) {
-  const double t = data::tan(0.5 * x), square = t * t;
-  return (1.0 - square) / (1.0 + square);
+  store(data::normalized(data::cross(back, right)), light->up);
 }
 
 void set_cone(const shd_light_desc& desc, Light* light) {
-  light->cone_start = static_cast<float>(cosine(desc.outer_angle));
-  // The narrowest cones leave 5e-7 between the cosines: what rounding moved the start by counts, and 2^-24 is a step.
-  const double width = cosine(desc.inner_angle) - double{light->cone_start};
+  light->cone_start = static_cast<float>(data::cos(desc.outer_angle));
+  // The cosines of the narrowest cones are 5e-7 apart, so the rounding of the start counts; 2^-24 is one step.
+  const double width = data::cos(desc.inner_angle) - double{light->cone_start};
   light->cone_scale = static_cast<float>(1.0 / std::max(width, 0x1p-24));
   light->outer_tangent = static_cast<float>(data::tan(std::min(double{desc.outer_angle}, 1.57)));
 }
@@ -59,13 +49,13 @@ LightBody::~LightBody() {
   core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));
 }
 
-Light make_light(const shd_light_desc& desc, const texture::Texture* texture, const texture::Sampler* sampler) {
+Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, const texture::Sampler* cookie_sampler) {
   Light light = {};
   light.kind = desc.kind;
   for (int c = 0; c < 3; ++c) light.intensity[c] = desc.intensity[c];
   const bool is_local = desc.kind == SHD_LIGHT_POINT || desc.kind == SHD_LIGHT_SPOT;
   const bool is_aimed = desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT;
-  if (is_local || (is_aimed && texture)) {
+  if (is_local || (is_aimed && cookie)) {
     for (int c = 0; c < 3; ++c) light.position[c] = desc.position[c];
   }
   if (is_local && desc.range > 0.0f) {
@@ -74,11 +64,11 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* texture, co
   }
   if (is_aimed) set_axes(desc, &light);
   if (desc.kind == SHD_LIGHT_SPOT) set_cone(desc, &light);
-  if (!texture) return light;
-  light.texture = texture;
-  light.sampler = sampler;
+  if (!cookie) return light;
+  light.cookie = cookie;
+  light.cookie_sampler = cookie_sampler;
   for (int c = 0; c < 2; ++c) {
-    light.slide_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
+    light.cookie_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
   }
   return light;
 }

@@ -2,21 +2,29 @@
 /// @file
 /// Stage contract: light, (Fragments -> incident light).
 ///
-/// Input:      checked descs; positions and normals of fragments; the depths that a light sees.
-/// Output:     one Light each; shade/ gathers those of a frame into a table. What arrives at a point, by direction and
-///             factor on the intensity.
+/// Input:      checked descs; positions and normals of points.
+/// Output:     one Light per desc, which shade/ gathers into the table of a frame; direction and falloff of the light
+///             that arrives at points; shadow maps, and the visibility of points in them.
 /// Units:      intensity scene-linear RGB; positions in world space.
+/// Invariants: a Light is immutable.
 ///
-/// | file                                             | what |
-/// |--------------------------------------------------|------------------------------------------------------------------|
-/// | incident-inl.h                                   | direction, distance, cone and range of points, spots,
-/// directions | | projector.h                                      | textures of lights at points | | shadow.h |
-/// Shadow: maps of depths, and visibility of points                 | | shadow_fit.h | where maps must lie to hold a
-/// scene                              | | shadow_hard.cpp, shadow_pcf.cpp, shadow_pcss.cpp | kernels: comparisons with
-/// depths                                 | | shadow_variance.cpp, shadow_summed_area.cpp      | kernels: bounds from
-/// moments of depths                           | | shadow_tables.cpp, shadow_sums.h                 | those moments,
-/// and their sums                                    | | shadow_receiver-inl.h                            | points and
-/// the planes of their surfaces on a map                 |
+/// A cookie is a texture that a light projects onto the scene and that multiplies its intensity.
+///
+/// | file                    | what                                                                      |
+/// |-------------------------|---------------------------------------------------------------------------|
+/// | light.h                 | Light: what kernels read of a light                                       |
+/// | incident-inl.h          | direction, distance, cone and range of a light at points                  |
+/// | projector.h             | kernel: coordinates of points in a cookie                                 |
+/// | shadow.h                | Shadow: maps of depths, and the visibility of points                      |
+/// | shadow_fit.h            | placement of the maps that cover a scene                                  |
+/// | shadow_receiver-inl.h   | points and the planes of their surfaces on a map                          |
+/// | shadow_hard.cpp         | kernel: one comparison                                                    |
+/// | shadow_pcf.cpp          | kernel: mean of comparisons over a fixed width                            |
+/// | shadow_pcss.cpp         | kernel: mean of comparisons over the width of the penumbra                |
+/// | shadow_variance.cpp     | kernel: bound from blurred moments of depths                              |
+/// | shadow_summed_area.cpp  | kernel: bound from summed moments of depths                               |
+/// | shadow_tables.cpp       | the blurred and the summed moments of a map                               |
+/// | shadow_sums.h           | quantisation of depths that makes their sums exact                        |
 #pragma once
 
 #include <shd/light.h>
@@ -26,26 +34,26 @@
 
 namespace shd::light {
 
-/// What the kernels read; fields that its kind does not use are 0.
+/// What kernels read of a light. Fields that its kind does not use are 0.
 struct Light {
   shd_light_kind kind;
   float intensity[3];
-  float position[3];             // world space
-  float to_light[3];             // of directional lights and spots: unit, against the way the light travels
-  float right[3], up[3];         // of the same: unit, at right angles to that and to each other; right = up x to_light
-  float range;                   // 0 = none
-  float inverse_range_squared;   // 0 without
-  float cone_scale, cone_start;  // of spots: t = cone_scale (cos a - cone_start)
-  float outer_tangent;           // of spots: tan(outer_angle)
-  float slide_scale[2];          // with a texture: of right and up components, to -1..1 across it; of spots by distance
-  const texture::Texture* texture;  // null = none
-  const texture::Sampler* sampler;  // never null with a texture
+  float position[3];               // world space
+  float to_light[3];               // directional lights and spots: unit, against the direction of the light
+  float right[3], up[3];           // directional lights and spots: unit, perpendicular; right = up x to_light
+  float range;                     // 0 = none
+  float inverse_range_squared;     // 0 without a range
+  float cone_scale, cone_start;    // spots: t = cone_scale (cos a - cone_start)
+  float outer_tangent;             // spots: tan(outer_angle)
+  float cookie_scale[2];           // from lengths along right and up to -1..1 across the cookie; spots: over distance
+  const texture::Texture* cookie;  // null = none
+  const texture::Sampler* cookie_sampler;  // never null with a cookie
 };
 
 /// Body of a light's handle. Owns its references.
 struct LightBody {
   Light light;
-  texture::Sampler default_sampler;        // what light.sampler points at when the desc gave none
+  texture::Sampler default_sampler;        // target of light.cookie_sampler if the desc has none
   core::Object* texture_object = nullptr;  // retained, or null
   core::Object* sampler_object = nullptr;  // retained, or null
 
@@ -55,10 +63,10 @@ struct LightBody {
   ~LightBody();  // releases the two objects
 };
 
-/// A checked desc with what its handles stand for; `sampler` null = the default of shd_light_desc.
-Light make_light(const shd_light_desc& desc, const texture::Texture* texture, const texture::Sampler* sampler);
+/// Makes a light of a checked desc and the objects behind its handles; both may be null.
+Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, const texture::Sampler* cookie_sampler);
 
-/// Bilinear, black outside.
+/// Sampler of cookies without one: bilinear, black outside.
 texture::Sampler default_sampler();
 
 }  // namespace shd::light

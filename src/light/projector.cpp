@@ -6,39 +6,35 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::Difference;
 using simd::HWY_NAMESPACE::Dot;
-using simd::HWY_NAMESPACE::Vec3V;
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vec3V<V> SetAll(D d, const float* a) {
-  return {hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2])};
-}
+using simd::HWY_NAMESPACE::IsFinite;
+using simd::HWY_NAMESPACE::Load3;
+using simd::HWY_NAMESPACE::Set3;
 
 void Project(const Light& light, size_t count, const float* const* p, float* u, float* v) {
   const hn::ScalableTag<float> d;
   using Vf = hn::Vec<decltype(d)>;
   const Vf half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f), zero = hn::Zero(d), outside = hn::Set(d, -1.0f);
-  const Vf scale_x = hn::Set(d, light.slide_scale[0]), scale_y = hn::Set(d, light.slide_scale[1]);
+  const Vf scale_x = hn::Set(d, light.cookie_scale[0]), scale_y = hn::Set(d, light.cookie_scale[1]);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const Vec3V<Vf> q = {hn::Sub(hn::Load(d, p[0] + i), hn::Set(d, light.position[0])),
-                         hn::Sub(hn::Load(d, p[1] + i), hn::Set(d, light.position[1])),
-                         hn::Sub(hn::Load(d, p[2] + i), hn::Set(d, light.position[2]))};
-    Vf x = hn::Mul(Dot(q, SetAll(d, light.right)), scale_x), y = hn::Mul(Dot(q, SetAll(d, light.up)), scale_y);
+    const auto q = Difference(Load3(d, p[0], p[1], p[2], i), Set3(d, light.position));
+    Vf x = hn::Mul(Dot(q, Set3(d, light.right)), scale_x), y = hn::Mul(Dot(q, Set3(d, light.up)), scale_y);
     auto usable = hn::Eq(zero, zero);
     if (light.kind == SHD_LIGHT_SPOT) {
-      const Vf distance = hn::Neg(Dot(q, SetAll(d, light.to_light)));
+      const Vf distance = hn::Neg(Dot(q, Set3(d, light.to_light)));
       usable = hn::Gt(distance, zero);
       const Vf safe = hn::IfThenElse(usable, distance, one);
       x = hn::Div(x, safe);
       y = hn::Div(y, safe);
     }
-    const Vf limit = hn::Set(d, __builtin_inff());
-    usable = hn::And(usable, hn::And(hn::Lt(hn::Abs(x), limit), hn::Lt(hn::Abs(y), limit)));
+    usable = hn::And(usable, hn::And(IsFinite(d, x), IsFinite(d, y)));
     hn::Store(hn::IfThenElse(usable, hn::Add(half, hn::Mul(half, x)), outside), d, u + i);
     hn::Store(hn::IfThenElse(usable, hn::Sub(half, hn::Mul(half, y)), outside), d, v + i);
   }

@@ -8,9 +8,10 @@
 
 namespace shd::light {
 
-/// Where points, columns of `count`, lie in the texture of a light, a directional one or a spot: (0, 0) at its top left
-/// corner seen from the light. (-1, -1) behind a spot and where that has no finite place. |error| <= 1e-6 and what
-/// moving the point by 2e-7 of its coordinates and the light's makes. Whole vectors are read and written past count.
+/// Coordinates of `count` points (columns p) in the cookie of a directional light or a spot: (0, 0) is its top left
+/// corner seen from the light. (-1, -1) behind a spot and where the coordinates are not finite. |error| <= 1e-6, and
+/// the change when the point moves by 2e-7 of its own and the light's coordinates. Reads and writes whole vectors past
+/// count.
 void project(const core::SimdTarget& simd, const Light& light, size_t count, const float* const p[3], float* u,
              float* v);
 

@@ -16,18 +16,18 @@ ShadowAxes cube_axes(uint32_t face) {
   return axes;
 }
 
-uint32_t reach_of(const ShadowOptions& options) {
+uint32_t filter_radius(const ShadowOptions& options) {
   const uint32_t taps = options.taps;
   switch (options.filter) {
     case SHD_SHADOW_PCF:
-    case SHD_SHADOW_VARIANCE: return std::min(taps / 2 + 1, options.size / kPcfReachPart);
+    case SHD_SHADOW_VARIANCE: return std::min(taps / 2 + 1, options.size / kMaxPcfRadiusPart);
     case SHD_SHADOW_SUMMED_AREA_VARIANCE:
-    case SHD_SHADOW_PCSS: return options.size / kReachPart;
+    case SHD_SHADOW_PCSS: return options.size / kMaxRadiusPart;
     default: return 1;
   }
 }
 
-uint32_t pad_of(const ShadowOptions& options) {
+uint32_t padding_of(const ShadowOptions& options) {
   switch (options.filter) {
     case SHD_SHADOW_PCF: return options.taps / 2 + 1;
     case SHD_SHADOW_VARIANCE: return 1;
@@ -41,7 +41,7 @@ void allocate(const core::Allocator& allocator, const ShadowOptions& options, co
   ShadowMap map = {};
   map.placement = placement;
   map.size = options.size;
-  map.pad = pad_of(options);
+  map.pad = padding_of(options);
   map.pitch = size_t{map.size} + 2 * map.pad;
   map.face_stride = map.pitch * map.pitch;
   map.depth = core::Array<float>(allocator, map.face_stride * placement.face_count);

@@ -10,13 +10,13 @@
 namespace shd::light {
 namespace {
 
-constexpr double kLargest = 1e18;        // coordinate
-constexpr double kSmallest = 1e-26;      // extent
-constexpr double kNearPart = 1.0 / 256;  // of far, at least, where it is fitted
-constexpr double kRounding = 0x1p-20;    // of positions on their way to depths
+constexpr double kMaxCoordinate = 1e18;
+constexpr double kMinExtent = 1e-26;
+constexpr double kMinNearPart = 1.0 / 256;  // of far, for fitted planes
+constexpr double kRounding = 0x1p-20;       // relative error from positions to depths
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The least m 2^k >= value with m in 8..16.
+/// The smallest m 2^k >= value with an integer m in 8..16.
 double rounded_up(double value) {
   int exponent;
   const double mantissa = std::frexp(value, &exponent);
@@ -29,7 +29,7 @@ void store(const double (&from)[3], float (&to)[3]) {
 
 }  // namespace
 
-void ShadowFit::Span::add(double value) {
+void ShadowFit::Interval::add(double value) {
   low = std::fmin(low, value);
   high = std::fmax(high, value);
 }
@@ -101,9 +101,9 @@ void ShadowFit::set_planes(float near, float far) {
 ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   double largest = largest_;
   for (int k = 0; k < 3; ++k) largest = std::fmax(largest, std::fabs(static_cast<double>(light_.position[k])));
-  if (!(largest <= kLargest)) {
+  if (!(largest <= kMaxCoordinate)) {
     throw core::Failure(
-        core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.draws: bounds of %g exceed %g", largest, kLargest));
+        core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.draws: bounds of %g exceed %g", largest, kMaxCoordinate));
   }
   ShadowPlacement placement = {};
   placement.kind = light_.kind;
@@ -117,20 +117,21 @@ ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   return placement;
 }
 
-/// A square of texels whose size and place are steps of their own, so that the grid stands still.
+/// A square of texels with quantised size and position, so that the grid stands still while the bounds move.
 void ShadowFit::place_directional(const ShadowOptions& options, ShadowPlacement* out) const {
-  const double inner = 0.5 * options.size - reach_of(options) - 1.0;  // texels from the middle that bounds may reach
+  const double inner =
+      0.5 * options.size - filter_radius(options) - 1.0;  // largest distance of the bounds from the middle [texels]
   double middle[2] = {0.0, 0.0}, half = 0.0;
   for (int k = 0; k < 2; ++k) {
     if (across_[k].is_empty()) continue;
     middle[k] = 0.5 * (across_[k].low + across_[k].high);
     half = std::fmax(half, 0.5 * (across_[k].high - across_[k].low));
   }
-  half = std::fmax(half, std::fmax(largest_ * 1e-4, kSmallest));
+  half = std::fmax(half, std::fmax(largest_ * 1e-4, kMinExtent));
   const double texel = rounded_up(half / inner);
   double near = has_planes_ ? near_ : depth_.low, far = has_planes_ ? far_ : depth_.high;
   if (!(near <= far)) near = far = 0.0;
-  const double range = std::fmax(far - near, std::fmax(largest_ * 1e-4, kSmallest));
+  const double range = std::fmax(far - near, std::fmax(largest_ * 1e-4, kMinExtent));
   const double depth = 0.5 * (near + far), margin = has_planes_ ? 0.0 : range / 256.0;
   double origin[3];
   for (int k = 0; k < 3; ++k) {
@@ -151,12 +152,12 @@ void ShadowFit::place_around(const ShadowOptions& options, ShadowPlacement* out)
   double near = near_, far = far_;
   if (!has_planes_) {
     far = depth_.high > 0.0 ? 1.01 * depth_.high : 1.0;
-    far = std::fmax(far, kSmallest);
-    near = std::fmax(far * kNearPart, 0.99 * depth_.low < far ? 0.99 * depth_.low : 0.0);
+    far = std::fmax(far, kMinExtent);
+    near = std::fmax(far * kMinNearPart, 0.99 * depth_.low < far ? 0.99 * depth_.low : 0.0);
   }
   out->projection = is_cube_ ? ShadowProjection::kCube : ShadowProjection::kPerspective;
   for (int k = 0; k < 3; ++k) out->origin[k] = light_.position[k];
-  out->scale = static_cast<float>((0.5 * options.size - reach_of(options)) / tangent);
+  out->scale = static_cast<float>((0.5 * options.size - filter_radius(options)) / tangent);
   out->near = static_cast<float>(near);
   out->far = static_cast<float>(far);
   out->guard = static_cast<float>(kRounding * largest_);

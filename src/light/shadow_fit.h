@@ -6,23 +6,23 @@
 
 namespace shd::light {
 
-/// Where maps of a light must reach: grows with every box it is given. In double throughout.
+/// Collects the bounds that the maps of a light must cover. In double throughout.
 class ShadowFit {
  public:
   explicit ShadowFit(const Light& light);
 
-  /// Corners of a box that casts shadows, world space.
+  /// Adds the corners of a box that casts shadows, world space.
   void add(const double (&corners)[8][3]);
-  /// The part of the world that needs shadows, in place of that of the boxes, for directional lights.
+  /// Directional lights: sets the part of the world that needs shadows, instead of the boxes.
   void limit(const float low[3], const float high[3]);
-  /// Depths that are drawn, in place of fitted ones.
+  /// Sets the range of depths, instead of a fitted range.
   void set_planes(float near, float far);
 
   /// Throws Failure where bounds exceed 1e18.
   ShadowPlacement place(const ShadowOptions& options) const;
 
  private:
-  struct Span {
+  struct Interval {
     double low, high;
     void add(double value);
     bool is_empty() const { return !(low <= high); }
@@ -35,14 +35,14 @@ class ShadowFit {
   const Light& light_;
   ShadowAxes axes_;  // of directional lights and spots
   bool is_cube_;
-  Span across_[2];      // along right and down
-  Span depth_;          // along forward, from the origin of depths; of cubes in the maximum norm
+  Interval across_[2];  // along right and down
+  Interval depth_;      // along forward, from the origin of depths; cubes: maximum norm
   double largest_ = 0;  // coordinate
   bool is_limited_ = false, has_planes_ = false;
   double near_ = 0, far_ = 0;
 };
 
-/// Spots wider than this have the six faces of a point light [tangent of the half angle].
+/// Wider spots have the six faces of a point light [tangent of the half angle].
 constexpr double kMaxSpotTangent = 1.9647596572486523;  // of 1.1 rad
 
 }  // namespace shd::light

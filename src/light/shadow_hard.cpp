@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lit iff the surface's plane at the nearest texel's centre is not behind that texel's depth (Williams 1978).
+/// Lit if the surface's plane at the centre of the nearest texel is not behind the depth of the texel (Williams 1978).
 void SampleHard(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {

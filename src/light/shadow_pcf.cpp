@@ -13,8 +13,8 @@ namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows with
-/// Depth Maps", 1987): (n + 1) x (n + 1) texels are compared, each with the surface's plane at its centre, and those of
-/// the outermost rows and columns weighted by the part that a square of n x n texels around the point covers.
+/// Depth Maps", 1987): (n + 1) x (n + 1) texels are compared, each with the surface's plane at its centre. Texels of
+/// the outermost rows and columns are weighted by the part that a square of n x n texels around the point covers.
 void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const uint32_t taps = shadow.options.taps;
@@ -22,8 +22,8 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
     using D = decltype(d);
     using V = hn::Vec<D>;
     const hn::RebindToSigned<D> di;
-    const V one = hn::Set(d, 1.0f), reach = hn::Set(d, 0.5f * static_cast<float>(taps));
-    const V left = hn::Sub(at.x, reach), top = hn::Sub(at.y, reach);
+    const V one = hn::Set(d, 1.0f), radius = hn::Set(d, 0.5f * static_cast<float>(taps));
+    const V left = hn::Sub(at.x, radius), top = hn::Sub(at.y, radius);
     const V column = hn::Floor(left), row = hn::Floor(top);
     const V last_x = hn::Sub(left, column), last_y = hn::Sub(top, row);
     const V first_x = hn::Sub(one, last_x), first_y = hn::Sub(one, last_y);
@@ -49,7 +49,7 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
       if (taps % 2 == 0) compare(GatherDepths(d, map, index), last_x);
       const V weight = i == 0 ? first_y : i == taps ? last_y : one;
       lit = hn::Add(lit, hn::Mul(weight, lit_row));
-      all = hn::Add(all, hn::Mul(weight, all_row));  // rounds as `lit` does where everything is
+      all = hn::Add(all, hn::Mul(weight, all_row));  // same rounding as `lit` where all texels are lit
       start = hn::Add(start, pitch);
       start_z = hn::Add(start_z, at.dy);
     }

@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// n x n places around a point, one in each cell of a square: the canonical arrangement of multi-jittered samples
-/// (Chiu, Shirley and Wang, "Multi-Jittered Sampling", 1994), so that an edge along the map meets them one by one and
-/// not n at a time.
+/// n x n taps around a point, one in each cell of a square: the canonical arrangement of multi-jittered samples (Chiu,
+/// Shirley and Wang, "Multi-Jittered Sampling", 1994). An edge parallel to the map's axes crosses them one by one
+/// instead of n together.
 template <class D, class V>
 struct TapGrid {
   V step, first;
@@ -24,14 +24,14 @@ struct TapGrid {
     step = hn::Mul(half, hn::Set(d, 2.0f * inverse));
     first = hn::Mul(half, hn::Set(d, inverse * inverse - 1.0f));
   }
-  /// Along the axis in which `cell` counts.
+  /// Offset along the axis of index `cell`.
   HWY_INLINE V offset(D d, uint32_t cell, uint32_t other) const {
-    const float place = static_cast<float>(cell) + static_cast<float>(other) * inverse;
-    return hn::Add(first, hn::Mul(step, hn::Set(d, place)));
+    const float position = static_cast<float>(cell) + static_cast<float>(other) * inverse;
+    return hn::Add(first, hn::Mul(step, hn::Set(d, position)));
   }
 };
 
-/// Whether the surface's plane is in front of texels (column, row), those outside the map empty.
+/// Comparisons of the surface's plane with texels. Texels outside the map are empty.
 template <class D>
 struct Comparison {
   const ShadowMap& map;
@@ -43,8 +43,8 @@ struct Comparison {
     const V x = Clamp(d, column, -1.0f, size), y = Clamp(d, row, -1.0f, size);
     return GatherDepths(d, map, TexelIndex(d, map, at.face, x, y));
   }
-  /// The bilinear mean of four comparisons around a place.
-  HWY_INLINE V blend(D d, V x, V y) const {
+  /// The bilinear mean of four comparisons around (x, y).
+  HWY_INLINE V bilinear(D d, V x, V y) const {
     const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
     const V left = hn::Sub(x, half), top = hn::Sub(y, half);
     const V column = hn::Floor(left), row = hn::Floor(top);
@@ -56,7 +56,7 @@ struct Comparison {
 
  private:
   static HWY_INLINE V Mix(V a, V b, V f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
-  /// Of a texel and its right neighbour.
+  /// Mean of the comparisons with a texel and its right neighbour.
   HWY_INLINE V lit_pair(D d, V column, V row, V plane, V fx) const {
     const auto size = static_cast<float>(map.size);
     const V x = Clamp(d, column, -2.0f, size), y = Clamp(d, row, -1.0f, size), one = hn::Set(d, 1.0f);
@@ -67,15 +67,14 @@ struct Comparison {
   }
 };
 
-/// Percentage-closer soft shadows (Fernando, 2005): the mean depth of what blocks the light in the part of the map that
-/// the rays to the light cross, the width of the penumbra that follows from it, and comparisons over that width.
-/// half_width(depth of a blocker, of a receiver, texel) of a penumbra, in texels.
+/// Percentage-closer soft shadows (Fernando, 2005): the mean depth of the blockers in the part of the map that rays to
+/// the light cross, the width of the penumbra that follows from it, and comparisons over that width.
 void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const ShadowPlacement& placement = map.placement;
   const uint32_t taps = shadow.options.taps;
   const bool is_perspective = placement.projection != ShadowProjection::kOrthographic;
-  const float most = static_cast<float>(map.size) / static_cast<float>(kReachPart);
+  const float max_width = static_cast<float>(map.size) / static_cast<float>(kMaxRadiusPart);
   ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {
     using D = decltype(d);
     using V = hn::Vec<D>;
@@ -83,7 +82,7 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     const auto half_width = [&](V blocker) {
       const V gap = hn::Mul(half_light, hn::Max(hn::Sub(at.z, blocker), zero));
       const V length = is_perspective ? hn::Div(gap, hn::Max(blocker, hn::Set(d, placement.near))) : gap;
-      return Clamp(d, hn::Div(length, at.texel), 0.0f, most);
+      return Clamp(d, hn::Div(length, at.texel), 0.0f, max_width);
     };
     const Comparison<D> comparison = {map, at};
     const TapGrid<D, V> search(d, taps, hn::Max(half_width(hn::Set(d, placement.near)), one));
@@ -104,7 +103,7 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     for (uint32_t i = 0; i < taps; ++i) {
       for (uint32_t j = 0; j < taps; ++j) {
         const V x = hn::Add(at.x, grid.offset(d, j, i)), y = hn::Add(at.y, grid.offset(d, i, j));
-        lit = hn::Add(lit, comparison.blend(d, x, y));
+        lit = hn::Add(lit, comparison.bilinear(d, x, y));
       }
     }
     const V mean = hn::Div(lit, hn::Set(d, static_cast<float>(taps * taps)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on a shadow map, and the loop over a batch of them, the same for every filter.
+// Points on a shadow map, and the loop of all filters over a batch of points.
 
 #if defined(SHD_LIGHT_SHADOW_RECEIVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_LIGHT_SHADOW_RECEIVER_INL_H_
@@ -13,31 +13,37 @@
 #include <hwy/highway.h>
 
 #include "light/shadow.h"
+#include "simd/finite-inl.h"
+#include "simd/gather-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::GatherPairs;
+using simd::HWY_NAMESPACE::IsFinite;
+using simd::HWY_NAMESPACE::Set3;
 using simd::HWY_NAMESPACE::Vec3V;
 
 constexpr size_t kMaxReceiverLanes = 16;
 template <class D>
 using ShadowInts = hn::Vec<hn::RebindToSigned<D>>;
 
-/// Points on a map. The plane of the surface has the depth z + dx i + dy j at i texels to the right and j down of the
-/// point.
+/// Points on a map. The plane of the surface has the depth z + dx i + dy j at i texels to the right of the point and j
+/// texels below.
 template <class D>
 struct Receiver {
   hn::Vec<D> x, y;     // texel coordinates, 0..size; 0 where not inside
   hn::Vec<D> z;        // depth, biased; finite where inside
   hn::Vec<D> texel;    // world length of a texel's side at z, > 0
-  hn::Vec<D> dx, dy;   // slope of the surface a texel; 0 without normals
-  hn::Mask<D> inside;  // others are lit
+  hn::Vec<D> dx, dy;   // slope of the surface per texel; 0 without normals
+  hn::Mask<D> inside;  // other lanes are lit
   ShadowInts<D> face;  // its number
 };
 
-/// Vectors right, down and forward of a face.
+/// A vector in the axes of a face.
 template <class V>
 struct FaceVector {
   V right, down, forward;
@@ -45,13 +51,10 @@ struct FaceVector {
 
 template <class D, class V>
 HWY_INLINE FaceVector<V> ToFace(D d, const ShadowAxes& axes, const Vec3V<V>& a) {
-  const auto dot = [&](const float(&b)[3]) {
-    return Dot(a, Vec3V<V>{hn::Set(d, b[0]), hn::Set(d, b[1]), hn::Set(d, b[2])});
-  };
-  return {dot(axes.right), dot(axes.down), dot(axes.forward)};
+  return {Dot(a, Set3(d, axes.right)), Dot(a, Set3(d, axes.down)), Dot(a, Set3(d, axes.forward))};
 }
 
-/// The face of a cube that a vector points at, the later axis where two are equally long.
+/// The face of a cube that a vector points at; the later axis where two components are equally long.
 template <class D>
 struct CubeFace {
   hn::Mask<D> is_x, is_z, negative;  // y where neither
@@ -83,16 +86,11 @@ HWY_INLINE V Clamp(D d, V value, float low, float high) {
   return hn::Min(hn::Max(value, hn::Set(d, low)), hn::Set(d, high));
 }
 
-template <class D, class V>
-HWY_INLINE hn::Mask<D> IsFinite(D d, V value) {
-  return hn::Eq(hn::Sub(value, value), hn::Zero(d));
-}
-
-/// Where q, from the map's origin, lies with a surface of normal n, both in the face's axes.
-/// @param has_normal  lanes whose n is one
+/// The receiver at q, relative to the map's origin, on a surface of normal n, both in the axes of the face.
+/// @param has_normal  lanes with a normal
 template <class D, class V, class M>
-HWY_INLINE Receiver<D> PlaceOnFace(D d, const Shadow& shadow, const FaceVector<V>& q, const FaceVector<V>& n,
-                                   M has_normal) {
+HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVector<V>& q, const FaceVector<V>& n,
+                                      M has_normal) {
   const ShadowPlacement& placement = shadow.map.placement;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), size = hn::Set(d, static_cast<float>(shadow.map.size));
   const V centre = hn::Mul(size, hn::Set(d, 0.5f)), scale = hn::Set(d, placement.scale);
@@ -113,14 +111,14 @@ HWY_INLINE Receiver<D> PlaceOnFace(D d, const Shadow& shadow, const FaceVector<V
   const V steep = hn::CopySign(hn::Max(hn::Abs(hn::IfThenElseZero(has_normal, facing)), hn::Set(d, 1e-6f)), facing);
   const auto slope = [&](V component) {
     const V s = hn::Div(hn::Neg(hn::IfThenElseZero(has_normal, component)), steep);
-    return Clamp(d, hn::IfThenElseZero(IsFinite(d, s), s), -kMaxSlope, kMaxSlope);
+    return Clamp(d, FiniteOrZero(d, s), -kMaxSlope, kMaxSlope);
   };
   const V slope_x = slope(n.right), slope_y = slope(n.down);
   at.dx = hn::Mul(at.texel, slope_x);
   at.dy = hn::Mul(at.texel, slope_y);
   const ShadowOptions& options = shadow.options;
   const V unknown = hn::Set(d, unknown_steepness(options));
-  const V known = hn::Add(hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)), hn::Set(d, kLeastSteepness));
+  const V known = hn::Add(hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)), hn::Set(d, kSteepnessSlack));
   const V steepness = hn::IfThenElse(has_normal, known, unknown);
   const V guard = hn::Add(hn::Set(d, options.bias + placement.guard),
                           hn::Mul(hn::Set(d, placement.guard_square), hn::Mul(q.forward, q.forward)));
@@ -129,14 +127,14 @@ HWY_INLINE Receiver<D> PlaceOnFace(D d, const Shadow& shadow, const FaceVector<V
   return at;
 }
 
-/// Points with the normals of their surface, or without.
+/// The receiver at points with or without normals.
 template <class D, class V>
-HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& position, const Vec3V<V>& normal,
-                                     bool has_normals) {
+HWY_INLINE Receiver<D> MakeReceiver(D d, const Shadow& shadow, const Vec3V<V>& position, const Vec3V<V>& normal,
+                                    bool has_normals) {
   const hn::RebindToSigned<D> di;
   const ShadowPlacement& placement = shadow.map.placement;
   const V zero = hn::Zero(d);
-  const auto usable = hn::And(IsFinite(d, normal.x), hn::And(IsFinite(d, normal.y), IsFinite(d, normal.z)));
+  const auto usable = IsFinite(d, normal);
   const auto has_normal = has_normals ? usable : hn::Lt(zero, zero);
   const V offset = hn::Set(d, shadow.options.normal_offset);
   const auto from_origin = [&](V p, V n, float origin) {
@@ -148,12 +146,12 @@ HWY_INLINE Receiver<D> PlaceReceiver(D d, const Shadow& shadow, const Vec3V<V>& 
                       from_origin(position.z, normal.z, placement.origin[2])};
   if (placement.projection != ShadowProjection::kCube) {
     Receiver<D> at =
-        PlaceOnFace(d, shadow, ToFace(d, placement.axes, q), ToFace(d, placement.axes, normal), has_normal);
+        ReceiverOnFace(d, shadow, ToFace(d, placement.axes, q), ToFace(d, placement.axes, normal), has_normal);
     at.face = hn::Zero(di);
     return at;
   }
   const CubeFace<D> face(d, q);
-  Receiver<D> at = PlaceOnFace(d, shadow, face.vector(q), face.vector(normal), has_normal);
+  Receiver<D> at = ReceiverOnFace(d, shadow, face.vector(q), face.vector(normal), has_normal);
   at.face = face.number(d);
   return at;
 }
@@ -182,7 +180,7 @@ HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, f
     const Vec3V<V> p = {hn::LoadU(d, column[0]), hn::LoadU(d, column[1]), hn::LoadU(d, column[2])};
     Vec3V<V> n = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     if (has_normals) n = {hn::LoadU(d, column[3]), hn::LoadU(d, column[4]), hn::LoadU(d, column[5])};
-    const Receiver<D> at = PlaceReceiver(d, shadow, p, n, has_normals);
+    const Receiver<D> at = MakeReceiver(d, shadow, p, n, has_normals);
     const V lit = hn::Set(d, 1.0f);
     const V value = hn::AllFalse(d, at.inside) ? lit : hn::IfThenElse(at.inside, filter(d, at), lit);
     if (left >= lanes) {
@@ -196,7 +194,7 @@ HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, f
 
 using ReceiverTag = hn::CappedTag<float, kMaxReceiverLanes>;
 
-/// Index of a texel, which may be in the padding.
+/// Index of a texel in the face or its padding.
 template <class D, class V>
 HWY_INLINE ShadowInts<D> TexelIndex(D, const ShadowMap& map, ShadowInts<D> face, V column, V row) {
   const hn::RebindToSigned<D> di;
@@ -220,29 +218,8 @@ HWY_INLINE hn::Vec<D> GatherDepths(D d, const ShadowMap& map, ShadowInts<D> inde
   return hn::GatherIndex(d, map.depth.data(), index);
 }
 
-/// Values at index and index + 1. A gather costs by the element, so the two are one of 8 bytes where the target has
-/// such: PCF 7 x 7 does 70 instead of 43 million lookups a second on AVX-512, 60 instead of 28 on AVX2.
-template <class D>
-HWY_INLINE void GatherPairs(D d, const float* values, ShadowInts<D> index, hn::Vec<D>* left, hn::Vec<D>* right) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-  const hn::RebindToSigned<D> di;
-  const hn::Half<decltype(di)> half;
-  const hn::Repartition<int64_t, decltype(di)> wide;
-  const auto offset = hn::ShiftLeft<2>(index);
-  const auto* base = reinterpret_cast<const int64_t*>(values);
-  const auto low = hn::BitCast(d, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::LowerHalf(half, offset))));
-  const auto high = hn::BitCast(d, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::UpperHalf(half, offset))));
-  *left = hn::ConcatEven(d, high, low);
-  *right = hn::ConcatOdd(d, high, low);
-#else
-  const hn::RebindToSigned<D> di;
-  *left = hn::GatherIndex(d, values, index);
-  *right = hn::GatherIndex(d, values, hn::Add(index, hn::Set(di, 1)));
-#endif
-}
-
 /// Chebyshev's inequality (Donnelly and Lauritzen, "Variance Shadow Maps", 2006): an upper bound of the part of the
-/// depths that are z or more, cut at the foot by the reduction of light bleeding (Lauritzen 2007, 8.4.2).
+/// depths that are at least z, with light bleeding reduced (Lauritzen 2007, 8.4.2).
 template <class D, class V>
 HWY_INLINE V Chebyshev(D d, const ShadowOptions& options, V z, V mean, V variance) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);

@@ -13,11 +13,11 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One side of a box, cut where it cuts texels: table entries and the parts of the texels behind them.
+/// A box along one axis: the table entries at its ends, and the parts of texels between the entries and the ends.
 template <class D, class V>
 struct BoxSide {
-  ShadowInts<D> entry[2];  // of the texels that the ends lie in
-  V part[2];               // of those before the ends
+  ShadowInts<D> entry[2];  // of the texels that contain the ends
+  V part[2];               // of these texels before the ends
   V length;
 
   HWY_INLINE BoxSide(D d, V centre, V half, float size) {
@@ -43,7 +43,7 @@ struct BoxTable {
     const hn::Rebind<int64_t, D> wide;
     return hn::GatherIndex(Real(), sums, hn::PromoteTo(wide, index));
   }
-  /// From one place on to another, each a part of a texel after an entry.
+  /// Sum from a start to an end, each a part of a texel after an entry.
   static HWY_INLINE R between(R start, R after_start, R end, R after_end, R start_part, R end_part) {
     const R whole = hn::Sub(end, start);
     const R last = hn::Mul(end_part, hn::Sub(after_end, end)), first = hn::Mul(start_part, hn::Sub(after_start, start));
@@ -58,7 +58,7 @@ struct BoxTable {
   }
 };
 
-/// Chebyshev's bound over a box whose side is a length in the world (Lauritzen, "Summed-Area Variance Shadow Maps", GPU
+/// Chebyshev's bound over a box whose side is a world length (Lauritzen, "Summed-Area Variance Shadow Maps", GPU
 /// Gems 3, 2007).
 void SampleSummedArea(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
@@ -72,8 +72,8 @@ void SampleSummedArea(const Shadow& shadow, const ShadowLookups& in, float* visi
     const hn::RebindToSigned<D> di;
     const Real real;
     const auto size = static_cast<float>(map.size);
-    const float most = size / static_cast<float>(kReachPart);
-    const V half = Clamp(d, hn::Div(hn::Set(d, 0.5f * shadow.options.filter_size), at.texel), 0.5f, most);
+    const float max_half = size / static_cast<float>(kMaxRadiusPart);
+    const V half = Clamp(d, hn::Div(hn::Set(d, 0.5f * shadow.options.filter_size), at.texel), 0.5f, max_half);
     const BoxSide<D, V> across(d, at.x, half, size), along(d, at.y, half, size);
     const auto width = static_cast<int32_t>(2 * (map.size + 1));
     const auto face = hn::Mul(at.face, hn::Set(di, width * static_cast<int32_t>(map.size + 1)));

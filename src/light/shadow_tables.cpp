@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moments of depths. Texels are independent, and sums that depend on others are exact, so the bits do not depend on
-// who computes what.
+// Moments of depths. Texels are either independent or exact sums, so the bits do not depend on the workers.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +10,7 @@
 namespace shd::light {
 namespace {
 
-/// Sums of the depths of a column of texels and of their squares, from the middle of the range; empty texels are far.
+/// Sums over a column of texels of depths from the middle of the range, and of their squares; empty texels are far.
 struct DepthSums {
   double first, second;
 };
@@ -25,7 +24,7 @@ class Blur {
         far_(static_cast<double>(map.placement.far)),
         middle_(0.5 * (far_ + static_cast<double>(map.placement.near))) {}
 
-  /// A row of the map, its padding included.
+  /// Blurs a row of the map including its padding.
   /// @param columns  [pitch + taps]
   void run(uint32_t face, int32_t y, DepthSums* columns, float* out) const {
     const int32_t pitch = static_cast<int32_t>(map_.pitch), taps = static_cast<int32_t>(taps_);
@@ -95,9 +94,9 @@ void build_sums(const core::Context& context, const core::Allocator& allocator, 
     double* out = sums.data() + face * face_sums + (y + 1) * row;
     out[0] = out[1] = 0.0;
     for (size_t x = 0; x < size; ++x) {
-      const double s = coded_depth(scale, depth[x]);
+      const double s = quantized_depth(scale, depth[x]);
       out[2 * x + 2] = out[2 * x] + s;
-      out[2 * x + 3] = out[2 * x + 1] + coded_square(s);
+      out[2 * x + 3] = out[2 * x + 1] + quantized_square(s);
     }
   });
   constexpr size_t kColumns = 64;

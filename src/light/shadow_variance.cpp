@@ -18,7 +18,7 @@ struct Corners {
   V value[4];
 
   template <class D>
-  HWY_INLINE V blend(D d, V fx, V fy) const {
+  HWY_INLINE V bilinear(D d, V fx, V fy) const {
     const V one = hn::Set(d, 1.0f);
     const auto mix = [&](V a, V b, V f) { return hn::Add(hn::Mul(a, hn::Sub(one, f)), hn::Mul(b, f)); };
     return mix(mix(value[0], value[1], fx), mix(value[2], value[3], fx), fy);
@@ -45,13 +45,13 @@ void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibi
     for (size_t k = 0; k < 4; ++k) {
       GatherPairs(d, map.moments.data(), hn::ShiftLeft<1>(index[k]), &mean.value[k], &variance.value[k]);
     }
-    const V middle = mean.blend(d, fx, fy);
+    const V middle = mean.bilinear(d, fx, fy);
     for (size_t k = 0; k < 4; ++k) {
       const V away = hn::Sub(mean.value[k], middle);
       variance.value[k] = hn::Add(variance.value[k], hn::Mul(away, away));
     }
     const V z = hn::Min(at.z, hn::Set(d, map.placement.far));
-    return Chebyshev(d, shadow.options, z, middle, variance.blend(d, fx, fy));
+    return Chebyshev(d, shadow.options, z, middle, variance.bilinear(d, fx, fy));
   });
 }
 

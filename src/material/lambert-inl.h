@@ -8,17 +8,32 @@
 #define SHD_MATERIAL_LAMBERT_INL_H_
 #endif
 
-#include "simd/vec3-inl.h"
+#include "material/model-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, n.l) for unit vectors.
-template <class D, class V>
-HWY_INLINE V Lambert(D d, V n_dot_l) {
-  return hn::Max(n_dot_l, hn::Zero(d));
-}
+/// k_a I_a + sum of k_d E max(0, n.l).
+struct Lambert : ModelBase {
+  static constexpr uint32_t kSlots = kLitSlots;
+
+  struct Lighting : LightingBase {
+    static constexpr uint32_t kLobes = 1;
+
+    template <class D, class V>
+    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
+      lobe[0] = Cosine(d, in);
+    }
+  };
+
+  struct Combination {
+    template <class D, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+      return hn::Add(c.ambient, hn::Mul(c.Diffuse(), c.Lobe(0)));
+    }
+  };
+};
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -26,17 +26,17 @@ Slot build_slot(const shd_slot& desc, const SlotParts& parts, const texture::Sam
   return slot;
 }
 
-/// Reflectance at normal incidence of a surface with this index of refraction.
-float dielectric_of(float ior) noexcept {
+/// Reflectance at normal incidence of a surface with an index of refraction.
+float dielectric_f0_of(float ior) noexcept {
   const double ratio = (double{ior} - 1.0) / (double{ior} + 1.0);
   return static_cast<float>(ratio * ratio);
 }
 
 void build_surface(const shd_material_desc& desc, const texture::Texture* normals, Material* out) noexcept {
-  const bool in_codes =
+  const bool is_unorm =
       normals && normals->component != image::Component::kFloat16 && normals->component != image::Component::kFloat32;
-  out->normal_factor = in_codes ? 2.0f : 1.0f;
-  out->normal_offset = in_codes ? -1.0f : 0.0f;
+  out->normal_factor = is_unorm ? 2.0f : 1.0f;
+  out->normal_offset = is_unorm ? -1.0f : 0.0f;
   out->normal_encoding = desc.normal_encoding;
   out->normal_scale[0] = desc.normal_scale;
   out->normal_scale[1] = desc.flags & SHD_NORMAL_Y_DOWN ? -desc.normal_scale : desc.normal_scale;
@@ -67,7 +67,7 @@ void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT],
   out->exponent = desc.exponent;
   out->metallic = desc.metallic;
   out->roughness = desc.roughness;
-  out->dielectric = dielectric_of(desc.ior);
+  out->dielectric_f0 = dielectric_f0_of(desc.ior);
   out->occlusion_strength = desc.occlusion_strength;
   out->warm_mix = desc.warm_mix;
   out->cool_mix = desc.cool_mix;

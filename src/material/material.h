@@ -2,21 +2,33 @@
 /// @file
 /// Stage contract: material, (Fragments -> lobes).
 ///
-/// Input:      a checked desc.
-/// Output:     coefficients in the form that the kernels of shade/ read.
+/// Input:      a checked desc; fragments for models without lights.
+/// Output:     coefficients in the form that the kernels of shade/ read; the reflectance models.
 /// Units:      scene-linear RGB.
-/// Invariants: a Material never changes once made; it holds references to its textures and samplers.
+/// Invariants: a Material is immutable; it holds references to its textures and samplers. A model is one struct in one
+///             file, and one row of the table in models-inl.h; nothing else depends on the set of models.
 ///
-/// | file                      | what                                                                      |
-/// |---------------------------|---------------------------------------------------------------------------|
-/// | slot.h                    | where a coefficient varies, and which belong together                     |
-/// | model.h                   | what each model reads, and how many lobes it has                          |
-/// | lambert-inl.h             | lobes of one light: the cosine                                            |
-/// | phong-inl.h               | the mirrored light                                                        |
-/// | blinn_phong-inl.h         | the half vector, and its normalisation                                    |
-/// | toon-inl.h                | in steps                                                                  |
-/// | metallic_roughness-inl.h  | of glTF's microfacets                                                     |
-/// | roughness-inl.h           | exponents and roughness in their range, and widened                       |
+/// | file                         | what                                                                  |
+/// |------------------------------|-----------------------------------------------------------------------|
+/// | slot.h                       | sources of coefficients, and their values at points                   |
+/// | slot_lookup.h                | texture lookups of a slot at points                                   |
+/// | model.h                      | what the other stages need to know about a model                      |
+/// | models-inl.h                 | the table of the models                                               |
+/// | model-inl.h                  | members of a model, and what its functions are given                  |
+/// | specular-inl.h               | base of the textbook models with a specular lobe                      |
+/// | debug_view-inl.h             | base of the models that show an attribute of fragments                |
+/// | exponent-inl.h               | shape of a lobe: exponent, and its gain                               |
+/// | roughness-inl.h              | shape of a lobe: alpha^2                                              |
+/// | lambert-inl.h                | model                                                                 |
+/// | phong-inl.h                  | model                                                                 |
+/// | blinn_phong-inl.h            | model                                                                 |
+/// | blinn_phong_normalized-inl.h | model                                                                 |
+/// | combined-inl.h               | model: ambient light through the diffuse coefficient                  |
+/// | toon-inl.h                   | model                                                                 |
+/// | gooch-inl.h                  | model                                                                 |
+/// | metallic_roughness-inl.h     | model: the microfacets of glTF                                        |
+/// | unlit-inl.h, matcap-inl.h    | models without lights                                                 |
+/// | show_*-inl.h                 | debug views of normal, uv, level of detail, barycentric coordinates   |
 #pragma once
 
 #include <cstdint>
@@ -39,26 +51,26 @@ struct Material {
   float exponent;     // p
   float emission[3];
   float metallic, roughness;
-  float dielectric;  // F0 of ior
+  float dielectric_f0;  // reflectance of ior at normal incidence
   float occlusion_strength;
-  float warm[3], cool[3];  // of Gooch, with their share of k_d still to come
-  float warm_mix, cool_mix;
+  float warm[3], cool[3];    // of Gooch
+  float warm_mix, cool_mix;  // shares of k_d that are added to them
   float toon_steps;
   shd_normal_encoding normal_encoding;
   float normal_scale[2];               // of x and y
-  float normal_factor, normal_offset;  // from values of the slot to components
+  float normal_factor, normal_offset;  // component = factor * value of the slot + offset
   shd_bump bump;
   float bump_scale;
   float parallax_depth;
   uint32_t parallax_steps;
   Slot slot[SHD_SLOT_COUNT];
-  uint32_t slots;  // bits of those that are set and that the model reads
+  uint32_t slots;  // bits of the slots that are set and that the model reads
   shd_material_program program;
   uint32_t varying_count;  // 0 without program.vertex
   shd_interpolation interpolation[SHD_MAX_VARYINGS];
   shd_blend_mode blend;
   float opacity, alpha_cutoff;
-  texture::Sampler default_sampler;                   // of slots without one
+  texture::Sampler default_sampler;                   // of slots without a sampler
   core::Object* texture_object[SHD_SLOT_COUNT] = {};  // retained, or null
   core::Object* sampler_object[SHD_SLOT_COUNT] = {};  // retained, or null
 
@@ -73,28 +85,28 @@ inline bool has_slot(const Material& material, uint32_t slot) {
   return material.slots >> slot & 1;
 }
 
-/// Whether fragments must be shaded to know which samples they cover.
+/// Whether the samples that a fragment covers depend on its shading.
 inline bool drops_fragments(const Material& material) {
   return material.alpha_cutoff > 0.0f || (material.flags & (SHD_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
 }
 
-/// Whether the opacity of a model counts.
+/// Whether the opacity of a model has an effect.
 inline bool has_opacity(const Material& material) {
   return material.blend != SHD_BLEND_OPAQUE || drops_fragments(material);
 }
 
-/// Whether the blend comes after all draws that have an order.
+/// Whether the material is blended after all ordered draws.
 inline bool is_unordered(const Material& material) {
   return material.blend == SHD_BLEND_WEIGHTED || material.blend == SHD_BLEND_SORTED;
 }
 
-/// What the handles of a slot stand for.
+/// Objects behind the handles of a slot.
 struct SlotParts {
   const texture::Texture* texture;  // null = none
-  const texture::Sampler* sampler;  // null = the default one
+  const texture::Sampler* sampler;  // null = the default sampler
 };
 
-/// Takes a checked desc with what its handles stand for; the references in `out` are the caller's to set.
+/// Makes a material of a checked desc and the objects behind its handles. The caller sets the references of `out`.
 void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT], Material* out) noexcept;
 
 }  // namespace shd::material

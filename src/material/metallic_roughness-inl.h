@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The metallic-roughness lobes of glTF 2.0, appendix B.
+// The metallic-roughness model of glTF 2.0, appendix B.
 
 #if defined(SHD_MATERIAL_METALLIC_ROUGHNESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_METALLIC_ROUGHNESS_INL_H_
@@ -8,45 +8,43 @@
 #define SHD_MATERIAL_METALLIC_ROUGHNESS_INL_H_
 #endif
 
-#include "simd/vec3-inl.h"
+#include "material/roughness-inl.h"
+#include "simd/math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What one light gives, over E.
+/// One light over E, with f = (1 - v.h)^5.
 template <class V>
-struct MetallicRoughness {
-  V diffuse;  // n.l (1 - f), f = (1 - v.h)^5
-  V mirror;   // n.l D V (1 - f): times F0
-  V edge;     // n.l D V f
+struct MetallicRoughnessLobes {
+  V diffuse;       // n.l (1 - f)
+  V specular_f0;   // n.l D V (1 - f): the coefficient is F0
+  V specular_f90;  // n.l D V f: the coefficient is F90 = 1
 };
 
 /// D of Trowbridge and Reitz (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007) and the
 /// masking and shadowing V of Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs" (2014).
-/// n.v counts as 1e-4 where it is less; 0 where wo + l = 0. n_dot_l > 0 where the result is used.
+/// n.v is at least 1e-4; 0 where wo + l = 0. n.l > 0 where the result is used.
 template <class D, class V>
-HWY_INLINE MetallicRoughness<V> MetallicRoughnessLobes(D d, const simd::HWY_NAMESPACE::Vec3V<V>& n,
-                                                       const simd::HWY_NAMESPACE::Vec3V<V>& wo,
-                                                       const simd::HWY_NAMESPACE::Vec3V<V>& l, V n_dot_l,
-                                                       V alpha_squared) {
-  using simd::HWY_NAMESPACE::Cross;
-  using simd::HWY_NAMESPACE::Dot;
+HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<V>& point, const Incoming<V>& in,
+                                                               V alpha_squared) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const auto sum = simd::HWY_NAMESPACE::Sum(wo, l);
+  const auto sum = Sum(point.wo, in.l);
   const V squared = Dot(sum, sum);
   const auto usable = hn::Gt(squared, zero);
   const V inverse = hn::Div(one, hn::IfThenElse(usable, squared, one));
-  const V cosine = hn::Max(n_dot_l, zero);
-  const V n_dot_v = hn::Max(Dot(n, wo), hn::Set(d, 1e-4f));
+  const V cosine = Cosine(d, in);
+  const V n_dot_v = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
 
-  // (n.h)^2 (a^2 - 1) + 1 = (n.h)^2 a^2 + |n x h|^2, without the cancellation near the highlight's middle.
-  const V n_dot_sum = hn::Max(Dot(n, sum), zero);
-  const auto across = Cross(n, sum);
+  // (n.h)^2 (a^2 - 1) + 1 = (n.h)^2 a^2 + |n x h|^2, without cancellation near the centre of the highlight.
+  const V n_dot_sum = hn::Max(Dot(point.n, sum), zero);
+  const auto across = simd::HWY_NAMESPACE::Cross(point.n, sum);
   const V spread =
       hn::Mul(hn::Add(hn::Mul(hn::Mul(n_dot_sum, n_dot_sum), alpha_squared), Dot(across, across)), inverse);
   const V floor = hn::Max(spread, hn::Set(d, 1e-12f));
-  const V distribution = hn::Div(hn::Mul(alpha_squared, hn::Set(d, 0.318309886f)), hn::Mul(floor, floor));
+  const V distribution =
+      hn::Div(hn::Mul(alpha_squared, hn::Set(d, simd::HWY_NAMESPACE::kInvPi)), hn::Mul(floor, floor));
 
   const V rest = hn::Sub(one, alpha_squared);
   const auto shadowed = [&](V c) { return hn::Sqrt(hn::Add(hn::Mul(hn::Mul(c, c), rest), alpha_squared)); };
@@ -60,6 +58,41 @@ HWY_INLINE MetallicRoughness<V> MetallicRoughnessLobes(D d, const simd::HWY_NAME
   const V lobe = hn::IfThenElseZero(usable, hn::Mul(hn::Mul(cosine, distribution), visibility));
   return {hn::Mul(cosine, hn::Sub(one, f)), hn::Mul(lobe, hn::Sub(one, f)), hn::Mul(lobe, f)};
 }
+
+/// k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f0) (1 - f) / pi + (F0 (1 - f) + f) D V) with base
+/// colour b = k_d, metallic m, f0 the reflectance of the dielectric and F0 = f0 (1 - m) + b m.
+struct MetallicRoughness : ModelBase {
+  static constexpr uint32_t kSlots = kLitSlots | 1u << SHD_SLOT_METALLIC | 1u << SHD_SLOT_ROUGHNESS;
+
+  struct Lighting : LightingBase {
+    static constexpr uint32_t kLobes = 3;
+    static constexpr bool kNeedsEye = true;
+    using Shape = RoughnessShape;
+
+    template <class D, class V>
+    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
+                                    V* lobe) {
+      const auto lobes = EvaluateMetallicRoughness(d, point, in, shape[Shape::kAlphaSquared]);
+      lobe[0] = lobes.diffuse;
+      lobe[1] = lobes.specular_f0;
+      lobe[2] = lobes.specular_f90;
+    }
+  };
+
+  struct Combination {
+    template <class D, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
+      const V one = hn::Set(d, 1.0f), dielectric_f0 = hn::Set(d, c.material.dielectric_f0);
+      const V base = c.Diffuse(), metallic = c.Metallic(), rest = hn::Sub(one, metallic);
+      const V scattering = hn::Mul(base, rest);
+      const V f0 = hn::Add(hn::Mul(dielectric_f0, rest), hn::Mul(base, metallic));
+      const V diffuse =
+          hn::Mul(hn::Mul(scattering, hn::Sub(one, dielectric_f0)), hn::Set(d, simd::HWY_NAMESPACE::kInvPi));
+      const V reflected = hn::Add(hn::Mul(f0, c.Lobe(1)), c.Lobe(2));
+      return hn::Add(hn::Mul(c.ambient, hn::Add(scattering, f0)), hn::Add(hn::Mul(diffuse, c.Lobe(0)), reflected));
+    }
+  };
+};
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -4,49 +4,54 @@
 #include <cstdint>
 
 #include <shd/material.h>
-#include <shd/slot.h>
+#include <shd/view.h>
+
+#include "core/simd_target.h"
+#include "raster/fragments.h"
 
 namespace shd::material {
 
-/// What a model is made of. A lobe is what the lights give before the coefficients that scale it.
-struct ModelInfo {
-  uint32_t lobes;   // RGB sums over the lights: 0 = it knows no lights
-  bool needs_eye;   // lobes go by wo
-  uint32_t slots;   // bits of those that it reads
-  bool has_normal;  // bumps and mapped normals change it
+struct Material;
+
+/// Largest number of lobes of a model.
+constexpr uint32_t kMaxLobes = 3;
+/// Largest number of values that shape the lobes of a model at a point.
+constexpr uint32_t kMaxShapeColumns = 2;
+
+/// Reflected light of each point before the coefficients that scale it: the model's lobes, RGB, summed over the lights.
+struct Lobes {
+  float* lobe[kMaxLobes][3];  // columns
 };
 
-namespace detail {
+/// What the stages around the kernels need to know about a model. model-inl.h explains the fields.
+struct ModelInfo {
+  uint32_t slots;        // bits of the slots that the model reads
+  uint32_t lobes;        // 0 = unlit
+  uint32_t shape_slots;  // bits of the slots that shape the lobes
+  uint32_t shape_columns;
+  uint32_t shown_columns;  // raster::Interpolated bits
+  bool needs_eye;
+  bool has_normal;
+  bool ignores_irradiance;
+};
 
-constexpr uint32_t bit(uint32_t slot) {
-  return 1u << slot;
-}
-constexpr uint32_t kAlways = bit(SHD_SLOT_DIFFUSE) | bit(SHD_SLOT_OPACITY) | bit(SHD_SLOT_EMISSION);
-constexpr uint32_t kSurface = bit(SHD_SLOT_NORMAL) | bit(SHD_SLOT_HEIGHT);
-constexpr uint32_t kLit = kAlways | kSurface | bit(SHD_SLOT_AMBIENT) | bit(SHD_SLOT_OCCLUSION);
-constexpr uint32_t kShiny = kLit | bit(SHD_SLOT_SPECULAR) | bit(SHD_SLOT_EXPONENT);
+/// All zero for SHD_MODEL_PROGRAM.
+const ModelInfo& info_of(shd_model model);
 
-}  // namespace detail
+/// The largest value of shd_model that names a model.
+shd_model last_model();
 
-inline ModelInfo info_of(shd_model model) {
-  using namespace detail;
-  switch (model) {
-    case SHD_MODEL_LAMBERT: return {1, false, kLit, true};
-    case SHD_MODEL_BLINN_PHONG:
-    case SHD_MODEL_BLINN_PHONG_NORMALIZED:
-    case SHD_MODEL_PHONG:
-    case SHD_MODEL_TOON: return {2, true, kShiny, true};
-    case SHD_MODEL_COMBINED: return {2, true, kShiny & ~bit(SHD_SLOT_AMBIENT), true};
-    case SHD_MODEL_GOOCH: return {1, false, kAlways | kSurface, true};
-    case SHD_MODEL_METALLIC_ROUGHNESS: return {3, true, kLit | bit(SHD_SLOT_METALLIC) | bit(SHD_SLOT_ROUGHNESS), true};
-    case SHD_MODEL_MATCAP: return {0, false, kAlways | kSurface | bit(SHD_SLOT_MATCAP), true};
-    case SHD_MODEL_SHOW_NORMAL: return {0, false, kAlways | kSurface, true};
-    case SHD_MODEL_UNLIT:
-    case SHD_MODEL_SHOW_UV:
-    case SHD_MODEL_SHOW_LEVEL:
-    case SHD_MODEL_SHOW_BARYCENTRICS: return {0, false, kAlways | bit(SHD_SLOT_HEIGHT), false};
-    default: return {0, false, 0, false};
-  }
-}
+/// Fragments that an unlit model shows.
+struct ShowInputs {
+  const core::SimdTarget& simd;
+  const Material& material;
+  const shd_view& view;
+  const raster::Fragments& fragments;
+  float* const* uv;  // [6] scratch columns
+};
+
+/// Writes the colour of an unlit model to out, columns of the fragments. Nothing is written past their count, and
+/// nothing at all for models with lobes and for SHD_MODEL_UNLIT.
+void show(const ShowInputs& in, float* const out[3]);
 
 }  // namespace shd::material

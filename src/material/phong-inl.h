@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Specular lobe of Phong, "Illumination for Computer Generated Pictures" (1975).
+// Phong, "Illumination for Computer Generated Pictures" (1975).
 
 #if defined(SHD_MATERIAL_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_PHONG_INL_H_
@@ -8,22 +8,33 @@
 #define SHD_MATERIAL_PHONG_INL_H_
 #endif
 
+#include "material/specular-inl.h"
 #include "simd/math-inl.h"
-#include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, wo.r)^p with r = 2 (n.l) n - l, the mirrored direction of the light. Unit vectors or 0.
+/// max(0, wo.r)^p with r = 2 (n.l) n - l, the light mirrored at the normal. Unit vectors or 0.
 template <class D, class V>
-HWY_INLINE V Phong(D d, const simd::HWY_NAMESPACE::Vec3V<V>& n, const simd::HWY_NAMESPACE::Vec3V<V>& wo,
-                   const simd::HWY_NAMESPACE::Vec3V<V>& l, V n_dot_l, V exponent) {
-  const V twice = hn::Add(n_dot_l, n_dot_l);
-  const V o_dot_r = hn::Sub(hn::Mul(twice, simd::HWY_NAMESPACE::Dot(n, wo)), simd::HWY_NAMESPACE::Dot(wo, l));
+HWY_INLINE V PhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
+  const V twice = hn::Add(in.n_dot_l, in.n_dot_l);
+  const V o_dot_r = hn::Sub(hn::Mul(twice, Dot(point.n, point.wo)), Dot(point.wo, in.l));
   const V cosine = hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
   return simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent);
 }
+
+/// Lambert + sum of k_s E max(0, wo.r)^p.
+struct Phong : SpecularBase {
+  struct Lighting : SpecularLighting {
+    template <class D, class V>
+    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
+                                    V* lobe) {
+      lobe[0] = Cosine(d, in);
+      lobe[1] = PhongLobe(d, point, in, shape[Shape::kExponent]);
+    }
+  };
+};
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of lobes held in their range, and widened by the variance of slopes that lies below the pixel.
+// Roughness of a microfacet lobe.
 
 #if defined(SHD_MATERIAL_ROUGHNESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_ROUGHNESS_INL_H_
@@ -8,44 +8,36 @@
 #define SHD_MATERIAL_ROUGHNESS_INL_H_
 #endif
 
-#include <hwy/highway.h>
+#include "material/model-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// An exponent in 0..1e6; 0 for NaN.
-template <class D, class V>
-HWY_INLINE V HeldExponent(D d, V p) {
-  const V most = hn::Set(d, 1e6f);
-  return hn::IfThenElse(hn::Lt(p, most), hn::IfThenElseZero(hn::Gt(p, hn::Zero(d)), p),
-                        hn::IfThenElseZero(hn::Ge(p, most), most));
-}
-
-/// p' with 1 / p' = 1 / p + variance (Toksvig, "Mipmapping Normal Maps", 2005).
-template <class D, class V>
-HWY_INLINE V WidenExponent(D d, V p, V variance) {
-  return hn::Div(p, hn::Add(hn::Set(d, 1.0f), hn::Mul(p, variance)));
-}
-
-/// alpha^2 with alpha = max(roughness^2, 0.001), roughness held in 0..1; 1 for NaN.
+/// alpha^2 with alpha = max(roughness^2, 0.001), roughness clamped to 0..1; 1 for NaN.
 template <class D, class V>
 HWY_INLINE V AlphaSquared(D d, V roughness) {
-  const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-3f);
-  const V held = hn::IfThenElse(hn::Lt(roughness, one), roughness, one);
-  const V square = hn::Mul(held, held);
-  const V alpha = hn::IfThenElse(hn::And(hn::Gt(held, hn::Zero(d)), hn::Gt(square, least)), square, least);
+  const V one = hn::Set(d, 1.0f), min_alpha = hn::Set(d, 1e-3f);
+  const V clamped = hn::IfThenElse(hn::Lt(roughness, one), roughness, one);
+  const V square = hn::Mul(clamped, clamped);
+  const V alpha = hn::IfThenElse(hn::And(hn::Gt(clamped, hn::Zero(d)), hn::Gt(square, min_alpha)), square, min_alpha);
   return hn::Mul(alpha, alpha);
 }
 
-/// min(1, alpha^2 + 2 variance): slopes of a GGX surface have no variance, of the Beckmann one of its width alpha^2
-/// / 2.
-template <class D, class V>
-HWY_INLINE V WidenAlpha(D d, V alpha_squared, V variance) {
-  const V sum = hn::Add(alpha_squared, hn::Add(variance, variance));
-  const V one = hn::Set(d, 1.0f);
-  return hn::IfThenElse(hn::Lt(sum, one), sum, one);
-}
+/// alpha^2 = min(1, roughness^4 + 2 variance). The slopes of a GGX surface have no variance; those of a Beckmann
+/// surface of the same width have alpha^2 / 2.
+struct RoughnessShape {
+  enum Column : uint32_t { kAlphaSquared, kColumns };
+  static constexpr uint32_t kSlots = 1u << SHD_SLOT_ROUGHNESS;
+
+  template <class D, class V>
+  static HWY_INLINE void Derive(D d, const Material& m, const SlotsAt<D>& slots, V variance, V* shape) {
+    const V one = hn::Set(d, 1.0f);
+    const V own = AlphaSquared(d, slots.Get(m.roughness, SHD_SLOT_ROUGHNESS, 0));
+    const V sum = hn::Add(own, hn::Add(variance, variance));
+    shape[kAlphaSquared] = hn::IfThenElse(hn::Lt(sum, one), sum, one);
+  }
+};
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

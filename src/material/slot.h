@@ -13,7 +13,7 @@ namespace shd::material {
 struct Slot {
   shd_slot_source source;
   uint32_t uv_set, channel, attribute;
-  const texture::Texture* texture;  // null but with SHD_SOURCE_TEXTURE
+  const texture::Texture* texture;  // null unless SHD_SOURCE_TEXTURE
   const texture::Sampler* sampler;  // never null with a texture
   bool is_transformed;              // uv_transform is not the identity
   float uv_transform[6];
@@ -21,12 +21,17 @@ struct Slot {
   void* user_data;
 };
 
-/// A slot that says more than its constant.
+/// Values of slots at points: columns, null = 1.
+struct Parameters {
+  const float* value[SHD_SLOT_COUNT][4];
+};
+
+/// Whether a slot is more than its constant.
 inline bool is_set(const Slot& slot) {
   return slot.source != SHD_SOURCE_CONSTANT;
 }
 
-/// Columns that a slot writes.
+/// Number of columns of a slot.
 constexpr uint32_t slot_channels(uint32_t slot) {
   switch (slot) {
     case SHD_SLOT_DIFFUSE:
@@ -39,11 +44,11 @@ constexpr uint32_t slot_channels(uint32_t slot) {
   }
 }
 
-/// Slots that are looked up where the model runs; the others are for every fragment.
+/// Slots that are looked up at the points where the lobes are computed; the others are looked up at every fragment.
 constexpr uint32_t kShapingSlots =
     1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
 
-/// Whether two slots read the same texels at the same places.
+/// Whether two slots make the same lookups in the same texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {
   if (a.texture != b.texture || a.sampler != b.sampler || a.uv_set != b.uv_set) return false;
   for (int i = 0; i < 6; ++i) {

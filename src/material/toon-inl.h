@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lobes in steps.
+// Blinn-Phong in steps.
 
 #if defined(SHD_MATERIAL_TOON_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_TOON_INL_H_
@@ -8,23 +8,30 @@
 #define SHD_MATERIAL_TOON_INL_H_
 #endif
 
-#include <hwy/highway.h>
+#include "material/blinn_phong-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A cosine in 0..1 rounded up to a multiple of 1 / steps.
-template <class D, class V>
-HWY_INLINE V ToonDiffuse(D d, V cosine, float steps) {
-  return hn::Min(hn::Div(hn::Ceil(hn::Mul(cosine, hn::Set(d, steps))), hn::Set(d, steps)), hn::Set(d, 1.0f));
-}
+/// Lambert + the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0, n.h)^p
+/// replaced by 1 from 1/2 on and by 0 below.
+struct Toon : SpecularBase {
+  struct Lighting : SpecularLighting {
+    template <class D, class V>
+    static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
+                                    const V* shape, V* lobe) {
+      const V one = hn::Set(d, 1.0f), steps = hn::Set(d, m.toon_steps);
+      lobe[0] = hn::Min(hn::Div(hn::Ceil(hn::Mul(Cosine(d, in), steps)), steps), one);
+      const V highlight = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+      lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
+    }
 
-/// 1 from a half on, else 0.
-template <class D, class V>
-HWY_INLINE V ToonSpecular(D d, V lobe) {
-  return hn::IfThenElseZero(hn::Ge(lobe, hn::Set(d, 0.5f)), hn::Set(d, 1.0f));
-}
+    /// A step has no energy to preserve: the gain is left out.
+    template <class D, class V>
+    static HWY_INLINE void Normalize(D, const V*, V (&)[2][3]) {}
+  };
+};
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "raster/fragments.h"
+#include "simd/finite-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
@@ -21,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D, class V>
 HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   const V blend = hn::Add(hn::Add(a0, hn::Mul(b1, hn::Sub(a1, a0))), hn::Mul(b2, hn::Sub(a2, a0)));
-  const auto finite = hn::Lt(hn::Abs(blend), hn::Set(d, __builtin_inff()));
+  const auto finite = simd::HWY_NAMESPACE::IsFinite(d, blend);
   if (HWY_LIKELY(hn::AllTrue(d, finite))) return blend;
   const V half = hn::Set(d, 0.5f), limit = hn::Set(d, 0x1.fffffep126f);
   const V h0 = hn::Mul(a0, half), h1 = hn::Sub(hn::Mul(a1, half), h0), h2 = hn::Sub(hn::Mul(a2, half), h0);

@@ -12,12 +12,15 @@
 #include <hwy/highway.h>
 
 #include "raster/attribute-inl.h"
+#include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::FiniteOrZero;
 using simd::HWY_NAMESPACE::Normalize;
+using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
 
 /// Reads component c of rows of four; one row for all lanes.
@@ -93,12 +96,6 @@ HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], c
   return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
 }
 
-/// x where it is finite, else 0.
-template <class D, class V>
-HWY_INLINE V FiniteOrZero(D d, V x) {
-  return hn::IfThenElseZero(hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff())), x);
-}
-
 /// A texture coordinate with its derivatives.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (&rows)[3], const Barycentric<V>& b,
@@ -120,23 +117,17 @@ HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const 
   if (wanted & kNormal) {
     const Vec3V<V> n = Normalize(d, Vec3V<V>{Attribute(d, normals, 0, rows, b), Attribute(d, normals, 1, rows, b),
                                              Attribute(d, normals, 2, rows, b)});
-    hn::Store(n.x, d, f.nx + at);
-    hn::Store(n.y, d, f.ny + at);
-    hn::Store(n.z, d, f.nz + at);
+    Store3(d, n, f.nx, f.ny, f.nz, at);
   }
   if (!(wanted & (kPosition | kToEye))) return;
   const Vec3V<V> p = {Attribute(d, world, 0, rows, b), Attribute(d, world, 1, rows, b),
                       Attribute(d, world, 2, rows, b)};
-  hn::Store(p.x, d, f.px + at);
-  hn::Store(p.y, d, f.py + at);
-  hn::Store(p.z, d, f.pz + at);
+  Store3(d, p, f.px, f.py, f.pz, at);
   if (!(wanted & kToEye)) return;
   const Vec3V<V> to_eye = {hn::Sub(hn::Set(d, eye[0]), p.x), hn::Sub(hn::Set(d, eye[1]), p.y),
                            hn::Sub(hn::Set(d, eye[2]), p.z)};
   const Vec3V<V> o = Normalize(d, to_eye);
-  hn::Store(o.x, d, f.ox + at);
-  hn::Store(o.y, d, f.oy + at);
-  hn::Store(o.z, d, f.oz + at);
+  Store3(d, o, f.ox, f.oy, f.oz, at);
 }
 
 /// What only some materials read.

@@ -6,129 +6,104 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "material/models-inl.h"
+#include "material/slot_lookup.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A coefficient: a constant times a column, if there is one.
-struct Coefficient {
-  float constant;
-  const float* column;
-  template <class D>
-  HWY_INLINE hn::Vec<D> Get(D d, size_t i) const {
-    const auto value = hn::Set(d, constant);
-    return column ? hn::Mul(value, hn::Load(d, column + i)) : value;
-  }
+namespace {
+
+/// What the channels of a batch are combined from.
+struct Inputs {
+  const material::Material& material;
+  const material::Parameters& parameters;  // complete
+  const material::Lobes& lobes;
+  const float* ambient;  // [3] k_a I_a of the material
+  float light_count;
+  size_t count;
 };
 
-/// What one channel of a model is made of.
-struct Channel {
-  Coefficient diffuse, specular, ambient;  // k_d; k_s; k_a I_a of the material
-  Coefficient metallic, emission;
-  Coefficient occlusion;  // o alone
-  const float* lobe[kMaxLobes];
-};
-
-/// L without emission of each model at rows from i on. `ambient` is occluded.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V Reflect(D d, const material::Material& m, const Channel& c, float lights, int channel, V ambient,
-                     size_t i) {
-  const V diffuse = c.diffuse.Get(d, i);
-  const auto lobe = [&](int k) { return hn::Load(d, c.lobe[k] + i); };
-  switch (m.model) {
-    case SHD_MODEL_UNLIT: return diffuse;
-    case SHD_MODEL_LAMBERT: return hn::Add(ambient, hn::Mul(diffuse, lobe(0)));
-    case SHD_MODEL_COMBINED:
-      return hn::Add(hn::Mul(diffuse, hn::Add(ambient, lobe(0))), hn::Mul(c.specular.Get(d, i), lobe(1)));
-    case SHD_MODEL_BLINN_PHONG_NORMALIZED: {
-      const V scattered = hn::Mul(hn::Mul(diffuse, hn::Set(d, 0.318309886f)), lobe(0));
-      return hn::Add(hn::Add(ambient, scattered), hn::Mul(c.specular.Get(d, i), lobe(1)));
-    }
-    case SHD_MODEL_GOOCH: {
-      const V warmth = lights > 0.0f ? hn::Div(lobe(0), hn::Set(d, lights)) : hn::Set(d, 0.5f);
-      const V warm = hn::Add(hn::Set(d, m.warm[channel]), hn::Mul(hn::Set(d, m.warm_mix), diffuse));
-      const V cool = hn::Add(hn::Set(d, m.cool[channel]), hn::Mul(hn::Set(d, m.cool_mix), diffuse));
-      return hn::Add(hn::Mul(warmth, warm), hn::Mul(hn::Sub(hn::Set(d, 1.0f), warmth), cool));
-    }
-    case SHD_MODEL_METALLIC_ROUGHNESS: {
-      const V one = hn::Set(d, 1.0f), f = hn::Set(d, m.dielectric);
-      const V metallic = c.metallic.Get(d, i), rest = hn::Sub(one, metallic);
-      const V scattering = hn::Mul(diffuse, rest);
-      const V mirror = hn::Add(hn::Mul(f, rest), hn::Mul(diffuse, metallic));
-      const V scattered = hn::Mul(hn::Mul(hn::Mul(scattering, hn::Sub(one, f)), hn::Set(d, 0.318309886f)), lobe(0));
-      const V reflected = hn::Add(hn::Mul(mirror, lobe(1)), lobe(2));
-      return hn::Add(hn::Mul(ambient, hn::Add(scattering, mirror)), hn::Add(scattered, reflected));
-    }
-    case SHD_MODEL_MATCAP: return hn::Mul(diffuse, lobe(0));
-    case SHD_MODEL_SHOW_NORMAL:
-    case SHD_MODEL_SHOW_UV:
-    case SHD_MODEL_SHOW_LEVEL:
-    case SHD_MODEL_SHOW_BARYCENTRICS: return lobe(0);
-    default:  // Phong, Blinn-Phong, toon
-      return hn::Add(hn::Add(ambient, hn::Mul(diffuse, lobe(0))), hn::Mul(c.specular.Get(d, i), lobe(1)));
-  }
-}
-
-Channel ChannelOf(const material::Material& m, const float* ambient, const Lobes& lobes, const Parameters& p, int c) {
-  Channel channel = {{m.diffuse[c], p.value[SHD_SLOT_DIFFUSE][c]},
-                     {m.specular[c], p.value[SHD_SLOT_SPECULAR][c]},
-                     {ambient[c], p.value[SHD_SLOT_AMBIENT][c]},
-                     {m.metallic, p.value[SHD_SLOT_METALLIC][0]},
-                     {m.emission[c], p.value[SHD_SLOT_EMISSION][c]},
-                     {1.0f, p.value[SHD_SLOT_OCCLUSION][0]},
-                     {}};
-  for (uint32_t k = 0; k < kMaxLobes; ++k) channel.lobe[k] = lobes.lobe[k][c];
-  return channel;
-}
-
-/// One channel of all rows. The model is the same for all of them: the compiler takes the choice out of the loop.
-void CombineChannel(const material::Material& m, const Channel& c, float lights, int channel, size_t count,
-                    float* out) {
-  const hn::ScalableTag<float> d;
-  const auto one = hn::Set(d, 1.0f), strength = hn::Set(d, m.occlusion_strength);
-  const bool emits = m.emission[channel] > 0.0f;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    auto ambient = c.ambient.Get(d, i);
-    if (c.occlusion.column) {
-      ambient = hn::Mul(ambient, hn::Add(one, hn::Mul(strength, hn::Sub(c.occlusion.Get(d, i), one))));
-    }
-    auto sum = Reflect(d, m, c, lights, channel, ambient, i);
-    if (emits) sum = hn::Add(sum, c.emission.Get(d, i));
-    hn::Store(sum, d, out + i);
-  }
-}
-
-void Combine(const material::Material& material, const float* ambient, float lights, const Lobes& lobes,
-             const Parameters& parameters, size_t count, Radiance& out) {
-  const hn::ScalableTag<float> d;
+/// Occluded ambient light of all points.
+void CombineAmbient(const Inputs& in, Radiance& out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  const auto one = hn::Set(d, 1.0f), strength = hn::Set(d, in.material.occlusion_strength);
   for (int c = 0; c < 3; ++c) {
-    CombineChannel(material, ChannelOf(material, ambient, lobes, parameters, c), lights, c, count, out.channel[c]);
+    for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+      const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
+      const auto lost = hn::Sub(slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0), one);
+      const auto kept = hn::Add(one, hn::Mul(strength, lost));
+      hn::Store(hn::Mul(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c), kept), d, out.channel[c] + i);
+    }
   }
-  const bool has_opacity = material::has_opacity(material);
-  const Coefficient opacity = {has_opacity ? material.opacity : 1.0f,
-                               has_opacity ? parameters.value[SHD_SLOT_OPACITY][0] : nullptr};
-  const Coefficient texel = {1.0f, has_opacity ? parameters.value[SHD_SLOT_DIFFUSE][3] : nullptr};
-  const bool premultiplied = material.blend != SHD_BLEND_OPAQUE && material.blend != SHD_BLEND_STRAIGHT;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    auto a = opacity.Get(d, i);
-    if (texel.column) a = hn::Mul(a, texel.Get(d, i));
-    hn::Store(a, d, out.channel[3] + i);
+}
+
+/// Colour of all points without emission, in place of their ambient light.
+template <class Combination>
+HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+      const material::HWY_NAMESPACE::ChannelAt<D> channel = {
+          in.material, {in.parameters, d, i}, in.lobes, c, in.light_count, hn::Load(d, out.channel[c] + i)};
+      hn::Store(Combination::Combine(d, channel), d, out.channel[c] + i);
+    }
+  }
+}
+
+void AddEmission(const Inputs& in, int c, float* out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+    const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
+    hn::Store(hn::Add(hn::Load(d, out + i), slots.Get(in.material.emission[c], SHD_SLOT_EMISSION, c)), d, out + i);
+  }
+}
+
+/// a, and the products of colour and a where the blend mode takes them.
+void CombineOpacity(const Inputs& in, Radiance& out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  const material::Material& m = in.material;
+  const bool premultiplied = m.blend != SHD_BLEND_OPAQUE && m.blend != SHD_BLEND_STRAIGHT;
+  const auto one = hn::Set(d, 1.0f);
+  for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
+    const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
+    const auto a = hn::Mul(slots.Get(m.opacity, SHD_SLOT_OPACITY, 0), slots.Get(1.0f, SHD_SLOT_DIFFUSE, 3));
+    hn::Store(material::has_opacity(m) ? a : one, d, out.channel[3] + i);
     for (int c = 0; premultiplied && c < 3; ++c) {
       hn::Store(hn::Mul(a, hn::Load(d, out.channel[c] + i)), d, out.channel[c] + i);
     }
   }
 }
 
-void SpreadCorners(const raster::Fragments& fragments, const uint32_t* rows, const float* in, float* out) {
+}  // namespace
+
+void Combine(const material::Material& material, const float* ambient, float light_count, const material::Lobes& lobes,
+             const material::Parameters& parameters, size_t count, Radiance& out) {
+  const Inputs in = {material, parameters, lobes, ambient, light_count, count};
+  CombineAmbient(in, out);
+  material::HWY_NAMESPACE::VisitModel(
+      material.model, [&](auto model) { CombineColor<typename decltype(model)::Combination>(in, out); });
+  for (int c = 0; c < 3; ++c) {
+    if (material.emission[c] > 0.0f) AddEmission(in, c, out.channel[c]);
+  }
+  CombineOpacity(in, out);
+}
+
+void SpreadCorners(const raster::Fragments& fragments, const uint32_t* points, const float* in, float* out) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   const auto one = hn::Set(di, 1);
-  const auto* signed_rows = reinterpret_cast<const int32_t*>(rows);
+  const auto* signed_points = reinterpret_cast<const int32_t*>(points);
   for (size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
-    const auto row = hn::Load(di, signed_rows + i);
-    const auto a0 = hn::GatherIndex(d, in, row);
-    const auto a1 = hn::Sub(hn::GatherIndex(d, in, hn::Add(row, one)), a0);
-    const auto a2 = hn::Sub(hn::GatherIndex(d, in, hn::Add(row, hn::Add(one, one))), a0);
+    const auto first = hn::Load(di, signed_points + i);
+    const auto a0 = hn::GatherIndex(d, in, first);
+    const auto a1 = hn::Sub(hn::GatherIndex(d, in, hn::Add(first, one)), a0);
+    const auto a2 = hn::Sub(hn::GatherIndex(d, in, hn::Add(first, hn::Add(one, one))), a0);
     const auto sum = hn::Add(a0, hn::Mul(hn::Load(d, fragments.bary[1] + i), a1));
     hn::Store(hn::Add(sum, hn::Mul(hn::Load(d, fragments.bary[2] + i), a2)), d, out + i);
   }
@@ -144,22 +119,22 @@ HWY_EXPORT(Combine);
 HWY_EXPORT(SpreadCorners);
 
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
-             const Lobes& lobes, const Parameters& parameters, size_t count, Radiance* out) {
+             const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out) {
   const auto light_count = static_cast<float>(lights.count);
   const float times = material.flags & SHD_AMBIENT_PER_LIGHT ? light_count : 1.0f;
-  const bool own_ambient = material.model != SHD_MODEL_COMBINED;
+  const bool has_ambient = material::info_of(material.model).slots >> SHD_SLOT_AMBIENT & 1;
   float ambient[3];
-  for (int c = 0; c < 3; ++c) ambient[c] = (own_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;
-  SHD_DISPATCH(Combine, simd)(material, ambient, light_count, lobes, parameters, count, *out);
+  for (int c = 0; c < 3; ++c) ambient[c] = (has_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;
+  SHD_DISPATCH(Combine, simd)(material, ambient, light_count, lobes, material::complete(parameters), count, *out);
 }
 
-void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* rows,
+void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* points,
                     const float* in, float* out) {
-  SHD_DISPATCH(SpreadCorners, simd)(fragments, rows, in, out);
+  SHD_DISPATCH(SpreadCorners, simd)(fragments, points, in, out);
 }
 
-void spread_centroids(const uint32_t* rows, size_t count, const float* in, float* out) {
-  for (size_t i = 0; i < count; ++i) out[i] = in[rows[i]];
+void spread_centroids(const uint32_t* points, size_t count, const float* in, float* out) {
+  for (size_t i = 0; i < count; ++i) out[i] = in[points[i]];
 }
 
 }  // namespace shd::shade

@@ -10,18 +10,18 @@
 
 namespace shd::shade {
 
-/// What `count` rows send to the eye, from the lobes of the material's model (of models without lights the first lobe
-/// is what they show) and the values of its slots, with the emission. Where the material has_opacity(), a is opacity
-/// times its slots, and L is multiplied by a unless its blend takes them apart; else 1. |error| <= 12 half ulps of the
-/// sum of the terms' magnitudes.
+/// Radiance of `count` points towards the eye with the emission, from the lobes of the material's model (for models
+/// without lobes: from the colour in lobe 0) and the values of its slots. a is the opacity times its slots where the
+/// material has_opacity(), else 1. L is multiplied by a unless the blend mode keeps them apart. |error| <= 12 half ulps
+/// of the sum of the terms' magnitudes.
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
-             const Lobes& lobes, const Parameters& parameters, size_t count, Radiance* out);
+             const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out);
 
-/// out[i] = b0 in[row] + b1 in[row + 1] + b2 in[row + 2] with row = rows[i] and the barycentrics of row i.
-void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* rows,
+/// out[i] = b0 in[k] + b1 in[k + 1] + b2 in[k + 2] with k = points[i] and the barycentrics of fragment i.
+void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* points,
                     const float* in, float* out);
 
-/// out[i] = in[rows[i]].
-void spread_centroids(const uint32_t* rows, size_t count, const float* in, float* out);
+/// out[i] = in[points[i]].
+void spread_centroids(const uint32_t* points, size_t count, const float* in, float* out);
 
 }  // namespace shd::shade

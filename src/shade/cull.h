@@ -10,10 +10,10 @@
 
 namespace shd::shade {
 
-/// Indices of the lights of a table whose range reaches the box around the rows' positions, in order; all without a
-/// range. What is left out gives nothing: no bit depends on which rows come together. Returns how many there are.
+/// Indices, in order, of the lights of a table whose range reaches the bounds of the points' positions. Lights without
+/// a range are all kept. Culled lights would add 0, so no bit depends on the points of a batch. Returns the count.
 /// @param out  [data::padded(lights.count)]
-size_t cull_lights(const core::SimdTarget& simd, const LightTable& lights, const raster::Fragments& rows,
+size_t cull_lights(const core::SimdTarget& simd, const LightTable& lights, const raster::Fragments& points,
                    uint32_t* out);
 
 }  // namespace shd::shade

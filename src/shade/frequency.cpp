@@ -9,6 +9,7 @@ namespace shd::shade {
 namespace {
 
 using data::Vec3;
+using data::Vec3d;
 
 /// A transformed vertex.
 struct Corner {
@@ -16,17 +17,17 @@ struct Corner {
   float u, v;
 };
 
-Corner corner(const geometry::Vertices& vertices, uint32_t row) {
-  const float* world = &vertices.world[4 * size_t{row}];
-  const float* normal = &vertices.normal[4 * size_t{row}];
+Corner corner(const geometry::Vertices& vertices, uint32_t vertex) {
+  const float* world = &vertices.world[4 * size_t{vertex}];
+  const float* normal = &vertices.normal[4 * size_t{vertex}];
   return {{world[0], world[1], world[2]},
           {normal[0], normal[1], normal[2]},
-          geometry::u_of(vertices)[row],
-          geometry::v_of(vertices)[row]};
+          geometry::u_of(vertices)[vertex],
+          geometry::v_of(vertices)[vertex]};
 }
 
-float varying(const geometry::Vertices& vertices, uint32_t row, uint32_t c) {
-  return vertices.varying[size_t{vertices.varying_count} * row + c];
+float varying(const geometry::Vertices& vertices, uint32_t vertex, uint32_t c) {
+  return vertices.varying[size_t{vertices.varying_count} * vertex + c];
 }
 
 // In double, where neither sums nor products of floats over- or underflow.
@@ -35,67 +36,68 @@ float mean(float a, float b, float c) {
   return static_cast<float>((static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c)) / 3.0);
 }
 
-/// Unit normal of a triangle, counter-clockwise = towards the viewer; 0 without area.
-Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto minus = [](float p, float q) { return static_cast<double>(p) - static_cast<double>(q); };
-  const double e[3] = {minus(b.x, a.x), minus(b.y, a.y), minus(b.z, a.z)};
-  const double f[3] = {minus(c.x, a.x), minus(c.y, a.y), minus(c.z, a.z)};
-  const double n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (!(length > 0.0)) return {0.0f, 0.0f, 0.0f};
-  return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
+Vec3d widened(const Vec3& a) {
+  return {double{a.x}, double{a.y}, double{a.z}};
 }
 
-/// Component c of four at three vertices, in the shares of each; 0 where there are none.
-float mixed(const core::Array<float>& rows, const uint32_t vertex[3], size_t c, int corner) {
-  if (rows.size() == 0) return 0.0f;
-  const auto at = [&](int k) { return rows[4 * size_t{vertex[k]} + c]; };
+/// Unit normal of a triangle, counter-clockwise = towards the viewer; 0 without area.
+Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3d origin = widened(a), n = cross(widened(b) - origin, widened(c) - origin);
+  const double length = data::length(n);
+  if (!(length > 0.0)) return {0.0f, 0.0f, 0.0f};
+  return {static_cast<float>(n.x / length), static_cast<float>(n.y / length), static_cast<float>(n.z / length)};
+}
+
+/// Component c of four at a corner or at the centroid; 0 where the vertices have no such values.
+float mixed(const core::Array<float>& values, const uint32_t vertex[3], size_t c, int corner) {
+  if (values.size() == 0) return 0.0f;
+  const auto at = [&](int k) { return values[4 * size_t{vertex[k]} + c]; };
   return corner < 0 ? mean(at(0), at(1), at(2)) : at(corner);
 }
 
-/// What only some materials read.
+/// Columns that only some materials read.
 /// @param corner  of the triangle; negative = its centroid
-void set_extras(const geometry::Vertices& vertices, uint32_t triangle, int corner, size_t row,
-                raster::Fragments* rows) {
+void set_extras(const geometry::Vertices& vertices, uint32_t triangle, int corner, size_t point,
+                raster::Fragments* points) {
   uint32_t vertex[3];
   for (size_t k = 0; k < 3; ++k) vertex[k] = geometry::row_of(vertices, triangle, k);
-  float* const tangent[4] = {rows->tx, rows->ty, rows->tz, rows->tw};
-  for (size_t c = 0; c < 4; ++c) tangent[c][row] = mixed(vertices.tangent, vertex, c, corner);
-  rows->u1[row] = mixed(vertices.texture1, vertex, 0, corner);
-  rows->v1[row] = mixed(vertices.texture1, vertex, 1, corner);
+  float* const tangent[4] = {points->tx, points->ty, points->tz, points->tw};
+  for (size_t c = 0; c < 4; ++c) tangent[c][point] = mixed(vertices.tangent, vertex, c, corner);
+  points->u1[point] = mixed(vertices.texture1, vertex, 0, corner);
+  points->v1[point] = mixed(vertices.texture1, vertex, 1, corner);
   for (size_t c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
-    rows->attribute[c][row] = mixed(vertices.attribute[c / 4], vertex, c % 4, corner);
+    points->attribute[c][point] = mixed(vertices.attribute[c / 4], vertex, c % 4, corner);
   }
 }
 
-void set_row(const Corner& c, const float eye[3], uint32_t triangle, size_t row, raster::Fragments* rows) {
+void set_point(const Corner& c, const float eye[3], uint32_t triangle, size_t point, raster::Fragments* points) {
   const Vec3 o = data::normalized(Vec3{eye[0], eye[1], eye[2]} - c.p);
-  rows->triangle[row] = triangle;
-  rows->px[row] = c.p.x;
-  rows->py[row] = c.p.y;
-  rows->pz[row] = c.p.z;
-  rows->nx[row] = c.n.x;
-  rows->ny[row] = c.n.y;
-  rows->nz[row] = c.n.z;
-  rows->ox[row] = o.x;
-  rows->oy[row] = o.y;
-  rows->oz[row] = o.z;
-  rows->u[row] = c.u;
-  rows->v[row] = c.v;
+  points->triangle[point] = triangle;
+  points->px[point] = c.p.x;
+  points->py[point] = c.p.y;
+  points->pz[point] = c.p.z;
+  points->nx[point] = c.n.x;
+  points->ny[point] = c.n.y;
+  points->nz[point] = c.n.z;
+  points->ox[point] = o.x;
+  points->oy[point] = o.y;
+  points->oz[point] = o.z;
+  points->u[point] = c.u;
+  points->v[point] = c.v;
 }
 
 }  // namespace
 
-void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_t triangle, size_t row,
-                 raster::Fragments* rows) {
+void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_t triangle, size_t point,
+                 raster::Fragments* points) {
   for (size_t k = 0; k < 3; ++k) {
-    set_row(corner(vertices, geometry::row_of(vertices, triangle, k)), eye, triangle, row + k, rows);
-    set_extras(vertices, triangle, static_cast<int>(k), row + k, rows);
+    set_point(corner(vertices, geometry::row_of(vertices, triangle, k)), eye, triangle, point + k, points);
+    set_extras(vertices, triangle, static_cast<int>(k), point + k, points);
   }
 }
 
 void set_centroid(const geometry::Vertices& vertices, const float eye[3], float orientation, uint32_t triangle,
-                  size_t row, raster::Fragments* rows) {
+                  size_t point, raster::Fragments* points) {
   const auto corner_of = [&](size_t k) { return corner(vertices, geometry::row_of(vertices, triangle, k)); };
   const Corner a = corner_of(0), b = corner_of(1), c = corner_of(2);
   const Vec3 normal = face_normal(a.p, b.p, c.p);
@@ -103,30 +105,30 @@ void set_centroid(const geometry::Vertices& vertices, const float eye[3], float 
                            orientation * normal,
                            mean(a.u, b.u, c.u),
                            mean(a.v, b.v, c.v)};
-  set_row(centroid, eye, triangle, row, rows);
-  set_extras(vertices, triangle, -1, row, rows);
+  set_point(centroid, eye, triangle, point, points);
+  set_extras(vertices, triangle, -1, point, points);
 }
 
 void set_corner_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
-                         const raster::Fragments& rows, raster::Varyings* out) {
-  for (size_t row = 0; row < rows.count; ++row) {
-    const uint32_t first = geometry::row_of(vertices, rows.triangle[row], 0);
-    const uint32_t own = geometry::row_of(vertices, rows.triangle[row], row % 3);
+                         const raster::Fragments& points, raster::Varyings* out) {
+  for (size_t point = 0; point < points.count; ++point) {
+    const uint32_t first = geometry::row_of(vertices, points.triangle[point], 0);
+    const uint32_t own = geometry::row_of(vertices, points.triangle[point], point % 3);
     for (uint32_t c = 0; c < vertices.varying_count; ++c) {
-      out->column[c][row] = varying(vertices, modes[c] == SHD_INTERPOLATION_FLAT ? first : own, c);
+      out->column[c][point] = varying(vertices, modes[c] == SHD_INTERPOLATION_FLAT ? first : own, c);
     }
   }
 }
 
 void set_centroid_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
-                           const raster::Fragments& rows, raster::Varyings* out) {
-  for (size_t row = 0; row < rows.count; ++row) {
+                           const raster::Fragments& points, raster::Varyings* out) {
+  for (size_t point = 0; point < points.count; ++point) {
     uint32_t corner[3];
-    for (size_t k = 0; k < 3; ++k) corner[k] = geometry::row_of(vertices, rows.triangle[row], k);
+    for (size_t k = 0; k < 3; ++k) corner[k] = geometry::row_of(vertices, points.triangle[point], k);
     for (uint32_t c = 0; c < vertices.varying_count; ++c) {
       const float first = varying(vertices, corner[0], c);
       const bool flat = modes[c] == SHD_INTERPOLATION_FLAT;
-      out->column[c][row] =
+      out->column[c][point] =
           flat ? first : mean(first, varying(vertices, corner[1], c), varying(vertices, corner[2], c));
     }
   }

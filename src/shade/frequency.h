@@ -10,22 +10,22 @@
 
 namespace shd::shade {
 
-/// Corners of one triangle as rows `row`, row + 1 and row + 2 of a table: what Gouraud shading evaluates.
-void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_t triangle, size_t row,
-                 raster::Fragments* rows);
+/// Writes the corners of a triangle to points `point`, point + 1 and point + 2, where Gouraud shading evaluates.
+void set_corners(const geometry::Vertices& vertices, const float eye[3], uint32_t triangle, size_t point,
+                 raster::Fragments* points);
 
-/// Centroid of one triangle, with its face normal, as row `row`: what flat shading evaluates.
+/// Writes the centroid of a triangle with its face normal to point `point`, where flat shading evaluates.
 /// @param orientation  -1 where the draw's matrix mirrors, else 1
 void set_centroid(const geometry::Vertices& vertices, const float eye[3], float orientation, uint32_t triangle,
-                  size_t row, raster::Fragments* rows);
+                  size_t point, raster::Fragments* points);
 
-/// Varyings of rows that set_corners made: those of each vertex, of FLAT ones the triangle's first.
+/// Varyings of points from set_corners(): those of each vertex; FLAT varyings are those of the first vertex.
 /// @param modes  [vertices.varying_count]
 void set_corner_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
-                         const raster::Fragments& rows, raster::Varyings* out);
+                         const raster::Fragments& points, raster::Varyings* out);
 
-/// Varyings of rows that set_centroid made: the mean of the three vertices, of FLAT ones the first.
+/// Varyings of points from set_centroid(): the mean of the three vertices; FLAT varyings are those of the first vertex.
 void set_centroid_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
-                           const raster::Fragments& rows, raster::Varyings* out);
+                           const raster::Fragments& points, raster::Varyings* out);
 
 }  // namespace shd::shade

@@ -1,206 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "shade/illuminate.h"
 
-#include <type_traits>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/illuminate.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "light/incident-inl.h"
-#include "material/blinn_phong-inl.h"
-#include "material/lambert-inl.h"
-#include "material/metallic_roughness-inl.h"
-#include "material/phong-inl.h"
-#include "material/roughness-inl.h"
-#include "material/toon-inl.h"
+#include "material/models-inl.h"
+#include "material/slot_lookup.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Dot;
-using simd::HWY_NAMESPACE::Vec3V;
+using simd::HWY_NAMESPACE::Load3;
 
-/// A vector of rows and what shapes their lobes.
-template <class V>
-struct Rows {
-  Vec3V<V> n, wo;
-  V exponent, alpha_squared;
-};
+namespace {
 
-/// One light at a vector of rows.
-template <class V>
-struct Arriving {
-  Vec3V<V> l;
-  V n_dot_l;
-};
-
-// What each model makes of one light: its lobes over E.
-
-struct LambertModel {
-  static constexpr uint32_t kLobes = 1;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material&, const Rows<V>&, const Arriving<V>& in, V (&lobe)[1]) const {
-    lobe[0] = material::HWY_NAMESPACE::Lambert(d, in.n_dot_l);
-  }
-};
-
-struct BlinnPhongModel {
-  static constexpr uint32_t kLobes = 2;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material&, const Rows<V>& r, const Arriving<V>& in, V (&lobe)[2]) const {
-    lobe[0] = material::HWY_NAMESPACE::Lambert(d, in.n_dot_l);
-    lobe[1] = material::HWY_NAMESPACE::BlinnPhong(d, r.n, r.wo, in.l, r.exponent);
-  }
-};
-
-struct NormalizedModel {
-  static constexpr uint32_t kLobes = 2;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material&, const Rows<V>& r, const Arriving<V>& in, V (&lobe)[2]) const {
-    lobe[0] = material::HWY_NAMESPACE::Lambert(d, in.n_dot_l);
-    lobe[1] = hn::Mul(lobe[0], material::HWY_NAMESPACE::BlinnPhong(d, r.n, r.wo, in.l, r.exponent));
-  }
-};
-
-struct PhongModel {
-  static constexpr uint32_t kLobes = 2;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material&, const Rows<V>& r, const Arriving<V>& in, V (&lobe)[2]) const {
-    lobe[0] = material::HWY_NAMESPACE::Lambert(d, in.n_dot_l);
-    lobe[1] = material::HWY_NAMESPACE::Phong(d, r.n, r.wo, in.l, in.n_dot_l, r.exponent);
-  }
-};
-
-struct ToonModel {
-  static constexpr uint32_t kLobes = 2;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material& m, const Rows<V>& r, const Arriving<V>& in, V (&lobe)[2]) const {
-    const V cosine = material::HWY_NAMESPACE::Lambert(d, in.n_dot_l);
-    lobe[0] = material::HWY_NAMESPACE::ToonDiffuse(d, cosine, m.toon_steps);
-    const V shine = material::HWY_NAMESPACE::BlinnPhong(d, r.n, r.wo, in.l, r.exponent);
-    lobe[1] = material::HWY_NAMESPACE::ToonSpecular(d, shine);
-  }
-};
-
-struct MetallicRoughnessModel {
-  static constexpr uint32_t kLobes = 3;
-  template <class D, class V>
-  HWY_INLINE void Add(D d, const material::Material&, const Rows<V>& r, const Arriving<V>& in, V (&lobe)[3]) const {
-    const auto lobes = material::HWY_NAMESPACE::MetallicRoughnessLobes(d, r.n, r.wo, in.l, in.n_dot_l, r.alpha_squared);
-    lobe[0] = lobes.diffuse;
-    lobe[1] = lobes.mirror;
-    lobe[2] = lobes.edge;
-  }
-};
-
-/// Adds I w, or what texture and shadow leave of it, to a lobe's channels. Nothing stays nothing, whatever the texel.
+/// Adds I w, times the factors of cookies and shadows, to the channels of a lobe. Zero weights stay zero even if a
+/// factor is NaN.
 template <class D, class V>
 HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&sum)[3]) {
-  const auto gives = hn::Gt(w, hn::Zero(d));
+  const auto is_lit = hn::Gt(w, hn::Zero(d));
   for (int c = 0; c < 3; ++c) {
-    const V left = active.factor[c] ? hn::IfThenElseZero(gives, hn::Mul(w, hn::Load(d, active.factor[c] + i))) : w;
+    const V left = active.factor[c] ? hn::IfThenElseZero(is_lit, hn::Mul(w, hn::Load(d, active.factor[c] + i))) : w;
     sum[c] = hn::Add(sum[c], hn::Mul(hn::Set(d, active.light->intensity[c]), left));
   }
 }
 
-/// Reads and writes columns from row i on.
-template <class D>
-struct At {
-  D d;
-  size_t i;
-  HWY_INLINE hn::Vec<D> Load(const float* column, float constant) const {
-    return column ? hn::Load(d, column + i) : hn::Set(d, constant);
-  }
-  HWY_INLINE Vec3V<hn::Vec<D>> Load3(const float* x, const float* y, const float* z) const {
-    return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-  }
-};
-
-/// What is the same for all lights of a row: N of the normalised model, and the gain, on specular lobes.
-template <class Model, class D, class V>
-HWY_INLINE void Finish(D d, const Shape& shape, const Rows<V>& r, size_t i, V (&sum)[Model::kLobes][3]) {
-  if constexpr (Model::kLobes == 2) {
-    V scale = shape.gain ? hn::Load(d, shape.gain + i) : hn::Set(d, 1.0f);
-    if constexpr (std::is_same_v<Model, NormalizedModel>) {
-      scale = material::HWY_NAMESPACE::BlinnPhongNorm(d, r.exponent);
+/// Adds the lobes of one light at a vector of points. `gated`: specular lobes are 0 where n.l <= 0.
+template <class Lighting, class D, class V>
+HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLight& active, size_t i,
+                         const simd::HWY_NAMESPACE::Vec3V<V>& p, const material::HWY_NAMESPACE::Point<V>& point,
+                         const V* shape, bool gated, V (&sum)[Lighting::kLobes][3]) {
+  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
+  const material::HWY_NAMESPACE::Incoming<V> in = {incident.l, Dot(point.n, incident.l)};
+  V lobe[Lighting::kLobes];
+  if constexpr (Lighting::kIgnoresIrradiance) {
+    Lighting::AddLight(d, material, point, in, shape, lobe);
+    for (V& channel : sum[0]) channel = hn::Add(channel, lobe[0]);
+  } else {
+    const auto faces = hn::Gt(in.n_dot_l, hn::Zero(d));
+    // Behind every point of the vector: all terms are +0, and adding them changes no bit.
+    if (gated && hn::AllFalse(d, faces)) return;
+    Lighting::AddLight(d, material, point, in, shape, lobe);
+    for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
+      const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
+      Accumulate(d, active, i, hn::Mul(incident.falloff, kept), sum[k]);
     }
-    if (!shape.gain && !std::is_same_v<Model, NormalizedModel>) return;
-    for (int c = 0; c < 3; ++c) sum[1][c] = hn::Mul(sum[1][c], scale);
   }
 }
 
-template <class Model>
-HWY_INLINE void IlluminateRows(const material::Material& material, const Shape& shape, const ActiveLight* lights,
-                               size_t count, const raster::Fragments& f, bool continues, bool finishes, Lobes& out) {
-  const hn::ScalableTag<float> d;
-  using V = hn::Vec<decltype(d)>;
-  constexpr uint32_t kLobes = Model::kLobes;
-  const bool gated = kLobes != 2 || !(material.flags & SHD_SPECULAR_UNGATED);
-  const float alpha = hn::GetLane(material::HWY_NAMESPACE::AlphaSquared(d, hn::Set(d, material.roughness)));
+template <class Lighting>
+void IlluminatePoints(const material::Material& material, const LobeShape& shape, const ActiveLight* lights,
+                      size_t count, const raster::Fragments& f, LightGroup group, material::Lobes& out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  using V = hn::Vec<D>;
+  constexpr uint32_t kLobes = Lighting::kLobes;
+  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_SPECULAR_UNGATED);
   const V zero = hn::Zero(d);
+  V constant[material::kMaxShapeColumns];
+  const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
+  Lighting::Shape::Derive(d, material, unset, zero, constant);
   for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-    const At<decltype(d)> at = {d, i};
-    const Vec3V<V> p = at.Load3(f.px, f.py, f.pz);
-    const Rows<V> r = {at.Load3(f.nx, f.ny, f.nz), at.Load3(f.ox, f.oy, f.oz),
-                       at.Load(shape.exponent, material.exponent), at.Load(shape.alpha_squared, alpha)};
-    V sum[kLobes][3];
-    for (uint32_t k = 0; k < kLobes; ++k) {
-      for (int c = 0; c < 3; ++c) sum[k][c] = continues ? hn::Load(d, out.lobe[k][c] + i) : zero;
+    const auto p = Load3(d, f.px, f.py, f.pz, i);
+    const material::HWY_NAMESPACE::Point<V> point = {Load3(d, f.nx, f.ny, f.nz, i), Load3(d, f.ox, f.oy, f.oz, i)};
+    V values[material::kMaxShapeColumns], sum[kLobes][3];
+    for (uint32_t k = 0; k < Lighting::Shape::kColumns; ++k) {
+      values[k] = shape.column[k] ? hn::Load(d, shape.column[k] + i) : constant[k];
     }
-    for (size_t j = 0; j < count; ++j) {
-      const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *lights[j].light, p);
-      const V n_dot_l = Dot(r.n, incident.l);
-      const auto faces = hn::Gt(n_dot_l, zero);
-      // Behind every row of the vector: all terms are +0, and adding them changes no bit.
-      if ((gated || kLobes == 1) && hn::AllFalse(d, faces)) continue;
-      V lobe[kLobes];
-      Model().Add(d, material, r, Arriving<V>{incident.l, n_dot_l}, lobe);
-      for (uint32_t k = 0; k < kLobes; ++k) {
-        const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
-        Accumulate(d, lights[j], i, hn::Mul(incident.falloff, kept), sum[k]);
-      }
+    for (uint32_t k = 0; k < 3 * kLobes; ++k) {
+      sum[k / 3][k % 3] = group.continues ? hn::Load(d, out.lobe[k / 3][k % 3] + i) : zero;
     }
-    if (finishes) Finish<Model>(d, shape, r, i, sum);
-    for (uint32_t k = 0; k < kLobes; ++k) {
-      for (int c = 0; c < 3; ++c) hn::Store(sum[k][c], d, out.lobe[k][c] + i);
-    }
+    for (size_t j = 0; j < count; ++j) AddLight<Lighting>(d, material, lights[j], i, p, point, values, gated, sum);
+    if (group.finishes) Lighting::Normalize(d, values, sum);
+    for (uint32_t k = 0; k < 3 * kLobes; ++k) hn::Store(sum[k / 3][k % 3], d, out.lobe[k / 3][k % 3] + i);
   }
 }
 
-/// (1 + n.l) / 2, whatever the light gives.
-void IlluminateGooch(const ActiveLight* lights, size_t count, const raster::Fragments& f, bool continues, Lobes& out) {
-  const hn::ScalableTag<float> d;
-  using V = hn::Vec<decltype(d)>;
-  const V half = hn::Set(d, 0.5f);
-  for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-    const At<decltype(d)> at = {d, i};
-    const Vec3V<V> p = at.Load3(f.px, f.py, f.pz), n = at.Load3(f.nx, f.ny, f.nz);
-    V sum = continues ? hn::Load(d, out.lobe[0][0] + i) : hn::Zero(d);
-    for (size_t j = 0; j < count; ++j) {
-      const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *lights[j].light, p);
-      sum = hn::Add(sum, hn::Add(half, hn::Mul(half, Dot(n, incident.l))));
-    }
-    for (int c = 0; c < 3; ++c) hn::Store(sum, d, out.lobe[0][c] + i);
+template <class Shape>
+void DeriveShape(const material::Material& material, const material::Parameters& parameters, const float* variance,
+                 size_t count, float* const* out) {
+  using D = hn::ScalableTag<float>;
+  const D d;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    hn::Vec<D> value[Shape::kColumns];
+    const auto lost = variance ? hn::Load(d, variance + i) : hn::Zero(d);
+    Shape::Derive(d, material, material::HWY_NAMESPACE::SlotsAt<D>{parameters, d, i}, lost, value);
+    for (uint32_t k = 0; k < Shape::kColumns; ++k) hn::Store(value[k], d, out[k] + i);
   }
 }
 
-void Illuminate(const material::Material& m, const Shape& shape, const ActiveLight* lights, size_t count,
-                const raster::Fragments& f, LightGroup group, Lobes& out) {
-  const bool more = group.continues, last = group.finishes;
-  switch (m.model) {
-    case SHD_MODEL_BLINN_PHONG:
-    case SHD_MODEL_COMBINED: return IlluminateRows<BlinnPhongModel>(m, shape, lights, count, f, more, last, out);
-    case SHD_MODEL_BLINN_PHONG_NORMALIZED:
-      return IlluminateRows<NormalizedModel>(m, shape, lights, count, f, more, last, out);
-    case SHD_MODEL_PHONG: return IlluminateRows<PhongModel>(m, shape, lights, count, f, more, last, out);
-    case SHD_MODEL_TOON: return IlluminateRows<ToonModel>(m, shape, lights, count, f, more, last, out);
-    case SHD_MODEL_METALLIC_ROUGHNESS:
-      return IlluminateRows<MetallicRoughnessModel>(m, shape, lights, count, f, more, last, out);
-    case SHD_MODEL_GOOCH: return IlluminateGooch(lights, count, f, more, out);
-    default: return IlluminateRows<LambertModel>(m, shape, lights, count, f, more, last, out);
-  }
+}  // namespace
+
+void Illuminate(const material::Material& material, const LobeShape& shape, const ActiveLight* lights, size_t count,
+                const raster::Fragments& points, LightGroup group, material::Lobes& out) {
+  material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
+    using Lighting = typename decltype(model)::Lighting;
+    if constexpr (Lighting::kLobes != 0) {
+      IlluminatePoints<Lighting>(material, shape, lights, count, points, group, out);
+    }
+  });
+}
+
+void ShapeLobes(const material::Material& material, const material::Parameters& parameters, const float* variance,
+                size_t count, float* const* out) {
+  material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
+    using Shape = typename decltype(model)::Lighting::Shape;
+    if constexpr (Shape::kColumns != 0) DeriveShape<Shape>(material, parameters, variance, count, out);
+  });
 }
 
 }  // namespace shd::shade::HWY_NAMESPACE
@@ -210,10 +120,26 @@ HWY_AFTER_NAMESPACE();
 namespace shd::shade {
 
 HWY_EXPORT(Illuminate);
+HWY_EXPORT(ShapeLobes);
 
-void illuminate(const core::SimdTarget& simd, const material::Material& material, const Shape& shape,
-                const ActiveLight* lights, size_t count, const raster::Fragments& rows, LightGroup group, Lobes* out) {
-  SHD_DISPATCH(Illuminate, simd)(material, shape, lights, count, rows, group, *out);
+LobeShape shape_lobes(const core::SimdTarget& simd, const material::Material& material,
+                      const material::Parameters& parameters, const float* variance, size_t count, Columns* columns) {
+  const material::ModelInfo& info = material::info_of(material.model);
+  bool varies = variance != nullptr;
+  for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+    varies |= info.shape_slots >> slot & 1 && parameters.value[slot][0];
+  }
+  LobeShape shape = {};
+  if (!varies) return shape;
+  SHD_DISPATCH(ShapeLobes, simd)(material, material::complete(parameters), variance, count, columns->shape);
+  for (uint32_t k = 0; k < info.shape_columns; ++k) shape.column[k] = columns->shape[k];
+  return shape;
+}
+
+void illuminate(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
+                const ActiveLight* lights, size_t count, const raster::Fragments& points, LightGroup group,
+                material::Lobes* out) {
+  SHD_DISPATCH(Illuminate, simd)(material, shape, lights, count, points, group, *out);
 }
 
 }  // namespace shd::shade

@@ -12,7 +12,7 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
   LightTable table = {};
   table.lights = core::Array<light::Light>(allocator, count);
   table.shadows = core::Array<const light::Shadow*>(allocator, count);
-  for (core::Array<float>* column : {&table.x, &table.y, &table.z, &table.reach}) {
+  for (core::Array<float>* column : {&table.x, &table.y, &table.z, &table.max_squared_distance}) {
     *column = core::Array<float>(allocator, data::padded(count));
     column->fill_zero();
   }
@@ -29,8 +29,9 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
     table.x[k] = light.position[0];
     table.y[k] = light.position[1];
     table.z[k] = light.position[2];
-    // Farther, by more than distances are rounded, the falloff is 0.
-    table.reach[k] = light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
+    // The margin exceeds the rounding of distances: beyond, the falloff is 0.
+    table.max_squared_distance[k] =
+        light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
     table.any_range |= light.range > 0.0f;
   }
   return table;

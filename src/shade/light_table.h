@@ -10,25 +10,25 @@
 
 namespace shd::shade {
 
-/// Lights of a frame, in the caller's order; ambient ones are summed apart.
+/// Lights of a frame in the caller's order, except ambient lights, which are summed.
 struct LightTable {
   float ambient[3];                           // I_a
-  size_t count;                               // of the others
+  size_t count;                               // without ambient lights
   core::Array<light::Light> lights;           // [count]
   core::Array<float> x, y, z;                 // [padded] positions
-  core::Array<float> reach;                   // [padded] square of the range and a bit more; infinity without
-  bool any_range;                             // some light ends
+  core::Array<float> max_squared_distance;    // [padded] slightly above the squared range; infinity without a range
+  bool any_range;                             // some light has a range
   core::Array<const light::Shadow*> shadows;  // [count], null = none; read if any_shadow
   bool any_shadow;
 };
 
-/// A light that may reach some row of a batch.
+/// A light that may affect some point of a batch.
 struct ActiveLight {
   const light::Light* light;
-  const float* factor[3];  // by row, by channel; null = 1
+  const float* factor[3];  // per channel, by point; null = 1
 };
 
-/// Gathers `count` lights with their shadows; `shadows`, or elements of it, null = none. Throws std::bad_alloc.
+/// Gathers `count` lights with their shadows. `shadows` and its elements may be null. Throws std::bad_alloc.
 LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count,
                             const light::Shadow* const* shadows = nullptr);
 

@@ -10,17 +10,17 @@
 
 namespace shd::shade {
 
-/// Whether something stands between a light and the rows.
+/// Whether a cookie or a shadow modulates a light.
 inline bool is_modulated(const light::Light& light, const light::Shadow* shadow) {
-  return light.texture || shadow;
+  return light.cookie || shadow;
 }
 
-/// Keeps the rows' normals for shadows, which go by the surface without maps and bumps.
-void keep_shadow_normals(const raster::Fragments& rows, Columns* columns);
+/// Copies the points' normals to columns->shadow_normal: shadows use the surface without maps and bumps.
+void keep_shadow_normals(const raster::Fragments& points, Columns* columns);
 
-/// What the texture of a light and its shadow, null = none, leave of it at rows, in columns->factor[k]; columns->uv is
-/// scratch.
+/// A light with the factors that its cookie and its shadow (null = none) have at points, in columns->factor[k].
+/// Overwrites columns->uv and columns->visibility.
 ActiveLight modulate(const core::SimdTarget& simd, const light::Light& light, const light::Shadow* shadow,
-                     const raster::Fragments& rows, size_t k, Columns* columns);
+                     const raster::Fragments& points, size_t k, Columns* columns);
 
 }  // namespace shd::shade

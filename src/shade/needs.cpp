@@ -30,27 +30,27 @@ bool reads_tangents(const Material& material) {
          (material::has_slot(material, SHD_SLOT_HEIGHT) && material.bump == SHD_BUMP_TEXEL);
 }
 
-/// What the lights of a frame and the model need where the model runs.
+/// Columns of the points that the lights of a frame and the lobes of the model read.
 uint32_t lit_columns(const Material& material, const LightTable& lights) {
-  const material::ModelInfo info = material::info_of(material.model);
+  const material::ModelInfo& info = material::info_of(material.model);
   uint32_t needed = raster::kNormal;
   if (info.needs_eye) needed |= raster::kToEye;
   if (lights.any_shadow) needed |= raster::kPosition;
   for (size_t i = 0; i < lights.count; ++i) {
-    if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].texture) needed |= raster::kPosition;
+    if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].cookie) needed |= raster::kPosition;
   }
   return needed;
 }
 
 }  // namespace
 
-bool shows_rows(const Material& material) {
+bool runs_caller_code(const Material& material) {
   return material.model == SHD_MODEL_PROGRAM ||
          any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SOURCE_PROCEDURE; });
 }
 
 uint32_t needed_extras(const Material& material) {
-  if (shows_rows(material)) {
+  if (runs_caller_code(material)) {
     return geometry::kExtraTangent | geometry::kExtraTexture1 | geometry::kExtraAttributes;
   }
   uint32_t extras = 0;
@@ -60,23 +60,21 @@ uint32_t needed_extras(const Material& material) {
   return extras;
 }
 
-bool needs_frames(const Material& material) {
-  return shows_rows(material) || reads_tangents(material) || material::has_slot(material, SHD_SLOT_HEIGHT);
+bool needs_tangent_frames(const Material& material) {
+  return runs_caller_code(material) || reads_tangents(material) || material::has_slot(material, SHD_SLOT_HEIGHT);
 }
 
 uint32_t needed_columns(const DrawShading& shading, const LightTable& lights) {
   const Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
-  if (shows_rows(material) && (per_fragment || material.model != SHD_MODEL_PROGRAM)) return raster::kInterpolateAll;
-  uint32_t needed = 0;
-  if (reads_uv(material, 0) || material.model == SHD_MODEL_SHOW_UV) needed |= raster::kTexture;
-  if (material.model == SHD_MODEL_SHOW_LEVEL) needed |= raster::kTexture;
+  if (runs_caller_code(material) && (per_fragment || material.model != SHD_MODEL_PROGRAM))
+    return raster::kInterpolateAll;
+  const material::ModelInfo& info = material::info_of(material.model);
+  uint32_t needed = info.shown_columns;
+  if (reads_uv(material, 0)) needed |= raster::kTexture;
   if (reads_uv(material, 1)) needed |= raster::kTexture1;
   if (reads_attributes(material)) needed |= raster::kAttributes;
-  if (shading.frequency == SHD_FREQUENCY_GOURAUD || material.model == SHD_MODEL_SHOW_BARYCENTRICS) {
-    needed |= raster::kBarycentrics;
-  }
-  const material::ModelInfo info = material::info_of(material.model);
+  if (shading.frequency == SHD_FREQUENCY_GOURAUD) needed |= raster::kBarycentrics;
   if (!per_fragment) return needed;
   if (info.lobes) needed |= lit_columns(material, lights);
   if (info.has_normal) needed |= raster::kNormal;

@@ -9,16 +9,16 @@
 
 namespace shd::shade {
 
-/// Columns of vertices that a material reads, as geometry::Extra bits.
+/// geometry::Extra bits of the columns of vertices that a material reads.
 uint32_t needed_extras(const material::Material& material);
 
-/// Columns of fragments that shading reads, as raster::Interpolated bits.
+/// raster::Interpolated bits of the columns of fragments that shading reads.
 uint32_t needed_columns(const DrawShading& shading, const LightTable& lights);
 
-/// Whether the frames of triangles are wanted: dp/du and dp/dv.
-bool needs_frames(const material::Material& material);
+/// Whether a material reads dp/du and dp/dv of triangles.
+bool needs_tangent_frames(const material::Material& material);
 
-/// Whether programs or procedures see the rows.
-bool shows_rows(const material::Material& material);
+/// Whether a material runs code of the caller at points: a program or procedures.
+bool runs_caller_code(const material::Material& material);
 
 }  // namespace shd::shade

@@ -6,7 +6,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "material/roughness-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,28 +13,23 @@ namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Cross;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Load3;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Scaled;
 using simd::HWY_NAMESPACE::Select;
+using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vec3V<V> LoadVec3(D d, const float* x, const float* y, const float* z, size_t i) {
-  return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-}
-
-/// n at row i, unless it is 0 or not finite.
+/// Stores the unit vector of `wanted`, or `old` where it is 0 or not finite.
 template <class D, class V>
-HWY_INLINE void StoreNormal(D d, const Vec3V<V>& wanted, const Vec3V<V>& old, size_t i, raster::Fragments& rows) {
+HWY_INLINE void StoreNormal(D d, const Vec3V<V>& wanted, const Vec3V<V>& old, size_t i, raster::Fragments& points) {
   const Vec3V<V> n = Normalize(d, wanted);
   const auto usable = hn::Gt(Dot(n, n), hn::Zero(d));
-  hn::Store(hn::IfThenElse(usable, n.x, old.x), d, rows.nx + i);
-  hn::Store(hn::IfThenElse(usable, n.y, old.y), d, rows.ny + i);
-  hn::Store(hn::IfThenElse(usable, n.z, old.z), d, rows.nz + i);
+  Store3(d, Select(usable, n, old), points.nx, points.ny, points.nz, i);
 }
 
-/// Some unit vector at right angles to n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
+/// A unit vector perpendicular to n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
 template <class D, class V>
 HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
@@ -45,19 +39,19 @@ HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
   return {hn::Add(one, hn::Mul(hn::Mul(sign, hn::Mul(n.x, n.x)), a)), hn::Mul(sign, b), hn::Neg(hn::Mul(sign, n.x))};
 }
 
-/// (x, y, z) of the tangent space at row i in world space.
+/// A vector m in the tangent space of point i, in world space.
 template <class D, class V>
-HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& rows, const Vec3V<V>& n, const Vec3V<V>& m,
+HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& points, const Vec3V<V>& n, const Vec3V<V>& m,
                                      size_t i) {
-  const Vec3V<V> given = Normalize(d, LoadVec3(d, rows.tx, rows.ty, rows.tz, i));
+  const Vec3V<V> given = Normalize(d, Load3(d, points.tx, points.ty, points.tz, i));
   const Vec3V<V> across = Cross(n, given);
   const auto usable = hn::Gt(Dot(across, across), hn::Set(d, 1e-8f));
   const Vec3V<V> t = Select(usable, given, AnyTangent(d, n));
-  const V side = hn::IfThenElse(hn::Lt(hn::Load(d, rows.tw + i), hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+  const V side = hn::IfThenElse(hn::Lt(hn::Load(d, points.tw + i), hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
   return Sum(Sum(Scaled(t, m.x), Scaled(Cross(n, t), hn::Mul(side, m.y))), Scaled(n, m.z));
 }
 
-/// A normal in tangent space, and the variance of slopes that its texel lost.
+/// A normal in tangent space, and the variance of slopes that its texel has lost.
 template <class V>
 struct Mapped {
   Vec3V<V> m;
@@ -74,8 +68,8 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
     const V squares = hn::Add(hn::Load(d, map[2] + i), hn::Load(d, map[3] + i));
     const V spread = hn::Sub(squares, hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
     const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(squared_scale, spread));
-    const V most = hn::Set(d, 1e30f);  // exponents times it are finite
-    const V held = hn::IfThenElse(hn::Lt(half, most), half, most);
+    const V max = hn::Set(d, 1e30f);  // products with exponents are finite
+    const V held = hn::IfThenElse(hn::Lt(half, max), half, max);
     return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
   const V x = hn::Add(hn::Mul(factor, a), offset), y = hn::Add(hn::Mul(factor, b), offset);
@@ -93,65 +87,41 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   return {m, hn::IfThenElseZero(shorter, variance)};
 }
 
-void MapNormals(const material::Material& material, const float* const* map, raster::Fragments& rows, float* variance) {
+void MapNormals(const material::Material& material, const float* const* map, raster::Fragments& points,
+                float* variance) {
   const hn::ScalableTag<float> d;
-  for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
+  for (size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto n = Load3(d, points.nx, points.ny, points.nz, i);
     const auto mapped = Decode(d, material, map, i);
     hn::Store(mapped.variance, d, variance + i);
-    StoreNormal(d, FromTangentSpace(d, rows, n, mapped.m, i), n, i, rows);
+    StoreNormal(d, FromTangentSpace(d, points, n, mapped.m, i), n, i, points);
   }
 }
 
-void TiltNormals(const float* const* tilt, raster::Fragments& rows) {
+void TiltNormals(const float* const* tilt, raster::Fragments& points) {
   const hn::ScalableTag<float> d;
-  for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
+  for (size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto n = Load3(d, points.nx, points.ny, points.nz, i);
     const Vec3V<hn::Vec<decltype(d)>> m = {hn::Load(d, tilt[0] + i), hn::Load(d, tilt[1] + i), hn::Set(d, 1.0f)};
-    StoreNormal(d, FromTangentSpace(d, rows, n, m, i), n, i, rows);
+    StoreNormal(d, FromTangentSpace(d, points, n, m, i), n, i, points);
   }
 }
 
-void BumpNormals(const float* const* tilt, const float* const* frame, raster::Fragments& rows) {
+void BumpNormals(const float* const* tilt, const float* const* tangent_frame, raster::Fragments& points) {
   const hn::ScalableTag<float> d;
-  for (size_t i = 0; i < rows.count; i += hn::Lanes(d)) {
-    const auto n = LoadVec3(d, rows.nx, rows.ny, rows.nz, i);
-    const auto dpdu = LoadVec3(d, frame[0], frame[1], frame[2], i);
-    const auto dpdv = LoadVec3(d, frame[3], frame[4], frame[5], i);
+  for (size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto n = Load3(d, points.nx, points.ny, points.nz, i);
+    const auto dpdu = Load3(d, tangent_frame[0], tangent_frame[1], tangent_frame[2], i);
+    const auto dpdv = Load3(d, tangent_frame[3], tangent_frame[4], tangent_frame[5], i);
     const auto r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const auto area = Dot(dpdu, r1);
     const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));
     const auto safe = hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
-    // Shares of the frame first: its lengths may be far from 1.
+    // Divided first, because the lengths of the frame may be far from 1.
     const auto slope =
         Sum(Scaled(r1, hn::Div(hn::Load(d, tilt[0] + i), safe)), Scaled(r2, hn::Div(hn::Load(d, tilt[1] + i), safe)));
     const auto turned = Sum(n, Scaled(slope, hn::Set(d, -1.0f)));
-    StoreNormal(d, Select(flat, n, turned), n, i, rows);
-  }
-}
-
-void ShapeExponents(float constant, const float* column, const float* variance, size_t count, float* exponent,
-                    float* gain) {
-  const hn::ScalableTag<float> d;
-  const auto one = hn::Set(d, 1.0f);
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    auto p = hn::Set(d, constant);
-    if (column) p = material::HWY_NAMESPACE::HeldExponent(d, hn::Mul(p, hn::Load(d, column + i)));
-    auto widened = p;
-    if (variance) widened = material::HWY_NAMESPACE::WidenExponent(d, p, hn::Load(d, variance + i));
-    hn::Store(widened, d, exponent + i);
-    hn::Store(hn::Div(hn::Add(one, widened), hn::Add(one, p)), d, gain + i);
-  }
-}
-
-void ShapeRoughness(float constant, const float* column, const float* variance, size_t count, float* alpha_squared) {
-  const hn::ScalableTag<float> d;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    auto roughness = hn::Set(d, constant);
-    if (column) roughness = hn::Mul(roughness, hn::Load(d, column + i));
-    auto squared = material::HWY_NAMESPACE::AlphaSquared(d, roughness);
-    if (variance) squared = material::HWY_NAMESPACE::WidenAlpha(d, squared, hn::Load(d, variance + i));
-    hn::Store(squared, d, alpha_squared + i);
+    StoreNormal(d, Select(flat, n, turned), n, i, points);
   }
 }
 
@@ -164,41 +134,19 @@ namespace shd::shade {
 HWY_EXPORT(MapNormals);
 HWY_EXPORT(TiltNormals);
 HWY_EXPORT(BumpNormals);
-HWY_EXPORT(ShapeExponents);
-HWY_EXPORT(ShapeRoughness);
 
 void map_normals(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
-                 raster::Fragments* rows, float* variance) {
-  SHD_DISPATCH(MapNormals, simd)(material, map, *rows, variance);
+                 raster::Fragments* points, float* variance) {
+  SHD_DISPATCH(MapNormals, simd)(material, map, *points, variance);
 }
 
-void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* rows) {
-  SHD_DISPATCH(TiltNormals, simd)(tilt, *rows);
+void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* points) {
+  SHD_DISPATCH(TiltNormals, simd)(tilt, *points);
 }
 
-void bump_normals(const core::SimdTarget& simd, const float* const tilt[2], const float* const frame[6],
-                  raster::Fragments* rows) {
-  SHD_DISPATCH(BumpNormals, simd)(tilt, frame, *rows);
-}
-
-Shape shape_lobes(const core::SimdTarget& simd, const material::Material& material, const Parameters& parameters,
-                  const float* variance, size_t count, Columns* columns) {
-  Shape shape = {};
-  const uint32_t reads = material::info_of(material.model).slots;
-  const float* exponent = parameters.value[SHD_SLOT_EXPONENT][0];
-  const float* roughness = parameters.value[SHD_SLOT_ROUGHNESS][0];
-  if (reads >> SHD_SLOT_EXPONENT & 1 && (exponent || variance)) {
-    SHD_DISPATCH(ShapeExponents, simd)
-    (material.exponent, exponent, variance, count, columns->exponent, columns->gain);
-    shape.exponent = columns->exponent;
-    const bool has_factor = material.model == SHD_MODEL_BLINN_PHONG_NORMALIZED || material.model == SHD_MODEL_TOON;
-    if (variance && !has_factor) shape.gain = columns->gain;
-  }
-  if (reads >> SHD_SLOT_ROUGHNESS & 1 && (roughness || variance)) {
-    SHD_DISPATCH(ShapeRoughness, simd)(material.roughness, roughness, variance, count, columns->alpha_squared);
-    shape.alpha_squared = columns->alpha_squared;
-  }
-  return shape;
+void bump_normals(const core::SimdTarget& simd, const float* const tilt[2], const float* const tangent_frame[6],
+                  raster::Fragments* points) {
+  SHD_DISPATCH(BumpNormals, simd)(tilt, tangent_frame, *points);
 }
 
 }  // namespace shd::shade

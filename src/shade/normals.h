@@ -8,27 +8,22 @@
 
 namespace shd::shade {
 
-/// Turns the rows' normals by values of a normal map, [4] columns: through the rows' tangents t and bitangents tw (n x
-/// t), or any frame around n where t is 0, within 1e-4 of n's line, or its square not finite. Writes what the map lost
-/// to `variance`, scaled as its slopes and at most 1e30, where its encoding tells. A normal stays where the turned one
-/// would be 0 or is not finite. |error| <= 6e-7 |m| / |turned m| for texels m, of XY over z.
+/// Replaces the points' normals by the values of a normal map, [4] columns, in the frame of tangent t and bitangent
+/// tw (n x t); any frame around n where t is 0, within 1e-4 of the line of n, or its square is not finite. Writes the
+/// variance of slopes that the map has lost to `variance`, scaled like its slopes, at most 1e30; 0 unless its encoding
+/// holds it. Normals that would become 0 or not finite stay. |error| <= 6e-7 |m| / |result| for texels m, with XY
+/// over z.
 void map_normals(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
-                 raster::Fragments* rows, float* variance);
+                 raster::Fragments* points, float* variance);
 
-/// Turns them by a map's tilt alone: (x, y, 1) through the tangents.
-void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* rows);
+/// Replaces the points' normals by (tilt[0], tilt[1], 1) in the same frame.
+void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* points);
 
-/// Turns them by the gradient of a height: tilt holds its derivatives in u and v, frame dp/du and dp/dv
-/// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). A normal stays where frame spans no area, or
-/// one below 1.2e-38, and where the turned one is not finite. |error| <= 1e-6 over the cosine of the frame's skew and
-/// tilt.
-void bump_normals(const core::SimdTarget& simd, const float* const tilt[2], const float* const frame[6],
-                  raster::Fragments* rows);
-
-/// Exponents and roughness of rows, from their slots and what normal maps lost (null = nothing), where there is any of
-/// that: 1 / p' = 1 / p + variance, with the gain (1 + p') / (1 + p) that keeps the light of lobes without factor
-/// (Toksvig, "Mipmapping Normal Maps", 2005); alpha^2 + 2 variance, at most 1.
-Shape shape_lobes(const core::SimdTarget& simd, const material::Material& material, const Parameters& parameters,
-                  const float* variance, size_t count, Columns* columns);
+/// Tilts the points' normals by the gradient of a height: `tilt` holds its derivatives in u and v, `tangent_frame`
+/// dp/du and dp/dv (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010). Normals stay where the frame
+/// spans an area below 1.2e-38, and where the result is not finite. |error| <= 1e-6 over the cosine of the frame's skew
+/// and of the tilt.
+void bump_normals(const core::SimdTarget& simd, const float* const tilt[2], const float* const tangent_frame[6],
+                  raster::Fragments* points);
 
 }  // namespace shd::shade

@@ -17,27 +17,26 @@ namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::Cross;
 using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Load3;
 using simd::HWY_NAMESPACE::Scaled;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// How far u and v move along each row's line of sight down to `depth`; 0 where the frame spans no area or it is not
-/// finite.
-void FindShift(float depth, const float* const* frame, const raster::Fragments& f, float* du, float* dv) {
+/// Change of u and v along each point's line of sight down to `depth`; 0 where the frame spans no area or the change is
+/// 1e6 or more.
+void FindShift(float depth, const float* const* tangent_frame, const raster::Fragments& f, float* du, float* dv) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
-  const auto load = [&](const float* x, const float* y, const float* z, size_t i) -> Vec3V<V> {
-    return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
-  };
   const V limit = hn::Set(d, 1e6f), zero = hn::Zero(d);
   for (size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-    const Vec3V<V> n = load(f.nx, f.ny, f.nz, i), wo = load(f.ox, f.oy, f.oz, i);
+    const Vec3V<V> n = Load3(d, f.nx, f.ny, f.nz, i), wo = Load3(d, f.ox, f.oy, f.oz, i);
     const V cosine = Dot(n, wo);
     const V steep = hn::Max(hn::Abs(cosine), hn::Set(d, 0.1f));
     // Away from the eye, along the surface.
     const Vec3V<V> along =
         Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Div(hn::Set(d, depth), steep));
-    const Vec3V<V> dpdu = load(frame[0], frame[1], frame[2], i), dpdv = load(frame[3], frame[4], frame[5], i);
+    const Vec3V<V> dpdu = Load3(d, tangent_frame[0], tangent_frame[1], tangent_frame[2], i),
+                   dpdv = Load3(d, tangent_frame[3], tangent_frame[4], tangent_frame[5], i);
     const Vec3V<V> r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const V area = Dot(dpdu, r1);
     const auto flat = hn::Eq(area, zero);
@@ -58,56 +57,42 @@ namespace {
 
 HWY_EXPORT(FindShift);
 
-/// Columns of a march, borrowed from those that are free before the lobes are made.
-struct March {
-  float *u0, *v0;  // on the surface
-  float *du, *dv;  // down to the depth
-  float* height;   // of the texture at the latest step
-  float* above;    // how far the line was above it at the step before
-  float* found;    // part of the way, 0..1; negative until it is known
-};
-
-void move(const March& m, float part, size_t count, float* u, float* v) {
+/// Sets u and v to `part` of the way along each line.
+void move(const MarchColumns& m, float part, size_t count, float* u, float* v) {
   for (size_t i = 0; i < count; ++i) {
     u[i] = m.u0[i] + part * m.du[i];
     v[i] = m.v0[i] + part * m.dv[i];
   }
 }
 
-/// Whether all rows know where they end.
-bool step(const March& m, float part, float width, size_t count) {
-  float least = 1.0f;
+/// One step at `part` of the way. Returns whether every line has met the heights.
+bool step(const MarchColumns& m, const float* height, float part, float width, size_t count) {
+  float min_found = 1.0f;
   for (size_t i = 0; i < count; ++i) {
-    const float above = (1.0f - part) - m.height[i];
+    const float above = (1.0f - part) - height[i];
     const bool hits = !(above > 0.0f) && m.found[i] < 0.0f;
     const float drop = m.above[i] - above;
-    // above <= 0: as far back as the line between steps says, which from infinite heights says nothing.
+    // above <= 0: back to where the line between the steps crosses the heights; no way back from infinite heights.
     const float back = drop > 0.0f && drop < __builtin_inff() ? above / drop : 0.0f;
-    const float place = part + width * std::max(back, -1.0f);
-    m.found[i] = hits ? std::max(place, 0.0f) : m.found[i];
+    const float crossing = part + width * std::max(back, -1.0f);
+    m.found[i] = hits ? std::max(crossing, 0.0f) : m.found[i];
     m.above[i] = above;
-    least = m.found[i] < least ? m.found[i] : least;
+    min_found = m.found[i] < min_found ? m.found[i] : min_found;
   }
-  return least >= 0.0f;
+  return min_found >= 0.0f;
 }
 
 }  // namespace
 
-void shift_by_heights(const core::SimdTarget& simd, const SlotRows& where, raster::Fragments* fragments,
+void shift_by_heights(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* fragments,
                       Columns* columns) {
-  const material::Material& material = *where.shading.material;
+  const material::Material& material = *context.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
   raster::Fragments& f = *fragments;
   float *u = slot.uv_set ? f.u1 : f.u, *v = slot.uv_set ? f.v1 : f.v;
-  float* const* free = columns->lobes.lobe[0];
-  const March m = {free[0],
-                   free[1],
-                   free[2],
-                   columns->lobes.lobe[1][0],
-                   columns->slot[SHD_SLOT_HEIGHT][0],
-                   columns->lobes.lobe[1][1],
-                   columns->lobes.lobe[1][2]};
-  SHD_DISPATCH(FindShift, simd)(material.parallax_depth, columns->frame, f, m.du, m.dv);
+  const MarchColumns& m = columns->march;
+  float* const height = columns->slot[SHD_SLOT_HEIGHT][0];
+  SHD_DISPATCH(FindShift, simd)(material.parallax_depth, columns->tangent_frame, f, m.du, m.dv);
   std::copy_n(u, f.count, m.u0);
   std::copy_n(v, f.count, m.v0);
   std::fill_n(m.found, f.count, -1.0f);
@@ -117,16 +102,16 @@ void shift_by_heights(const core::SimdTarget& simd, const SlotRows& where, raste
     const float part = std::min(static_cast<float>(k) * width, 1.0f);
     move(m, part, f.count, u, v);
     texture::Texels out = {};
-    out.channel[slot.channel] = m.height;
-    texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, where, columns), out);
-    if (step(m, part, width, f.count)) break;
+    out.channel[slot.channel] = height;
+    texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, context, columns), out);
+    if (step(m, height, part, width, f.count)) break;
   }
   for (size_t i = 0; i < f.count; ++i) {
     const float part = m.found[i] < 0.0f ? 1.0f : m.found[i];
     u[i] = m.u0[i] + part * m.du[i];
     v[i] = m.v0[i] + part * m.dv[i];
   }
-  // Rows up to the next whole vector repeat the last one.
+  // Points up to the next whole vector repeat the last one.
   std::fill(u + f.count, u + data::padded(f.count), u[f.count - 1]);
   std::fill(v + f.count, v + data::padded(f.count), v[f.count - 1]);
 }

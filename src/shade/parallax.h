@@ -7,12 +7,12 @@
 
 namespace shd::shade {
 
-/// Moves the fragments' uv, of the set of the height slot, to where their lines of sight meet the heights, 1 on the
-/// surface and 0 parallax_depth below it: the first of parallax_steps equal steps that is not above them, and the line
-/// between it and the one before (Tatarchuk, "Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows", 2006).
-/// Lines flatter than a tenth (n.v) go as if they were that steep. Their derivatives stay. Needs normals, wo and
-/// columns->frame of that uv set.
-void shift_by_heights(const core::SimdTarget& simd, const SlotRows& where, raster::Fragments* fragments,
+/// Moves the fragments' uv, in the set of the height slot, to the point where their line of sight meets the heights: 1
+/// on the surface, 0 at parallax_depth below it. The line is marched in parallax_steps equal steps; the first step at
+/// or below the heights and the one before are interpolated linearly (Tatarchuk, "Dynamic Parallax Occlusion Mapping
+/// with Approximate Soft Shadows", 2006). n.v counts as at least 0.1. Derivatives of uv stay. Reads normals, wo and
+/// columns->tangent_frame of the uv set.
+void shift_by_heights(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* fragments,
                       Columns* columns);
 
 }  // namespace shd::shade

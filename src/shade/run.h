@@ -15,42 +15,42 @@
 
 namespace shd::shade {
 
-/// What the fragments of one draw are shaded with.
+/// Inputs of the shading of one draw.
 struct DrawShading {
   const geometry::Vertices* vertices;
   const material::Material* material;
   shd_frequency frequency;
-  float orientation;  // of the draw's matrix
+  float orientation;  // of the draw's matrix: -1 where it mirrors, else 1
   uint32_t draw;      // index in the frame
   uint32_t instance;  // index in the draw
-  uint32_t wanted;    // raster::Interpolated: columns of the fragments to be made whether shading needs them or not
+  uint32_t wanted;    // raster::Interpolated bits of columns that are made even if shading does not read them
   const void* uniforms;
 };
 
 /// Scratch of one worker.
 struct Workspace {
-  raster::Fragments fragments;  // count, pixel, triangle, x, y and depth come filled in
-  raster::Fragments rows;       // corners or centroids
-  raster::Varyings varyings;    // of the fragments at Phong frequency, else of the rows
+  raster::Fragments fragments;  // the caller fills count, pixel, triangle, x, y and depth
+  raster::Fragments points;     // corners or centroids
+  raster::Varyings varyings;    // of the fragments at Phong frequency, else of the points
   Columns columns;
-  core::Array<uint32_t> reaching;   // [padded] lights of a batch, by index in their table
-  core::Array<ActiveLight> active;  // [padded] the same
+  core::Array<uint32_t> affecting;  // [padded] indices of the lights that affect a batch, in the table
+  core::Array<ActiveLight> active;  // [padded] those lights with the factors of their cookies and shadows
 };
 
-/// What workspaces need room for.
+/// Capacities of a workspace.
 struct WorkspaceSize {
   uint32_t varying_count;
-  uint32_t targets;  // bit t: there is target t; bit 0, colour, is set
+  uint32_t targets;  // bit t = target t exists; bit 0, colour, is set
   size_t light_count;
 };
 
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Workspace* out);
 
-/// Most triangles that one batch may hold at Gouraud frequency: their corners must fit a table.
+/// Largest number of triangles in a batch at Gouraud frequency: a table holds their corners.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 
-/// Shades workspace->fragments (at most raster::kBatch rows, or kGouraudTriangles runs of one triangle) into
+/// Shades workspace->fragments (at most raster::kBatch, or kGouraudTriangles runs of one triangle) into
 /// workspace->columns.radiance. Runs on the calling thread. Throws Failure if a program threw.
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* workspace);

@@ -5,24 +5,27 @@
 /// Input:      raster::Fragments of one draw; its Material; the LightTable of the frame.
 /// Output:     Radiance columns: scene-linear colour, premultiplied by a, and the targets that programs write.
 /// Units:      positions in world space, irradiance and radiance in the lights' unit.
-/// Invariants: lights accumulate in the order of the table; a row depends on its own inputs alone.
+/// Invariants: lights accumulate in the order of the table; a point depends on its own inputs only; no file depends on
+///             the set of models: kernels are templates over the structs in the table of material/models-inl.h.
 ///
-/// | file          | what                                                                         |
-/// |---------------|------------------------------------------------------------------------------|
-/// | light_table.h | the lights of a frame                                                        |
-/// | cull.h        | kernel: lights whose range reaches a batch                                   |
-/// | modulation.h  | what the texture and the shadow of a light leave of it                       |
-/// | columns.h     | Lobes, Radiance and scratch columns                                          |
-/// | needs.h       | columns that a draw's shading reads                                          |
-/// | parameters.h  | values of slots at rows                                                      |
-/// | frames.h      | dp/du, dp/dv and tangents of triangles; sides that the eye sees              |
-/// | parallax.h    | uv where lines of sight meet heights                                         |
-/// | normals.h     | kernels: mapped and bumped normals; exponents and roughness widened          |
-/// | surface.h     | those together: what a material says of its surface                          |
-/// | illuminate.h  | kernel: light reflected by the lobes of each row                             |
-/// | combine.h     | kernels: coefficients times lobes; values from corners to rows               |
-/// | show.h        | what models without lights show                                              |
-/// | frequency.h   | rows for Gouraud (corners) and flat (centroids) shading                      |
-/// | program.h     | programs and procedures of the caller's                                      |
-/// | run.h         | one draw's fragments from geometry to radiance, whatever model               |
+/// Points are where lobes are evaluated: the fragments (Phong), the corners (Gouraud) or the centroids (flat) of
+/// triangles. A batch is what one worker shades in one call.
+///
+/// | file             | what                                                                         |
+/// |------------------|------------------------------------------------------------------------------|
+/// | light_table.h    | the lights of a frame                                                        |
+/// | cull.h           | kernel: lights whose range reaches a batch                                   |
+/// | modulation.h     | factors of cookies and shadows of a light                                    |
+/// | columns.h        | Radiance and scratch columns                                                 |
+/// | needs.h          | columns that the shading of a draw reads                                     |
+/// | parameters.h     | values of slots at points                                                    |
+/// | tangent_frames.h | dp/du, dp/dv and tangents of triangles; two-sided normals                    |
+/// | parallax.h       | texture coordinates where lines of sight meet heights                        |
+/// | normals.h        | kernels: mapped and bumped normals                                           |
+/// | surface.h        | tangents, normals and lobe shapes of a material at points                    |
+/// | illuminate.h     | kernels: the model's lobes: their shape, and their sums over lights          |
+/// | combine.h        | kernels: coefficients times lobes; values of points at their fragments       |
+/// | frequency.h      | points for Gouraud (corners) and flat (centroids) shading                    |
+/// | program.h        | programs and procedures of the caller                                        |
+/// | run.h            | a batch of fragments of one draw, from geometry to radiance                  |
 #pragma once

@@ -7,14 +7,13 @@
 
 namespace shd::shade {
 
-/// Tangents of triangles where they are read and the mesh has none, and in columns->frame what bumps and parallax go
-/// by.
-void make_bases(const SlotRows& where, raster::Fragments* rows, Columns* columns);
+/// Makes the tangents of points where they are read and the mesh has none, and the columns->tangent_frame that bumps
+/// and parallax read.
+void make_tangent_bases(const SlotContext& context, raster::Fragments* points, Columns* columns);
 
-/// Makes of rows what their material says of their surface: mapped and bumped normals, sides of triangles, and the
-/// shape of lobes. Overwrites the rows' normals. `parameters` gets the slots that shape. Throws Failure if a procedure
-/// threw.
-Shape shape_surface(const core::SimdTarget& simd, const SlotRows& where, raster::Fragments* rows, Columns* columns,
-                    Parameters* parameters);
+/// Applies normal maps, bumps and double-sidedness of a material to the points' normals, and derives the shape of the
+/// lobes. Writes the values of the shaping slots to `parameters`. Throws Failure if a procedure threw.
+LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
+                        Columns* columns, material::Parameters* parameters);
 
 }  // namespace shd::shade

@@ -14,6 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr float kInvPi = 0.318309886f;
+
 /// log2((1 + s) / (1 - s)) / s by its series, with z = s^2 up to z^4.
 template <class D, class V>
 HWY_INLINE V AtanhSeries(D d, V z) {
@@ -92,8 +94,7 @@ HWY_INLINE V Pow(D d, V x, V y) {
   return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), hn::Set(d, 1.0f), power);
 }
 
-/// The same bits for x in 0..1, with fewer steps and without results that are not normal: 0 where x^y or x is below
-/// 2^-126.
+/// The bits of Pow() for x in 0..1, in fewer steps and without denormal results: 0 where x^y or x is below 2^-126.
 template <class D, class V>
 HWY_INLINE V UnitPow(D d, V x, V y) {
   const hn::RebindToSigned<D> di;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: simd, what kernels are written with.
+/// Stage contract: simd, vocabulary of the kernels.
 ///
 /// Input and output: Highway vectors; every lane is computed from its own inputs only.
 /// Invariants: only operations that IEEE 754 rounds correctly (add, multiply, divide, square root) and exact integer
 ///             work, so that every target gives the same bits: no fused multiply-add, no approximate reciprocal, no
-///             libm. Min and Max see no NaN (targets differ there).
+///             libm. Min and Max are never given a NaN, because targets differ there.
 ///
-/// | file           | what                                        | error                            |
-/// |----------------|---------------------------------------------|----------------------------------|
-/// | math-inl.h     | Log2, Exp2, Pow, UnitPow                    | stated at each, tested           |
-/// | vec3-inl.h     | three-component columns: sum, dot, unit     | the operations' own rounding     |
+/// | file           | what                                                 | error                            |
+/// |----------------|------------------------------------------------------|----------------------------------|
+/// | math-inl.h     | Log2, Exp2, Pow, UnitPow; kInvPi                     | stated at each function, tested  |
+/// | vec3-inl.h     | 3-vectors: load, store, sum, dot, cross, unit        | the operations' own rounding     |
+/// | finite-inl.h   | tests for finite values                              | exact                            |
+/// | gather-inl.h   | pairs of neighbouring 32-bit words at an index       | exact                            |
 #pragma once

@@ -20,6 +20,25 @@ struct Vec3V {
   V x, y, z;
 };
 
+/// Vectors of row i and the following rows, from one aligned column per component.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vec3V<V> Load3(D d, const float* x, const float* y, const float* z, size_t i) {
+  return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
+}
+
+template <class D, class V>
+HWY_INLINE void Store3(D d, const Vec3V<V>& v, float* x, float* y, float* z, size_t i) {
+  hn::Store(v.x, d, x + i);
+  hn::Store(v.y, d, y + i);
+  hn::Store(v.z, d, z + i);
+}
+
+/// The same vector in every lane.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vec3V<V> Set3(D d, const float* v) {
+  return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
+}
+
 template <class V>
 HWY_INLINE V Dot(const Vec3V<V>& a, const Vec3V<V>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
@@ -28,6 +47,11 @@ HWY_INLINE V Dot(const Vec3V<V>& a, const Vec3V<V>& b) {
 template <class V>
 HWY_INLINE Vec3V<V> Sum(const Vec3V<V>& a, const Vec3V<V>& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> Difference(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
 template <class V>

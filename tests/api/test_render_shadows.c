@@ -7,8 +7,8 @@ enum { k_width = 96, k_height = 72, k_pixels = k_width * k_height };
 
 static struct {
     shd_context *context;
-    shd_light *sun, *lamp, *slide, *ambient;
-    shd_shadow *of_sun, *of_lamp, *of_slide, *empty;
+    shd_light *sun, *lamp, *cookie, *ambient;
+    shd_shadow *of_sun, *of_lamp, *of_cookie, *empty;
     shd_material *material;
     shd_framebuffer *framebuffer;
     struct shd_boxes boxes;
@@ -50,7 +50,7 @@ static int set_up(void **state)
     shd_assert_ok(shd_texture_create(g.context, &texture_desc, &texture));
     g.sun = make_light(SHD_LIGHT_DIRECTIONAL, NULL);
     g.lamp = make_light(SHD_LIGHT_POINT, NULL);
-    g.slide = make_light(SHD_LIGHT_SPOT, texture);
+    g.cookie = make_light(SHD_LIGHT_SPOT, texture);
     g.ambient = make_light(SHD_LIGHT_AMBIENT, NULL);
     shd_texture_release(texture);
     shd_boxes_open(&g.boxes, g.context);
@@ -59,7 +59,7 @@ static int set_up(void **state)
     shadow_desc.filter = SHD_SHADOW_PCF;
     g.of_sun = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.sun);
     g.of_lamp = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.lamp);
-    g.of_slide = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.slide);
+    g.of_cookie = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.cookie);
     shd_assert_ok(shd_shadow_create(g.context, NULL, &g.empty));
     material_desc.model = SHD_MODEL_BLINN_PHONG;
     memset(material_desc.ambient, 0, sizeof material_desc.ambient);
@@ -77,11 +77,11 @@ static int tear_down(void **state)
     (void)state;
     shd_shadow_release(g.of_sun);
     shd_shadow_release(g.of_lamp);
-    shd_shadow_release(g.of_slide);
+    shd_shadow_release(g.of_cookie);
     shd_shadow_release(g.empty);
     shd_light_release(g.sun);
     shd_light_release(g.lamp);
-    shd_light_release(g.slide);
+    shd_light_release(g.cookie);
     shd_light_release(g.ambient);
     shd_material_release(g.material);
     shd_framebuffer_release(g.framebuffer);
@@ -155,10 +155,10 @@ static void expect_product(const char *name, const shd_light *const *lights, con
 
 static void test_product(void **state)
 {
-    const shd_light *one[] = {g.sun}, *spot[] = {g.slide}, *three[] = {g.lamp, g.slide, g.sun};
-    const shd_shadow *of_one[] = {g.of_sun}, *of_spot[] = {g.of_slide}, *of_three[] = {g.of_lamp, NULL, g.of_sun};
-    const shd_light *many[] = {g.sun, g.lamp, g.slide, g.sun, g.lamp, g.slide, g.sun};
-    const shd_shadow *of_many[] = {g.of_sun, g.of_lamp, g.of_slide, g.of_sun, NULL, g.of_slide, g.of_sun};
+    const shd_light *one[] = {g.sun}, *spot[] = {g.cookie}, *three[] = {g.lamp, g.cookie, g.sun};
+    const shd_shadow *of_one[] = {g.of_sun}, *of_spot[] = {g.of_cookie}, *of_three[] = {g.of_lamp, NULL, g.of_sun};
+    const shd_light *many[] = {g.sun, g.lamp, g.cookie, g.sun, g.lamp, g.cookie, g.sun};
+    const shd_shadow *of_many[] = {g.of_sun, g.of_lamp, g.of_cookie, g.of_sun, NULL, g.of_cookie, g.of_sun};
     (void)state;
     expect_product("one", one, of_one, 1);
     expect_product("textured_spot", spot, of_spot, 1);

@@ -61,7 +61,7 @@ static void edit_bias(shd_shadow_desc *d) { d->bias = -0.001f; }
 static void edit_bias_nan(shd_shadow_desc *d) { d->bias = (float)NAN; }
 static void edit_bias_slope(shd_shadow_desc *d) { d->bias_slope = 1001; }
 static void edit_normal_offset(shd_shadow_desc *d) { d->normal_offset = -1; }
-static void edit_casters(shd_shadow_desc *d) { d->casters = (shd_cull)3; }
+static void edit_caster_cull(shd_shadow_desc *d) { d->caster_cull = (shd_cull)3; }
 static void edit_bleed(shd_shadow_desc *d) { d->bleed = 1; }
 static void edit_min_variance(shd_shadow_desc *d) { d->min_variance = -1e-20f; }
 static void edit_all(shd_shadow_desc *d)
@@ -70,7 +70,7 @@ static void edit_all(shd_shadow_desc *d)
     d->taps = 15;
     d->filter_size = d->light_size = d->bias = d->normal_offset = d->min_variance = 1e9f;
     d->bias_slope = 1000;
-    d->casters = SHD_CULL_FRONT;
+    d->caster_cull = SHD_CULL_FRONT;
     d->bleed = 0.99f;
 }
 
@@ -100,7 +100,7 @@ static const struct create_case k_create[] = {
     {"create/bias_nan", edit_bias_nan, BAD, "shadow.bias"},
     {"create/bias_slope_1001", edit_bias_slope, BAD, "shadow.bias_slope: 1001"},
     {"create/normal_offset_negative", edit_normal_offset, BAD, "shadow.normal_offset: -1"},
-    {"create/casters_3", edit_casters, BAD, "shadow.casters: 3"},
+    {"create/caster_cull_3", edit_caster_cull, BAD, "shadow.caster_cull: 3"},
     {"create/bleed_1", edit_bleed, BAD, "shadow.bleed: 1 is not in 0..0.99"},
     {"create/min_variance_negative", edit_min_variance, BAD, "shadow.min_variance"},
 };

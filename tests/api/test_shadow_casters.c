@@ -78,7 +78,7 @@ static void test_casters(void **state)
                                        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 1.5f, 0, 1};
     static const struct {
         const char *name;
-        shd_cull casters;
+        shd_cull cull;
         uint32_t flags;
         float opacity, alpha_cutoff; /* opacity 0: no material */
         int has_instances;
@@ -107,7 +107,7 @@ static void test_casters(void **state)
         shd_shadow *shadow;
         shd_boxes_open(&boxes, g_context);
         shd_boxes_add(&boxes, k_low, k_high);
-        desc.casters = k_cases[i].casters;
+        desc.caster_cull = k_cases[i].cull;
         boxes.draws[0].flags = k_cases[i].flags;
         boxes.draws[0].cull = SHD_CULL_BACK;        /* does not count */
         boxes.draws[0].compare = SHD_COMPARE_NEVER; /* nor this */

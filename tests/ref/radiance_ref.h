@@ -32,7 +32,7 @@ inline long double ambient_of(const material::Material& m, const SlotValues& s, 
 
 inline Sum metallic_radiance(const material::Material& m, const SlotValues& s, long double ambient,
                              const long double lobe[3], int c) {
-  const long double pi = acosl(-1.0L), f = m.dielectric, base = m.diffuse[c] * s.of[SHD_SLOT_DIFFUSE];
+  const long double pi = acosl(-1.0L), f = m.dielectric_f0, base = m.diffuse[c] * s.of[SHD_SLOT_DIFFUSE];
   const long double metal = m.metallic * s.of[SHD_SLOT_METALLIC], f0 = f * (1 - metal) + base * metal;
   Sum sum = {};
   sum.add(ambient * (base * (1 - metal) + f0));

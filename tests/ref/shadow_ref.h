@@ -131,8 +131,8 @@ struct ShadowRef {
     return chebyshev(p.z, mean, std::max(sum[2] / sum[0] - mean * mean, 0.0));
   }
   double summed_area(const ShadowPoint& p) const {
-    const double most = static_cast<double>(options.size) / light::kReachPart;
-    const double half = std::min(std::max(0.5 * static_cast<double>(options.filter_size) / p.texel, 0.5), most);
+    const double max_width = static_cast<double>(options.size) / light::kMaxRadiusPart;
+    const double half = std::min(std::max(0.5 * static_cast<double>(options.filter_size) / p.texel, 0.5), max_width);
     const double size = options.size;
     const auto held = [&](double v) { return std::min(std::max(v, 0.0), size); };
     const double x[2] = {held(p.x - half), held(p.x + half)}, y[2] = {held(p.y - half), held(p.y + half)};
@@ -154,7 +154,7 @@ struct ShadowRef {
     if (placement.projection != light::ShadowProjection::kOrthographic) {
       width /= std::max(blocker, static_cast<double>(placement.near));
     }
-    return std::min(width / p.texel, static_cast<double>(options.size) / light::kReachPart);
+    return std::min(width / p.texel, static_cast<double>(options.size) / light::kMaxRadiusPart);
   }
   double pcss(const ShadowPoint& p) const {
     const uint32_t n = options.taps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Angles and tangents in double against long double arithmetic of the C library.
+// Angles, tangents and cosines in double against long double arithmetic of the C library.
 #include "support/check.h"
 
 #include "data/trig.h"
@@ -54,6 +54,15 @@ void test_tan(void**) {
   }
 }
 
+void test_cos(void**) {
+  for (size_t i = 0; i <= 200000; ++i) {
+    const double x = 0.5 * kPi * static_cast<double>(i) / 200000.0;
+    const auto error =
+        static_cast<double>(fabsl(static_cast<long double>(shd::data::cos(x)) - cosl(static_cast<long double>(x))));
+    if (!(error <= 1e-15)) fail_msg("cos(%.17g) is off by %g", x, error);
+  }
+}
+
 void test_tan_edges(void**) {
   assert_true(shd::data::tan(0.0) == 0.0);
   assert_true(shd::data::tan(1e-300) == 1e-300);
@@ -69,6 +78,7 @@ int main() {
       {"angle/slivers", test_angle_slivers, nullptr, nullptr, nullptr},
       {"angle/edges", test_angle_edges, nullptr, nullptr, nullptr},
       {"tan/sweep", test_tan, nullptr, nullptr, nullptr},
+      {"cos/sweep", test_cos, nullptr, nullptr, nullptr},
       {"tan/edges", test_tan_edges, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests_name("unit.data.trig", tests, nullptr, nullptr);

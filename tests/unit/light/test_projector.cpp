@@ -67,23 +67,23 @@ void test_axes(void** state) {
   }
 }
 
-struct SlideCase {
+struct CookieCase {
   const char* name;
   shd_light_kind kind;
   float angle;      // of spots
   float extent[2];  // of directional lights
 };
-const SlideCase k_slides[] = {
-    {"slide/spot/45", SHD_LIGHT_SPOT, kPi / 4, {1, 1}},
-    {"slide/spot/1", SHD_LIGHT_SPOT, kPi / 180, {1, 1}},
-    {"slide/spot/0.001", SHD_LIGHT_SPOT, 0.001f, {1, 1}},
-    {"slide/spot/1.55", SHD_LIGHT_SPOT, 1.55f, {1, 1}},
-    {"slide/directional", SHD_LIGHT_DIRECTIONAL, 1, {1, 1}},
-    {"slide/directional/4x3", SHD_LIGHT_DIRECTIONAL, 1, {4, 3}},
-    {"slide/directional/1e3x1e-3", SHD_LIGHT_DIRECTIONAL, 1, {1e3f, 1e-3f}},
+const CookieCase k_cookies[] = {
+    {"cookie/spot/45", SHD_LIGHT_SPOT, kPi / 4, {1, 1}},
+    {"cookie/spot/1", SHD_LIGHT_SPOT, kPi / 180, {1, 1}},
+    {"cookie/spot/0.001", SHD_LIGHT_SPOT, 0.001f, {1, 1}},
+    {"cookie/spot/1.55", SHD_LIGHT_SPOT, 1.55f, {1, 1}},
+    {"cookie/directional", SHD_LIGHT_DIRECTIONAL, 1, {1, 1}},
+    {"cookie/directional/4x3", SHD_LIGHT_DIRECTIONAL, 1, {4, 3}},
+    {"cookie/directional/1e3x1e-3", SHD_LIGHT_DIRECTIONAL, 1, {1e3f, 1e-3f}},
 };
 
-light::Light slide_light(const SlideCase& c, const float position[3], const float direction[3]) {
+light::Light cookie_light(const CookieCase& c, const float position[3], const float direction[3]) {
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = c.kind;
   desc.outer_angle = c.angle;
@@ -119,12 +119,12 @@ Vector row_point(size_t i) {
   return ref::vector(p);
 }
 
-/// Points at known places of the slide, the first four its corners from the top left on; every eighth is behind it.
-void test_slide(void** state) {
-  const auto* c = static_cast<const SlideCase*>(*state);
+/// Points at known places of the cookie, the first four its corners from the top left on; every eighth is behind it.
+void test_cookie(void** state) {
+  const auto* c = static_cast<const CookieCase*>(*state);
   Random random = {131};
   const float position[3] = {0.5f, -1.25f, 2.0f}, direction[3] = {1.0f, -2.0f, 0.5f};
-  const light::Light light = slide_light(*c, position, direction);
+  const light::Light light = cookie_light(*c, position, direction);
   const bool spot = c->kind == SHD_LIGHT_SPOT;
   const Vector back = ref::vector(light.to_light), right = ref::vector(light.right), up = ref::vector(light.up);
   static double want[2][kPoints];
@@ -135,19 +135,19 @@ void test_slide(void** state) {
     const double distance = (is_behind ? -1.0 : 1.0) * std::exp2(random.in(-1.0, 6.0));
     const long double half_x = spot ? distance * tanl(c->angle) : 0.5L * c->extent[0];
     const long double half_y = spot ? distance * tanl(c->angle) : 0.5L * c->extent[1];
-    const Vector in_slide =
+    const Vector in_cookie =
         half_x * static_cast<long double>(2 * u - 1) * right + half_y * static_cast<long double>(1 - 2 * v) * up;
-    set_point(i, ref::vector(position) - static_cast<long double>(distance) * back + in_slide);
+    set_point(i, ref::vector(position) - static_cast<long double>(distance) * back + in_cookie);
     want[0][i] = is_behind && spot ? -1.0 : u;
     want[1][i] = is_behind && spot ? -1.0 : v;
   }
   project_everywhere(light);
   for (size_t i = 0; i < kPoints; ++i) {
-    // Points are rounded to float themselves, and seen in units of the slide.
+    // Points are rounded to float themselves, and seen in units of the cookie.
     const double size = fabs(double{g_p[0][i]}) + fabs(double{g_p[1][i]}) + fabs(double{g_p[2][i]}) + 4.0;
     const double along = static_cast<double>(fabsl(ref::dot(row_point(i) - ref::vector(position), back)));
-    const double scale_x = spot ? double{light.slide_scale[0]} / along : double{light.slide_scale[0]};
-    const double scale_y = spot ? double{light.slide_scale[1]} / along : double{light.slide_scale[1]};
+    const double scale_x = spot ? double{light.cookie_scale[0]} / along : double{light.cookie_scale[0]};
+    const double scale_y = spot ? double{light.cookie_scale[1]} / along : double{light.cookie_scale[1]};
     const double aside_u = spot ? fabs(want[0][i] - 0.5) / along : 0.0,
                  aside_v = spot ? fabs(want[1][i] - 0.5) / along : 0.0;
     shd_assert_close("u", i, g_first[0][i], want[0][i], 1e-6 + 2e-7 * size * (scale_x + aside_u), 0.0);
@@ -157,10 +157,10 @@ void test_slide(void** state) {
 
 /// Points that are not finite, at the light, or out of range have no place, or a finite one.
 void test_nonfinite(void** state) {
-  const auto* c = static_cast<const SlideCase*>(*state);
+  const auto* c = static_cast<const CookieCase*>(*state);
   const float odd[] = {NAN, INFINITY, -INFINITY, 3e38f, -3e38f, 0.0f};
   const float position[3] = {0, 0, 0}, direction[3] = {0, 0, -1};
-  const light::Light light = slide_light(*c, position, direction);
+  const light::Light light = cookie_light(*c, position, direction);
   for (size_t i = 0; i < kPoints; ++i) set_point(i, {odd[i % 6], odd[i / 6 % 6], odd[i / 36 % 6]});
   project_everywhere(light);
   for (size_t i = 0; i < kPoints; ++i) {
@@ -194,7 +194,7 @@ void test_cone(void** state) {
   if (c->inner < c->outer) shd_assert_close("inner", 0, scale * (cos(double{c->inner}) - start), 1.0, 1e-6, 0.0);
   shd_assert_close("tangent", 0, light.outer_tangent, tan(std::min(double{c->outer}, 1.57)), 0.0, 1e-6);
   shd_assert_close("range", 0, light.inverse_range_squared, 0.04, 0.0, 1e-7);
-  assert_true(light.range == 5.0f && light.texture == nullptr);
+  assert_true(light.range == 5.0f && light.cookie == nullptr);
 }
 
 }  // namespace
@@ -206,10 +206,10 @@ int main() {
   CMUnitTest tests[64];
   size_t n = 0, m = 0;
   for (const AxesCase& c : k_axes) tests[n++] = {c.name, test_axes, nullptr, nullptr, const_cast<AxesCase*>(&c)};
-  for (const SlideCase& c : k_slides) {
-    tests[n++] = {c.name, test_slide, nullptr, nullptr, const_cast<SlideCase*>(&c)};
+  for (const CookieCase& c : k_cookies) {
+    tests[n++] = {c.name, test_cookie, nullptr, nullptr, const_cast<CookieCase*>(&c)};
     snprintf(names[m], sizeof names[0], "nonfinite/%s", c.name);
-    tests[n++] = {names[m++], test_nonfinite, nullptr, nullptr, const_cast<SlideCase*>(&c)};
+    tests[n++] = {names[m++], test_nonfinite, nullptr, nullptr, const_cast<CookieCase*>(&c)};
   }
   for (const ConeCase& c : k_cones) tests[n++] = {c.name, test_cone, nullptr, nullptr, const_cast<ConeCase*>(&c)};
   return _cmocka_run_group_tests("unit.light.projector", tests, n, nullptr, nullptr);

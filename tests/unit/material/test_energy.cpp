@@ -84,12 +84,13 @@ Albedo kernel_albedo(const core::SimdTarget& target, const Vector& v) {
   Albedo sum = {};
   const std::vector<Direction>& all = *g_directions;
   for (size_t begin = 0; begin < all.size(); begin += kBatch) {
-    g->rows.count = std::min(kBatch, all.size() - begin);
-    for (size_t i = 0; i < g->rows.count; ++i) set_row(i, -1.0L * all[begin + i].l, {0, 0, 1}, v);
-    for (size_t i = g->rows.count; i < data::padded(g->rows.count); ++i) set_row(i, {1, 0, 0}, {0, 0, 1}, v);
-    shade::illuminate(target, g->material, {}, g->active, 1, g->rows, {false, true}, &g->columns.lobes);
+    g->points.count = std::min(kBatch, all.size() - begin);
+    for (size_t i = 0; i < g->points.count; ++i) set_point(i, -1.0L * all[begin + i].l, {0, 0, 1}, v);
+    for (size_t i = g->points.count; i < data::padded(g->points.count); ++i) set_point(i, {1, 0, 0}, {0, 0, 1}, v);
+    shade::illuminate(target, g->material, {}, g->active, 1, g->points, {false, true}, &g->columns.lobes);
     for (uint32_t k = 0; k < lobes; ++k) {
-      for (size_t i = 0; i < g->rows.count; ++i) sum.lobe[k] += all[begin + i].weight * g->columns.lobes.lobe[k][0][i];
+      for (size_t i = 0; i < g->points.count; ++i)
+        sum.lobe[k] += all[begin + i].weight * g->columns.lobes.lobe[k][0][i];
     }
   }
   return sum;
@@ -151,7 +152,7 @@ void test_dielectric(void**) {
       const Vector v = eye(kAngles[k]);
       const Albedo mirrored = metallic_roughness(v, roughness);
       cosine_directions();
-      const double scattered = kernel_albedo(best_target(), v).lobe[0] / kPi, f = double{g->material.dielectric};
+      const double scattered = kernel_albedo(best_target(), v).lobe[0] / kPi, f = double{g->material.dielectric_f0};
       const double sent = (1.0 - f) * scattered + f * mirrored.lobe[1] + mirrored.lobe[2];
       assert_true(sent >= 0.97);
       largest = std::max(largest, sent);
@@ -181,14 +182,14 @@ void test_reciprocity(void**) {
     set_material({"", SHD_MODEL_METALLIC_ROUGHNESS, 0, 1, roughness});
     g->count = 1;
     set_light(0, shd_light_desc_default());
-    g->rows.count = kBatch;
+    g->points.count = kBatch;
     double cosine[kBatch];
     for (size_t i = 0; i < kBatch; i += 2) {
       Vector a = random_unit(&random), b = random_unit(&random);
       a.z = fabsl(a.z) + 0.1L, b.z = fabsl(b.z) + 0.1L;
       a = ref::unit(a), b = ref::unit(b);
-      set_row(i, -1.0L * a, {0, 0, 1}, b);
-      set_row(i + 1, -1.0L * b, {0, 0, 1}, a);
+      set_point(i, -1.0L * a, {0, 0, 1}, b);
+      set_point(i + 1, -1.0L * b, {0, 0, 1}, a);
       cosine[i] = static_cast<double>(a.z), cosine[i + 1] = static_cast<double>(b.z);
     }
     illuminate_everywhere();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials, lights and rows for tests of lobes, and what they should be. On the heap: cmocka fails by longjmp.
+// Materials, lights and points for tests of lobes, and what they should be. On the heap: cmocka fails by longjmp.
 #pragma once
 
 #include "support/check.h"
@@ -18,32 +18,32 @@ using raster::kBatch;
 using ref::Vector;
 
 inline const core::Allocator g_allocator = {core::default_allocator()};
-constexpr size_t kMostLights = 16;
+constexpr size_t kMaxLights = 16;
 
 struct LobeFixture {
   material::Material material;
   size_t count;  // of lights
-  shd_light_desc desc[kMostLights];
-  light::Light light[kMostLights];
-  shade::ActiveLight active[kMostLights];
-  shade::Shape shape;
-  raster::Fragments rows;
+  shd_light_desc desc[kMaxLights];
+  light::Light light[kMaxLights];
+  shade::ActiveLight active[kMaxLights];
+  shade::LobeShape shape;
+  raster::Fragments points;
   shade::Columns columns, first;
   core::Array<float> block;  // factors and shapes
-  float* factor[kMostLights][3];
+  float* factor[kMaxLights][3];
   float *exponent, *alpha_squared, *gain;
 };
 inline LobeFixture* g;
 
 inline int set_up(void**) {
   g = new LobeFixture;
-  raster::allocate(g_allocator, &g->rows);
+  raster::allocate(g_allocator, &g->points);
   shade::allocate(g_allocator, 1, &g->columns);
   shade::allocate(g_allocator, 1, &g->first);
-  g->block = core::Array<float>(g_allocator, (3 * kMostLights + 3) * kBatch);
+  g->block = core::Array<float>(g_allocator, (3 * kMaxLights + 3) * kBatch);
   g->block.fill_zero();
-  for (size_t k = 0; k < 3 * kMostLights; ++k) g->factor[k / 3][k % 3] = g->block.data() + k * kBatch;
-  g->exponent = g->block.data() + 3 * kMostLights * kBatch;
+  for (size_t k = 0; k < 3 * kMaxLights; ++k) g->factor[k / 3][k % 3] = g->block.data() + k * kBatch;
+  g->exponent = g->block.data() + 3 * kMaxLights * kBatch;
   g->alpha_squared = g->exponent + kBatch;
   g->gain = g->alpha_squared + kBatch;
   return 0;
@@ -72,14 +72,25 @@ inline void set_material(const ModelCase& c) {
   g->shape = {};
 }
 
+/// Whether the shape of the model's lobes is a roughness, else an exponent and its gain.
+inline bool is_rough() {
+  return material::info_of(g->material.model).shape_slots >> SHD_SLOT_ROUGHNESS & 1;
+}
+
+/// Columns for the shape of the model's lobes.
+inline void set_shape(bool has_parameter, bool has_gain) {
+  g->shape.column[0] = !has_parameter ? nullptr : is_rough() ? g->alpha_squared : g->exponent;
+  g->shape.column[1] = has_gain ? g->gain : nullptr;
+}
+
 inline void set_light(size_t k, const shd_light_desc& desc) {
   g->desc[k] = desc;
   g->light[k] = light::make_light(desc, nullptr, nullptr);
   g->active[k] = {&g->light[k], {nullptr, nullptr, nullptr}};
 }
 
-inline void set_row(size_t i, Vector p, Vector n, Vector wo) {
-  raster::Fragments& f = g->rows;
+inline void set_point(size_t i, Vector p, Vector n, Vector wo) {
+  raster::Fragments& f = g->points;
   f.px[i] = static_cast<float>(p.x), f.py[i] = static_cast<float>(p.y), f.pz[i] = static_cast<float>(p.z);
   f.nx[i] = static_cast<float>(n.x), f.ny[i] = static_cast<float>(n.y), f.nz[i] = static_cast<float>(n.z);
   f.ox[i] = static_cast<float>(wo.x), f.oy[i] = static_cast<float>(wo.y), f.oz[i] = static_cast<float>(wo.z);
@@ -114,8 +125,8 @@ inline void random_lights(Random* random, size_t count, LightMix wanted) {
 }
 
 /// Rows of which every other one sees the highlight of a light: its normal is near the half vector.
-inline void random_rows(Random* random, double sharpness) {
-  g->rows.count = kBatch;
+inline void random_points(Random* random, double sharpness) {
+  g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const Vector p = {random->in(-3.0, 3.0), random->in(-3.0, 3.0), random->in(-3.0, 3.0)};
     const Vector wo = random_unit(random);
@@ -125,7 +136,7 @@ inline void random_rows(Random* random, double sharpness) {
       const Vector l = ref::arriving(g->desc[k], g->light[k], p).l;
       n = ref::unit(ref::unit(wo + l) + sqrtl(random->in(0.0, 2.0) / (1.0 + sharpness)) * n);
     }
-    set_row(i, p, n, wo);
+    set_point(i, p, n, wo);
   }
 }
 
@@ -134,9 +145,9 @@ inline void illuminate_everywhere() {
   const uint32_t lobes = material::info_of(g->material.model).lobes;
   for_each_target([&](const core::SimdTarget& target, bool first) {
     shade::Columns& out = first ? g->first : g->columns;
-    shade::illuminate(target, g->material, g->shape, g->active, g->count, g->rows, {false, true}, &out.lobes);
+    shade::illuminate(target, g->material, g->shape, g->active, g->count, g->points, {false, true}, &out.lobes);
     for (uint32_t k = 0; k < 3 * lobes && !first; ++k) {
-      if (memcmp(out.lobes.lobe[k / 3][k % 3], g->first.lobes.lobe[k / 3][k % 3], g->rows.count * sizeof(float)))
+      if (memcmp(out.lobes.lobe[k / 3][k % 3], g->first.lobes.lobe[k / 3][k % 3], g->points.count * sizeof(float)))
         fail_msg("%s: other bits", target.name);
     }
   });
@@ -153,13 +164,14 @@ struct WantedLobes {
   bool ambiguous;
 };
 inline WantedLobes wanted_lobes(size_t i, int c) {
-  const raster::Fragments& f = g->rows;
+  const raster::Fragments& f = g->points;
   const material::Material& m = g->material;
   const Vector p = row_vector(f.px, f.py, f.pz, i), n = row_vector(f.nx, f.ny, f.nz, i),
                wo = row_vector(f.ox, f.oy, f.oz, i);
-  const long double exponent = g->shape.exponent ? g->shape.exponent[i] : m.exponent;
-  const long double alpha = g->shape.alpha_squared
-                                ? sqrtl(g->shape.alpha_squared[i])
+  const float* parameter = g->shape.column[0];
+  const long double exponent = !is_rough() && parameter ? parameter[i] : m.exponent;
+  const long double alpha = is_rough() && parameter
+                                ? sqrtl(parameter[i])
                                 : std::max(static_cast<long double>(m.roughness) * m.roughness, 1e-3L);
   const bool gooch = m.model == SHD_MODEL_GOOCH;
   WantedLobes sum = {{}, {1e-37L, 1e-37L, 1e-37L}, false};
@@ -177,20 +189,21 @@ inline WantedLobes wanted_lobes(size_t i, int c) {
     }
     sum.ambiguous |= t.ambiguous && power * (e + off) > 0;
   }
-  if (g->shape.gain && material::info_of(m.model).lobes == 2 && m.model != SHD_MODEL_BLINN_PHONG_NORMALIZED) {
-    sum.lobe[1] *= g->shape.gain[i];
-    sum.bound[1] *= g->shape.gain[i];
+  const bool has_gain = m.model == SHD_MODEL_PHONG || m.model == SHD_MODEL_BLINN_PHONG || m.model == SHD_MODEL_COMBINED;
+  if (g->shape.column[1] && has_gain) {
+    sum.lobe[1] *= g->shape.column[1][i];
+    sum.bound[1] *= g->shape.column[1][i];
   }
   return sum;
 }
 
 inline double g_used[3];  // largest part of the bounds that lobes needed
 
-/// All rows of `first` against the formulas; returns how many were clear.
+/// All points of `first` against the formulas; returns how many were clear.
 inline size_t check_lobes() {
   const uint32_t lobes = material::info_of(g->material.model).lobes;
   size_t clear = 0;
-  for (size_t i = 0; i < g->rows.count; ++i) {
+  for (size_t i = 0; i < g->points.count; ++i) {
     for (int c = 0; c < 3; ++c) {
       const WantedLobes want = wanted_lobes(i, c);
       for (uint32_t k = 0; k < lobes; ++k) {

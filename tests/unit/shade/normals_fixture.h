@@ -20,7 +20,7 @@ inline const core::Allocator g_allocator = {core::default_allocator()};
 
 struct NormalFixture {
   material::Material material;
-  raster::Fragments rows, before, first;
+  raster::Fragments points, before, first;
   shade::Columns columns, given;
   float variance[kBatch];
 };
@@ -28,7 +28,7 @@ inline NormalFixture* g;
 
 inline int set_up(void**) {
   g = new NormalFixture;
-  for (raster::Fragments* f : {&g->rows, &g->before, &g->first}) raster::allocate(g_allocator, f);
+  for (raster::Fragments* f : {&g->points, &g->before, &g->first}) raster::allocate(g_allocator, f);
   shade::allocate(g_allocator, 1, &g->columns);
   shade::allocate(g_allocator, 1, &g->given);
   return 0;
@@ -56,7 +56,7 @@ inline Vector normal_of(const raster::Fragments& f, size_t i) {
   return load(f.nx, f.ny, f.nz, i);
 }
 
-inline void copy_rows(const raster::Fragments& from, raster::Fragments* to) {
+inline void copy_points(const raster::Fragments& from, raster::Fragments* to) {
   to->count = from.count;
   std::copy_n(from.block.data(), from.block.size(), to->block.data());
 }
@@ -68,7 +68,7 @@ inline void check_normal(const char* what, size_t i, const Vector& want, double 
 }
 
 /// Normals and tangents that are not quite at right angles, of any length and handedness.
-inline void random_rows(Random* random) {
+inline void random_points(Random* random) {
   g->before.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const Vector n = random_unit(random), other = random_unit(random);
@@ -79,15 +79,16 @@ inline void random_rows(Random* random) {
   }
 }
 
-/// run(target, rows) from the same rows on every target, into `first`: all bits agree, tails are whole and no longer.
+/// run(target, points) from the same points on every target, into `first`: all bits agree, tails are whole and no
+/// longer.
 template <class Run>
 void turn_everywhere(const Run& run) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
-    raster::Fragments& rows = first ? g->first : g->rows;
-    copy_rows(g->before, &rows);
-    run(target, &rows);
-    const float *got[3] = {rows.nx, rows.ny, rows.nz}, *want[3] = {g->first.nx, g->first.ny, g->first.nz};
-    for (int c = 0; c < 3; ++c) assert_memory_equal(got[c], want[c], rows.count * sizeof(float));
+    raster::Fragments& points = first ? g->first : g->points;
+    copy_points(g->before, &points);
+    run(target, &points);
+    const float *got[3] = {points.nx, points.ny, points.nz}, *want[3] = {g->first.nx, g->first.ny, g->first.nz};
+    for (int c = 0; c < 3; ++c) assert_memory_equal(got[c], want[c], points.count * sizeof(float));
   });
 }
 
@@ -97,10 +98,11 @@ void turn_tails(const Run& run) {
   const size_t all = g->before.count;
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
-      copy_rows(g->before, &g->rows);
-      g->rows.count = count;
-      run(target, &g->rows);
-      const float *got[3] = {g->rows.nx, g->rows.ny, g->rows.nz}, *want[3] = {g->first.nx, g->first.ny, g->first.nz};
+      copy_points(g->before, &g->points);
+      g->points.count = count;
+      run(target, &g->points);
+      const float *got[3] = {g->points.nx, g->points.ny, g->points.nz},
+                  *want[3] = {g->first.nx, g->first.ny, g->first.nz};
       const float* old[3] = {g->before.nx, g->before.ny, g->before.nz};
       for (int c = 0; c < 3; ++c) {
         assert_memory_equal(got[c], want[c], count * sizeof(float));

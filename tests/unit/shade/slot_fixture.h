@@ -24,7 +24,7 @@ inline core::Context* context() {
 struct SlotFixture {
   material::Material material;
   geometry::Vertices vertices;
-  raster::Fragments rows, before, first;
+  raster::Fragments points, before, first;
   raster::Varyings varyings;
   shade::Columns columns, kept;
   texture::Sampler sampler;
@@ -33,7 +33,7 @@ inline SlotFixture* g;
 
 inline int set_up(void**) {
   g = new SlotFixture;
-  for (raster::Fragments* f : {&g->rows, &g->before, &g->first}) raster::allocate(context()->allocator, f);
+  for (raster::Fragments* f : {&g->points, &g->before, &g->first}) raster::allocate(context()->allocator, f);
   shade::allocate(context()->allocator, 1, &g->columns);
   shade::allocate(context()->allocator, 1, &g->kept);
   return 0;
@@ -59,7 +59,7 @@ inline void free_texture(texture::Texture* texture) {
   core::destroy(context()->allocator, texture);
 }
 
-inline void copy_rows(const raster::Fragments& from, raster::Fragments* to) {
+inline void copy_points(const raster::Fragments& from, raster::Fragments* to) {
   to->count = from.count;
   std::copy_n(from.block.data(), from.block.size(), to->block.data());
 }

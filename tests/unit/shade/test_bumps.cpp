@@ -3,6 +3,8 @@
 // by what normal maps lost.
 #include "unit/shade/normals_fixture.h"
 
+#include "shade/illuminate.h"
+
 namespace shd::tests {
 namespace {
 
@@ -34,8 +36,8 @@ const BumpCase k_bumps[] = {
     {"bump/huge_frames", 36, 40, 36, 40, false}, {"bump/huge_and_tiny", 36, 40, -40, -36, true},
 };
 
-void run_bumps(const core::SimdTarget& target, raster::Fragments* rows) {
-  shade::bump_normals(target, g->given.tilt, g->given.frame, rows);
+void run_bumps(const core::SimdTarget& target, raster::Fragments* points) {
+  shade::bump_normals(target, g->given.tilt, g->given.tangent_frame, points);
 }
 
 void test_bump(void** state) {
@@ -52,7 +54,7 @@ void test_bump(void** state) {
     const Vector dpdu = 0.5L / e * su * (torus.at(u + e, v, 0) - torus.at(u - e, v, 0));
     const Vector dpdv = 0.5L / e * sv * (torus.at(u, v + e, 0) - torus.at(u, v - e, 0));
     const int first = c->swapped ? 3 : 0;
-    float* const* frame = g->given.frame;
+    float* const* frame = g->given.tangent_frame;
     store(dpdu, frame[first], frame[first + 1], frame[first + 2], i);
     store(dpdv, frame[3 - first], frame[4 - first], frame[5 - first], i);
     g->given.tilt[c->swapped][i] = static_cast<float>(a * su);
@@ -68,14 +70,14 @@ void test_bump(void** state) {
 /// Any normal and frame against n - grad h.
 void test_bump_formula(void**) {
   Random random = {112};
-  random_rows(&random);
+  random_points(&random);
   for (size_t i = 0; i < kBatch; ++i) {
-    for (int c = 0; c < 6; ++c) g->given.frame[c][i] = random.real(-2.0, 2.0);
+    for (int c = 0; c < 6; ++c) g->given.tangent_frame[c][i] = random.real(-2.0, 2.0);
     for (int c = 0; c < 2; ++c) g->given.tilt[c][i] = random.real(-2.0, 2.0);
   }
   turn_everywhere(run_bumps);
   for (size_t i = 0; i < kBatch; ++i) {
-    float* const* f = g->given.frame;
+    float* const* f = g->given.tangent_frame;
     const Vector n = normal_of(g->before, i), dpdu = load(f[0], f[1], f[2], i), dpdv = load(f[3], f[4], f[5], i);
     const long double area = fabsl(ref::dot(n, ref::cross(dpdu, dpdv)));
     const long double cosine = area / (ref::length(dpdu) * ref::length(dpdv));
@@ -93,7 +95,7 @@ void test_bump_degenerate(void**) {
   for (size_t i = 0; i < 64; ++i) {
     const size_t row = std::min(i, size_t{6});
     store({0, 0, 1}, g->before.nx, g->before.ny, g->before.nz, i);
-    for (int c = 0; c < 6; ++c) g->given.frame[c][i] = frames[row][c];
+    for (int c = 0; c < 6; ++c) g->given.tangent_frame[c][i] = frames[row][c];
     for (int c = 0; c < 2; ++c) g->given.tilt[c][i] = tilts[row][c];
   }
   turn_everywhere(run_bumps);
@@ -104,21 +106,21 @@ struct ShapeCase {
   const char* name;
   shd_model model;
   bool has_column, has_variance;
-  bool exponent, gain, alpha;  // which columns come out
+  bool has_exponent, has_alpha;  // which shape comes out
 };
 const ShapeCase k_shapes[] = {
-    {"shape/lambert", SHD_MODEL_LAMBERT, true, true, false, false, false},
-    {"shape/blinn_phong/constant", SHD_MODEL_BLINN_PHONG, false, false, false, false, false},
-    {"shape/blinn_phong/column", SHD_MODEL_BLINN_PHONG, true, false, true, false, false},
-    {"shape/blinn_phong/variance", SHD_MODEL_BLINN_PHONG, false, true, true, true, false},
-    {"shape/phong/both", SHD_MODEL_PHONG, true, true, true, true, false},
-    {"shape/combined/both", SHD_MODEL_COMBINED, true, true, true, true, false},
-    {"shape/normalized/both", SHD_MODEL_BLINN_PHONG_NORMALIZED, true, true, true, false, false},
-    {"shape/toon/both", SHD_MODEL_TOON, true, true, true, false, false},
-    {"shape/metallic_roughness/constant", SHD_MODEL_METALLIC_ROUGHNESS, false, false, false, false, false},
-    {"shape/metallic_roughness/column", SHD_MODEL_METALLIC_ROUGHNESS, true, false, false, false, true},
-    {"shape/metallic_roughness/variance", SHD_MODEL_METALLIC_ROUGHNESS, false, true, false, false, true},
-    {"shape/metallic_roughness/both", SHD_MODEL_METALLIC_ROUGHNESS, true, true, false, false, true},
+    {"shape/lambert", SHD_MODEL_LAMBERT, true, true, false, false},
+    {"shape/blinn_phong/constant", SHD_MODEL_BLINN_PHONG, false, false, false, false},
+    {"shape/blinn_phong/column", SHD_MODEL_BLINN_PHONG, true, false, true, false},
+    {"shape/blinn_phong/variance", SHD_MODEL_BLINN_PHONG, false, true, true, false},
+    {"shape/phong/both", SHD_MODEL_PHONG, true, true, true, false},
+    {"shape/combined/both", SHD_MODEL_COMBINED, true, true, true, false},
+    {"shape/normalized/both", SHD_MODEL_BLINN_PHONG_NORMALIZED, true, true, true, false},
+    {"shape/toon/both", SHD_MODEL_TOON, true, true, true, false},
+    {"shape/metallic_roughness/constant", SHD_MODEL_METALLIC_ROUGHNESS, false, false, false, false},
+    {"shape/metallic_roughness/column", SHD_MODEL_METALLIC_ROUGHNESS, true, false, false, true},
+    {"shape/metallic_roughness/variance", SHD_MODEL_METALLIC_ROUGHNESS, false, true, false, true},
+    {"shape/metallic_roughness/both", SHD_MODEL_METALLIC_ROUGHNESS, true, true, false, true},
 };
 
 long double held(long double x, long double most, long double for_nan) {
@@ -136,20 +138,20 @@ void fill_shapes(Random* random) {
   }
 }
 
-void check_shape(const ShapeCase& c, size_t i, const shade::Shape& shape) {
+void check_shape(const ShapeCase& c, size_t i, const shade::LobeShape& shape) {
   const material::Material& m = g->material;
   const long double variance = c.has_variance ? g->given.variance[i] : 0;
-  if (shape.exponent) {
+  if (c.has_exponent) {
     const long double column = c.has_column ? g->given.slot[SHD_SLOT_EXPONENT][0][i] : 1;
     const long double p = held(m.exponent * column, 1e6L, 0), widened = p / (1 + p * variance);
-    shd_assert_close("exponent", i, shape.exponent[i], static_cast<double>(widened), 1e-37, 4e-7);
-    if (shape.gain) shd_assert_close("gain", i, shape.gain[i], static_cast<double>((1 + widened) / (1 + p)), 0, 6e-7);
+    shd_assert_close("exponent", i, shape.column[0][i], static_cast<double>(widened), 1e-37, 4e-7);
+    shd_assert_close("gain", i, shape.column[1][i], static_cast<double>((1 + widened) / (1 + p)), 0, 6e-7);
   }
-  if (shape.alpha_squared) {
+  if (c.has_alpha) {
     const long double column = c.has_column ? g->given.slot[SHD_SLOT_ROUGHNESS][0][i] : 1;
     const long double r = held(m.roughness * column, 1, 1), alpha = std::max(r * r, 1e-3L);
     const long double widened = std::min(1.0L, alpha * alpha + 2 * variance);
-    shd_assert_close("alpha^2", i, shape.alpha_squared[i], static_cast<double>(widened), 0, 4e-7);
+    shd_assert_close("alpha^2", i, shape.column[0][i], static_cast<double>(widened), 0, 4e-7);
   }
 }
 
@@ -163,7 +165,7 @@ void test_shape(void** state) {
   const material::SlotParts parts[SHD_SLOT_COUNT] = {};
   material::build(desc, parts, &g->material);
   fill_shapes(&random);
-  shade::Parameters p = {};
+  material::Parameters p = {};
   if (c->has_column) {
     p.value[SHD_SLOT_EXPONENT][0] = g->given.slot[SHD_SLOT_EXPONENT][0];
     p.value[SHD_SLOT_ROUGHNESS][0] = g->given.slot[SHD_SLOT_ROUGHNESS][0];
@@ -171,14 +173,12 @@ void test_shape(void** state) {
   const float* variance = c->has_variance ? g->given.variance : nullptr;
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t count : {size_t{0}, size_t{1}, size_t{63}, size_t{65}, kBatch}) {
-      for (float* column : {g->columns.exponent, g->columns.gain, g->columns.alpha_squared}) {
-        std::fill_n(column, kBatch, -77.0f);
-      }
-      const shade::Shape shape = shade::shape_lobes(target, g->material, p, variance, count, &g->columns);
-      assert_true((shape.exponent != nullptr) == c->exponent && (shape.gain != nullptr) == c->gain);
-      assert_true((shape.alpha_squared != nullptr) == c->alpha);
+      for (float* column : g->columns.shape) std::fill_n(column, kBatch, -77.0f);
+      const shade::LobeShape shape = shade::shape_lobes(target, g->material, p, variance, count, &g->columns);
+      assert_true((shape.column[0] != nullptr) == (c->has_exponent || c->has_alpha));
+      assert_true((shape.column[1] != nullptr) == c->has_exponent);
       for (size_t i = 0; i < count; ++i) check_shape(*c, i, shape);
-      for (const float* column : {g->columns.exponent, g->columns.gain, g->columns.alpha_squared}) {
+      for (const float* column : g->columns.shape) {
         for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(column[i] == -77.0f);
       }
     }

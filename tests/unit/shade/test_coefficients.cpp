@@ -89,7 +89,7 @@ void random_columns(Random* random, shd_model model) {
   for (int c = 0; c < 3; ++c) {
     g->lights.ambient[c] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
-      for (uint32_t k = 0; k < shade::kMaxLobes; ++k)
+      for (uint32_t k = 0; k < material::kMaxLobes; ++k)
         g->first.lobes.lobe[k][c][i] = k < lobes ? random->real(0, 10) : NAN;
     }
   }
@@ -101,8 +101,8 @@ void random_columns(Random* random, shd_model model) {
 }
 
 /// The columns of some slots, as look_up_slots() gives those that the model reads.
-shade::Parameters parameters(uint32_t slots) {
-  shade::Parameters p = {};
+material::Parameters parameters(uint32_t slots) {
+  material::Parameters p = {};
   for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
     if (slots >> slot & 1) std::copy_n(g->first.slot[slot], 4, p.value[slot]);
   }
@@ -110,7 +110,7 @@ shade::Parameters parameters(uint32_t slots) {
 }
 
 /// Row i in double: |error| <= 6 half ulps of the terms.
-void check_row(size_t i, const shade::Parameters& p, const shade::Radiance& got) {
+void check_point(size_t i, const material::Parameters& p, const shade::Radiance& got) {
   const material::Material& m = g->material;
   const auto lights = static_cast<long double>(g->lights.count);
   const long double times = m.flags & SHD_AMBIENT_PER_LIGHT ? lights : 1.0L;
@@ -136,7 +136,7 @@ void check_row(size_t i, const shade::Parameters& p, const shade::Radiance& got)
   }
 }
 
-void combine_everywhere(const shade::Parameters& p, size_t count) {
+void combine_everywhere(const material::Parameters& p, size_t count) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     shade::Radiance& out = first ? g->first.radiance : g->columns.radiance;
     for (int c = 0; c < 4; ++c) std::fill_n(out.channel[c], kBatch, -77.0f);
@@ -146,7 +146,7 @@ void combine_everywhere(const shade::Parameters& p, size_t count) {
       for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out.channel[c][i] == -77.0f);
     }
   });
-  for (size_t i = 0; i < count; ++i) check_row(i, p, g->first.radiance);
+  for (size_t i = 0; i < count; ++i) check_point(i, p, g->first.radiance);
 }
 
 /// Every single slot, none, all, and some at random.
@@ -168,7 +168,7 @@ void test_slots(void** state) {
   }
 }
 
-/// Any number of rows.
+/// Any number of points.
 void test_tails(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {93};

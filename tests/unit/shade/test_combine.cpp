@@ -19,14 +19,14 @@ const core::Allocator g_allocator = {core::default_allocator()};
 struct Fixture {
   material::Material material;
   shade::LightTable lights = {};
-  raster::Fragments rows;
+  raster::Fragments points;
   shade::Columns columns, first;
 };
 Fixture* g;
 
 int set_up(void**) {
   g = new Fixture;
-  raster::allocate(g_allocator, &g->rows);
+  raster::allocate(g_allocator, &g->points);
   shade::allocate(g_allocator, 1, &g->columns);
   shade::allocate(g_allocator, 1, &g->first);
   return 0;
@@ -57,8 +57,8 @@ const combine_case k_cases[] = {
     {"blinn_phong/ambient_per_light/2", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 2, true},
 };
 
-shade::Parameters parameters(bool texture) {
-  shade::Parameters p = {};
+material::Parameters parameters(bool texture) {
+  material::Parameters p = {};
   if (texture) std::copy_n(g->first.slot[SHD_SLOT_DIFFUSE], 4, p.value[SHD_SLOT_DIFFUSE]);
   return p;
 }
@@ -85,7 +85,7 @@ void fill(Random* random, const combine_case& c) {
 }
 
 /// The four channels of row i in double; |error| <= 5 half ulps of the terms, one for each rounding on the way.
-void check_row(size_t i, const combine_case& c, const shade::Radiance& got) {
+void check_point(size_t i, const combine_case& c, const shade::Radiance& got) {
   const double times = c.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
   for (int channel = 0; channel < 3; ++channel) {
     const material::Material& m = g->material;
@@ -112,7 +112,7 @@ void test_combine(void** state) {
       shade::Radiance& out = g->columns.radiance;
       for (size_t k = 0; k < 4; ++k) std::fill_n(out.channel[k], kBatch, -77.0f);
       shade::combine(target, g->material, g->lights, g->first.lobes, parameters(c->texture), count, &out);
-      for (size_t i = 0; i < count; ++i) check_row(i, *c, out);
+      for (size_t i = 0; i < count; ++i) check_point(i, *c, out);
       for (size_t k = 0; k < 4; ++k) {
         for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out.channel[k][i] == -77.0f);
       }
@@ -148,27 +148,27 @@ void test_range(void**) {
 void test_corners(void**) {
   Random random = {63};
   float in[kBatch];
-  uint32_t rows[kBatch];
+  uint32_t points[kBatch];
   for (size_t i = 0; i < kBatch; ++i) {
     in[i] = random.real(0.0, 100.0);
-    rows[i] = static_cast<uint32_t>(random.whole(0, kBatch / 3 - 1)) * 3;
-    g->rows.bary[1][i] = random.real(0.0, 1.0);
-    g->rows.bary[2][i] = random.real(0.0, 1.0) * (1.0f - g->rows.bary[1][i]);
-    g->rows.bary[0][i] = 1.0f - g->rows.bary[1][i] - g->rows.bary[2][i];
+    points[i] = static_cast<uint32_t>(random.whole(0, kBatch / 3 - 1)) * 3;
+    g->points.bary[1][i] = random.real(0.0, 1.0);
+    g->points.bary[2][i] = random.real(0.0, 1.0) * (1.0f - g->points.bary[1][i]);
+    g->points.bary[0][i] = 1.0f - g->points.bary[1][i] - g->points.bary[2][i];
   }
   alignas(64) float column[kBatch];
   alignas(64) uint32_t row_column[kBatch];
   memcpy(column, in, sizeof in);
-  memcpy(row_column, rows, sizeof rows);
+  memcpy(row_column, points, sizeof points);
   for_each_target([&](const core::SimdTarget& target, bool first) {
     float *out = g->columns.slot[SHD_SLOT_DIFFUSE][0], *wanted = g->first.slot[SHD_SLOT_DIFFUSE][0];
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
-      g->rows.count = count;
+      g->points.count = count;
       std::fill_n(out, kBatch, -77.0f);
-      shade::spread_corners(target, g->rows, row_column, column, out);
+      shade::spread_corners(target, g->points, row_column, column, out);
       for (size_t i = 0; i < count; ++i) {
         double want = 0.0;
-        for (uint32_t k = 0; k < 3; ++k) want += double{g->rows.bary[k][i]} * in[rows[i] + k];
+        for (uint32_t k = 0; k < 3; ++k) want += double{g->points.bary[k][i]} * in[points[i] + k];
         shd_assert_close("corner", i, out[i], want, 100 * 8 * 0x1p-24, 0.0);
       }
       for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(out[i] == -77.0f);
@@ -181,14 +181,14 @@ void test_corners(void**) {
 void test_centroids(void**) {
   Random random = {64};
   float in[kBatch], out[kBatch];
-  uint32_t rows[kBatch];
+  uint32_t points[kBatch];
   for (size_t i = 0; i < kBatch; ++i) {
     in[i] = random.real(0.0, 100.0);
-    rows[i] = static_cast<uint32_t>(random.whole(0, kBatch - 1));
+    points[i] = static_cast<uint32_t>(random.whole(0, kBatch - 1));
     out[i] = -77.0f;
   }
-  shade::spread_centroids(rows, 301, in, out);
-  for (size_t i = 0; i < kBatch; ++i) assert_true(out[i] == (i < 301 ? in[rows[i]] : -77.0f));
+  shade::spread_centroids(points, 301, in, out);
+  for (size_t i = 0; i < kBatch; ++i) assert_true(out[i] == (i < 301 ? in[points[i]] : -77.0f));
 }
 
 /// Ambient lights are summed apart, the others keep their order.

@@ -27,7 +27,7 @@ void make_table(size_t count) {
 struct CullCase {
   const char* name;
   double low, high;  // log2 of ranges
-  double spread;     // of the lights around the rows
+  double spread;     // of the lights around the points
   double offset;     // of everything from the origin
   int unlimited;     // every so many lights have no range; 0 = none of them
 };
@@ -41,7 +41,7 @@ const CullCase k_culls[] = {
     {"cull/huge", 60, 66, 3e19, 0, 0},
 };
 
-void random_case(Random* random, const CullCase& c, size_t count, size_t rows) {
+void random_case(Random* random, const CullCase& c, size_t count, size_t points) {
   for (size_t i = 0; i < count; ++i) {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = i % 4 == 1 ? SHD_LIGHT_SPOT : i % 16 == 7 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
@@ -54,20 +54,20 @@ void random_case(Random* random, const CullCase& c, size_t count, size_t rows) {
   }
   make_table(count);
   const double size = std::exp2(c.low);
-  g->rows.count = rows;
-  for (size_t i = 0; i < data::padded(rows); ++i) {
-    const size_t row = std::min(i, rows - 1);
+  g->points.count = points;
+  for (size_t i = 0; i < data::padded(points); ++i) {
+    const size_t row = std::min(i, points - 1);
     Random own = {1000 + row};
-    set_row(i, {c.offset + own.in(-size, size), c.offset + own.in(-size, size), c.offset + own.in(-size, size)},
-            random_unit(&own), random_unit(&own));
+    set_point(i, {c.offset + own.in(-size, size), c.offset + own.in(-size, size), c.offset + own.in(-size, size)},
+              random_unit(&own), random_unit(&own));
   }
 }
 
-void illuminate(const core::SimdTarget& target, const uint32_t* index, size_t count, shade::Lobes* out) {
+void illuminate(const core::SimdTarget& target, const uint32_t* index, size_t count, material::Lobes* out) {
   for (size_t k = 0; k < count; ++k) {
     g_lights->active[k] = {&g_lights->table.lights[index ? index[k] : k], {nullptr, nullptr, nullptr}};
   }
-  shade::illuminate(target, g->material, {}, g_lights->active, count, g->rows, {false, true}, out);
+  shade::illuminate(target, g->material, {}, g_lights->active, count, g->points, {false, true}, out);
 }
 
 /// In order, nothing twice, none lost that reaches a row; and the same bits with and without the others.
@@ -76,17 +76,17 @@ void test_cull(void** state) {
   Random random = {141};
   set_material({"", SHD_MODEL_BLINN_PHONG, 0, 8, 0.5f});
   for (size_t count : {size_t{1}, size_t{3}, size_t{17}, size_t{64}, kLights}) {
-    for (size_t rows : {size_t{1}, size_t{5}, size_t{65}, size_t{500}}) {
-      random_case(&random, *c, count, rows);
+    for (size_t points : {size_t{1}, size_t{5}, size_t{65}, size_t{500}}) {
+      random_case(&random, *c, count, points);
       for_each_target([&](const core::SimdTarget& target, bool) {
-        const size_t kept = shade::cull_lights(target, g_lights->table, g->rows, g_lights->index);
+        const size_t kept = shade::cull_lights(target, g_lights->table, g->points, g_lights->index);
         assert_true(kept <= count);
         for (size_t k = 1; k < kept; ++k) assert_true(g_lights->index[k] > g_lights->index[k - 1]);
         illuminate(target, nullptr, count, &g->first.lobes);
         illuminate(target, g_lights->index, kept, &g->columns.lobes);
         for (int k = 0; k < 6; ++k) {
           assert_memory_equal(g->columns.lobes.lobe[k / 3][k % 3], g->first.lobes.lobe[k / 3][k % 3],
-                              rows * sizeof(float));
+                              points * sizeof(float));
         }
         for (size_t i = 0, k = 0; i < count; ++i) {
           if (k < kept && g_lights->index[k] == i) {
@@ -95,8 +95,8 @@ void test_cull(void** state) {
           }
           const light::Light& light = g_lights->table.lights[i];
           assert_true(light.range > 0.0f);
-          for (size_t row = 0; row < rows; ++row) {
-            const Vector p = row_vector(g->rows.px, g->rows.py, g->rows.pz, row);
+          for (size_t row = 0; row < points; ++row) {
+            const Vector p = row_vector(g->points.px, g->points.py, g->points.pz, row);
             assert_true(ref::length(ref::vector(light.position) - p) >= static_cast<long double>(light.range));
           }
         }
@@ -110,11 +110,11 @@ void test_sharpness(void**) {
   Random random = {142};
   for (int n = 0; n < 200; ++n) {
     random_case(&random, k_culls[0], kLights, 1);
-    const size_t kept = shade::cull_lights(best_target(), g_lights->table, g->rows, g_lights->index);
+    const size_t kept = shade::cull_lights(best_target(), g_lights->table, g->points, g_lights->index);
     for (size_t k = 0; k < kept; ++k) {
       const light::Light& light = g_lights->table.lights[g_lights->index[k]];
       if (light.range == 0.0f) continue;
-      const Vector p = row_vector(g->rows.px, g->rows.py, g->rows.pz, 0);
+      const Vector p = row_vector(g->points.px, g->points.py, g->points.pz, 0);
       assert_true(ref::length(ref::vector(light.position) - p) <= 1.001L * static_cast<long double>(light.range));
     }
   }
@@ -127,11 +127,11 @@ void test_nonfinite(void**) {
   for (size_t finite : {size_t{0}, size_t{1}, size_t{40}}) {
     random_case(&random, k_culls[3], kLights, 64);
     for (size_t i = finite; i < 64; ++i) {
-      g->rows.px[i] = bad[i % 3], g->rows.py[i] = bad[i / 3 % 3], g->rows.pz[i] = bad[i % 3];
+      g->points.px[i] = bad[i % 3], g->points.py[i] = bad[i / 3 % 3], g->points.pz[i] = bad[i % 3];
     }
     set_material({"", SHD_MODEL_LAMBERT, 0, 8, 0.5f});
     for_each_target([&](const core::SimdTarget& target, bool) {
-      const size_t kept = shade::cull_lights(target, g_lights->table, g->rows, g_lights->index);
+      const size_t kept = shade::cull_lights(target, g_lights->table, g->points, g_lights->index);
       illuminate(target, nullptr, kLights, &g->first.lobes);
       illuminate(target, g_lights->index, kept, &g->columns.lobes);
       assert_memory_equal(g->columns.lobes.lobe[0][0], g->first.lobes.lobe[0][0], 64 * sizeof(float));
@@ -167,8 +167,9 @@ void test_table(void**) {
       assert_true(table.lights[k].intensity[0] == static_cast<float>(i));
       assert_true(table.y[k] == g_lights->light[i].position[1]);
       const double range = g_lights->light[i].range;
-      assert_true(range > 0.0 ? table.reach[k] > range * range && table.reach[k] < 1.001 * range * range
-                              : std::isinf(table.reach[k]));
+      assert_true(range > 0.0 ? table.max_squared_distance[k] > range * range &&
+                                    table.max_squared_distance[k] < 1.001 * range * range
+                              : std::isinf(table.max_squared_distance[k]));
       ++k;
     }
   }

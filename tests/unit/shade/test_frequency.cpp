@@ -83,23 +83,23 @@ void test_centroid(void** state) {
   const auto* c = static_cast<const centroid_case*>(*state);
   const float normal[3] = {0, 0, 1};
   for (size_t k = 0; k < 3; ++k) set_vertex(k, c->p[k], normal, c->p[k][0], c->p[k][1]);
-  raster::Fragments& rows = g->workspace.rows;
-  shade::set_centroid(g->vertices, kEye, c->orientation, 0, 7, &rows);
+  raster::Fragments& points = g->workspace.points;
+  shade::set_centroid(g->vertices, kEye, c->orientation, 0, 7, &points);
   const Vector a = ref::vector(c->p[0]), b = ref::vector(c->p[1]), d = ref::vector(c->p[2]);
   const Vector centre = 1.0L / 3 * (a + b + d);
   const Vector n = c->has_normal ? c->orientation * ref::unit(ref::cross(b - a, d - a)) : Vector{0, 0, 0};
   const long double size = std::max({fabsl(a.x), fabsl(b.x), fabsl(d.x), fabsl(a.y), fabsl(b.y), fabsl(d.y)});
   const auto bound = static_cast<double>(4 * 0x1p-24L * size) + 1.5e-45;
-  shd_assert_close("px", 0, rows.px[7], static_cast<double>(centre.x), bound, 0.0);
-  shd_assert_close("py", 0, rows.py[7], static_cast<double>(centre.y), bound, 0.0);
-  shd_assert_close("pz", 0, rows.pz[7], static_cast<double>(centre.z), bound, 1e-6);
-  shd_assert_close("u", 0, rows.u[7], static_cast<double>(centre.x), bound, 0.0);
-  shd_assert_close("v", 0, rows.v[7], static_cast<double>(centre.y), bound, 0.0);
-  shd_assert_close("nx", 0, rows.nx[7], static_cast<double>(n.x), 1e-6, 0.0);
-  shd_assert_close("ny", 0, rows.ny[7], static_cast<double>(n.y), 1e-6, 0.0);
-  shd_assert_close("nz", 0, rows.nz[7], static_cast<double>(n.z), 1e-6, 0.0);
-  assert_int_equal(rows.triangle[7], 0);
-  for (const float* o : {rows.ox, rows.oy, rows.oz}) assert_true(std::isfinite(o[7]));
+  shd_assert_close("px", 0, points.px[7], static_cast<double>(centre.x), bound, 0.0);
+  shd_assert_close("py", 0, points.py[7], static_cast<double>(centre.y), bound, 0.0);
+  shd_assert_close("pz", 0, points.pz[7], static_cast<double>(centre.z), bound, 1e-6);
+  shd_assert_close("u", 0, points.u[7], static_cast<double>(centre.x), bound, 0.0);
+  shd_assert_close("v", 0, points.v[7], static_cast<double>(centre.y), bound, 0.0);
+  shd_assert_close("nx", 0, points.nx[7], static_cast<double>(n.x), 1e-6, 0.0);
+  shd_assert_close("ny", 0, points.ny[7], static_cast<double>(n.y), 1e-6, 0.0);
+  shd_assert_close("nz", 0, points.nz[7], static_cast<double>(n.z), 1e-6, 0.0);
+  assert_int_equal(points.triangle[7], 0);
+  for (const float* o : {points.ox, points.oy, points.oz}) assert_true(std::isfinite(o[7]));
 }
 
 /// Rows of random triangles: corners are the vertices, the centroid's normal is the face's, wo is unit.
@@ -110,18 +110,18 @@ void test_random_rows(void**) {
     const float n[3] = {0.0f, 0.6f, 0.8f};
     set_vertex(i, p, n, random.real(0, 1), random.real(0, 1));
   }
-  raster::Fragments& rows = g->workspace.rows;
-  for (uint32_t t = 0; t < kTriangles; ++t) shade::set_corners(g->vertices, kEye, t, 3 * t, &rows);
+  raster::Fragments& points = g->workspace.points;
+  for (uint32_t t = 0; t < kTriangles; ++t) shade::set_corners(g->vertices, kEye, t, 3 * t, &points);
   for (size_t i = 0; i < kVertices; ++i) {
     const float* p = &g->vertices.world[4 * i];
-    assert_true(rows.px[i] == p[0] && rows.py[i] == p[1] && rows.pz[i] == p[2] && rows.u[i] == p[3]);
-    assert_true(rows.nx[i] == 0.0f && rows.ny[i] == 0.6f && rows.nz[i] == 0.8f);
-    assert_true(rows.v[i] == g->vertices.normal[4 * i + 3]);
-    assert_int_equal(rows.triangle[i], i / 3);
+    assert_true(points.px[i] == p[0] && points.py[i] == p[1] && points.pz[i] == p[2] && points.u[i] == p[3]);
+    assert_true(points.nx[i] == 0.0f && points.ny[i] == 0.6f && points.nz[i] == 0.8f);
+    assert_true(points.v[i] == g->vertices.normal[4 * i + 3]);
+    assert_int_equal(points.triangle[i], i / 3);
     const Vector o = ref::unit(ref::vector(kEye) - ref::vector(p));
-    shd_assert_close("ox", i, rows.ox[i], static_cast<double>(o.x), 3e-7, 0.0);
-    shd_assert_close("oy", i, rows.oy[i], static_cast<double>(o.y), 3e-7, 0.0);
-    shd_assert_close("oz", i, rows.oz[i], static_cast<double>(o.z), 3e-7, 0.0);
+    shd_assert_close("ox", i, points.ox[i], static_cast<double>(o.x), 3e-7, 0.0);
+    shd_assert_close("oy", i, points.oy[i], static_cast<double>(o.y), 3e-7, 0.0);
+    shd_assert_close("oz", i, points.oz[i], static_cast<double>(o.z), 3e-7, 0.0);
   }
 }
 
@@ -184,7 +184,7 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
       float *got = g->workspace.columns.radiance.channel[c], *kept = g->first.columns.radiance.channel[c];
       if (first) memcpy(kept, got, fragments * sizeof(float));
       if (memcmp(kept, got, fragments * sizeof(float)) != 0)
-        fail_msg("%s: other bits, %zu rows", target.name, fragments);
+        fail_msg("%s: other bits, %zu points", target.name, fragments);
     }
   });
 }
@@ -242,7 +242,7 @@ void test_frequency(void** state) {
 
 size_t g_rows;
 
-/// Writes what it was given; counts its rows.
+/// Writes what it was given; counts its points.
 void copy_program(const shd_fragments* in, shd_radiance* out, void*) {
   g_rows += in->count;
   for (size_t i = 0; i < in->count; ++i) {
@@ -297,7 +297,7 @@ int main() {
   for (const centroid_case& c : k_centroids) {
     tests[n++] = {c.name, test_centroid, nullptr, nullptr, const_cast<centroid_case*>(&c)};
   }
-  tests[n++] = {"rows/random", test_random_rows, nullptr, nullptr, nullptr};
+  tests[n++] = {"points/random", test_random_rows, nullptr, nullptr, nullptr};
   for (const frequency_case& c : k_frequencies) {
     tests[n++] = {c.name, test_frequency, nullptr, nullptr, const_cast<frequency_case*>(&c)};
   }

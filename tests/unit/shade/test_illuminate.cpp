@@ -23,7 +23,7 @@ struct Fixture {
   material::Material material;
   shade::LightTable lights;
   shade::ActiveLight active[16];
-  raster::Fragments rows;
+  raster::Fragments points;
   shade::Columns columns, first;
 };
 Fixture* g;
@@ -31,7 +31,7 @@ Fixture* g;
 int set_up(void**) {
   g = new Fixture;
   g->lights.lights = core::Array<light::Light>(g_allocator, 16);
-  raster::allocate(g_allocator, &g->rows);
+  raster::allocate(g_allocator, &g->points);
   shade::allocate(g_allocator, 1, &g->columns);
   shade::allocate(g_allocator, 1, &g->first);
   return 0;
@@ -59,8 +59,8 @@ light::Light directional_light(const float* direction, float intensity) {
   return light::make_light(desc, nullptr, nullptr);
 }
 
-void set_row(size_t i, Vector p, Vector n, Vector wo) {
-  raster::Fragments& f = g->rows;
+void set_point(size_t i, Vector p, Vector n, Vector wo) {
+  raster::Fragments& f = g->points;
   f.px[i] = static_cast<float>(p.x), f.py[i] = static_cast<float>(p.y), f.pz[i] = static_cast<float>(p.z);
   f.nx[i] = static_cast<float>(n.x), f.ny[i] = static_cast<float>(n.y), f.nz[i] = static_cast<float>(n.z);
   f.ox[i] = static_cast<float>(wo.x), f.oy[i] = static_cast<float>(wo.y), f.oz[i] = static_cast<float>(wo.z);
@@ -73,10 +73,10 @@ Vector random_unit(Random* random) {
   }
 }
 
-/// Lobes of the fixture's rows under its lights.
-void illuminate(const core::SimdTarget& target, shade::Lobes* out) {
+/// Lobes of the fixture's points under its lights.
+void illuminate(const core::SimdTarget& target, material::Lobes* out) {
   for (size_t k = 0; k < g->lights.count; ++k) g->active[k] = {&g->lights.lights[k], {nullptr, nullptr, nullptr}};
-  shade::illuminate(target, g->material, {}, g->active, g->lights.count, g->rows, {false, true}, out);
+  shade::illuminate(target, g->material, {}, g->active, g->lights.count, g->points, {false, true}, out);
 }
 
 struct model_case {
@@ -118,8 +118,8 @@ void random_lights(Random* random, size_t count, Mix mix) {
 }
 
 /// Rows of which every other one sees the highlight of a light: its normal is near the half vector.
-void random_rows(Random* random, float exponent) {
-  g->rows.count = kBatch;
+void random_points(Random* random, float exponent) {
+  g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const Vector p = {random->in(-3.0, 3.0), random->in(-3.0, 3.0), random->in(-3.0, 3.0)};
     const Vector wo = random_unit(random);
@@ -130,7 +130,7 @@ void random_rows(Random* random, float exponent) {
           light.kind == SHD_LIGHT_POINT ? ref::unit(ref::vector(light.position) - p) : ref::vector(light.to_light);
       n = ref::unit(ref::unit(wo + l) + sqrtl(random->in(0.0, 2.0) / (1.0 + double{exponent})) * n);
     }
-    set_row(i, p, n, wo);
+    set_point(i, p, n, wo);
   }
 }
 
@@ -138,8 +138,8 @@ double g_diffuse, g_specular;  // largest errors, per unit of illumination, the 
 
 /// Row i against the formulas. Stated bounds: 2e-6 of the light for diffuse; 2e-6 + 2.5e-7 exponent (1 + 2 / |v + l|)
 /// for specular, since a short v + l magnifies its own rounding.
-void check_row(size_t i, const model_case& c) {
-  const raster::Fragments& f = g->rows;
+void check_point(size_t i, const model_case& c) {
+  const raster::Fragments& f = g->points;
   const float p[3] = {f.px[i], f.py[i], f.pz[i]}, n[3] = {f.nx[i], f.ny[i], f.nz[i]},
               o[3] = {f.ox[i], f.oy[i], f.oz[i]};
   long double diffuse = 0, specular = 0, diffuse_bound = 1e-40L, specular_bound = 1e-40L;
@@ -185,7 +185,7 @@ void illuminate_everywhere(const model_case& c) {
     illuminate(target, &out.lobes);
     if (first) return;
     for (int channel = 0; channel < 3; ++channel) {
-      const size_t bytes = g->rows.count * sizeof(float);
+      const size_t bytes = g->points.count * sizeof(float);
       if (memcmp(out.lobes.lobe[0][channel], g->first.lobes.lobe[0][channel], bytes) != 0 ||
           (c.model == SHD_MODEL_BLINN_PHONG &&
            memcmp(out.lobes.lobe[1][channel], g->first.lobes.lobe[1][channel], bytes) != 0)) {
@@ -204,9 +204,9 @@ void test_model(void** state) {
     for (size_t count : {0, 1, 2, 8}) {
       for (int n = 0; n < 4; ++n) {
         random_lights(&random, count, mix);
-        random_rows(&random, c->exponent);
+        random_points(&random, c->exponent);
         illuminate_everywhere(*c);
-        for (size_t i = 0; i < kBatch; ++i) check_row(i, *c);
+        for (size_t i = 0; i < kBatch; ++i) check_point(i, *c);
       }
     }
   }
@@ -256,10 +256,10 @@ void test_edge(void** state) {
   g->lights.count = 1;
   g->lights.lights[0] =
       c->kind == SHD_LIGHT_POINT ? point_light(c->light, c->intensity) : directional_light(c->light, c->intensity);
-  g->rows.count = 67;
-  for (size_t i = 0; i < 128; ++i) set_row(i, ref::vector(c->p), ref::vector(c->n), ref::vector(c->o));
+  g->points.count = 67;
+  for (size_t i = 0; i < 128; ++i) set_point(i, ref::vector(c->p), ref::vector(c->n), ref::vector(c->o));
   illuminate_everywhere(model);
-  for (size_t i = 0; i < g->rows.count; ++i) {
+  for (size_t i = 0; i < g->points.count; ++i) {
     const double intensity = double{c->intensity};
     shd_assert_close("diffuse", i, g->first.lobes.lobe[0][0][i], intensity * c->diffuse, 1e-30, 2e-6);
     shd_assert_close("specular", i, g->first.lobes.lobe[1][0][i], intensity * c->specular, 1e-30, 2e-5);
@@ -275,8 +275,8 @@ void test_gating(void**) {
     const float up[3] = {0.0f - below[0], 0.6f, 0.0f};
     g->lights.count = 1;
     g->lights.lights[0] = directional_light(up, 1.0f);
-    g->rows.count = 40;
-    for (size_t i = 0; i < 64; ++i) set_row(i, {0, 0, 0}, {0, 1, 0}, {0, 1, 0});
+    g->points.count = 40;
+    for (size_t i = 0; i < 64; ++i) set_point(i, {0, 0, 0}, {0, 1, 0}, {0, 1, 0});
     illuminate_everywhere(model);
     // l = (0.8, -0.6, 0), v + l = (0.8, 0.4, 0): (n.h)^2 = 0.16 / 0.8.
     for (size_t i = 0; i < 40; ++i) {
@@ -295,8 +295,8 @@ void test_order(void**) {
     g->lights.count = 8;
     for (size_t k = 0; k < 8; ++k)
       g->lights.lights[k] = directional_light(down, k == (large_first ? 0u : 7u) ? 1e8f : 3.0f);
-    g->rows.count = 64;
-    for (size_t i = 0; i < 64; ++i) set_row(i, {0, 0, 0}, {0, 1, 0}, {0, 1, 0});
+    g->points.count = 64;
+    for (size_t i = 0; i < 64; ++i) set_point(i, {0, 0, 0}, {0, 1, 0}, {0, 1, 0});
     illuminate_everywhere(model);
     const float want = large_first ? 1e8f : 1e8f + 21.0f;
     assert_true(g->first.lobes.lobe[0][0][0] == want);
@@ -304,17 +304,17 @@ void test_order(void**) {
   }
 }
 
-/// A row has the same bits in a table of any size; rows past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector stay as they were.
 void test_tails(void**) {
   const model_case model = {"", SHD_MODEL_BLINN_PHONG, 0, 64.0f};
   set_material(model);
   Random random = {53};
   random_lights(&random, 2, kBoth);
-  random_rows(&random, 64.0f);
+  random_points(&random, 64.0f);
   illuminate_everywhere(model);
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
-      g->rows.count = count;
+      g->points.count = count;
       std::fill_n(g->columns.lobes.lobe[0][0], 6 * kBatch, -77.0f);
       illuminate(target, &g->columns.lobes);
       for (int channel = 0; channel < 3; ++channel) {
@@ -329,7 +329,7 @@ void test_tails(void**) {
   });
 }
 
-/// Finite rows of any magnitude, lights in and beyond range: finite lobes.
+/// Finite points of any magnitude, lights in and beyond range: finite lobes.
 void test_finite(void** state) {
   const auto* c = static_cast<const model_case*>(*state);
   set_material(*c);
@@ -340,13 +340,13 @@ void test_finite(void** state) {
       const float at[3] = {random.scaled(-149, 127.9), random.scaled(-149, 127.9), random.scaled(-149, 127.9)};
       g->lights.lights[k] = k % 2 ? point_light(at, 6e11f) : directional_light(at, 6e11f);
     }
-    g->rows.count = kBatch;
+    g->points.count = kBatch;
     for (size_t i = 0; i < kBatch; ++i) {
       const bool on_light = i % 16 == 3;
       const float* at = g->lights.lights[i % 8].position;
       const Vector anywhere = {random.scaled(-149, 127.9), random.scaled(-149, 127.9), random.scaled(-149, 127.9)};
-      set_row(i, on_light ? ref::vector(at) : anywhere, random_unit(&random),
-              i % 5 ? random_unit(&random) : Vector{0, 0, 0});
+      set_point(i, on_light ? ref::vector(at) : anywhere, random_unit(&random),
+                i % 5 ? random_unit(&random) : Vector{0, 0, 0});
     }
     illuminate_everywhere(*c);
     for (size_t i = 0; i < kBatch; ++i) {

@@ -28,11 +28,11 @@ void random_columns(Random* random) {
     g->exponent[i] = random->real(0.0, 200.0);
     g->alpha_squared[i] = random->real(0.01, 1.0);
     g->gain[i] = random->real(0.0, 1.0);
-    for (size_t k = 0; k < kMostLights; ++k) {
+    for (size_t k = 0; k < kMaxLights; ++k) {
       for (int c = 0; c < 3; ++c) g->factor[k][c][i] = random->real(0.0, 2.0);
     }
   }
-  g->shape = {g->exponent, g->alpha_squared, g->gain};
+  set_shape(true, true);
   for (size_t k = 0; k < g->count; k += 3)
     g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
 }
@@ -43,20 +43,20 @@ void test_groups(void** state) {
   Random random = {83};
   set_material(*c);
   random_lights(&random, 10, kMixed);
-  random_rows(&random, 64.0);
+  random_points(&random, 64.0);
   random_columns(&random);
   illuminate_everywhere();
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t step : {size_t{1}, size_t{3}, size_t{10}}) {
       shade::LightGroup group = {false, false};
-      shade::illuminate(target, g->material, g->shape, g->active, 0, g->rows, group, &g->columns.lobes);
+      shade::illuminate(target, g->material, g->shape, g->active, 0, g->points, group, &g->columns.lobes);
       group.continues = true;
       for (size_t k = 0; k < g->count; k += step) {
         const size_t count = std::min(step, g->count - k);
-        shade::illuminate(target, g->material, g->shape, g->active + k, count, g->rows, group, &g->columns.lobes);
+        shade::illuminate(target, g->material, g->shape, g->active + k, count, g->points, group, &g->columns.lobes);
       }
       group.finishes = true;
-      shade::illuminate(target, g->material, g->shape, g->active, 0, g->rows, group, &g->columns.lobes);
+      shade::illuminate(target, g->material, g->shape, g->active, 0, g->points, group, &g->columns.lobes);
       for (uint32_t k = 0; k < 3 * lobe_count(); ++k) {
         assert_memory_equal(g->columns.lobes.lobe[k / 3][k % 3], g->first.lobes.lobe[k / 3][k % 3],
                             kBatch * sizeof(float));
@@ -65,25 +65,26 @@ void test_groups(void** state) {
   });
 }
 
-/// A row has the same bits in a table of any size; rows past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector stay as they were.
 void test_tails(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {84};
   set_material(*c);
   random_lights(&random, 3, kMixed);
-  random_rows(&random, 64.0);
+  random_points(&random, 64.0);
   random_columns(&random);
   illuminate_everywhere();
   for_each_target([&](const core::SimdTarget& target, bool) {
     for (size_t count = 0; count <= 2 * 64 + 3; ++count) {
-      g->rows.count = count;
+      g->points.count = count;
       for (uint32_t k = 0; k < 9; ++k) std::fill_n(g->columns.lobes.lobe[k / 3][k % 3], kBatch, -77.0f);
-      shade::illuminate(target, g->material, g->shape, g->active, g->count, g->rows, {false, true}, &g->columns.lobes);
+      shade::illuminate(target, g->material, g->shape, g->active, g->count, g->points, {false, true},
+                        &g->columns.lobes);
       for (uint32_t k = 0; k < 9; ++k) {
         const float* got = g->columns.lobes.lobe[k / 3][k % 3];
-        const size_t rows = k / 3 < lobe_count() ? count : 0;
-        assert_memory_equal(got, g->first.lobes.lobe[k / 3][k % 3], rows * sizeof(float));
-        for (size_t i = rows ? data::padded(count) : 0; i < kBatch; ++i) assert_true(got[i] == -77.0f);
+        const size_t points = k / 3 < lobe_count() ? count : 0;
+        assert_memory_equal(got, g->first.lobes.lobe[k / 3][k % 3], points * sizeof(float));
+        for (size_t i = points ? data::padded(count) : 0; i < kBatch; ++i) assert_true(got[i] == -77.0f);
       }
     }
   });
@@ -119,15 +120,15 @@ void test_edges(void** state) {
       desc.intensity[1] = 1e12f;
       g->count = 1;
       set_light(0, desc);
-      g->rows.count = 67;
-      for (size_t i = 0; i < 128; ++i) set_row(i, ref::vector(e.p), ref::vector(e.n), ref::vector(e.o));
+      g->points.count = 67;
+      for (size_t i = 0; i < 128; ++i) set_point(i, ref::vector(e.p), ref::vector(e.n), ref::vector(e.o));
       illuminate_everywhere();
       check_lobes();
     }
   }
 }
 
-/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: rows beside
+/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: points beside
 /// them have the bits that they have alone, and what gets no light stays 0.
 void test_nonfinite(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
@@ -136,7 +137,7 @@ void test_nonfinite(void** state) {
   Random random = {85};
   set_material(*c);
   random_lights(&random, 4, kMixed);
-  random_rows(&random, 64.0);
+  random_points(&random, 64.0);
   for (size_t k = 0; k < 4; ++k) {
     if (k % 2) continue;
     for (int channel = 0; channel < 3; ++channel) std::fill_n(g->factor[k][channel], kBatch, 1.0f);
@@ -147,9 +148,9 @@ void test_nonfinite(void** state) {
   for (uint32_t k = 0; k < 3 * lobe_count(); ++k) memcpy(kept[k], g->first.lobes.lobe[k / 3][k % 3], sizeof kept[k]);
   for (size_t i = 0; i < kBatch; ++i) {
     const float value = bad[i / 8 % 3];
-    if (i % 8 == 1) g->rows.px[i] = value;
-    if (i % 8 == 3) g->rows.ny[i] = value;
-    if (i % 8 == 5) g->rows.oz[i] = value;
+    if (i % 8 == 1) g->points.px[i] = value;
+    if (i % 8 == 3) g->points.ny[i] = value;
+    if (i % 8 == 5) g->points.oz[i] = value;
     if (i % 8 == 7) {
       for (size_t k = 0; k < 4; ++k) std::fill_n(&g->factor[k][0][i], 1, value);
     }
@@ -193,9 +194,9 @@ void test_cone(void** state) {
   desc.outer_angle = c->outer;
   g->count = 1;
   set_light(0, desc);
-  g->rows.count = 5;
+  g->points.count = 5;
   const Vector l = {sin(c->angle), -cos(c->angle), 0};
-  for (size_t i = 0; i < 64; ++i) set_row(i, 1.0L * l, -1.0L * l, {0, 1, 0});
+  for (size_t i = 0; i < 64; ++i) set_point(i, 1.0L * l, -1.0L * l, {0, 1, 0});
   illuminate_everywhere();
   shd_assert_close(c->name, 0, g->first.lobes.lobe[0][0][0], c->want, 1e-6, 0.0);
 }
@@ -207,14 +208,14 @@ void test_range(void**) {
   desc.range = 2.0f;
   g->count = 1;
   set_light(0, desc);
-  g->rows.count = kBatch;
+  g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const double r = 1.9 + 0.2 * static_cast<double>(i) / (kBatch - 1);
-    set_row(i, {0, -r, 0}, {0, 1, 0}, {0, 1, 0});
+    set_point(i, {0, -r, 0}, {0, 1, 0}, {0, 1, 0});
   }
   illuminate_everywhere();
   for (size_t i = 0; i < kBatch; ++i) {
-    const double r = -double{g->rows.py[i]}, part = std::max(0.0, 1.0 - std::pow(r / 2.0, 4.0));
+    const double r = -double{g->points.py[i]}, part = std::max(0.0, 1.0 - std::pow(r / 2.0, 4.0));
     shd_assert_close("E", i, g->first.lobes.lobe[0][0][i], part / (r * r), 1e-6, 0.0);
     if (r > 2.0) assert_true(g->first.lobes.lobe[0][0][i] == 0.0f);
   }

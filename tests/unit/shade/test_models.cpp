@@ -48,7 +48,7 @@ void test_model(void** state) {
     for (size_t count : {size_t{1}, size_t{6}}) {
       set_material(*c);
       random_lights(&random, count, static_cast<LightMix>(mix));
-      random_rows(&random, sharpness(*c));
+      random_points(&random, sharpness(*c));
       illuminate_everywhere();
       assert_in_range(check_lobes(), kBatch / 3, kBatch);
     }
@@ -63,7 +63,7 @@ void test_columns(void** state) {
   for (int n = 0; n < 4; ++n) {
     set_material(*c);
     random_lights(&random, 6, kMixed);
-    random_rows(&random, 30.0);
+    random_points(&random, 30.0);
     for (size_t i = 0; i < kBatch; ++i) {
       g->exponent[i] = i % 7 ? random.real(0.0, 200.0) : 0.0f;
       g->alpha_squared[i] = i % 7 ? random.real(0.01, 1.0) : 1.0f;
@@ -72,7 +72,7 @@ void test_columns(void** state) {
         for (int channel = 0; channel < 3; ++channel) g->factor[k][channel][i] = i % 5 ? random.real(0.0, 2.0) : 0.0f;
       }
     }
-    g->shape = {n & 1 ? g->exponent : nullptr, n & 1 ? g->alpha_squared : nullptr, n & 2 ? g->gain : nullptr};
+    set_shape(n & 1, n & 2);
     for (size_t k = 0; k < 6; k += 2)
       g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
     illuminate_everywhere();

@@ -54,8 +54,8 @@ void random_texels(Random* random, shd_normal_encoding encoding) {
 }
 
 void map_everywhere(bool tails) {
-  const auto run = [&](const core::SimdTarget& target, raster::Fragments* rows) {
-    shade::map_normals(target, g->material, g->given.slot[SHD_SLOT_NORMAL], rows, g->columns.variance);
+  const auto run = [&](const core::SimdTarget& target, raster::Fragments* points) {
+    shade::map_normals(target, g->material, g->given.slot[SHD_SLOT_NORMAL], points, g->columns.variance);
   };
   tails ? turn_tails(run) : turn_everywhere(run);
 }
@@ -64,7 +64,7 @@ void test_map(void** state) {
   const auto* c = static_cast<const EncodingCase*>(*state);
   Random random = {101};
   set_encoding(c->encoding, c->scale, c->flags);
-  random_rows(&random);
+  random_points(&random);
   random_texels(&random, c->encoding);
   map_everywhere(true);
   map_everywhere(false);
@@ -104,7 +104,7 @@ void test_degenerate(void** state) {
   const auto* c = static_cast<const DegenerateCase*>(*state);
   Random random = {102};
   set_encoding(SHD_NORMAL_XYZ, 1.0f);
-  random_rows(&random);
+  random_points(&random);
   random_texels(&random, SHD_NORMAL_XYZ);
   for (size_t i = 0; i < kBatch; ++i) {
     store(ref::vector(c->n), g->before.nx, g->before.ny, g->before.nz, i);
@@ -125,7 +125,7 @@ void test_nonfinite_texels(void**) {
   for (shd_normal_encoding encoding : {SHD_NORMAL_XYZ, SHD_NORMAL_XY, SHD_NORMAL_TOKSVIG, SHD_NORMAL_MOMENTS}) {
     Random random = {103};
     set_encoding(encoding, 1.0f);
-    random_rows(&random);
+    random_points(&random);
     random_texels(&random, encoding);
     for (size_t i = 0; i < kBatch; ++i) {
       if (i % 2) g->given.slot[SHD_SLOT_NORMAL][i / 2 % 4][i] = bad[i / 8 % 4];
@@ -145,12 +145,12 @@ void test_nonfinite_texels(void**) {
 /// Texel differences, as (x, y, 1).
 void test_tilt(void**) {
   Random random = {104};
-  random_rows(&random);
+  random_points(&random);
   for (size_t i = 0; i < kBatch; ++i) {
     for (int c = 0; c < 2; ++c) g->given.tilt[c][i] = i % 16 == 15 ? NAN : random.scaled(-10, 10);
   }
-  const auto run = [&](const core::SimdTarget& target, raster::Fragments* rows) {
-    shade::tilt_normals(target, g->given.tilt, rows);
+  const auto run = [&](const core::SimdTarget& target, raster::Fragments* points) {
+    shade::tilt_normals(target, g->given.tilt, points);
   };
   turn_tails(run);
   turn_everywhere(run);

@@ -34,7 +34,7 @@ void set_material(texture::Texture* heights, uint32_t steps, uint32_t uv_set, co
 
 /// Rows on the plane z = 0 with u along x and v along -y, seen under cosines of low..high, the line of sight running
 /// towards `side` along u.
-void make_rows(Random* random, double low, double high, double side, uint32_t uv_set) {
+void make_points(Random* random, double low, double high, double side, uint32_t uv_set) {
   raster::Fragments& f = g->before;
   f.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
@@ -46,31 +46,32 @@ void make_rows(Random* random, double low, double high, double side, uint32_t uv
     (uv_set ? f.u1 : f.u)[i] = random->real(0.4, 0.6);
     for (float* column : {f.dudx, f.dvdx, f.dudy, f.dvdy}) column[i] = 1e-3f;
     const double frame[6] = {kScale[0], 0, 0, 0, -kScale[1], 0};
-    for (int c = 0; c < 6; ++c) g->columns.frame[c][i] = g->kept.frame[c][i] = static_cast<float>(frame[c]);
+    for (int c = 0; c < 6; ++c)
+      g->columns.tangent_frame[c][i] = g->kept.tangent_frame[c][i] = static_cast<float>(frame[c]);
   }
 }
 
-void shift(const core::SimdTarget& target, raster::Fragments* rows) {
+void shift(const core::SimdTarget& target, raster::Fragments* points) {
   const shade::DrawShading shading = draw_shading();
-  shade::shift_by_heights(target, {shading, *rows, g->varyings, true}, rows, &g->columns);
+  shade::shift_by_heights(target, {shading, *points, g->varyings, true}, points, &g->columns);
 }
 
 /// All targets and tails, into `first`.
 void shift_everywhere() {
   for_each_target([&](const core::SimdTarget& target, bool first) {
-    raster::Fragments& rows = first ? g->first : g->rows;
-    copy_rows(g->before, &rows);
-    shift(target, &rows);
-    assert_memory_equal(rows.block.data(), g->first.block.data(), rows.block.size() * sizeof(float));
+    raster::Fragments& points = first ? g->first : g->points;
+    copy_points(g->before, &points);
+    shift(target, &points);
+    assert_memory_equal(points.block.data(), g->first.block.data(), points.block.size() * sizeof(float));
     for (size_t count : {size_t{1}, size_t{7}, size_t{63}, size_t{64}, size_t{65}, size_t{129}}) {
-      copy_rows(g->before, &g->rows);
-      g->rows.count = count;
-      shift(target, &g->rows);
-      assert_memory_equal(g->rows.u, g->first.u, count * sizeof(float));
-      assert_memory_equal(g->rows.v1, g->first.v1, count * sizeof(float));
+      copy_points(g->before, &g->points);
+      g->points.count = count;
+      shift(target, &g->points);
+      assert_memory_equal(g->points.u, g->first.u, count * sizeof(float));
+      assert_memory_equal(g->points.v1, g->first.v1, count * sizeof(float));
       const size_t padded = data::padded(count);
-      for (size_t i = count; i < padded; ++i) assert_true(g->rows.u[i] == g->rows.u[count - 1]);
-      assert_memory_equal(g->rows.u + padded, g->before.u + padded, (kBatch - padded) * sizeof(float));
+      for (size_t i = count; i < padded; ++i) assert_true(g->points.u[i] == g->points.u[count - 1]);
+      assert_memory_equal(g->points.u + padded, g->before.u + padded, (kBatch - padded) * sizeof(float));
     }
   });
 }
@@ -108,7 +109,7 @@ void test_plane(void** state) {
       height_texture([](uint32_t i) { return g_plane.at + g_plane.slope * ((i + 0.5) / kWidth - 0.5); }, kWidth);
   for (double side : {1.0, -1.0}) {
     Random random = {151};
-    make_rows(&random, g_plane.low, g_plane.high, side, g_plane.uv_set);
+    make_points(&random, g_plane.low, g_plane.high, side, g_plane.uv_set);
     set_material(heights, g_plane.steps, g_plane.uv_set, nullptr);
     shift_everywhere();
     const float *u = g_plane.uv_set ? g->before.u1 : g->before.u, *v = g_plane.uv_set ? g->before.v1 : g->before.v;
@@ -133,7 +134,7 @@ void test_wall(void**) {
   texture::Texture* heights = height_texture([](uint32_t i) { return i < kWidth / 2 ? 0.0 : 1.0; }, kWidth);
   for (uint32_t steps : {2u, 24u, 256u}) {
     Random random = {152};
-    make_rows(&random, 0.2, 1.0, 1.0, 0);
+    make_points(&random, 0.2, 1.0, 1.0, 0);
     set_material(heights, steps, 0, nullptr);
     shift_everywhere();
     for (size_t i = 0; i < kBatch; ++i) {
@@ -155,7 +156,7 @@ void test_transform(void**) {
   texture::Texture* heights = height_texture([](uint32_t i) { return (i + 0.5) / kWidth; }, kWidth);
   const float transform[6] = {0.5f, 0, 0.125f, 0, 1, 0};  // h = u / 2 + 1 / 8
   Random random = {153};
-  make_rows(&random, 0.3, 1.0, 1.0, 0);
+  make_points(&random, 0.3, 1.0, 1.0, 0);
   set_material(heights, 24, 0, transform);
   shift_everywhere();
   for (size_t i = 0; i < kBatch; ++i) {
@@ -184,7 +185,7 @@ const OddCase k_odd[] = {
 };
 float g_odd;
 
-/// Whatever the heights, rows end on their line of sight.
+/// Whatever the heights, points end on their line of sight.
 void test_odd(void** state) {
   const auto* c = static_cast<const OddCase*>(*state);
   g_odd = c->height;
@@ -194,7 +195,7 @@ void test_odd(void** state) {
                     : height_texture([](uint32_t i) { return i < kWidth / 2 ? 0.25 : double{g_odd}; }, kWidth);
   for (uint32_t steps : {2u, 24u, 256u}) {
     Random random = {154};
-    make_rows(&random, 0.2, 1.0, 1.0, 0);
+    make_points(&random, 0.2, 1.0, 1.0, 0);
     set_material(heights, steps, 0, nullptr);
     shift_everywhere();
     for (size_t i = 0; i < kBatch; ++i) {
@@ -208,18 +209,18 @@ void test_odd(void** state) {
   free_texture(heights);
 }
 
-/// Frames without area, lines of sight along the surface and rows that are not finite: finite places.
+/// Frames without area, lines of sight along the surface and points that are not finite: finite places.
 void test_degenerate(void**) {
   g->sampler = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
   texture::Texture* heights = height_texture([](uint32_t) { return 0.5; }, 1);
   Random random = {155};
-  make_rows(&random, 0.2, 1.0, 1.0, 0);
+  make_points(&random, 0.2, 1.0, 1.0, 0);
   set_material(heights, 24, 0, nullptr);
   const float odd[] = {0.0f, NAN, INFINITY, 1e-30f};
   for (size_t i = 0; i < kBatch; ++i) {
     const float value = odd[i / 8 % 4];
-    if (i % 8 == 1) g->columns.frame[0][i] = value;
-    if (i % 8 == 3) g->columns.frame[3][i] = g->columns.frame[4][i] = value;
+    if (i % 8 == 1) g->columns.tangent_frame[0][i] = value;
+    if (i % 8 == 3) g->columns.tangent_frame[3][i] = g->columns.tangent_frame[4][i] = value;
     if (i % 8 == 5) g->before.ox[i] = value, g->before.oz[i] = 0.0f;
     if (i % 8 == 7) g->before.nz[i] = value;
   }

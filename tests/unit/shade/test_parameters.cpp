@@ -17,8 +17,8 @@ texture::Texture* random_texture(Random* random) {
   return make_texture(SHD_FORMAT_RGBA32F, kSize, kSize, texels, SHD_TABLE_MIPMAP);
 }
 
-void random_rows(Random* random) {
-  raster::Fragments& f = g->rows;
+void random_points(Random* random) {
+  raster::Fragments& f = g->points;
   f.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     for (float* column : {f.u, f.v, f.u1, f.v1}) column[i] = random->real(-2.0, 2.0);
@@ -32,7 +32,7 @@ void random_rows(Random* random) {
 /// What a slot should read, by a lookup of its own, into kept.
 void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, uint32_t index, bool has_footprint) {
   static float at[6][kBatch];
-  const raster::Fragments& f = g->rows;
+  const raster::Fragments& f = g->points;
   const float* const first[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
   const float* const second[6] = {f.u1, f.v1, f.du1dx, f.dv1dx, f.du1dy, f.dv1dy};
   const float* const* in = slot.uv_set ? second : first;
@@ -82,27 +82,27 @@ void test_textures(void** state) {
   const uint32_t looked_up = material::info_of(model).slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
   for (int n = 0; n < 60; ++n) {
     random_slots(&random, textures, samplers, model);
-    random_rows(&random);
-    g->rows.count = n % 3 ? kBatch : static_cast<size_t>(random.whole(1, 131));
+    random_points(&random);
+    g->points.count = n % 3 ? kBatch : static_cast<size_t>(random.whole(1, 131));
     const uint32_t wanted = n % 2 ? ~0u : material::kShapingSlots;
     for_each_target([&](const core::SimdTarget& target, bool) {
       const shade::DrawShading shading = draw_shading();
-      shade::Parameters p = {};
+      material::Parameters p = {};
       for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) std::fill_n(g->columns.slot[i][c], kBatch, -77.0f);
       }
-      shade::look_up_slots(target, {shading, g->rows, g->varyings, n % 5 != 0}, wanted, &g->columns, &p);
+      shade::look_up_slots(target, {shading, g->points, g->varyings, n % 5 != 0}, wanted, &g->columns, &p);
       for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
         const material::Slot& slot = g->material.slot[i];
         const bool reads = slot.source == SHD_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1;
         assert_true((p.value[i][0] != nullptr) == reads);
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
-          for (size_t k = reads ? g->rows.count : 0; k < kBatch; ++k) assert_true(g->columns.slot[i][c][k] == -77.0f);
+          for (size_t k = reads ? g->points.count : 0; k < kBatch; ++k) assert_true(g->columns.slot[i][c][k] == -77.0f);
         }
         if (!reads) continue;
         look_up_alone(target, slot, i, n % 5 != 0);
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
-          assert_memory_equal(p.value[i][c], g->kept.slot[i][c], g->rows.count * sizeof(float));
+          assert_memory_equal(p.value[i][c], g->kept.slot[i][c], g->points.count * sizeof(float));
         }
       }
     });
@@ -139,16 +139,16 @@ void test_attribute(void** state) {
   desc.slot[c->slot].attribute = c->attribute;
   const material::SlotParts parts[SHD_SLOT_COUNT] = {};
   material::build(desc, parts, &g->material);
-  random_rows(&random);
+  random_points(&random);
   for (uint32_t k = 0; k < SHD_MAX_ATTRIBUTES; ++k) g->vertices.has_attribute[k] = c->present >> k & 1;
   const shade::DrawShading shading = draw_shading();
-  shade::Parameters p = {};
-  shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
+  material::Parameters p = {};
+  shade::look_up_slots(best_target(), {shading, g->points, g->varyings, true}, ~0u, &g->columns, &p);
   for (uint32_t k = 0; k < material::slot_channels(c->slot); ++k) {
     const float* got = p.value[c->slot][k];
     if (c->slot == SHD_SLOT_NORMAL) assert_non_null(got);
     for (size_t i = 0; i < kBatch; ++i) {
-      const float want = c->expected >> k & 1 ? g->rows.attribute[c->attribute + k][i] : 1.0f;
+      const float want = c->expected >> k & 1 ? g->points.attribute[c->attribute + k][i] : 1.0f;
       assert_true((got ? got[i] : 1.0f) == want);
     }
   }
@@ -157,7 +157,7 @@ void test_attribute(void** state) {
 /// What a procedure was given, and does.
 struct Call {
   uint32_t slot;
-  size_t calls, rows;
+  size_t calls, points;
   bool sees_rows, starts_at_1;
   int throws;  // 1 = std::runtime_error, 2 = something else
 };
@@ -165,8 +165,9 @@ struct Call {
 void procedure(const shd_fragments* in, float* const out[4], void* user_data) {
   auto* call = static_cast<Call*>(user_data);
   ++call->calls;
-  call->rows += in->count;
-  call->sees_rows = in->u == g->rows.u && in->attribute[0] == nullptr && in->struct_size == sizeof *in && in->draw == 3;
+  call->points += in->count;
+  call->sees_rows =
+      in->u == g->points.u && in->attribute[0] == nullptr && in->struct_size == sizeof *in && in->draw == 3;
   const uint32_t channels = material::slot_channels(call->slot);
   call->starts_at_1 = true;
   for (uint32_t c = 0; c < 4; ++c) call->starts_at_1 &= (out[c] != nullptr) == (c < channels);
@@ -191,7 +192,7 @@ void set_procedure(Call* call) {
   material::build(desc, parts, &g->material);
 }
 
-/// Every slot that takes one: called once with the rows; what it leaves alone is 1.
+/// Every slot that takes one: called once with the points; what it leaves alone is 1.
 void test_procedure(void**) {
   Random random = {163};
   std::fill_n(g->vertices.has_attribute, SHD_MAX_ATTRIBUTES, false);
@@ -199,16 +200,16 @@ void test_procedure(void**) {
     for (size_t count : {size_t{1}, size_t{65}, kBatch}) {
       Call call = {slot, 0, 0, false, false, 0};
       set_procedure(&call);
-      random_rows(&random);
-      g->rows.count = count;
+      random_points(&random);
+      g->points.count = count;
       const shade::DrawShading shading = draw_shading();
-      shade::Parameters p = {};
-      shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
-      assert_true(call.calls == 1 && call.rows == count && call.sees_rows && call.starts_at_1);
+      material::Parameters p = {};
+      shade::look_up_slots(best_target(), {shading, g->points, g->varyings, true}, ~0u, &g->columns, &p);
+      assert_true(call.calls == 1 && call.points == count && call.sees_rows && call.starts_at_1);
       const uint32_t channels = material::slot_channels(slot);
       for (uint32_t c = 0; c < channels; ++c) {
         for (size_t i = 0; i < count; ++i) {
-          assert_true(p.value[slot][c][i] == (c == 3 ? 1.0f : g->rows.u[i] + static_cast<float>(c)));
+          assert_true(p.value[slot][c][i] == (c == 3 ? 1.0f : g->points.u[i] + static_cast<float>(c)));
         }
       }
     }
@@ -218,15 +219,15 @@ void test_procedure(void**) {
 /// What procedures throw becomes a failure that names the slot and the draw.
 void test_throws(void**) {
   Random random = {164};
-  random_rows(&random);
+  random_points(&random);
   for (int throws : {1, 2}) {
     Call call = {SHD_SLOT_SPECULAR, 0, 0, false, false, throws};
     set_procedure(&call);
     const shade::DrawShading shading = draw_shading();
-    shade::Parameters p = {};
+    material::Parameters p = {};
     shd_result result = SHD_OK;
     try {
-      shade::look_up_slots(best_target(), {shading, g->rows, g->varyings, true}, ~0u, &g->columns, &p);
+      shade::look_up_slots(best_target(), {shading, g->points, g->varyings, true}, ~0u, &g->columns, &p);
     } catch (const core::Failure& failure) {
       result = failure.code;
     }

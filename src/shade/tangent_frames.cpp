@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shade/frames.h"
+#include "shade/tangent_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +9,23 @@
 namespace shd::shade {
 namespace {
 
-/// body(triangle, begin, end) for neighbouring rows of a triangle, up to the next whole vector.
+/// body(triangle, begin, end) for runs of points of one triangle; the last run ends at a whole vector.
 template <class Body>
-void for_each_triangle(const raster::Fragments& rows, const Body& body) {
-  for (size_t begin = 0, end; begin < rows.count; begin = end) {
-    const uint32_t triangle = rows.triangle[begin];
-    for (end = begin + 1; end < rows.count && rows.triangle[end] == triangle;) ++end;
-    body(triangle, begin, end == rows.count ? data::padded(end) : end);
+void for_each_triangle(const raster::Fragments& points, const Body& body) {
+  for (size_t begin = 0, end; begin < points.count; begin = end) {
+    const uint32_t triangle = points.triangle[begin];
+    for (end = begin + 1; end < points.count && points.triangle[end] == triangle;) ++end;
+    body(triangle, begin, end == points.count ? data::padded(end) : end);
   }
 }
 
-struct Frame {
+struct TangentFrame {
   float dpdu[3], dpdv[3];
   float tangent[3], side;
 };
 
-/// In double, where products of floats neither over- nor underflow.
-Frame frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t triangle) {
+/// In double, where products of floats neither overflow nor underflow.
+TangentFrame tangent_frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t triangle) {
   double p[3][3], uv[3][2];
   for (size_t k = 0; k < 3; ++k) {
     const size_t row = geometry::row_of(vertices, triangle, k);
@@ -37,7 +37,7 @@ Frame frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t tri
   const double du1 = uv[1][0] - uv[0][0], dv1 = uv[1][1] - uv[0][1];
   const double du2 = uv[2][0] - uv[0][0], dv2 = uv[2][1] - uv[0][1];
   const double area = du1 * dv2 - du2 * dv1;
-  Frame frame = {};
+  TangentFrame frame = {};
   double dpdu[3], dpdv[3], squared = 0.0, largest = 0.0;
   for (int c = 0; c < 3; ++c) {
     const double e1 = p[1][c] - p[0][c], e2 = p[2][c] - p[0][c];
@@ -74,27 +74,27 @@ bool is_seen_from_behind(const geometry::Vertices& vertices, float orientation, 
 
 }  // namespace
 
-void make_frames(const geometry::Vertices& vertices, float orientation, uint32_t uv_set, bool sets_tangents,
-                 raster::Fragments* rows, Columns* columns) {
-  for_each_triangle(*rows, [&](uint32_t triangle, size_t begin, size_t end) {
-    const Frame frame = frame_of(vertices, uv_set, triangle);
+void make_tangent_frames(const geometry::Vertices& vertices, float orientation, uint32_t uv_set, bool sets_tangents,
+                         raster::Fragments* points, Columns* columns) {
+  for_each_triangle(*points, [&](uint32_t triangle, size_t begin, size_t end) {
+    const TangentFrame frame = tangent_frame_of(vertices, uv_set, triangle);
     for (int c = 0; c < 3; ++c) {
-      std::fill(columns->frame[c] + begin, columns->frame[c] + end, frame.dpdu[c]);
-      std::fill(columns->frame[3 + c] + begin, columns->frame[3 + c] + end, frame.dpdv[c]);
+      std::fill(columns->tangent_frame[c] + begin, columns->tangent_frame[c] + end, frame.dpdu[c]);
+      std::fill(columns->tangent_frame[3 + c] + begin, columns->tangent_frame[3 + c] + end, frame.dpdv[c]);
     }
     if (!sets_tangents) return;
-    std::fill(rows->tx + begin, rows->tx + end, frame.tangent[0]);
-    std::fill(rows->ty + begin, rows->ty + end, frame.tangent[1]);
-    std::fill(rows->tz + begin, rows->tz + end, frame.tangent[2]);
-    // w (n x t) runs against v, upwards in the image: n x dp/du runs with it where uv turn with the triangle.
-    std::fill(rows->tw + begin, rows->tw + end, -orientation * frame.side);
+    std::fill(points->tx + begin, points->tx + end, frame.tangent[0]);
+    std::fill(points->ty + begin, points->ty + end, frame.tangent[1]);
+    std::fill(points->tz + begin, points->tz + end, frame.tangent[2]);
+    // w (n x t) points against v, upwards in the image; n x dp/du does so where uv turn with the triangle.
+    std::fill(points->tw + begin, points->tw + end, -orientation * frame.side);
   });
 }
 
-void face_normals(const geometry::Vertices& vertices, float orientation, raster::Fragments* rows) {
-  for_each_triangle(*rows, [&](uint32_t triangle, size_t begin, size_t end) {
+void face_normals(const geometry::Vertices& vertices, float orientation, raster::Fragments* points) {
+  for_each_triangle(*points, [&](uint32_t triangle, size_t begin, size_t end) {
     if (!is_seen_from_behind(vertices, orientation, triangle)) return;
-    for (float* column : {rows->nx, rows->ny, rows->nz}) {
+    for (float* column : {points->nx, points->ny, points->nz}) {
       for (size_t i = begin; i < end; ++i) column[i] = -column[i];
     }
   });

@@ -1,54 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What models without lights show of fragments, against what it says.
+// Colours of unlit models against their formulas.
 #include "unit/shade/slot_fixture.h"
 
 #include "ref/shade_ref.h"
-#include "shade/show.h"
 
 namespace shd::tests {
 namespace {
 
 constexpr uint32_t kWidth = 64;
 
-void test_normals(void**) {
-  Random random = {171};
-  g->rows.count = 131;
-  for (float* column : {g->rows.nx, g->rows.ny, g->rows.nz}) {
-    for (size_t i = 0; i < kBatch; ++i) column[i] = random.real(-1.0, 1.0);
-  }
-  float* const* out = g->columns.lobes.lobe[0];
-  for (int c = 0; c < 3; ++c) std::fill_n(out[c], kBatch, -77.0f);
-  shade::show_normals(g->rows, out);
-  const float* const n[3] = {g->rows.nx, g->rows.ny, g->rows.nz};
-  for (int c = 0; c < 3; ++c) {
-    for (size_t i = 0; i < 131; ++i) shd_assert_close("normal", i, out[c][i], 0.5 + 0.5 * n[c][i], 6e-8, 0.0);
-    for (size_t i = 131; i < kBatch; ++i) assert_true(out[c][i] == -77.0f);
-  }
-}
-
-void test_uv(void**) {
-  const float u[] = {0.25f, -0.25f, 1.0f, 3.5f, -1e-9f, 1e9f, -2.0f};
-  const double want[] = {0.25, 0.75, 0, 0.5, 1.0, 0, 0};
-  g->rows.count = 7;
-  for (size_t i = 0; i < 7; ++i) g->rows.u[i] = u[i], g->rows.v[i] = u[6 - i];
-  shade::show_uv(g->rows, g->columns.lobes.lobe[0]);
-  for (size_t i = 0; i < 7; ++i) {
-    shd_assert_close("u", i, g->columns.lobes.lobe[0][0][i], want[i], 0.0, 0.0);
-    shd_assert_close("v", i, g->columns.lobes.lobe[0][1][i], want[6 - i], 0.0, 0.0);
-    assert_true(g->columns.lobes.lobe[0][2][i] == 0.0f);
-  }
-}
-
-void test_barycentrics(void**) {
-  Random random = {172};
-  g->rows.count = 65;
-  for (float* column : g->rows.bary) {
-    for (size_t i = 0; i < kBatch; ++i) column[i] = random.real(0.0, 1.0);
-  }
-  shade::show_barycentrics(g->rows, g->columns.lobes.lobe[0]);
-  for (int c = 0; c < 3; ++c) assert_memory_equal(g->columns.lobes.lobe[0][c], g->rows.bary[c], 65 * sizeof(float));
-}
-
+/// A material of a model with a texture in a slot, null = none.
 void set_slot(shd_model model, uint32_t slot, texture::Texture* texture) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
@@ -58,6 +19,52 @@ void set_slot(shd_model model, uint32_t slot, texture::Texture* texture) {
   material::build(desc, parts, &g->material);
 }
 
+void show(const core::SimdTarget& target, const shd_view& view = {}) {
+  material::show({target, g->material, view, g->points, g->columns.uv}, g->columns.lobes.lobe[0]);
+}
+
+void test_normals(void**) {
+  Random random = {171};
+  g->points.count = 131;
+  for (float* column : {g->points.nx, g->points.ny, g->points.nz}) {
+    for (size_t i = 0; i < kBatch; ++i) column[i] = random.real(-1.0, 1.0);
+  }
+  float* const* out = g->columns.lobes.lobe[0];
+  for (int c = 0; c < 3; ++c) std::fill_n(out[c], kBatch, -77.0f);
+  set_slot(SHD_MODEL_SHOW_NORMAL, SHD_SLOT_DIFFUSE, nullptr);
+  show(best_target());
+  const float* const n[3] = {g->points.nx, g->points.ny, g->points.nz};
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < 131; ++i) shd_assert_close("normal", i, out[c][i], 0.5 + 0.5 * n[c][i], 6e-8, 0.0);
+    for (size_t i = 131; i < kBatch; ++i) assert_true(out[c][i] == -77.0f);
+  }
+}
+
+void test_uv(void**) {
+  const float u[] = {0.25f, -0.25f, 1.0f, 3.5f, -1e-9f, 1e9f, -2.0f};
+  const double want[] = {0.25, 0.75, 0, 0.5, 1.0, 0, 0};
+  g->points.count = 7;
+  for (size_t i = 0; i < 7; ++i) g->points.u[i] = u[i], g->points.v[i] = u[6 - i];
+  set_slot(SHD_MODEL_SHOW_UV, SHD_SLOT_DIFFUSE, nullptr);
+  show(best_target());
+  for (size_t i = 0; i < 7; ++i) {
+    shd_assert_close("u", i, g->columns.lobes.lobe[0][0][i], want[i], 0.0, 0.0);
+    shd_assert_close("v", i, g->columns.lobes.lobe[0][1][i], want[6 - i], 0.0, 0.0);
+    assert_true(g->columns.lobes.lobe[0][2][i] == 0.0f);
+  }
+}
+
+void test_barycentrics(void**) {
+  Random random = {172};
+  g->points.count = 65;
+  for (float* column : g->points.bary) {
+    for (size_t i = 0; i < kBatch; ++i) column[i] = random.real(0.0, 1.0);
+  }
+  set_slot(SHD_MODEL_SHOW_BARYCENTRICS, SHD_SLOT_DIFFUSE, nullptr);
+  show(best_target());
+  for (int c = 0; c < 3; ++c) assert_memory_equal(g->columns.lobes.lobe[0][c], g->points.bary[c], 65 * sizeof(float));
+}
+
 /// From blue over green to red with the level of detail over the last level; blue without texture.
 void test_levels(void**) {
   static const uint8_t texels[kWidth * kWidth] = {};
@@ -65,19 +72,19 @@ void test_levels(void**) {
   texture::Texture* plain = make_texture(SHD_FORMAT_R8, kWidth, kWidth, texels);
   texture::Texture* const textures[] = {mipped, plain, nullptr};
   g->sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
-  g->rows.count = kBatch;
+  g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const float step = static_cast<float>(std::exp2(-9.0 + 12.0 * static_cast<double>(i) / kBatch));
-    g->rows.u[i] = g->rows.v[i] = 0.5f;
-    g->rows.dudx[i] = g->rows.dvdy[i] = step;
-    g->rows.dudy[i] = g->rows.dvdx[i] = 0.0f;
+    g->points.u[i] = g->points.v[i] = 0.5f;
+    g->points.dudx[i] = g->points.dvdy[i] = step;
+    g->points.dudy[i] = g->points.dvdx[i] = 0.0f;
   }
   for (texture::Texture* texture : textures) {
     set_slot(SHD_MODEL_SHOW_LEVEL, SHD_SLOT_DIFFUSE, texture);
     for_each_target([&](const core::SimdTarget& target, bool) {
-      shade::show_levels(target, g->material, g->rows, &g->columns);
+      show(target);
       for (size_t i = 0; i < kBatch; ++i) {
-        const double lod = log2(double{g->rows.dudx[i]} * kWidth);
+        const double lod = log2(double{g->points.dudx[i]} * kWidth);
         const double part = texture == mipped ? std::min(std::max(lod / 6.0, 0.0), 1.0) : 0.0;
         float* const* out = g->columns.lobes.lobe[0];
         shd_assert_close("red", i, out[0][i], std::max(2.0 * part - 1.0, 0.0), 2e-6, 0.0);
@@ -103,20 +110,20 @@ void test_matcap(void**) {
   const float turned[16] = {0.36f, 0.48f, -0.8f, 0, -0.8f, 0.6f, 0, 0, 0.48f, 0.64f, 0.6f, 0, 7, 8, 9, 1};
   memcpy(view.world_to_view, turned, sizeof turned);
   Random random = {173};
-  g->rows.count = kBatch;
+  g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const double size = std::exp2(random.in(-20.0, 20.0));
-    for (float* column : {g->rows.nx, g->rows.ny, g->rows.nz}) {
+    for (float* column : {g->points.nx, g->points.ny, g->points.nz}) {
       column[i] = i % 16 ? static_cast<float>(size * random.in(-1.0, 1.0)) : i % 32 ? NAN : 0.0f;
     }
   }
   for (bool has_texture : {true, false}) {
     set_slot(SHD_MODEL_MATCAP, SHD_SLOT_MATCAP, has_texture ? texture : nullptr);
     for_each_target([&](const core::SimdTarget& target, bool) {
-      shade::show_matcap(target, g->material, view, g->rows, &g->columns);
+      show(target, view);
       for (size_t i = 0; i < kBatch; ++i) {
         float* const* out = g->columns.lobes.lobe[0];
-        const float v[3] = {g->rows.nx[i], g->rows.ny[i], g->rows.nz[i]};
+        const float v[3] = {g->points.nx[i], g->points.ny[i], g->points.nz[i]};
         const ref::Vector n = ref::unit(ref::vector(v));
         const long double x = n.x * turned[0] + n.y * turned[4] + n.z * turned[8];
         const long double y = n.x * turned[1] + n.y * turned[5] + n.z * turned[9];
@@ -148,5 +155,5 @@ int main() {
       {"levels", test_levels, nullptr, nullptr, nullptr},
       {"matcap", test_matcap, nullptr, nullptr, nullptr},
   };
-  return _cmocka_run_group_tests("unit.shade.show", tests, sizeof tests / sizeof tests[0], set_up, tear_down);
+  return _cmocka_run_group_tests("unit.material.show", tests, sizeof tests / sizeof tests[0], set_up, tear_down);
 }

@@ -6,7 +6,7 @@
 
 #include "data/data.h"
 #include "ref/shade_ref.h"
-#include "shade/frames.h"
+#include "shade/tangent_frames.h"
 #include "support/random.h"
 
 namespace shd::tests {
@@ -23,7 +23,7 @@ constexpr uint32_t kFirst = 7;  // the first triangle of the part of a mesh
 struct Fixture {
   geometry::Vertices vertices, single;  // the latter without a second uv set
   uint32_t indices[kVertices];
-  raster::Fragments rows;
+  raster::Fragments points;
   shade::Columns columns;
 };
 Fixture* g;
@@ -38,7 +38,7 @@ int set_up(void**) {
     v->first_index = 5;
   }
   g->vertices.texture1 = core::Array<float>(g_allocator, 4 * data::padded(kVertices));
-  raster::allocate(g_allocator, &g->rows);
+  raster::allocate(g_allocator, &g->points);
   shade::allocate(g_allocator, 1, &g->columns);
   return 0;
 }
@@ -65,19 +65,19 @@ Vector position(uint32_t triangle, size_t k) {
 }
 
 /// Rows sorted by triangle, one to seven of each; the canary past the last whole vector.
-void make_rows(Random* random, size_t count) {
-  g->rows.count = count;
+void make_points(Random* random, size_t count) {
+  g->points.count = count;
   uint32_t triangle = kFirst;
   for (size_t i = 0; i < kBatch; ++i) {
     if (i && random->whole(0, 6) == 0 && triangle + 1 < kFirst + kTriangles) ++triangle;
-    g->rows.triangle[i] = triangle;
+    g->points.triangle[i] = triangle;
   }
-  for (float* column : {g->rows.tx, g->rows.ty, g->rows.tz, g->rows.tw}) std::fill_n(column, kBatch, -77.0f);
-  for (float* column : g->columns.frame) std::fill_n(column, kBatch, -77.0f);
+  for (float* column : {g->points.tx, g->points.ty, g->points.tz, g->points.tw}) std::fill_n(column, kBatch, -77.0f);
+  for (float* column : g->columns.tangent_frame) std::fill_n(column, kBatch, -77.0f);
 }
 
 Vector frame_at(int first, size_t i) {
-  float* const* f = g->columns.frame;
+  float* const* f = g->columns.tangent_frame;
   const float v[3] = {f[first][i], f[first + 1][i], f[first + 2][i]};
   return ref::vector(v);
 }
@@ -98,7 +98,7 @@ const FrameCase k_frames[] = {
 
 /// dp/du and dp/dv take differences of uv to those of points; tangents run with u, w (n x t) against v.
 void check_frame(const FrameCase& c, size_t i, const float uv[3][2]) {
-  const uint32_t t = g->rows.triangle[i];
+  const uint32_t t = g->points.triangle[i];
   const Vector dpdu = frame_at(0, i), dpdv = frame_at(3, i);
   const long double sign = c.uv_set ? -1 : 1;
   for (size_t k = 1; k < 3; ++k) {
@@ -110,13 +110,13 @@ void check_frame(const FrameCase& c, size_t i, const float uv[3][2]) {
     assert_true(ref::length(off) <= 3e-7L * size);
   }
   if (!c.sets_tangents) return;
-  const float tangent[3] = {g->rows.tx[i], g->rows.ty[i], g->rows.tz[i]};
+  const float tangent[3] = {g->points.tx[i], g->points.ty[i], g->points.tz[i]};
   const Vector want = ref::unit(dpdu), off = ref::vector(tangent) - want;
   assert_true(ref::length(off) <= 3e-7L);
   const Vector n = static_cast<long double>(c.orientation) *
                    ref::cross(position(t, 1) - position(t, 0), position(t, 2) - position(t, 0));
-  assert_true(fabsf(g->rows.tw[i]) == 1.0f);
-  assert_true(g->rows.tw[i] * ref::dot(ref::cross(n, want), dpdv) < 0);
+  assert_true(fabsf(g->points.tw[i]) == 1.0f);
+  assert_true(g->points.tw[i] * ref::dot(ref::cross(n, want), dpdv) < 0);
 }
 
 void test_frames(void** state) {
@@ -136,15 +136,15 @@ void test_frames(void** state) {
     }
   }
   for (size_t count : {size_t{1}, size_t{63}, size_t{64}, size_t{65}, size_t{131}, kBatch}) {
-    make_rows(&random, count);
-    shade::make_frames(g->vertices, c->orientation, c->uv_set, c->sets_tangents, &g->rows, &g->columns);
-    for (size_t i = 0; i < count; ++i) check_frame(*c, i, uv[g->rows.triangle[i]]);
+    make_points(&random, count);
+    shade::make_tangent_frames(g->vertices, c->orientation, c->uv_set, c->sets_tangents, &g->points, &g->columns);
+    for (size_t i = 0; i < count; ++i) check_frame(*c, i, uv[g->points.triangle[i]]);
     for (size_t i = count; i < data::padded(count); ++i) {
-      for (const float* column : g->columns.frame) assert_true(column[i] == column[count - 1]);
-      if (c->sets_tangents) assert_true(g->rows.tx[i] == g->rows.tx[count - 1]);
+      for (const float* column : g->columns.tangent_frame) assert_true(column[i] == column[count - 1]);
+      if (c->sets_tangents) assert_true(g->points.tx[i] == g->points.tx[count - 1]);
     }
-    for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(g->columns.frame[0][i] == -77.0f);
-    for (size_t i = 0; i < kBatch && !c->sets_tangents; ++i) assert_true(g->rows.tx[i] == -77.0f);
+    for (size_t i = data::padded(count); i < kBatch; ++i) assert_true(g->columns.tangent_frame[0][i] == -77.0f);
+    for (size_t i = 0; i < kBatch && !c->sets_tangents; ++i) assert_true(g->points.tx[i] == -77.0f);
   }
 }
 
@@ -170,10 +170,10 @@ void test_degenerate(void** state) {
   const auto* c = static_cast<const DegenerateCase*>(*state);
   Random random = {122};
   for (size_t k = 0; k < 3; ++k) set_corner(kFirst, k, ref::vector(c->p[k]), c->uv[k]);
-  make_rows(&random, 1);
-  shade::make_frames(c->has_texture1 ? g->vertices : g->single, 1.0f, c->uv_set, true, &g->rows, &g->columns);
-  for (const float* column : g->columns.frame) assert_true(column[0] == 0.0f && column[63] == 0.0f);
-  assert_true(g->rows.tx[0] == 0.0f && g->rows.ty[0] == 0.0f && g->rows.tz[0] == 0.0f);
+  make_points(&random, 1);
+  shade::make_tangent_frames(c->has_texture1 ? g->vertices : g->single, 1.0f, c->uv_set, true, &g->points, &g->columns);
+  for (const float* column : g->columns.tangent_frame) assert_true(column[0] == 0.0f && column[63] == 0.0f);
+  assert_true(g->points.tx[0] == 0.0f && g->points.ty[0] == 0.0f && g->points.tz[0] == 0.0f);
 }
 
 /// Triangles around an eye, some corners behind it: normals turn where it sees the back.
@@ -204,12 +204,12 @@ void test_sides(void**) {
       }
     }
     assert_in_range(backs, kTriangles / 4, 3 * kTriangles / 4);
-    make_rows(&random, 301);
-    for (float* column : {g->rows.nx, g->rows.ny, g->rows.nz}) std::fill_n(column, kBatch, 0.5f);
-    shade::face_normals(g->vertices, orientation, &g->rows);
+    make_points(&random, 301);
+    for (float* column : {g->points.nx, g->points.ny, g->points.nz}) std::fill_n(column, kBatch, 0.5f);
+    shade::face_normals(g->vertices, orientation, &g->points);
     for (size_t i = 0; i < 301; ++i) {
-      const float want = behind[g->rows.triangle[i]] ? -0.5f : 0.5f;
-      assert_true(g->rows.nx[i] == want && g->rows.ny[i] == want && g->rows.nz[i] == want);
+      const float want = behind[g->points.triangle[i]] ? -0.5f : 0.5f;
+      assert_true(g->points.nx[i] == want && g->points.ny[i] == want && g->points.nz[i] == want);
     }
   }
 }
@@ -226,5 +226,5 @@ int main() {
     tests[n++] = {c.name, test_degenerate, nullptr, nullptr, const_cast<DegenerateCase*>(&c)};
   }
   tests[n++] = {"sides", test_sides, nullptr, nullptr, nullptr};
-  return _cmocka_run_group_tests("unit.shade.frames", tests, n, set_up, tear_down);
+  return _cmocka_run_group_tests("unit.shade.tangent_frames", tests, n, set_up, tear_down);
 }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What the structs of the models are made of, and what their functions are given.
+
+#if defined(SHD_MATERIAL_MODEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_MATERIAL_MODEL_INL_H_
+#undef SHD_MATERIAL_MODEL_INL_H_
+#else
+#define SHD_MATERIAL_MODEL_INL_H_
+#endif
+
+#include "material/material.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::material::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Sum;
+using simd::HWY_NAMESPACE::Vec3V;
+
+/// A point on a surface: unit normal, and unit vector to the eye (unspecified without kNeedsEye).
+template <class V>
+struct Point {
+  Vec3V<V> n, wo;
+};
+
+/// One light at a point: unit vector to the light.
+template <class V>
+struct Incoming {
+  Vec3V<V> l;
+  V n_dot_l;
+};
+
+/// Values of slots at points i and up. No column is null: see complete().
+template <class D>
+struct SlotsAt {
+  using V = hn::Vec<D>;
+  const Parameters& parameters;
+  D d;
+  size_t i;
+
+  /// A constant of the material times its slot.
+  HWY_INLINE V Get(float constant, uint32_t slot, int channel) const {
+    return hn::Mul(hn::Set(d, constant), hn::Load(d, parameters.value[slot][channel] + i));
+  }
+};
+
+/// Coefficients and lobes of one channel at points i and up.
+template <class D>
+struct ChannelAt {
+  using V = hn::Vec<D>;
+  const Material& material;
+  const SlotsAt<D> slots;
+  const Lobes& lobes;
+  int channel;
+  float light_count;
+  V ambient;  // k_a I_a, occluded
+
+  HWY_INLINE V Diffuse() const { return slots.Get(material.diffuse[channel], SHD_SLOT_DIFFUSE, channel); }
+  HWY_INLINE V Specular() const { return slots.Get(material.specular[channel], SHD_SLOT_SPECULAR, channel); }
+  HWY_INLINE V Metallic() const { return slots.Get(material.metallic, SHD_SLOT_METALLIC, 0); }
+  HWY_INLINE V Lobe(int k) const { return hn::Load(slots.d, lobes.lobe[k][channel] + slots.i); }
+};
+
+/// Shape of lobes that depend on the light and the normal alone.
+struct NoShape {
+  static constexpr uint32_t kSlots = 0, kColumns = 0;
+  template <class D, class V>
+  static HWY_INLINE void Derive(D, const Material&, const SlotsAt<D>&, V, V*) {}
+};
+
+/// Lighting of unlit models, and defaults of the members of others.
+struct LightingBase {
+  /// Number of RGB sums over the lights, at most kMaxLobes; 0 = unlit. Lobe 0 is diffuse, the others are specular.
+  static constexpr uint32_t kLobes = 0;
+  /// The lobes depend on wo.
+  static constexpr bool kNeedsEye = false;
+  /// SHD_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0; lighting without this member set never does.
+  static constexpr bool kMayBeUngated = false;
+  /// Lobe 0 sums every light with weight 1 instead of E: no range, cookie, shadow or side counts.
+  static constexpr bool kIgnoresIrradiance = false;
+
+  /// Parameters of the lobes at a point: a struct with
+  ///   kSlots    bits of the slots that it reads
+  ///   kColumns  number of values, at most kMaxShapeColumns
+  ///   Derive(d, material, slots, variance, values)
+  /// where `variance` is the variance of slopes that normal maps have lost, 0 where none.
+  using Shape = NoShape;
+
+  // Lighting with lobes also has
+  //   AddLight(d, material, point, incoming, shape, lobe)
+  // which sets lobe[kLobes] to what one light adds, over E. Lobe 0 must be 0 where n.l <= 0, unless kIgnoresIrradiance:
+  // lights behind all points of a vector are skipped.
+
+  /// Scales the sums over all lights.
+  template <class D, class V, class Sums>
+  static HWY_INLINE void Normalize(D, const V*, Sums&) {}
+};
+
+/// Defaults of the members of a model. Each model also has
+///   kSlots                           bits of the slots that it reads
+///   Combination::Combine(d, channel) L of one channel without emission
+/// Models that inherit Lighting or Combination share the kernels made of them.
+struct ModelBase {
+  /// Normal maps and bumps change what the model shows.
+  static constexpr bool kHasNormal = true;
+  /// raster::Interpolated bits of the columns that Show() reads besides the normal.
+  static constexpr uint32_t kShownColumns = 0;
+
+  using Lighting = LightingBase;
+
+  /// Colour of unlit models, written to lobe 0 of the fragments.
+  static void Show(const ShowInputs&, float* const*) {}
+};
+
+/// Slots that every model reads, and slots of models by what they have.
+constexpr uint32_t kColorSlots = 1u << SHD_SLOT_DIFFUSE | 1u << SHD_SLOT_OPACITY | 1u << SHD_SLOT_EMISSION;
+constexpr uint32_t kNormalSlots = 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
+constexpr uint32_t kAmbientSlots = 1u << SHD_SLOT_AMBIENT | 1u << SHD_SLOT_OCCLUSION;
+constexpr uint32_t kLitSlots = kColorSlots | kNormalSlots | kAmbientSlots;
+
+/// max(0, n.l).
+template <class D, class V>
+HWY_INLINE V Cosine(D d, const Incoming<V>& in) {
+  return hn::Max(in.n_dot_l, hn::Zero(d));
+}
+
+}  // namespace shd::material::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_MATERIAL_MODEL_INL_H_

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Base of the textbook models: a diffuse lobe and a specular lobe with an exponent.
+
+#if defined(SHD_MATERIAL_SPECULAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_MATERIAL_SPECULAR_INL_H_
+#undef SHD_MATERIAL_SPECULAR_INL_H_
+#else
+#define SHD_MATERIAL_SPECULAR_INL_H_
+#endif
+
+#include "material/exponent-inl.h"
+#include "material/model-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::material::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Gain of ExponentShape on the specular lobe.
+struct SpecularLighting : LightingBase {
+  static constexpr uint32_t kLobes = 2;
+  static constexpr bool kNeedsEye = true;
+  static constexpr bool kMayBeUngated = true;
+  using Shape = ExponentShape;
+
+  template <class D, class V>
+  static HWY_INLINE void Normalize(D, const V* shape, V (&sum)[2][3]) {
+    for (V& channel : sum[1]) channel = hn::Mul(channel, shape[Shape::kGain]);
+  }
+};
+
+/// k_a I_a + sum of E (k_d lobe 0 + k_s lobe 1), with the gain of ExponentShape on the specular lobe.
+struct SpecularBase : ModelBase {
+  static constexpr uint32_t kSlots = kLitSlots | 1u << SHD_SLOT_SPECULAR | 1u << SHD_SLOT_EXPONENT;
+
+  struct Combination {
+    template <class D, class V = hn::Vec<D>>
+    static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
+      return hn::Add(hn::Add(c.ambient, hn::Mul(c.Diffuse(), c.Lobe(0))), hn::Mul(c.Specular(), c.Lobe(1)));
+    }
+  };
+};
+
+}  // namespace shd::material::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_MATERIAL_SPECULAR_INL_H_

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The table of the models: every value of shd_model has a row, with the traits that the stages around it rely on.
+#include "support/check.h"
+
+#include "material/material.h"
+#include "raster/interpolate.h"
+
+namespace {
+
+using namespace shd;
+
+struct ModelCase {
+  const char* name;
+  shd_model model;
+  uint32_t lobes;
+  int shape_slot;  // negative = none
+  bool needs_eye, has_normal, ignores_irradiance, has_ambient;
+  uint32_t shown_columns;
+};
+const ModelCase k_models[] = {
+    {"lambert", SHD_MODEL_LAMBERT, 1, -1, false, true, false, true, 0},
+    {"blinn_phong", SHD_MODEL_BLINN_PHONG, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"unlit", SHD_MODEL_UNLIT, 0, -1, false, false, false, false, 0},
+    {"phong", SHD_MODEL_PHONG, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"combined", SHD_MODEL_COMBINED, 2, SHD_SLOT_EXPONENT, true, true, false, false, 0},
+    {"gooch", SHD_MODEL_GOOCH, 1, -1, false, true, true, false, 0},
+    {"toon", SHD_MODEL_TOON, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS, 3, SHD_SLOT_ROUGHNESS, true, true, false, true, 0},
+    {"matcap", SHD_MODEL_MATCAP, 0, -1, false, true, false, false, 0},
+    {"show_normal", SHD_MODEL_SHOW_NORMAL, 0, -1, false, true, false, false, 0},
+    {"show_uv", SHD_MODEL_SHOW_UV, 0, -1, false, false, false, false, raster::kTexture},
+    {"show_level", SHD_MODEL_SHOW_LEVEL, 0, -1, false, false, false, false, raster::kTexture},
+    {"show_barycentrics", SHD_MODEL_SHOW_BARYCENTRICS, 0, -1, false, false, false, false, raster::kBarycentrics},
+};
+
+void test_row(void** state) {
+  const auto* c = static_cast<const ModelCase*>(*state);
+  const material::ModelInfo& info = material::info_of(c->model);
+  assert_int_equal(info.lobes, c->lobes);
+  assert_int_equal(info.shape_slots, c->shape_slot < 0 ? 0u : 1u << c->shape_slot);
+  assert_int_equal(info.shape_slots & ~info.slots, 0);
+  assert_int_equal(info.needs_eye, c->needs_eye);
+  assert_int_equal(info.has_normal, c->has_normal);
+  assert_int_equal(info.slots >> SHD_SLOT_NORMAL & 1, c->has_normal);
+  assert_int_equal(info.ignores_irradiance, c->ignores_irradiance);
+  assert_int_equal(info.slots >> SHD_SLOT_AMBIENT & 1, c->has_ambient);
+  assert_int_equal(info.shown_columns, c->shown_columns);
+}
+
+/// Every model reads the diffuse slot; programs have no row.
+void test_all(void**) {
+  assert_int_equal(material::last_model(), SHD_MODEL_SHOW_BARYCENTRICS);
+  for (int model = 0; model <= material::last_model(); ++model) {
+    const bool has_row = material::info_of(static_cast<shd_model>(model)).slots >> SHD_SLOT_DIFFUSE & 1;
+    assert_int_equal(has_row, model != SHD_MODEL_PROGRAM);
+  }
+}
+
+}  // namespace
+
+int main() {
+  constexpr size_t kModels = sizeof k_models / sizeof k_models[0];
+  CMUnitTest tests[kModels + 1];
+  size_t n = 0;
+  for (const ModelCase& c : k_models) tests[n++] = {c.name, test_row, nullptr, nullptr, const_cast<ModelCase*>(&c)};
+  tests[n++] = {"all", test_all, nullptr, nullptr, nullptr};
+  return _cmocka_run_group_tests("unit.material.model_table", tests, n, nullptr, nullptr);
+}
