@@ -19,7 +19,7 @@
 namespace shd::data {
 
 /// Columns that kernels read or write are allocated in multiples of this many elements, so that whole vectors
-/// may run past the last row. At least the widest vector: 16 lanes of AVX-512, 64 of the widest SVE.
+/// may run past the last row. A multiple of the widest vector that shd is compiled for: 16 lanes of AVX-512.
 constexpr size_t kRowPad = 64;
 
 constexpr size_t padded(size_t rows) {
