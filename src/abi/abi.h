@@ -16,7 +16,6 @@
 /// | draws.h           | the draws of a frame or a shadow                                             |
 /// | levels.h          | mip levels of the caller's                                                   |
 /// | lookup_columns.h  | the columns of lookups, and whether a texture has what a filter reads         |
-/// | extension_guard.h | the guard of libshd_color and libshd_io, which stand on the public interface |
-/// | extension_desc.h  | reading descs there                                                          |
-/// | io_common.h       | what the two halves of shd/io.h share                                        |
+/// | color/            | the C functions of libshd_color                                              |
+/// | io/               | the C functions of libshd_io; common.h is what its files share               |
 #pragma once

@@ -5,7 +5,8 @@
 #include <atomic>
 #include <cstdio>
 
-#include "core/extension_error.h"
+#include "core/guard.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {
@@ -27,17 +28,15 @@ void for_each_span(shd_context* context, size_t pixels, const Run& run) {
     Job& mine = *static_cast<Job*>(data);
     const size_t begin = index * kTask;
     const size_t end = std::min(mine.pixels, begin + kTask);
-    const auto note = [&](const char* text) {
+    const auto note = [&](shd_result code, const char* text) {
       if (!mine.failed.exchange(true)) std::snprintf(mine.text, sizeof mine.text, "%s", text);
+      return code;
     };
-    try {
+    core::guard(note, [&] {
       Span span;
       for (size_t first = begin; first < end; first += kSpan) mine.run(first, std::min(kSpan, end - first), &span);
-    } catch (const std::exception& error) {
-      note(error.what());
-    } catch (...) {
-      note("unknown exception");
-    }
+      return SHD_OK;
+    });
   };
   const auto tasks = static_cast<uint32_t>((pixels + kTask - 1) / kTask);
   extension::require(shd_context_parallel_for(context, tasks, task, &job));

@@ -69,7 +69,7 @@ class Config {
   mutable std::map<std::vector<std::string>, TransformRef> cache_;
 };
 
-/// Parses and checks; throws extension::Failure.
+/// Parses and checks; throws Failure.
 std::unique_ptr<Config> load_config(const Source& source);
 
 }  // namespace shd::color

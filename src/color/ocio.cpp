@@ -12,7 +12,7 @@
 
 #include "color/config.h"
 #include "color/cycle.h"
-#include "core/extension_error.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {
@@ -100,7 +100,7 @@ auto call_ocio(const char* what, shd_result otherwise, Body&& body) {
   const ThreadLocale locale;
   try {
     return body();
-  } catch (const extension::Failure&) {
+  } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/simd_target.h"
 
-#include <hwy/highway.h>
 #include <cstdio>
 
-#include "core/status.h"
+#include <hwy/highway.h>
+
+#include "core/failure.h"
 
 namespace shd::core {
 namespace {
@@ -67,7 +68,7 @@ SimdTarget baseline_target() {
   return simd_target_from_bit(HWY_STATIC_TARGET);
 }
 
-shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
+SimdTarget find_simd_target(shd_simd choice) {
   const int64_t available = available_targets();
   int64_t wanted = available;  // a lower bit is a better target
   if (choice == SHD_SIMD_BASELINE) {
@@ -85,11 +86,9 @@ shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
       const char* name = name_of(rest & -rest);
       used += static_cast<size_t>(std::snprintf(names + used, sizeof names - used, " %s", name));
     }
-    return fail(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice),
-                names);
+    refuse(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice), names);
   }
-  *out = simd_target_from_bit(wanted & -wanted);
-  return SHD_OK;
+  return simd_target_from_bit(wanted & -wanted);
 }
 
 }  // namespace shd::core

@@ -25,6 +25,6 @@ struct FileDescriptor {
 
 /// Fails with "<action> "<path>": <reason>"; a missing file is SHD_ERROR_NOT_FOUND, a path the system cannot
 /// have SHD_ERROR_INVALID_ARGUMENT, everything else SHD_ERROR_IO.
-[[noreturn]] void fail_errno(const char* action, const char* path, int error);
+[[noreturn]] void refuse_errno(const char* action, const char* path, int error);
 
 }  // namespace shd::io

@@ -6,6 +6,9 @@
 #include <cstring>
 #include <vector>
 
+#include "image/half.h"
+#include "image/srgb.h"
+
 namespace shd::io {
 
 namespace {
@@ -58,7 +61,9 @@ double normal_value(shd_format format, const unsigned char* at) {
     case SHD_FORMAT_RGBA8:
     case SHD_FORMAT_RGBA8_SRGB: return at[0] / 255.0;
     case SHD_FORMAT_RGBA16: std::memcpy(&word, at, sizeof word); return word / 65535.0;
-    case SHD_FORMAT_RGBA16F: std::memcpy(&word, at, sizeof word); return static_cast<double>(float_from_half(word));
+    case SHD_FORMAT_RGBA16F:
+      std::memcpy(&word, at, sizeof word);
+      return static_cast<double>(image::half_to_float(word));
     default: std::memcpy(&number, at, sizeof number); return static_cast<double>(number);
   }
 }
@@ -123,55 +128,11 @@ std::string name_color_space(shd_color_encoding wanted, const std::string& said,
 double decode(const Transfer& transfer, double value) {
   if (value < 0) return -decode(transfer, -value);
   switch (transfer.curve) {
-    case Curve::kSrgb: return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    case Curve::kSrgb: return image::srgb_to_linear(value);
     case Curve::kRec709: return value < 0.081 ? value / 4.5 : std::pow((value + 0.099) / 1.099, 1 / 0.45);
     case Curve::kGamma: return std::pow(value, transfer.gamma);
     default: return value;
   }
-}
-
-double encode_srgb(double light) {
-  return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
-
-uint16_t half_from_float(float value) {
-  uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  const auto sign = static_cast<uint16_t>((bits >> 16) & 0x8000);
-  bits &= 0x7fffffff;
-  if (bits > 0x7f800000) return static_cast<uint16_t>(sign | 0x7e00 | ((bits >> 13) & 0x1ff));
-  if (bits >= 0x47800000) return static_cast<uint16_t>(sign | 0x7c00);  // 2^16 and above, infinity
-  if (bits < 0x33000000) return sign;                                   // below half the smallest denormal
-  uint32_t mantissa, shift;
-  if (bits < 0x38800000) {  // denormal halves: count multiples of 2^-24
-    mantissa = (bits & 0x7fffff) | 0x800000;
-    shift = 126 - (bits >> 23);
-  } else {
-    mantissa = bits - 0x38000000;
-    shift = 13;
-  }
-  const uint32_t below = mantissa & ((1u << shift) - 1);
-  const uint32_t middle = 1u << (shift - 1);
-  uint32_t half = mantissa >> shift;
-  if (below > middle || (below == middle && (half & 1))) ++half;  // a carry runs into the exponent, as it should
-  return static_cast<uint16_t>(sign | half);
-}
-
-float float_from_half(uint16_t half) {
-  const uint32_t sign = static_cast<uint32_t>(half & 0x8000) << 16;
-  const uint32_t exponent = (half >> 10) & 0x1f;
-  const uint32_t mantissa = half & 0x3ff;
-  uint32_t bits;
-  if (exponent == 0) {
-    const float value = static_cast<float>(mantissa) * 0x1p-24f;
-    std::memcpy(&bits, &value, sizeof bits);
-    bits |= sign;
-  } else {
-    bits = sign | (exponent == 31 ? 0x7f800000 : (exponent + 112) << 23) | mantissa << 13;
-  }
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
 }
 
 void linearise(const Transfer& transfer, shd_format format, const void* in, size_t count, float* out) {

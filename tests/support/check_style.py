@@ -13,7 +13,7 @@ import sys
 
 # The data flow. An include may point to the same stage or to one before it; abi sees all.
 STAGES = ["core", "data", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
-          "color", "io", "abi"]
+          "extension", "color", "io", "abi"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "examples", "bindings"]
 DATA_FOLDERS = {"golden", "corpus"}

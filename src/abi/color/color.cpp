@@ -6,12 +6,12 @@
 
 #include <shd/extension.h>
 
-#include "abi/extension_desc.h"
-#include "abi/extension_guard.h"
 #include "color/apply.h"
 #include "color/config.h"
 #include "color/default_config.h"
 #include "color/source.h"
+#include "extension/desc.h"
+#include "extension/guard.h"
 
 namespace {
 
@@ -136,9 +136,7 @@ shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, sh
   return guard([&]() -> shd_result {
     if (!out_color) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_color: NULL");
     *out_color = nullptr;
-    if (shd_context_worker_count(context) == 0) {
-      refuse(SHD_ERROR_INVALID_ARGUMENT, context ? "context: not a live handle" : "context: NULL");
-    }
+    extension::require_context(context);
     shd_color_desc read = shd_color_desc_default();
     extension::read_desc("color", desc, &read);
     if (read.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "color.reserved: %u is not 0", read.reserved);
