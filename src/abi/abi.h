@@ -15,6 +15,7 @@
 /// | handle.h          | handles to bodies and back                                                   |
 /// | draws.h           | the draws of a frame or a shadow                                             |
 /// | levels.h          | mip levels of the caller's                                                   |
+/// | batch.h           | the columns of one call: checked, split over the executor, staged if strided |
 /// | lookup_columns.h  | the columns of lookups, and whether a texture has what a filter reads         |
 /// | color/            | the C functions of libshd_color                                              |
 /// | io/               | the C functions of libshd_io; common.h is what its files share               |

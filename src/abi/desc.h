@@ -26,6 +26,14 @@ shd_result read_desc(const char* name, const Desc* in, bool optional, Desc* out)
   return core::read_desc_bytes(core::fail, name, in, sizeof(Desc), out, sizeof(Desc));
 }
 
+/// Writes a desc back into the caller's, of which it fills no more than struct_size bytes.
+template <class Desc>
+void write_desc(const Desc& from, Desc* to) {
+  const uint32_t size = to->struct_size;
+  std::memcpy(static_cast<void*>(to), &from, size < sizeof from ? size : sizeof from);
+  to->struct_size = size;
+}
+
 /// Checks that name the field: each answers SHD_OK or SHD_ERROR_INVALID_ARGUMENT.
 shd_result check_range(const char* field, double value, double low, double high);
 shd_result check_count(const char* field, uint64_t value, uint64_t low, uint64_t high);

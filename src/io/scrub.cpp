@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/scrub.h"
 
-#include <initializer_list>
 #include <cstring>
+#include <initializer_list>
 
 #include "core/failure.h"
 #include "io/byte_reader.h"
