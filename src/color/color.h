@@ -13,6 +13,6 @@
 /// | source.h         | which config: a path, a text, $OCIO or the built-in one; read to memory |
 /// | config.h         | a loaded config: its names, and transforms built from it (ocio.cpp)     |
 /// | cycle.h          | refuses colour spaces that are defined in a circle                      |
-/// | pixels.h         | spans of pixels between the caller's memory and planes                  |
+/// | pixels.h         | blocks of pixels between the caller's memory and planes                 |
 /// | apply.h          | a transform over a whole image, on the executor                         |
 #pragma once

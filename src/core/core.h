@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: core, the ground everything stands on.
+/// Stage contract: core, what every other folder uses.
 ///
 /// Input:      the host's callbacks (allocator, executor, log).
 /// Output:     a Context with checked memory, tasks, handles and errors for every other folder.
-/// Invariants: no global state but the per-thread error text; no static constructors; every byte comes from
+/// Invariants: no global state except the per-thread error text; no static constructors; every byte comes from
 ///             the context's allocator; exceptions end in guard.h.
 ///
 /// | file          | what                                                              |
