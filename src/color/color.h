@@ -5,7 +5,7 @@
 /// Input:      framebuffer planes or an RGBA16F / RGBA32F image, scene-linear, premultiplied by alpha.
 /// Output:     pixels in the caller's memory, encoded for a display, straight alpha; or an image converted in place.
 /// Invariants: a library of its own that reaches libshd through its public functions only; OpenColorIO is
-///             included by ocio.cpp alone; what comes out is finite for any input bits.
+///             included by ocio.cpp alone; the output is finite for any input bits.
 ///
 /// | file             | what                                                                    |
 /// |------------------|-------------------------------------------------------------------------|

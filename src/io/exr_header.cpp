@@ -22,7 +22,7 @@ struct Attribute {
   uint64_t size;
 };
 
-/// Length of the zero-terminated text at `at`, at most kMaxName; fails otherwise.
+/// Length of the zero-terminated text at `at`, at most kMaxName; throws Failure otherwise.
 size_t text_length(const ByteReader& in, uint64_t at) {
   for (size_t i = 0; i <= kMaxName && in.has(at, i + 1); ++i) {
     if (in.bytes[at + i] == 0) return i;

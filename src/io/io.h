@@ -2,7 +2,7 @@
 /// @file
 /// Stage contract: io, files in and out.
 ///
-/// Input:      bytes nobody vouches for; rows of pixels to store.
+/// Input:      untrusted bytes; rows of pixels to store.
 /// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process needs none of it; failures are thrown
 ///             by core::refuse(); sizes are checked against the Limits before memory is taken; OpenImageIO never sees
@@ -17,14 +17,14 @@
 /// | write_file.h     | bytes as a file, whole or not at all                                 |
 /// | sniff.h          | format and declared size from the first bytes                        |
 /// | exr_header.h     | what an OpenEXR header declares                                      |
-/// | dds_header.h     | the same of a DDS header                                            |
-/// | bmp_header.h     | the same of a BMP header, and its palette                           |
+/// | dds_header.h     | what a DDS header declares                                           |
+/// | bmp_header.h     | what a BMP header declares, and its palette                          |
 /// | scrub.h          | removes metadata that decoders would parse                           |
 /// | channels.h       | which channels of a file are r, g, b, a, and their expansion to RGBA |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
-/// | isolate.h        | the same in a child process (worker_main.cpp)                        |
+/// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |
 #pragma once
 
 #include <cstddef>

@@ -85,7 +85,7 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   return request;
 }
 
-/// The reply comes from a process that read hostile bytes: believe nothing.
+/// Checks every field of a reply: the process that sent it has read hostile bytes. Returns the size of the pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;

@@ -36,7 +36,7 @@ constexpr Reader kReaders[] = {
     {SHD_FILE_FORMAT_GIF, "gif"},
 };
 
-/// An input or output whose pending errors are fetched at its end: OpenImageIO prints those nobody asked for.
+/// An input or output whose pending errors are fetched at its end: OpenImageIO prints errors that are not fetched.
 template <class Handle>
 struct Quiet {
   std::unique_ptr<Handle> handle;
@@ -99,7 +99,7 @@ void open_input(Decoder& d, const MemoryFile& file) {
   if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
 }
 
-/// Fails on images this library does not take, with everything the spec says checked before it is used.
+/// Checks every field of the spec before its use, and refuses images that this library does not read.
 void check_spec(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const Limits& limits = d.options.limits;

@@ -133,7 +133,7 @@ uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, ui
   return in.number((inside ? value : in.number(value, layout.offset_size)) + index * size, size);
 }
 
-/// Fails when a strip or tile lies beyond the end of the file: libtiff fills in what it does not find.
+/// Refuses strips and tiles beyond the end of the file: libtiff would fill in missing pixels.
 void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
   uint64_t offsets = 0, sizes = 0;
   for (uint64_t i = 0; i < count; ++i) {

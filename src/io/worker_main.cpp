@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. It takes what it must not exceed from the
-// kernel's limits, so that a decoder gone wrong takes this process with it and nothing else.
+// shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. Limits of the operating system bound its memory and
+// time, so that a decoder that fails ends this process and no other.
 #include <sys/resource.h>
 #include <sys/socket.h>
 #ifdef __linux__
@@ -108,7 +108,7 @@ LoadOptions options_of(const WorkerRequest& request) {
   return options;
 }
 
-/// Decodes the file of a request; a failure ends in the reply.
+/// Decodes the file of a request; a failure is stored in the reply.
 Bitmap answer(const WorkerRequest& request, WorkerReply* reply) {
   Bitmap bitmap;
   const auto report = [&](shd_result code, const char* text) {

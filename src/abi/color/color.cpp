@@ -78,7 +78,7 @@ shd_image read_output_image(const char* name, const shd_image* in, uint32_t widt
   return image;
 }
 
-/// Either the same pixels or none in common.
+/// Refuses images that share pixels unless they are the same image.
 void check_overlap(const shd_image& in, const shd_image& out) {
   const auto* in_begin = static_cast<const unsigned char*>(in.pixels);
   const auto* out_begin = static_cast<const unsigned char*>(out.pixels);
@@ -107,7 +107,7 @@ color::Planes read_planes(const shd_framebuffer* framebuffer, const shd_context*
   return planes;
 }
 
-/// Answer of a question that has no result code: what `body` finds, or `none` with the error text set.
+/// The value that `find` returns, or `none` with an error text: for functions that return no result.
 template <class Answer, class Find>
 Answer ask(Answer none, Find&& find) {
   Answer answer = none;

@@ -21,7 +21,7 @@ using namespace shd::extension;
 using io::EncodeJob;
 using io::Sample;
 
-/// What a file extension stands for.
+/// The kind of file that an extension names.
 enum class Kind { kPng, kExr, kHdr, kTiff, kTga, kBmp };
 struct Extension {
   const char* text;
