@@ -117,7 +117,7 @@ Bitmap answer(const WorkerRequest& request, WorkerReply* reply) {
     std::strncpy(reply->message, text, sizeof reply->message - 1);
     return code;
   };
-  core::guard(report, [&] {
+  shd::core::guard(report, [&] {
     Buffer bytes(kPlain, request.size);
     if (!receive_all(bytes.data(), bytes.size())) std::_Exit(3);
     const Deadline deadline(request.limits.seconds);
