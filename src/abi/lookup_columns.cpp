@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "abi/lookup_columns.h"
 
+#include <iterator>
+
 #include "abi/desc.h"
 
 namespace shd::abi {
@@ -16,7 +18,7 @@ struct Row {
   const Element* texture::Lookups::*packed;
 };
 
-constexpr Row<shd_f32_in, float> kFloatRows[texture::kFloatColumns] = {
+constexpr Row<shd_f32_in, float> kFloatRows[] = {
     {"lookups.u", Need::kRequired, &shd_lookups::u, &texture::Lookups::u},
     {"lookups.v", Need::kRequired, &shd_lookups::v, &texture::Lookups::v},
     {"lookups.dudx", Need::kOptional, &shd_lookups::dudx, &texture::Lookups::dudx},
@@ -25,10 +27,11 @@ constexpr Row<shd_f32_in, float> kFloatRows[texture::kFloatColumns] = {
     {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy, &texture::Lookups::dvdy},
     {"lookups.lod", Need::kOptional, &shd_lookups::lod, &texture::Lookups::lod},
 };
-constexpr Row<shd_u32_in, uint32_t> kIntegerRows[texture::kIntegerColumns] = {
+constexpr Row<shd_u32_in, uint32_t> kIntegerRows[] = {
     {"lookups.layer", Need::kOptional, &shd_lookups::layer, &texture::Lookups::layer},
     {"lookups.random", Need::kOptional, &shd_lookups::random, &texture::Lookups::random},
 };
+static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
 
 }  // namespace
 

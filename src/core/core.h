@@ -22,5 +22,6 @@
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |
 ///
-/// All up to read_desc.h except status.h link to nothing: libshd_color, libshd_io and its worker process include them as well.
+/// All up to read_desc.h except status.h link to nothing: libshd_color, libshd_io and its worker process include them
+/// as well.
 #pragma once
