@@ -7,7 +7,8 @@
 /// Invariants: the only place with extern "C" bodies, one file for each public header. No exception leaves a function.
 ///             Floating-point control is the IEEE default inside; the host's control bits and errno are restored. A
 ///             failed call changes nothing and sets its out handle to NULL. This folder may include every other one,
-///             and no folder includes it. Functions named check_<what> and read_<what> return a result.
+///             and no folder includes it. Functions of libshd that are named check_<what> and read_<what> return a
+///             result; those of color/ and io/ throw a Failure.
 ///
 /// | file             | what                                                                              |
 /// |------------------|-----------------------------------------------------------------------------------|

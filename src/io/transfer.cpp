@@ -32,8 +32,8 @@ std::string lower(const std::string& text) {
   return out;
 }
 
-bool says_linear(const std::string& said) {
-  const std::string text = lower(said);
+bool is_linear_name(const std::string& reported) {
+  const std::string text = lower(reported);
   return text == "linear" || text == "scene_linear" || text == "lin_srgb" || text == "lin_rec709" ||
          text == "linear rec.709" || text == "linear rec.709 (srgb)";
 }
@@ -93,7 +93,7 @@ Transfer transfer_of(const std::string& color_space) {
   const std::string text = lower(color_space);
   if (text == "srgb") return {Curve::kSrgb, 1};
   if (text == "rec709") return {Curve::kRec709, 1};
-  if (text == "data" || text == "raw" || text == "acescg" || text == "aces2065-1" || says_linear(text)) {
+  if (text == "data" || text == "raw" || text == "acescg" || text == "aces2065-1" || is_linear_name(text)) {
     return {Curve::kLinear, 1};
   }
   if (text.rfind("linear (", 0) == 0) return {Curve::kLinear, 1};
@@ -104,7 +104,7 @@ Transfer transfer_of(const std::string& color_space) {
   return {};
 }
 
-std::string name_color_space(shd_color_encoding wanted, const std::string& said, bool integers,
+std::string name_color_space(shd_color_encoding wanted, const std::string& reported, bool integers,
                              const float* chromaticities) {
   switch (wanted) {
     case SHD_COLOR_ENCODING_SRGB: return "sRGB";
@@ -112,16 +112,16 @@ std::string name_color_space(shd_color_encoding wanted, const std::string& said,
     case SHD_COLOR_ENCODING_DATA: return "data";
     default: break;
   }
-  if (said.empty() && integers) return "sRGB";
-  if (said.empty() || says_linear(said)) {
+  if (reported.empty() && integers) return "sRGB";
+  if (reported.empty() || is_linear_name(reported)) {
     if (!chromaticities || near_all(chromaticities, kRec709)) return "Linear Rec.709";
     if (near_all(chromaticities, kAp1)) return "ACEScg";
     if (near_all(chromaticities, kAp0)) return "ACES2065-1";
     return "Linear (other primaries)";
   }
-  if (lower(said) == "srgb") return "sRGB";
+  if (lower(reported) == "srgb") return "sRGB";
   std::string name;
-  for (const char c : said.substr(0, 63)) name += c > 0x20 - 1 && c < 0x7f ? c : '?';
+  for (const char c : reported.substr(0, 63)) name += c > 0x20 - 1 && c < 0x7f ? c : '?';
   return name;
 }
 

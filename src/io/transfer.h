@@ -21,9 +21,9 @@ struct Transfer {
 /// The curve of a colour space by name (shd_bitmap_color_space lists them).
 Transfer transfer_of(const std::string& color_space);
 
-/// Name of the colour space of a file. `said` is what the decoder reports ("" = nothing); `chromaticities` are the
+/// Name of the colour space of a file. `reported` is what the decoder reports ("" = nothing); `chromaticities` are the
 /// x, y of red, green, blue and white, or null.
-std::string name_color_space(shd_color_encoding wanted, const std::string& said, bool integers,
+std::string name_color_space(shd_color_encoding wanted, const std::string& reported, bool integers,
                              const float* chromaticities);
 
 /// Stored number to light. sRGB: image/srgb.h; Rec709: inverse OETF of ITU-R BT.709-6, 1.2. Odd around 0.

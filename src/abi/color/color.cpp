@@ -79,7 +79,7 @@ shd_image read_output_image(const char* name, const shd_image* in, uint32_t widt
 }
 
 /// Refuses images that share pixels unless they are the same image.
-void check_overlap(const shd_image& in, const shd_image& out) {
+void require_no_overlap(const shd_image& in, const shd_image& out) {
   const auto* in_begin = static_cast<const unsigned char*>(in.pixels);
   const auto* out_begin = static_cast<const unsigned char*>(out.pixels);
   const bool same = in_begin == out_begin && in.format == out.format && in.row_stride == out.row_stride;
@@ -177,7 +177,7 @@ shd_result shd_color_apply_display_image(const shd_color* color, const shd_image
     const Body& body = body_of(color);
     const shd_image source = read_float_image("in", in);
     const shd_image image = read_output_image("out", out, source.width, source.height);
-    check_overlap(source, image);
+    require_no_overlap(source, image);
     const std::string from = read_space(body, "from_space", from_space);
     const color::TransformRef transform = to_display(body, from, display, view);
     color::apply_image(shd_object_context(object_of(color)), *transform, source, image);
