@@ -86,7 +86,7 @@ build_and_test() {
   local preset=$1
   say "preset $preset"
   inside cmake -S /shd --preset "$preset" -B "/shd-build/$preset"
-  inside cmake --build "/shd-build/$preset" -j "$jobs"
+  inside cmake --build "/shd-build/$preset" -j "$jobs" -- -k 0 # one call shows every error
   inside ctest --test-dir "/shd-build/$preset" -j "$jobs" --output-on-failure --no-tests=error \
     -E '^consumer\.add_subdirectory$'
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "abi/desc.h"
 
+#include <cstring>
+
 #include <shd/color.h>
 #include <shd/desc.h>
 #include <shd/io.h>

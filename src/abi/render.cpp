@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shd/render.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/status.h"
 
+#include <cstdarg>
+#include <cstdio>
+
 #include "core/errno_scope.h"
 
 namespace shd::core {

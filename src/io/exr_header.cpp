@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/exr_header.h"
 
+#include <cstring>
+
 #include "core/failure.h"
 #include "io/byte_reader.h"
 #include "io/printable.h"

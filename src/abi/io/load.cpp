@@ -2,6 +2,7 @@
 #include <shd/io.h>
 
 #include <cmath>
+#include <cstring>
 #include <new>
 
 #include "abi/io/common.h"

@@ -2,6 +2,7 @@
 // Values of slots: textures through transforms and uv sets, alone and shared; attributes of meshes; procedures.
 #include "core/status.h"  // before cmocka, whose fail is a macro
 
+#include <cstring>
 #include <stdexcept>
 
 #include "unit/shade/slot_fixture.h"
