@@ -55,7 +55,7 @@ expect 0 "triangles" --stats --size 96x64 --aov --texture checker --model lamber
 written teapot.exr 762f3101
 expect 0 "" --size 64x64 --no-color --background 0.2,0.3,0.4 --light 2,2,2:8,8,8 --sun 0,1,0 --frequency gouraud \
   --filter nearest --orbit -90,90,3 -o top.png
-expect 0 "" --size 64x64 --threads 1 --simd scalar --no-color -o one.png
+expect 0 "" --size 64x64 --threads 1 --simd baseline --no-color -o one.png
 expect 0 "" --size 64x64 --threads 5 --no-color -o many.png
 cmp one.png many.png || failed=1
 
@@ -84,7 +84,7 @@ other --floor --spot 0,3,1:9,9,9 -- --floor --spot 0,3,1:9,9,9 --cookie window
 other --floor --spot 0,3,1:9,9,9 -- --floor --light 0,3,1:9,9,9
 other --floor --lamps 8 -- --floor --lamps 64
 other --lights course -- --lights studio
-same --lamps 64 --threads 1 --simd scalar -- --lamps 64 --threads 3
+same --lamps 64 --threads 1 --simd baseline -- --lamps 64 --threads 3
 same --texture checker --uv-scale 1 -- --texture checker
 other --texture checker --uv-scale 2 -- --texture checker
 same --shape sphere -- --shape sphere --height checker

@@ -69,7 +69,7 @@ Shape
 
 Machine
   --threads N           workers (default one per core); the picture does not depend on it
-  --simd T              best, scalar, ssse3, sse4, avx2, avx512, neon, wasm; neither on this
+  --simd T              best, baseline, scalar, sse2, ssse3, sse4, avx2, avx512, neon, wasm; neither on this
   --progress            report progress even when stderr is no terminal
   --stats               what was drawn and how long it took, on stderr
 

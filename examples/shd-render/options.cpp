@@ -82,9 +82,11 @@ constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},
                                                 {"pcss", SHD_SHADOW_PCSS}};
 constexpr Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
-constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST}, {"scalar", SHD_SIMD_SCALAR}, {"ssse3", SHD_SIMD_SSSE3},
-                                    {"sse4", SHD_SIMD_SSE4}, {"avx2", SHD_SIMD_AVX2},     {"avx512", SHD_SIMD_AVX512},
-                                    {"neon", SHD_SIMD_NEON}, {"wasm", SHD_SIMD_WASM}};
+constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST},     {"baseline", SHD_SIMD_BASELINE},
+                                    {"scalar", SHD_SIMD_SCALAR}, {"sse2", SHD_SIMD_SSE2},
+                                    {"ssse3", SHD_SIMD_SSSE3},   {"sse4", SHD_SIMD_SSE4},
+                                    {"avx2", SHD_SIMD_AVX2},     {"avx512", SHD_SIMD_AVX512},
+                                    {"neon", SHD_SIMD_NEON},     {"wasm", SHD_SIMD_WASM}};
 
 void read_size(const std::string& option, const std::string& value, Options& out) {
   char* end = nullptr;

@@ -69,16 +69,21 @@ typedef struct shd_log {
     void *user_data; /**< borrowed until release of the context */
 } shd_log;
 
-/** Instruction set for the kernels. The bits of every result are the same on each. */
+/**
+ * Instruction set of the kernels. Every one gives the same bits. Which ones can be chosen depends on the build (CMake
+ * option SHD_SIMD) and on the machine.
+ */
 typedef enum shd_simd {
-    SHD_SIMD_BEST = 0,   /**< the fastest this machine and build offer */
-    SHD_SIMD_SCALAR = 1, /**< one lane, or generic vectors where the compiler offers no intrinsics */
-    SHD_SIMD_SSSE3 = 2,
-    SHD_SIMD_SSE4 = 3,
-    SHD_SIMD_AVX2 = 4,
-    SHD_SIMD_AVX512 = 5,
-    SHD_SIMD_NEON = 6,
-    SHD_SIMD_WASM = 7,
+    SHD_SIMD_BEST = 0,     /**< the fastest that this machine and build offer */
+    SHD_SIMD_BASELINE = 1, /**< the lowest of this build: runs wherever the library runs */
+    SHD_SIMD_SCALAR = 2,   /**< one lane or generic vectors; a baseline, so absent where another one is built */
+    SHD_SIMD_SSE2 = 3,     /**< the baseline of x86-64 with a Highway after 1.0.3 */
+    SHD_SIMD_SSSE3 = 4,    /**< in builds with SHD_SIMD=all */
+    SHD_SIMD_SSE4 = 5,     /**< SSE4.2 */
+    SHD_SIMD_AVX2 = 6,
+    SHD_SIMD_AVX512 = 7, /**< AVX-512 F, BW, CD, DQ and VL */
+    SHD_SIMD_NEON = 8,
+    SHD_SIMD_WASM = 9,
     SHD_SIMD_MAX_ENUM = 0x7fffffff
 } shd_simd;
 

@@ -2,21 +2,23 @@
 /// @file
 /// Stage contract: abi, the boundary between C callers and the C++ inside.
 ///
-/// Input:      the caller's handles, descs and columns, of which nothing is trusted.
+/// Input:      the caller's handles, descs and columns, all of which are checked.
 /// Output:     calls of the stages with checked values; results and error texts.
-/// Invariants: the only place with extern "C" bodies, one file for each public header; nothing throws across it;
-///             floating-point control is the IEEE default inside and the host's again outside; errno comes back; a
-///             failed call changes nothing and nulls its out handle. Every folder may be included, none includes it.
+/// Invariants: the only place with extern "C" bodies, one file for each public header. No exception leaves a function.
+///             Floating-point control is the IEEE default inside; the host's control bits and errno are restored. A
+///             failed call changes nothing and sets its out handle to NULL. This folder may include every other one,
+///             and no folder includes it. Functions of libshd that are named check_<what> and read_<what> return a
+///             result; those of color/ and io/ throw a Failure.
 ///
-/// | file              | what                                                                         |
-/// |-------------------|------------------------------------------------------------------------------|
-/// | guard.h           | exceptions to results, control bits and errno, for libshd                    |
-/// | desc.h            | reading descs of any version, checks that name the field, shd_desc_init      |
-/// | handle.h          | handles to bodies and back                                                   |
-/// | draws.h           | the draws of a frame or a shadow                                             |
-/// | levels.h          | mip levels of the caller's                                                   |
-/// | lookup_columns.h  | the columns of lookups, and whether a texture has what a filter reads         |
-/// | extension_guard.h | the guard of libshd_color and libshd_io, which stand on the public interface |
-/// | extension_desc.h  | reading descs there                                                          |
-/// | io_common.h       | what the two halves of shd/io.h share                                        |
+/// | file             | what                                                                              |
+/// |------------------|-----------------------------------------------------------------------------------|
+/// | guard.h          | the guard of libshd's functions                                                   |
+/// | desc.h           | descs of any version in and out, checks that name the field, shd_desc_init        |
+/// | handle.h         | handles to bodies and back                                                        |
+/// | batch.h          | the columns of one call: checked, split over the executor, copied if strided      |
+/// | lookup_columns.h | the columns of lookups; whether a texture has the tables that a filter reads      |
+/// | draws.h          | the draws of a frame or a shadow                                                  |
+/// | levels.h         | mip levels that the caller gives                                                  |
+/// | color/           | the C functions of libshd_color                                                   |
+/// | io/              | the C functions of libshd_io; common.h is what its files share                    |
 #pragma once

@@ -1,43 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "abi/desc.h"
 
-#include <cstdio>
+#include <cstring>
 
 #include <shd/color.h>
 #include <shd/desc.h>
 #include <shd/io.h>
 #include <shd/shd.h>
 
-#include "image/format.h"
+#include "image/read_image.h"
 
 namespace shd::abi {
 
 using core::fail;
-
-shd_result read_desc_bytes(const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
-  if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not aligned to %zu bytes", name, alignof(uint32_t));
-  }
-  uint32_t size;
-  std::memcpy(&size, in, sizeof size);
-  if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
-                minimum);
-  }
-  constexpr uint32_t kMaximum = 1u << 16;
-  if (size > kMaximum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is above %u", name, size, kMaximum);
-  }
-  const auto* bytes = static_cast<const unsigned char*>(in);
-  for (size_t i = out_size; i < size; ++i) {
-    if (bytes[i] != 0) {
-      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
-                  out_size);
-    }
-  }
-  std::memcpy(out, in, size < out_size ? size : out_size);
-  return SHD_OK;
-}
 
 shd_result check_range(const char* field, double value, double low, double high) {
   if (value >= low && value <= high) return SHD_OK;
@@ -102,37 +77,8 @@ shd_result check_column(const char* field, const void* data, size_t stride, size
 }
 
 shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
-  *out = shd_image_default();
-  SHD_TRY(read_desc(name, in, false, out));
-  char field[96];
-  const auto path = [&](const char* member) {
-    std::snprintf(field, sizeof field, "%s.%s", name, member);
-    return field;
-  };
-  const uint32_t format = enum_bits(out->format);
-  if (format < SHD_FORMAT_R8 || format > SHD_FORMAT_RGB32F) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %u is not a format", name, format);
-  }
-  const size_t pixel = image::format_info(out->format).pixel_size;
-  SHD_TRY(check_count(path("width"), out->width, 1, 65536));
-  SHD_TRY(check_count(path("height"), out->height, 1, 65536));
-  SHD_TRY(check_not_null(path("pixels"), out->pixels));
-  const size_t row = pixel * out->width;
-  if (out->row_stride == 0) out->row_stride = row;
-  if (out->row_stride < row) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.row_stride: %zu is below %zu", name, out->row_stride, row);
-  }
-  size_t bytes;
-  if (__builtin_mul_overflow(out->row_stride, size_t{out->height}, &bytes) || bytes > PTRDIFF_MAX) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.row_stride: %zu times %u rows exceeds the address space", name,
-                out->row_stride, out->height);
-  }
-  const size_t channel = image::format_info(out->format).channel_size;
-  if (reinterpret_cast<uintptr_t>(out->pixels) % channel != 0 || out->row_stride % channel != 0) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.pixels: pixels or row_stride not aligned to a channel of %zu bytes",
-                name, channel);
-  }
-  return SHD_OK;
+  const auto takes = [](shd_format) { return true; };
+  return image::read_image(core::fail, takes, name, in, out);
 }
 
 namespace {

@@ -9,36 +9,34 @@
 #include <shd/column.h>
 #include <shd/image.h>
 
+#include "core/read_desc.h"
 #include "core/status.h"
 
 namespace shd::abi {
 
-/// Copies the caller's desc of `in_size` bytes (its struct_size) over the defaults in `out`.
-/// `minimum` is the size of the 0.1 layout.
-shd_result read_desc_bytes(const char* name, const void* in, size_t minimum, void* out, size_t out_size);
+using core::enum_bits;
 
-/// `in` null = keep the defaults in `out`, where `optional`; otherwise an error.
+/// Copies the caller's desc over the defaults in `out`. `in` null keeps the defaults if `optional`, else it fails.
 template <class Desc>
 shd_result read_desc(const char* name, const Desc* in, bool optional, Desc* out) {
   if (!in) {
     if (optional) return SHD_OK;
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
   }
-  return read_desc_bytes(name, in, sizeof(Desc), out, sizeof(Desc));
+  return core::read_desc_bytes(core::fail, name, in, sizeof(Desc), out, sizeof(Desc));
+}
+
+/// Writes a desc back into the caller's, of which it fills no more than struct_size bytes.
+template <class Desc>
+void write_desc(const Desc& from, Desc* to) {
+  const uint32_t size = to->struct_size;
+  std::memcpy(static_cast<void*>(to), &from, size < sizeof from ? size : sizeof from);
+  to->struct_size = size;
 }
 
 /// Checks that name the field: each answers SHD_OK or SHD_ERROR_INVALID_ARGUMENT.
 shd_result check_range(const char* field, double value, double low, double high);
 shd_result check_count(const char* field, uint64_t value, uint64_t low, uint64_t high);
-/// The number behind an enum, which a C caller may have set to anything: loading it as the enum is undefined
-/// for values beyond the enumerators' bits, so it is checked as bytes first.
-template <class Enum>
-uint32_t enum_bits(const Enum& value) {
-  static_assert(sizeof value == sizeof(uint32_t));
-  uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
 template <class Enum>
 shd_result check_enum(const char* field, const Enum& value, uint32_t low, uint32_t high) {
   return check_count(field, enum_bits(value), low, high);
@@ -56,7 +54,7 @@ template <class Column>
 shd_result check_column(const char* field, const Column& column, size_t count) {
   return check_column(field, column.data, column.stride, count, sizeof *column.data);
 }
-/// A caller's image; `out` gets the row stride filled in. Accepts any known format.
+/// Checks a caller's image of any known format and copies it, with its row stride filled in.
 shd_result read_image(const char* name, const shd_image* in, shd_image* out);
 
 }  // namespace shd::abi

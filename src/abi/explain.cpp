@@ -29,10 +29,10 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
     SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
     SHD_TRY(check_tables(*texture_body, *sampler_body));
-    LookupColumns columns;
-    SHD_TRY(read_lookups(lookups, &columns));
-    if (index >= columns.count) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "index: %zu is not below lookups.count %zu", index, columns.count);
+    Batch<kLookupColumns, 0> batch;
+    SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
+    if (index >= batch.count) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "index: %zu is not below lookups.count %zu", index, batch.count);
     }
     shd_explanation out = shd_explanation_default();
     SHD_TRY(read_desc("explanation", explanation, false, &out));
@@ -41,10 +41,11 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
       return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d is not a tree of blends",
                         static_cast<int>(sampler_body->filter));
     }
-    LookupStage<1> stage;
-    texture::explain(*object_of(texture)->context, *texture_body, *sampler_body, stage.load(columns, index, 1), &out);
-    out.struct_size = explanation->struct_size;
-    *explanation = out;
+    const core::Context& context = *object_of(texture)->context;
+    for_each_piece(batch, index, 1, [&](const auto& piece) {
+      texture::explain(context, *texture_body, *sampler_body, lookups_of(piece), &out);
+    });
+    write_desc(out, explanation);
     return SHD_OK;
   });
 }

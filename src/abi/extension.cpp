@@ -36,7 +36,7 @@ shd_result shd_report_error(shd_result result, const char* message) {
 }
 
 void* shd_context_allocate(shd_context* context, size_t size, size_t alignment) {
-  const ErrnoScope host_errno;
+  const core::ErrnoScope host_errno;
   if (check_context(context) != SHD_OK || size == 0 || size > PTRDIFF_MAX) return nullptr;
   if (alignment & (alignment - 1)) return nullptr;  // the host was promised a power of two
   const shd_allocator& callbacks = context_of(context).allocator.callbacks;

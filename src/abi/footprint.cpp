@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <shd/footprint.h>
 
-#include <cstdio>
-
+#include "abi/batch.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
-#include "data/column.h"
 #include "texture/footprint/ray_footprint.h"
 
 namespace {
@@ -16,39 +14,73 @@ using texture::Step;
 using texture::Surface;
 using texture::Triple;
 
-/// Three columns x, y, z of `count` elements.
-shd_result check_triple(const char* field, const shd_f32_in* columns, size_t count, bool required) {
-  for (size_t c = 0; c < 3; ++c) {
-    char name[64];
-    std::snprintf(name, sizeof name, "%s[%zu]", field, c);
-    SHD_TRY(check_column(name, columns[c], count));
-    if (required && count > 0 && !columns[c].data) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: NULL", name);
-    }
+constexpr size_t kOutputs = 4;
+
+/// Columns of shd_ray_differentials. Those of three components begin at x.
+enum DifferentialColumn {
+  kDpdu = 0,
+  kDpdv = 3,
+  kDirection = 6,
+  kDistance = 9,
+  kOriginDx = 10,
+  kOriginDy = 13,
+  kDirectionDx = 16,
+  kDirectionDy = 19,
+  kDifferentialColumns = 22
+};
+/// Columns of shd_ray_cones; the first nine are those of DifferentialColumn.
+enum ConeColumn { kWidth = 9, kConeColumns = 10 };
+
+void set_triple(const char* name, const shd_f32_in (&columns)[3], Need need, InColumn* out) {
+  for (int c = 0; c < 3; ++c) out[c] = in_column(name, columns[c], need, c);
+}
+
+template <size_t kIn>
+void set_derivatives(const shd_derivatives& out, Batch<kIn, kOutputs>* batch) {
+  batch->out = {out_column("derivatives.dudx", out.dudx, Need::kOptional),
+                out_column("derivatives.dvdx", out.dvdx, Need::kOptional),
+                out_column("derivatives.dudy", out.dudy, Need::kOptional),
+                out_column("derivatives.dvdy", out.dvdy, Need::kOptional)};
+}
+
+/// Element i of a column of a piece; 0 where the column is absent.
+template <size_t kIn>
+double value_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
+  return piece.in[column] ? static_cast<double>(piece.floats(column)[i]) : 0.0;
+}
+template <size_t kIn>
+Triple triple_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
+  return {value_at(piece, column, i), value_at(piece, column + 1, i), value_at(piece, column + 2, i)};
+}
+
+template <size_t kIn>
+void store_steps(const Piece<kIn, kOutputs>& piece, size_t i, const Step& x, const Step& y) {
+  const float values[kOutputs] = {x.du, x.dv, y.du, y.dv};
+  for (size_t c = 0; c < kOutputs; ++c) {
+    if (piece.out[c]) piece.out_floats(c)[i] = values[c];
   }
-  return SHD_OK;
 }
 
-shd_result check_derivatives(const shd_derivatives* out, size_t count) {
-  SHD_TRY(check_not_null("derivatives", out));
-  SHD_TRY(check_column("derivatives.dudx", out->dudx, count));
-  SHD_TRY(check_column("derivatives.dvdx", out->dvdx, count));
-  SHD_TRY(check_column("derivatives.dudy", out->dudy, count));
-  return check_column("derivatives.dvdy", out->dvdy, count);
+void trace_differentials(const Piece<kDifferentialColumns, kOutputs>& piece) {
+  for (size_t i = 0; i < piece.count; ++i) {
+    const Surface surface = {triple_at(piece, kDpdu, i), triple_at(piece, kDpdv, i)};
+    const Triple direction = triple_at(piece, kDirection, i);
+    const double distance = value_at(piece, kDistance, i);
+    store_steps(piece, i,
+                step_of_differential(surface, direction, distance, triple_at(piece, kOriginDx, i),
+                                     triple_at(piece, kDirectionDx, i)),
+                step_of_differential(surface, direction, distance, triple_at(piece, kOriginDy, i),
+                                     triple_at(piece, kDirectionDy, i)));
+  }
 }
 
-double load_or_zero(const shd_f32_in& column, size_t i) {
-  return column.data ? static_cast<double>(data::load(column, i)) : 0.0;
-}
-Triple load_triple(const shd_f32_in* columns, size_t i) {
-  return {load_or_zero(columns[0], i), load_or_zero(columns[1], i), load_or_zero(columns[2], i)};
-}
-
-void store_steps(const shd_derivatives& out, size_t i, const Step& x, const Step& y) {
-  if (out.dudx.data) data::store(out.dudx, i, x.du);
-  if (out.dvdx.data) data::store(out.dvdx, i, x.dv);
-  if (out.dudy.data) data::store(out.dudy, i, y.du);
-  if (out.dvdy.data) data::store(out.dvdy, i, y.dv);
+void trace_cones(const Piece<kConeColumns, kOutputs>& piece) {
+  for (size_t i = 0; i < piece.count; ++i) {
+    const Surface surface = {triple_at(piece, kDpdu, i), triple_at(piece, kDpdv, i)};
+    const texture::ConeSteps steps =
+        steps_of_cone(surface, triple_at(piece, kDirection, i), value_at(piece, kWidth, i));
+    store_steps(piece, i, steps.along, steps.across);
+  }
 }
 
 }  // namespace
@@ -60,25 +92,21 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     shd_ray_differentials in = shd_ray_differentials_default();
     SHD_TRY(read_desc("rays", rays, false, &in));
     SHD_TRY(check_zero("rays.reserved", in.reserved));
-    SHD_TRY(check_derivatives(out, in.count));
-    SHD_TRY(check_triple("rays.dpdu", in.dpdu, in.count, true));
-    SHD_TRY(check_triple("rays.dpdv", in.dpdv, in.count, true));
-    SHD_TRY(check_triple("rays.direction", in.direction, in.count, true));
-    SHD_TRY(check_column("rays.distance", in.distance, in.count));
-    SHD_TRY(check_triple("rays.origin_dx", in.origin_dx, in.count, false));
-    SHD_TRY(check_triple("rays.origin_dy", in.origin_dy, in.count, false));
-    SHD_TRY(check_triple("rays.direction_dx", in.direction_dx, in.count, false));
-    SHD_TRY(check_triple("rays.direction_dy", in.direction_dy, in.count, false));
-    for (size_t i = 0; i < in.count; ++i) {
-      const Surface surface = {load_triple(in.dpdu, i), load_triple(in.dpdv, i)};
-      const Triple direction = load_triple(in.direction, i);
-      const double distance = load_or_zero(in.distance, i);
-      store_steps(*out, i,
-                  step_of_differential(surface, direction, distance, load_triple(in.origin_dx, i),
-                                       load_triple(in.direction_dx, i)),
-                  step_of_differential(surface, direction, distance, load_triple(in.origin_dy, i),
-                                       load_triple(in.direction_dy, i)));
-    }
+    SHD_TRY(check_not_null("derivatives", out));
+    Batch<kDifferentialColumns, kOutputs> batch;
+    batch.count = in.count;
+    InColumn* const columns = batch.in.data();
+    set_triple("rays.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
+    set_triple("rays.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
+    set_triple("rays.direction", in.direction, Need::kRequired, columns + kDirection);
+    columns[kDistance] = in_column("rays.distance", in.distance, Need::kOptional);
+    set_triple("rays.origin_dx", in.origin_dx, Need::kOptional, columns + kOriginDx);
+    set_triple("rays.origin_dy", in.origin_dy, Need::kOptional, columns + kOriginDy);
+    set_triple("rays.direction_dx", in.direction_dx, Need::kOptional, columns + kDirectionDx);
+    set_triple("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
+    set_derivatives(*out, &batch);
+    SHD_TRY(check_batch(batch));
+    for_each_piece(batch, 0, batch.count, trace_differentials);
     return SHD_OK;
   });
 }
@@ -88,17 +116,17 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     shd_ray_cones in = shd_ray_cones_default();
     SHD_TRY(read_desc("cones", cones, false, &in));
     SHD_TRY(check_zero("cones.reserved", in.reserved));
-    SHD_TRY(check_derivatives(out, in.count));
-    SHD_TRY(check_triple("cones.dpdu", in.dpdu, in.count, true));
-    SHD_TRY(check_triple("cones.dpdv", in.dpdv, in.count, true));
-    SHD_TRY(check_triple("cones.direction", in.direction, in.count, true));
-    SHD_TRY(check_column("cones.width", in.width, in.count));
-    if (in.count > 0) SHD_TRY(check_not_null("cones.width.data", in.width.data));
-    for (size_t i = 0; i < in.count; ++i) {
-      const Surface surface = {load_triple(in.dpdu, i), load_triple(in.dpdv, i)};
-      const texture::ConeSteps steps = steps_of_cone(surface, load_triple(in.direction, i), load_or_zero(in.width, i));
-      store_steps(*out, i, steps.along, steps.across);
-    }
+    SHD_TRY(check_not_null("derivatives", out));
+    Batch<kConeColumns, kOutputs> batch;
+    batch.count = in.count;
+    InColumn* const columns = batch.in.data();
+    set_triple("cones.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
+    set_triple("cones.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
+    set_triple("cones.direction", in.direction, Need::kRequired, columns + kDirection);
+    columns[kWidth] = in_column("cones.width", in.width, Need::kRequired);
+    set_derivatives(*out, &batch);
+    SHD_TRY(check_batch(batch));
+    for_each_piece(batch, 0, batch.count, trace_cones);
     return SHD_OK;
   });
 }

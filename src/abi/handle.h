@@ -7,7 +7,7 @@
 
 namespace shd::abi {
 
-/// Checks a context handle; the tag catches null and most damage, but a context that is gone is gone.
+/// Checks a context handle. The tag catches null and most damage; a released context cannot be detected.
 inline shd_result check_context(const shd_context* handle) {
   const auto* context = reinterpret_cast<const core::Context*>(handle);
   if (context && context->tag == core::kContextTag) return SHD_OK;
@@ -31,7 +31,7 @@ const core::Object* object_of(const Handle* handle) {
   return reinterpret_cast<const core::Object*>(handle);
 }
 
-/// Body of a live handle of `type` in `*out`, or an error that says `name`.
+/// Stores the body of a live handle of `type` in `*out`; an error names `name`.
 template <class Body, class Handle>
 shd_result read_handle(const char* name, const Handle* handle, core::ObjectType type, Body** out) {
   if (!handle) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
@@ -49,7 +49,7 @@ void release_handle(Handle* handle, core::ObjectType type) {
   core::release(object_of(handle), static_cast<uint32_t>(type));
 }
 
-/// Retains what an optional handle stands for, from any context; `body` and `object` stay as they are without one.
+/// Retains the object of an optional handle, of any context. Without a handle, `body` and `object` stay as they are.
 template <class Body, class Handle>
 shd_result retain_part(const char* field, Handle* handle, core::ObjectType type, const Body** body,
                        core::Object** object) {
@@ -64,7 +64,7 @@ shd_result retain_part(const char* field, Handle* handle, core::ObjectType type,
   return SHD_OK;
 }
 
-/// Wraps a body made with core::create in a handle; on failure the body is destroyed.
+/// Makes a handle for a body that core::create made. Destroys the body on failure.
 template <class Body, class Handle>
 void make_handle(core::Context& context, core::ObjectType type, Body* body, Handle** out) {
   const auto destroy = [](core::Context& owner, void* memory) {

@@ -5,8 +5,6 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup_columns.h"
-#include "core/executor.h"
-#include "data/column.h"
 #include "texture/footprint/lod.h"
 #include "texture/footprint/profile.h"
 
@@ -15,7 +13,24 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr size_t kStage = 512;  // lookups per task
+using LevelBatch = Batch<kLookupColumns, 2>;
+enum Output { kLod, kLevel };
+
+/// Levels of detail of one piece of a batch.
+void query_piece(const core::SimdTarget& simd, const texture::Texture& texture, const texture::Sampler& sampler,
+                 const Piece<kLookupColumns, 2>& piece) {
+  constexpr size_t kBlock = 256;
+  const texture::LodRange range = texture::lod_range(texture, sampler);
+  for (size_t first = 0; first < piece.count; first += kBlock) {
+    const size_t count = piece.count - first < kBlock ? piece.count - first : kBlock;
+    float lod[kBlock];
+    texture::find_lods(texture, sampler, range, texture::LodAxis::kLonger, simd, lookups_of(part_of(piece, first, count)), lod);
+    for (size_t i = 0; i < count; ++i) {
+      if (piece.out[kLod]) piece.out_floats(kLod)[first + i] = lod[i];
+      if (piece.out[kLevel]) piece.out_integers(kLevel)[first + i] = texture::nearest_level(sampler, lod[i]);
+    }
+  }
+}
 
 }  // namespace
 
@@ -26,30 +41,15 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
     const texture::Sampler* sampler_body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
     SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
-    LookupColumns columns;
-    SHD_TRY(read_lookups(lookups, &columns));
+    LevelBatch batch;
+    SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
     SHD_TRY(check_not_null("levels", out));
-    SHD_TRY(check_column("levels.lod", out->lod, columns.count));
-    SHD_TRY(check_column("levels.level", out->level, columns.count));
-    SHD_TRY(check_count("lookups.count", columns.count, 0, uint64_t{kStage} * UINT32_MAX));
-
+    batch.out[kLod] = out_column("levels.lod", out->lod, Need::kOptional);
+    batch.out[kLevel] = out_column("levels.level", out->level, Need::kOptional);
+    SHD_TRY(check_batch(batch));
     const core::Context& context = *object_of(texture)->context;
-    const auto tasks = static_cast<uint32_t>((columns.count + kStage - 1) / kStage);
-    const texture::LodRange range = texture::lod_range(*texture_body, *sampler_body);
-    core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
-      LookupStage<kStage> stage;
-      float lod[kStage];
-      const size_t first = task * kStage;
-      const size_t count = columns.count - first < kStage ? columns.count - first : kStage;
-      texture::find_lods(*texture_body, *sampler_body, range, texture::LodAxis::kLonger, context.simd,
-                         stage.load(columns, first, count), lod);
-      for (size_t i = 0; i < count; ++i) {
-        if (out->lod.data) data::store(out->lod, first + i, lod[i]);
-        if (out->level.data) {
-          data::store(out->level, first + i, texture::nearest_level(*sampler_body, lod[i]));
-        }
-      }
-    });
+    run_batch(context, batch,
+              [&](const auto& piece) { query_piece(context.simd, *texture_body, *sampler_body, piece); });
     return SHD_OK;
   });
 }

@@ -16,7 +16,7 @@ using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kLight;
 // As floats, which descs hold.
-constexpr double kLeastLength = static_cast<double>(1e-6f), kLeastAngle = static_cast<double>(1e-3f);
+constexpr double kMinLength = static_cast<double>(1e-6f), kMinAngle = static_cast<double>(1e-3f);
 constexpr double kRightAngle = 1.5707964;  // pi / 2 rounded up
 
 bool is_zero(const float v[3]) {
@@ -24,7 +24,7 @@ bool is_zero(const float v[3]) {
 }
 
 shd_result check_cone(const shd_light_desc& desc) {
-  SHD_TRY(check_range("light.outer_angle", double{desc.outer_angle}, kLeastAngle, desc.texture ? 1.55 : kRightAngle));
+  SHD_TRY(check_range("light.outer_angle", double{desc.outer_angle}, kMinAngle, desc.texture ? 1.55 : kRightAngle));
   return check_range("light.inner_angle", double{desc.inner_angle}, 0.0, double{desc.outer_angle});
 }
 
@@ -48,9 +48,9 @@ shd_result check_light_desc(const shd_light_desc& desc) {
   if ((desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT) && is_zero(desc.direction)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "light.direction: (0, 0, 0) has no direction");
   }
-  if (desc.range != 0.0f) SHD_TRY(check_range("light.range", double{desc.range}, kLeastLength, 1e12));
+  if (desc.range != 0.0f) SHD_TRY(check_range("light.range", double{desc.range}, kMinLength, 1e12));
   SHD_TRY(check_cone(desc));
-  SHD_TRY(check_values("light.extent", desc.extent, 2, kLeastLength, 1e12));
+  SHD_TRY(check_values("light.extent", desc.extent, 2, kMinLength, 1e12));
   SHD_TRY(check_texture(desc));
   return check_zero("light.reserved", desc.reserved);
 }

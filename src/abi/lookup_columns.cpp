@@ -1,27 +1,57 @@
 // SPDX-License-Identifier: MIT
 #include "abi/lookup_columns.h"
 
+#include <iterator>
+
 #include "abi/desc.h"
 
 namespace shd::abi {
 
-const char* const kLookupFloatNames[kLookupFloats] = {"lookups.u",    "lookups.v",    "lookups.dudx", "lookups.dvdx",
-                                                      "lookups.dudy", "lookups.dvdy", "lookups.lod"};
-const char* const kLookupIntegerNames[kLookupIntegers] = {"lookups.layer", "lookups.random"};
+namespace {
 
-shd_result read_lookups(const shd_lookups* in, LookupColumns* out) {
+/// One column: of the caller's desc and of the kernels' lookups.
+template <class Given, class Element>
+struct Row {
+  const char* name;
+  Need need;
+  Given shd_lookups::*given;
+  const Element* texture::Lookups::*packed;
+};
+
+constexpr Row<shd_f32_in, float> kFloatRows[] = {
+    {"lookups.u", Need::kRequired, &shd_lookups::u, &texture::Lookups::u},
+    {"lookups.v", Need::kRequired, &shd_lookups::v, &texture::Lookups::v},
+    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx, &texture::Lookups::dudx},
+    {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx, &texture::Lookups::dvdx},
+    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy, &texture::Lookups::dudy},
+    {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy, &texture::Lookups::dvdy},
+    {"lookups.lod", Need::kOptional, &shd_lookups::lod, &texture::Lookups::lod},
+};
+constexpr Row<shd_u32_in, uint32_t> kIntegerRows[] = {
+    {"lookups.layer", Need::kOptional, &shd_lookups::layer, &texture::Lookups::layer},
+    {"lookups.random", Need::kOptional, &shd_lookups::random, &texture::Lookups::random},
+};
+static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
+
+}  // namespace
+
+shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count) {
   shd_lookups read = shd_lookups_default();
   SHD_TRY(read_desc("lookups", in, false, &read));
   SHD_TRY(check_zero("lookups.reserved", read.reserved));
-  *out = {
-      read.count, {read.u, read.v, read.dudx, read.dvdx, read.dudy, read.dvdy, read.lod}, {read.layer, read.random}};
-  for (size_t i = 0; i < kLookupFloats; ++i) SHD_TRY(check_column(kLookupFloatNames[i], out->floats[i], read.count));
-  for (size_t i = 0; i < kLookupIntegers; ++i) {
-    SHD_TRY(check_column(kLookupIntegerNames[i], out->integers[i], read.count));
-  }
-  if (read.count == 0) return SHD_OK;
-  SHD_TRY(check_not_null("lookups.u.data", read.u.data));
-  return check_not_null("lookups.v.data", read.v.data);
+  InColumn* next = columns->data();
+  for (const auto& row : kFloatRows) *next++ = in_column(row.name, read.*row.given, row.need);
+  for (const auto& row : kIntegerRows) *next++ = in_column(row.name, read.*row.given, row.need);
+  *count = read.count;
+  return check_columns(columns->data(), columns->size(), read.count);
+}
+
+texture::Lookups lookups_of(const void* const* columns, size_t count) {
+  texture::Lookups lookups = {};
+  lookups.count = count;
+  for (const auto& row : kFloatRows) lookups.*row.packed = static_cast<const float*>(*columns++);
+  for (const auto& row : kIntegerRows) lookups.*row.packed = static_cast<const uint32_t*>(*columns++);
+  return lookups;
 }
 
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {

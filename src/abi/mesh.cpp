@@ -15,8 +15,8 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMesh;
-constexpr uint32_t kMaximumVertices = 1u << 28;
-constexpr size_t kMaximumTriangles = size_t{1} << 28;
+constexpr uint32_t kMaxVertices = 1u << 28;
+constexpr size_t kMaxTriangles = size_t{1} << 28;
 
 /// All columns of an attribute are there or none is, and each fits in memory.
 shd_result check_attribute(const char* name, const shd_f32_in* columns, int size, uint32_t count) {
@@ -67,7 +67,7 @@ shd_result check_indices(const shd_mesh_desc& desc) {
     }
   }
   const bool separate = desc.topology == SHD_TOPOLOGY_TRIANGLES;
-  SHD_TRY(check_count(field, count, 0, separate ? 3 * kMaximumTriangles : kMaximumTriangles + 2));
+  SHD_TRY(check_count(field, count, 0, separate ? 3 * kMaxTriangles : kMaxTriangles + 2));
   if (separate && count % 3 != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %zu is not a multiple of 3", field, count);
   }
@@ -76,7 +76,7 @@ shd_result check_indices(const shd_mesh_desc& desc) {
 }
 
 shd_result check_mesh_desc(const shd_mesh_desc& desc) {
-  SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaximumVertices));
+  SHD_TRY(check_count("mesh.vertex_count", desc.vertex_count, 0, kMaxVertices));
   SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
   SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY));
   SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));

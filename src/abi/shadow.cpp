@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <shd/shadow.h>
 
+#include "abi/batch.h"
 #include "abi/desc.h"
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "core/executor.h"
-#include "data/column.h"
 #include "frame/shadow_map.h"
 #include "light/shadow.h"
 
@@ -17,9 +16,6 @@ using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kShadow;
 constexpr double kMaxLength = 1e9;
-constexpr size_t kChunk = 16384;  // lookups per task
-constexpr uint64_t kMaxTasks = 1u << 20;
-constexpr size_t kStage = 256;  // lookups per copy of strided columns
 
 shd_result check_length(const char* field, float value) {
   return check_range(field, static_cast<double>(value), 0.0, kMaxLength);
@@ -100,67 +96,32 @@ shd_result render_shadow(const core::Context& context, const core::Context& owne
   return SHD_OK;
 }
 
-/// The columns of one call.
-struct Batch {
-  size_t count;
-  shd_f32_in in[6];
-  shd_f32_out out;
-  bool has_normals, is_packed;
-};
+/// Positions and normals in, light out.
+using ShadowBatch = Batch<6, 1>;
 
-shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out& out, Batch* batch) {
-  static const char* const kNames[6] = {"shadow_lookups.position[0]", "shadow_lookups.position[1]",
-                                        "shadow_lookups.position[2]", "shadow_lookups.normal[0]",
-                                        "shadow_lookups.normal[1]",   "shadow_lookups.normal[2]"};
+shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out& out, ShadowBatch* batch) {
   shd_shadow_lookups read = shd_shadow_lookups_default();
   SHD_TRY(read_desc("shadow_lookups", in, false, &read));
   SHD_TRY(check_zero("shadow_lookups.reserved", read.reserved));
-  *batch = {read.count, {}, out, read.normal[0].data || read.normal[1].data || read.normal[2].data, true};
-  for (size_t c = 0; c < 6; ++c) {
-    batch->in[c] = c < 3 ? read.position[c] : read.normal[c - 3];
-    if (c >= 3 && !batch->has_normals) continue;
-    SHD_TRY(check_column(kNames[c], batch->in[c], read.count));
-    if (read.count && !batch->in[c].data) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.data: NULL", kNames[c]);
-    batch->is_packed = batch->is_packed && data::is_packed(batch->in[c].stride);
+  const bool has_normals = read.normal[0].data || read.normal[1].data || read.normal[2].data;
+  batch->count = read.count;
+  for (int c = 0; c < 3; ++c) {
+    batch->in[c] = in_column("shadow_lookups.position", read.position[c], Need::kRequired, c);
+    batch->in[3 + c] =
+        in_column("shadow_lookups.normal", read.normal[c], has_normals ? Need::kRequired : Need::kOptional, c);
   }
-  if (read.count) SHD_TRY(check_not_null("out.data", out.data));
-  batch->is_packed = batch->is_packed && data::is_packed(out.stride);
-  return check_column("out", out, read.count);
+  batch->out[0] = out_column("out", out, Need::kRequired);
+  return check_batch(*batch);
 }
 
-light::ShadowLookups part_of(const Batch& batch, size_t first, size_t count) {
-  light::ShadowLookups part = {count, {}, {}};
-  for (size_t c = 0; c < 3; ++c) {
-    part.position[c] = batch.in[c].data + first;
-    if (batch.has_normals) part.normal[c] = batch.in[3 + c].data + first;
-  }
-  return part;
-}
-
-/// Through packed copies.
-void sample_staged(const core::SimdTarget& simd, const light::Shadow& shadow, const Batch& batch, size_t first,
-                   size_t count) {
-  float stage[6][kStage], out[kStage];
-  light::ShadowLookups part = {count, {stage[0], stage[1], stage[2]}, {}};
-  for (size_t c = 0; c < (batch.has_normals ? 6 : 3); ++c) {
-    for (size_t k = 0; k < count; ++k) stage[c][k] = data::load(batch.in[c], first + k);
-    if (c >= 3) part.normal[c - 3] = stage[c];
-  }
-  light::sample_shadow(simd, shadow, part, out);
-  for (size_t k = 0; k < count; ++k) data::store(batch.out, first + k, out[k]);
-}
-
-void sample_batch(const core::Context& context, const light::Shadow& shadow, const Batch& batch) {
-  const size_t size = batch.count / kMaxTasks < kChunk ? kChunk : batch.count / kMaxTasks + 1;
-  const auto tasks = static_cast<uint32_t>(batch.count / size + (batch.count % size != 0));
-  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
-    const size_t begin = task * size, end = batch.count - begin < size ? batch.count : begin + size;
-    if (batch.is_packed) {
-      return light::sample_shadow(context.simd, shadow, part_of(batch, begin, end - begin), batch.out.data + begin);
+void sample_batch(const core::Context& context, const light::Shadow& shadow, const ShadowBatch& batch) {
+  run_batch(context, batch, [&](const Piece<6, 1>& piece) {
+    light::ShadowLookups lookups = {piece.count, {}, {}};
+    for (size_t c = 0; c < 3; ++c) {
+      lookups.position[c] = piece.floats(c);
+      lookups.normal[c] = piece.floats(3 + c);
     }
-    for (size_t first = begin; first < end; first += kStage) {
-      sample_staged(context.simd, shadow, batch, first, end - first < kStage ? end - first : kStage);
-    }
+    light::sample_shadow(context.simd, shadow, lookups, piece.out_floats(0));
   });
 }
 
@@ -209,7 +170,7 @@ shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups*
   return guard([&]() -> shd_result {
     const light::Shadow* body = nullptr;
     SHD_TRY(read_handle("shadow", shadow, kType, &body));
-    Batch batch;
+    ShadowBatch batch;
     SHD_TRY(read_batch(lookups, out, &batch));
     if (!body->is_rendered) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow: it was not rendered yet");
     sample_batch(*object_of(shadow)->context, *body, batch);

@@ -16,7 +16,7 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMesh;
-constexpr size_t kMaximumTriangles = size_t{1} << 28;
+constexpr size_t kMaxTriangles = size_t{1} << 28;
 
 shd_result check_number(const char* field, float value, double limit) {
   return check_range(field, static_cast<double>(value), -limit, limit);
@@ -42,7 +42,7 @@ shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
   SHD_TRY(check_enum("tessellation.normals", desc.normals, 0, SHD_DISPLACED_NORMALS_FACES));
   if (desc.view) SHD_TRY(check_view(*desc.view));
   if (desc.object_to_world) SHD_TRY(check_finite("tessellation.object_to_world", desc.object_to_world, 16));
-  SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, kMaximumTriangles));
+  SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, kMaxTriangles));
   SHD_TRY(check_number("tessellation.amplitude", desc.amplitude, 1e12));
   SHD_TRY(check_number("tessellation.offset", desc.offset, 1e12));
   SHD_TRY(check_number("tessellation.lod", desc.lod, 32.0));

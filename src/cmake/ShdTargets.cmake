@@ -1,6 +1,15 @@
 # SPDX-License-Identifier: MIT
 # What every shd target is compiled and linked with.
 
+# The SIMD targets that SHD_SIMD stands for, as a list that Highway's HWY_DISABLED_TARGETS excludes the rest of. Kernels
+# hold vectors in structs, which scalable vectors (SVE, RVV) do not allow. The other targets that are left out (AVX3_DL,
+# AVX3_ZEN4, AVX3_SPR, AVX10, NEON_WITHOUT_AES and more) would double the size of the library without new instructions
+# for its kernels. core/simd_target.cpp refuses to compile for a target that no shd_simd stands for.
+set(shd_simd_baseline HWY_SCALAR HWY_EMU128 "(1LL<<14)" HWY_NEON HWY_WASM)  # the bit is HWY_SSE2, new after Highway 1.0.3
+set(shd_simd_few ${shd_simd_baseline} HWY_AVX2)
+set(shd_simd_auto ${shd_simd_few} HWY_SSE4 HWY_AVX3)
+set(shd_simd_all ${shd_simd_auto} HWY_SSSE3)
+
 # Warnings, sanitizers and the flags that keep the bits the same everywhere.
 function(shd_compile_options target)
   target_compile_options(${target} PRIVATE
@@ -19,10 +28,9 @@ function(shd_compile_options target)
   endif()
   if(SHD_SIMD STREQUAL "scalar")
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_SCALAR)
-  elseif(SHD_SIMD STREQUAL "few")
-    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
   else()
-    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL)")
+    string(JOIN "|" kept ${shd_simd_${SHD_SIMD}})
+    target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(~(${kept}))")
   endif()
 endfunction()
 

@@ -5,17 +5,18 @@
 #include <atomic>
 #include <cstdio>
 
-#include "core/extension_error.h"
+#include "core/guard.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {
 
-/// Pixels of one task. Fixed, so that spans start at the same pixels whatever the number of workers.
-constexpr size_t kTask = 16 * kSpan;
+/// Pixels of one task. Fixed, so that blocks start at the same pixels whatever the number of workers.
+constexpr size_t kTaskPixels = 16 * kBlockPixels;
 
-/// run(first, count, span) over all pixels, in spans.
+/// run(first, count, block) over all pixels, in blocks.
 template <class Run>
-void for_each_span(shd_context* context, size_t pixels, const Run& run) {
+void for_each_block(shd_context* context, size_t pixels, const Run& run) {
   struct Job {
     const Run& run;
     size_t pixels;
@@ -25,21 +26,20 @@ void for_each_span(shd_context* context, size_t pixels, const Run& run) {
   Job job{run, pixels};
   const auto task = [](void* data, uint32_t index, uint32_t) {
     Job& mine = *static_cast<Job*>(data);
-    const size_t begin = index * kTask;
-    const size_t end = std::min(mine.pixels, begin + kTask);
-    const auto note = [&](const char* text) {
+    const size_t begin = index * kTaskPixels;
+    const size_t end = std::min(mine.pixels, begin + kTaskPixels);
+    const auto note = [&](shd_result code, const char* text) {
       if (!mine.failed.exchange(true)) std::snprintf(mine.text, sizeof mine.text, "%s", text);
+      return code;
     };
-    try {
-      Span span;
-      for (size_t first = begin; first < end; first += kSpan) mine.run(first, std::min(kSpan, end - first), &span);
-    } catch (const std::exception& error) {
-      note(error.what());
-    } catch (...) {
-      note("unknown exception");
-    }
+    core::guard(note, [&] {
+      PixelBlock block;
+      for (size_t first = begin; first < end; first += kBlockPixels)
+        mine.run(first, std::min(kBlockPixels, end - first), &block);
+      return SHD_OK;
+    });
   };
-  const auto tasks = static_cast<uint32_t>((pixels + kTask - 1) / kTask);
+  const auto tasks = static_cast<uint32_t>((pixels + kTaskPixels - 1) / kTaskPixels);
   extension::require(shd_context_parallel_for(context, tasks, task, &job));
   if (job.failed) extension::refuse(SHD_ERROR_INTERNAL, "color transform: %s", job.text);
 }
@@ -47,29 +47,29 @@ void for_each_span(shd_context* context, size_t pixels, const Run& run) {
 }  // namespace
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out) {
-  for_each_span(context, size_t{in.width} * in.height, [&](size_t first, size_t count, Span* span) {
-    load_planes(in, first, count, span);
-    unpremultiply(span, count);
-    transform.apply(span->r, span->g, span->b, count);
-    store_pixels(*span, out, first, count);
+  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
+    load_planes(in, first, count, block);
+    unpremultiply(block, count);
+    transform.apply(block->r, block->g, block->b, count);
+    store_pixels(*block, out, first, count);
   });
 }
 
 void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out) {
-  for_each_span(context, size_t{in.width} * in.height, [&](size_t first, size_t count, Span* span) {
-    load_image(in, first, count, span);
-    unpremultiply(span, count);
-    transform.apply(span->r, span->g, span->b, count);
-    store_pixels(*span, out, first, count);
+  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
+    load_image(in, first, count, block);
+    unpremultiply(block, count);
+    transform.apply(block->r, block->g, block->b, count);
+    store_pixels(*block, out, first, count);
   });
 }
 
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out) {
-  for_each_span(context, size_t{in_out.width} * in_out.height, [&](size_t first, size_t count, Span* span) {
-    load_image(in_out, first, count, span);
-    clean_color(span, count);
-    transform.apply(span->r, span->g, span->b, count);
-    store_color(*span, in_out, first, count);
+  for_each_block(context, size_t{in_out.width} * in_out.height, [&](size_t first, size_t count, PixelBlock* block) {
+    load_image(in_out, first, count, block);
+    clean_color(block, count);
+    transform.apply(block->r, block->g, block->b, count);
+    store_color(*block, in_out, first, count);
   });
 }
 

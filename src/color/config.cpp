@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "color/config.h"
 
-#include "core/extension_error.h"
+#include "extension/error.h"
 
 namespace shd::color {
 using extension::refuse;

@@ -12,7 +12,7 @@
 
 namespace shd::color {
 
-/// A transform ready to run. apply() may run on several threads at once.
+/// A transform ready to run. apply() may run on several threads concurrently.
 class Transform {
  public:
   virtual ~Transform() = default;
@@ -33,9 +33,9 @@ struct Catalog {
   std::vector<std::string> spaces;
   const Display* default_display = nullptr;
 
-  /// null = the default one; throws NOT_FOUND with the names there are.
+  /// null = the default display; throws Failure (SHD_ERROR_NOT_FOUND) with the names of all displays.
   const Display& display(const char* name) const;
-  /// The same without throwing: null when it is not there.
+  /// null = the default display; returns null when there is no such display.
   const Display* find_display(const char* name) const;
   static const std::string& view(const Display& display, const char* name);
 };
@@ -49,7 +49,7 @@ class Config {
   virtual ~Config() = default;
 
   const Catalog& catalog() const { return catalog_; }
-  /// Proper name of a colour space, alias or role; throws NOT_FOUND saying `field`.
+  /// Proper name of a colour space, alias or role; throws Failure (SHD_ERROR_NOT_FOUND) that names `field`.
   virtual std::string space(const char* field, const char* name) const = 0;
   /// From colour space `from` to a display and view; the names as in the catalog.
   TransformRef to_display(const std::string& from, const std::string& display, const std::string& view) const;
@@ -69,7 +69,7 @@ class Config {
   mutable std::map<std::vector<std::string>, TransformRef> cache_;
 };
 
-/// Parses and checks; throws extension::Failure.
+/// Parses and checks a config; throws Failure.
 std::unique_ptr<Config> load_config(const Source& source);
 
 }  // namespace shd::color

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/extension_error.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "color/config.h"
 #include "color/cycle.h"
-#include "core/extension_error.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {
@@ -93,14 +93,14 @@ class ThreadLocale {
   ThreadLocale& operator=(const ThreadLocale&) = delete;
 };
 
-/// Runs `body` on OpenColorIO and gives its exceptions a result.
+/// Runs `body` on OpenColorIO and turns its exceptions into Failures.
 template <class Body>
 auto call_ocio(const char* what, shd_result otherwise, Body&& body) {
   const GlobalScope globals;
   const ThreadLocale locale;
   try {
     return body();
-  } catch (const extension::Failure&) {
+  } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
@@ -124,7 +124,7 @@ class OcioTransform final : public Transform {
   ocio::ConstCPUProcessorRcPtr cpu_;
 };
 
-/// Collects what each definition of a config leans on, direction by direction, as OpenColorIO will follow it.
+/// Collects what each definition of a config uses, direction by direction, as OpenColorIO will follow it.
 class ReferenceReader {
  public:
   explicit ReferenceReader(const ocio::Config& config) : config_(config) {}

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kLargestInput = 1e12f;
 
-/// Calls run(row, column, offset in the span, pixels) for each piece of a row in the range.
+/// Calls run(row, column, offset in the block, pixels) for each piece of a row in the range.
 template <class Run>
 void for_each_piece(uint32_t width, size_t first, size_t count, Run&& run) {
   size_t row = first / width;
@@ -60,7 +60,7 @@ void encode(float value, uint16_t* out) {
 }
 
 template <class Channel>
-void load_channels(const shd_image& image, size_t first, size_t count, Span* out) {
+void load_channels(const shd_image& image, size_t first, size_t count, PixelBlock* out) {
   for_each_piece(image.width, first, count, [&](size_t row, size_t column, size_t at, size_t n) {
     const Channel* in = pixel_at<const Channel>(image, row, column);
     for (size_t i = 0; i < n; ++i) {
@@ -73,35 +73,35 @@ void load_channels(const shd_image& image, size_t first, size_t count, Span* out
 }
 
 template <class Channel>
-void store_channels(const Span& span, const shd_image& image, size_t first, size_t count) {
+void store_channels(const PixelBlock& block, const shd_image& image, size_t first, size_t count) {
   for_each_piece(image.width, first, count, [&](size_t row, size_t column, size_t at, size_t n) {
     Channel* out = pixel_at<Channel>(image, row, column);
     for (size_t i = 0; i < n; ++i) {
-      const float alpha = span.a[at + i];
+      const float alpha = block.a[at + i];
       const bool visible = alpha > 0.0f;
-      encode(visible ? span.r[at + i] : 0.0f, out + 4 * i);
-      encode(visible ? span.g[at + i] : 0.0f, out + 4 * i + 1);
-      encode(visible ? span.b[at + i] : 0.0f, out + 4 * i + 2);
+      encode(visible ? block.r[at + i] : 0.0f, out + 4 * i);
+      encode(visible ? block.g[at + i] : 0.0f, out + 4 * i + 1);
+      encode(visible ? block.b[at + i] : 0.0f, out + 4 * i + 2);
       encode(alpha, out + 4 * i + 3);
     }
   });
 }
 
 template <class Channel>
-void store_three(const Span& span, const shd_image& image, size_t first, size_t count) {
+void store_three(const PixelBlock& block, const shd_image& image, size_t first, size_t count) {
   for_each_piece(image.width, first, count, [&](size_t row, size_t column, size_t at, size_t n) {
     Channel* out = pixel_at<Channel>(image, row, column);
     for (size_t i = 0; i < n; ++i) {
-      encode(span.r[at + i], out + 4 * i);
-      encode(span.g[at + i], out + 4 * i + 1);
-      encode(span.b[at + i], out + 4 * i + 2);
+      encode(block.r[at + i], out + 4 * i);
+      encode(block.g[at + i], out + 4 * i + 1);
+      encode(block.b[at + i], out + 4 * i + 2);
     }
   });
 }
 
 }  // namespace
 
-void load_planes(const Planes& planes, size_t first, size_t count, Span* out) {
+void load_planes(const Planes& planes, size_t first, size_t count, PixelBlock* out) {
   float* const channels[4] = {out->r, out->g, out->b, out->a};
   for (int c = 0; c < 4; ++c) {
     const auto* bytes = reinterpret_cast<const unsigned char*>(planes.plane[c]);
@@ -112,7 +112,7 @@ void load_planes(const Planes& planes, size_t first, size_t count, Span* out) {
   }
 }
 
-void load_image(const shd_image& image, size_t first, size_t count, Span* out) {
+void load_image(const shd_image& image, size_t first, size_t count, PixelBlock* out) {
   if (image.format == SHD_FORMAT_RGBA16F) {
     load_channels<uint16_t>(image, first, count, out);
   } else {
@@ -120,38 +120,38 @@ void load_image(const shd_image& image, size_t first, size_t count, Span* out) {
   }
 }
 
-void clean_color(Span* span, size_t count) {
-  for (float* channel : {span->r, span->g, span->b}) {
+void clean_color(PixelBlock* block, size_t count) {
+  for (float* channel : {block->r, block->g, block->b}) {
     for (size_t i = 0; i < count; ++i) channel[i] = clean(channel[i], -kLargestInput, kLargestInput);
   }
 }
 
-void unpremultiply(Span* span, size_t count) {
-  clean_color(span, count);
-  for (size_t i = 0; i < count; ++i) span->a[i] = clean(span->a[i], 0.0f, 1.0f);
-  for (float* channel : {span->r, span->g, span->b}) {
+void unpremultiply(PixelBlock* block, size_t count) {
+  clean_color(block, count);
+  for (size_t i = 0; i < count; ++i) block->a[i] = clean(block->a[i], 0.0f, 1.0f);
+  for (float* channel : {block->r, block->g, block->b}) {
     for (size_t i = 0; i < count; ++i) {
-      const float divisor = span->a[i] > 0.0f ? span->a[i] : 1.0f;
+      const float divisor = block->a[i] > 0.0f ? block->a[i] : 1.0f;
       const float straight = clean(channel[i] / divisor, -kLargestInput, kLargestInput);
-      channel[i] = span->a[i] > 0.0f ? straight : 0.0f;
+      channel[i] = block->a[i] > 0.0f ? straight : 0.0f;
     }
   }
 }
 
-void store_pixels(const Span& span, const shd_image& image, size_t first, size_t count) {
+void store_pixels(const PixelBlock& block, const shd_image& image, size_t first, size_t count) {
   switch (image.format) {
-    case SHD_FORMAT_RGBA16F: return store_channels<Half>(span, image, first, count);
-    case SHD_FORMAT_RGBA32F: return store_channels<float>(span, image, first, count);
-    case SHD_FORMAT_RGBA16: return store_channels<uint16_t>(span, image, first, count);
-    default: return store_channels<uint8_t>(span, image, first, count);
+    case SHD_FORMAT_RGBA16F: return store_channels<Half>(block, image, first, count);
+    case SHD_FORMAT_RGBA32F: return store_channels<float>(block, image, first, count);
+    case SHD_FORMAT_RGBA16: return store_channels<uint16_t>(block, image, first, count);
+    default: return store_channels<uint8_t>(block, image, first, count);
   }
 }
 
-void store_color(const Span& span, const shd_image& image, size_t first, size_t count) {
+void store_color(const PixelBlock& block, const shd_image& image, size_t first, size_t count) {
   if (image.format == SHD_FORMAT_RGBA16F) {
-    store_three<Half>(span, image, first, count);
+    store_three<Half>(block, image, first, count);
   } else {
-    store_three<float>(span, image, first, count);
+    store_three<float>(block, image, first, count);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "color/default_config.h"
-#include "core/extension_error.h"
+#include "extension/error.h"
 
 namespace shd::color {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using extension::refuse;
 
-constexpr size_t kMaximumBytes = size_t{64} << 20;
+constexpr size_t kMaxBytes = size_t{64} << 20;
 
 std::string read_file(const char* field, const char* path) {
   std::error_code error;
@@ -32,8 +32,8 @@ std::string read_file(const char* field, const char* path) {
   std::string text;
   char block[16384];
   while (const size_t got = std::fread(block, 1, sizeof block, file.get())) {
-    if (text.size() + got > kMaximumBytes) {
-      refuse(SHD_ERROR_LIMIT, "%s: \"%.256s\" is above %zu bytes", field, path, kMaximumBytes);
+    if (text.size() + got > kMaxBytes) {
+      refuse(SHD_ERROR_LIMIT, "%s: \"%.256s\" is above %zu bytes", field, path, kMaxBytes);
     }
     text.append(block, got);
   }

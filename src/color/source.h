@@ -14,7 +14,7 @@ struct Source {
   std::string directory;  // where relative file names in it start; empty = nowhere
 };
 
-/// Finds and reads the config a desc asks for. Throws extension::Failure.
+/// Finds and reads the config a desc asks for. Throws Failure.
 Source read_source(const shd_color_desc& desc);
 
 }  // namespace shd::color

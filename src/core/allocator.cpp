@@ -5,8 +5,9 @@
 #include <sys/mman.h>
 #endif
 
-#include <cerrno>
 #include <cstdlib>
+
+#include "core/errno_scope.h"
 
 namespace shd::core {
 namespace {
@@ -21,9 +22,8 @@ void* default_allocate(void*, size_t size, size_t alignment) {
   if (posix_memalign(&memory, huge ? kHugePage : alignment, size) != 0) return nullptr;
 #ifdef MADV_HUGEPAGE
   if (huge) {
-    const int before = errno;
-    madvise(memory, size, MADV_HUGEPAGE);  // advice alone: it may be refused
-    errno = before;
+    const ErrnoScope host_errno;
+    madvise(memory, size, MADV_HUGEPAGE);  // the kernel may ignore this advice
   }
 #endif
   return memory;

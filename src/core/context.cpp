@@ -5,13 +5,11 @@
 #include <cstdio>
 
 #include "core/executor.h"
-#include "core/status.h"
 
 namespace shd::core {
 
 Context* create_context(const shd_context_desc& desc) {
-  SimdTarget simd;
-  require(find_simd_target(desc.simd, &simd));
+  const SimdTarget simd = find_simd_target(desc.simd);
   const Allocator allocator{desc.allocator.allocate ? desc.allocator : default_allocator()};
 
   Context* context = create<Context>(allocator);

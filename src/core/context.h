@@ -5,12 +5,13 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "core/failure.h"
 #include "core/object.h"
 #include "core/simd_target.h"
 
 namespace shd::core {
 
-/// What shd_context stands for: the host's callbacks and the handles made with them.
+/// The body of a shd_context: the host's callbacks and the handles made with them.
 struct Context {
   uint32_t tag;  // kContextTag while alive
   std::atomic<uint32_t> references;
@@ -31,7 +32,6 @@ void retain(Context& context) noexcept;
 void release(Context& context) noexcept;
 
 /// Formats one line for the host's log, if there is one.
-void log(const Context& context, shd_log_level level, const char* format, ...) noexcept
-    __attribute__((format(printf, 3, 4)));
+void log(const Context& context, shd_log_level level, const char* format, ...) noexcept SHD_PRINTF(3, 4);
 
 }  // namespace shd::core

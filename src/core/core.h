@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: core, the ground everything stands on.
+/// Stage contract: core, what every other folder uses.
 ///
 /// Input:      the host's callbacks (allocator, executor, log).
 /// Output:     a Context with checked memory, tasks, handles and errors for every other folder.
-/// Invariants: no global state but the per-thread error text; no static constructors; every byte comes from
-///             the context's allocator; exceptions end in abi/guard.h.
+/// Invariants: no global state except the per-thread error text; no static constructors; every byte comes from
+///             the context's allocator; exceptions end in guard.h.
 ///
-/// | file          | what                                                             |
-/// |---------------|------------------------------------------------------------------|
-/// | status.h      | results, the per-thread error text, Failure (a result as exception) |
-/// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory  |
-/// | fp_env.h      | IEEE default floating-point control for a scope                    |
-/// | simd_target.h | the SIMD target of a context and the dispatch to it                |
-/// | context.h     | Context: allocator, executor, log, target, handle slabs            |
-/// | executor.h    | parallel_for over a Context                                        |
-/// | object.h      | handles: slabs, reference counts, type and life tags               |
-/// | extension_error.h | refusals inside libshd_color and libshd_io, which stand outside libshd |
+/// | file          | what                                                              |
+/// |---------------|-------------------------------------------------------------------|
+/// | failure.h     | Failure, a result as an exception, and refuse(), which throws it  |
+/// | status.h      | fail(), which returns a result, and the per-thread error text     |
+/// | guard.h       | exceptions to results                                             |
+/// | errno_scope.h | the host's errno, restored at the end of a scope                  |
+/// | fp_env.h      | IEEE default floating-point control for a scope                   |
+/// | printable.h   | bytes as one line of UTF-8                                        |
+/// | read_desc.h   | sized structs of the caller                                       |
+/// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
+/// | simd_target.h | the SIMD target of a context and the dispatch to it               |
+/// | context.h     | Context: allocator, executor, log, target, handle slabs           |
+/// | executor.h    | parallel_for over a Context                                       |
+/// | object.h      | handles: slabs, reference counts, type and life tags              |
+///
+/// All up to read_desc.h except status.h link to nothing: libshd_color, libshd_io and its worker process include them
+/// as well.
 #pragma once

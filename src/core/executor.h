@@ -4,11 +4,9 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
-#include <new>
 
 #include "core/context.h"
-#include "core/fp_env.h"
-#include "core/status.h"
+#include "core/guard.h"
 
 namespace shd::core {
 
@@ -21,12 +19,13 @@ void destroy_executor(const Allocator& allocator, void* body) noexcept;
 struct TaskFailure {
   std::atomic<bool> failed{false};
   shd_result code = SHD_OK;
-  char text[1024];
+  char text[kErrorTextSize];
 
-  void record(shd_result result, const char* message) noexcept {
-    if (failed.exchange(true, std::memory_order_acq_rel)) return;
+  shd_result record(shd_result result, const char* message) noexcept {
+    if (failed.exchange(true, std::memory_order_acq_rel)) return result;
     code = result;
     std::snprintf(text, sizeof text, "%s", message);
+    return result;
   }
 };
 
@@ -69,25 +68,20 @@ struct Job {
   static void run(void* data, uint32_t index, uint32_t worker) {
     Job& job = *static_cast<Job*>(data);
     if (index >= job.count || worker >= job.worker_count) {
-      return job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
+      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for passed an index or worker out of range");
+      return;
     }
     if (!job.claims.claim(index)) {
-      return job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for ran a task twice");
+      job.failure.record(SHD_ERROR_CALLBACK, "executor.parallel_for ran a task twice");
+      return;
     }
     job.done.fetch_add(1, std::memory_order_relaxed);
     if (job.failure.failed.load(std::memory_order_relaxed)) return;
-    const FpScope fp;
-    try {
-      job.body(index, worker);
-    } catch (const Failure& failure) {
-      job.failure.record(failure.code, failure.what());
-    } catch (const std::bad_alloc&) {
-      job.failure.record(SHD_ERROR_OUT_OF_MEMORY, "out of memory");
-    } catch (const std::exception& error) {
-      job.failure.record(SHD_ERROR_INTERNAL, error.what());
-    } catch (...) {
-      job.failure.record(SHD_ERROR_INTERNAL, "unknown exception");
-    }
+    guard([&](shd_result code, const char* text) { return job.failure.record(code, text); },
+          [&] {
+            job.body(index, worker);
+            return SHD_OK;
+          });
   }
 };
 
@@ -105,14 +99,10 @@ void parallel_for(const Context& context, uint32_t count, Body&& body) {
   } else {
     result = context.executor.parallel_for(context.executor.user_data, count, &job.run, &job);
   }
-  if (job.failure.failed.load(std::memory_order_acquire)) {
-    throw Failure(fail(job.failure.code, "%s", job.failure.text));
-  }
-  if (result != SHD_OK) {
-    throw Failure(fail(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result)));
-  }
+  if (job.failure.failed.load(std::memory_order_acquire)) throw Failure(job.failure.code, job.failure.text);
+  if (result != SHD_OK) refuse(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result));
   if (job.done.load(std::memory_order_acquire) != count) {
-    throw Failure(fail(SHD_ERROR_CALLBACK, "executor.parallel_for ran %u of %u tasks", job.done.load(), count));
+    refuse(SHD_ERROR_CALLBACK, "executor.parallel_for ran %u of %u tasks", job.done.load(), count);
   }
 }
 

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "core/simd_target.h"
 
-#include <hwy/highway.h>
 #include <cstdio>
 
-#include "core/status.h"
+#include <hwy/highway.h>
+
+#include "core/failure.h"
 
 namespace shd::core {
 namespace {
 
+#ifdef HWY_SSE2
+constexpr int64_t kSse2 = HWY_SSE2;
+static_assert(kSse2 == 1LL << 14, "src/cmake/ShdTargets.cmake keeps this bit");
+#else
+constexpr int64_t kSse2 = 0;  // Highway up to 1.0.3 has no such target
+#endif
+
+/// The Highway targets that a choice of an instruction set stands for.
 struct Row {
   shd_simd choice;
-  int64_t bits;  // Highway targets that answer to the choice, best (lowest bit) first
+  int64_t bits;
 };
 
 constexpr Row kRows[] = {
     {SHD_SIMD_SCALAR, HWY_SCALAR | HWY_EMU128},
+    {SHD_SIMD_SSE2, kSse2},
     {SHD_SIMD_SSSE3, HWY_SSSE3},
     {SHD_SIMD_SSE4, HWY_SSE4},
     {SHD_SIMD_AVX2, HWY_AVX2},
@@ -23,6 +33,17 @@ constexpr Row kRows[] = {
     {SHD_SIMD_NEON, HWY_NEON},
     {SHD_SIMD_WASM, HWY_WASM},
 };
+
+constexpr bool has_choice(int64_t targets) {
+  for (const Row& row : kRows) targets &= ~row.bits;
+  return targets == 0;
+}
+static_assert(has_choice(HWY_TARGETS), "a compiled target has no shd_simd: see src/cmake/ShdTargets.cmake");
+
+/// Highway names AVX-512 by its number of operands.
+const char* name_of(int64_t bit) {
+  return bit == HWY_AVX3 ? "AVX512" : hwy::TargetName(bit);
+}
 
 /// Compiled in and able to run on this machine. hwy::SupportedTargets() is cached by Highway.
 int64_t available_targets() {
@@ -34,7 +55,7 @@ int64_t available_targets() {
 
 SimdTarget simd_target_from_bit(int64_t bit) {
   SimdTarget target;
-  target.name = hwy::TargetName(bit);
+  target.name = name_of(bit);
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
   hwy::ChosenTarget chosen;
   chosen.Update(bit);
@@ -47,10 +68,12 @@ SimdTarget baseline_target() {
   return simd_target_from_bit(HWY_STATIC_TARGET);
 }
 
-shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
+SimdTarget find_simd_target(shd_simd choice) {
   const int64_t available = available_targets();
-  int64_t wanted = available;
-  if (choice != SHD_SIMD_BEST) {
+  int64_t wanted = available;  // a lower bit is a better target
+  if (choice == SHD_SIMD_BASELINE) {
+    wanted = HWY_STATIC_TARGET;
+  } else if (choice != SHD_SIMD_BEST) {
     wanted = 0;
     for (const Row& row : kRows) {
       if (row.choice == choice) wanted = row.bits & available;
@@ -60,14 +83,12 @@ shd_result find_simd_target(shd_simd choice, SimdTarget* out) {
     char names[128] = "";
     size_t used = 0;
     for (int64_t rest = available; rest != 0 && used < sizeof names; rest &= rest - 1) {
-      const char* name = hwy::TargetName(rest & -rest);
+      const char* name = name_of(rest & -rest);
       used += static_cast<size_t>(std::snprintf(names + used, sizeof names - used, " %s", name));
     }
-    return fail(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice),
-                names);
+    refuse(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice), names);
   }
-  *out = simd_target_from_bit(wanted & -wanted);
-  return SHD_OK;
+  return simd_target_from_bit(wanted & -wanted);
 }
 
 }  // namespace shd::core

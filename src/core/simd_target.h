@@ -18,13 +18,13 @@ struct SimdTarget {
   const char* name = "";  // static
 };
 
-/// Resolves a choice; SHD_ERROR_UNSUPPORTED names what can run here.
-shd_result find_simd_target(shd_simd choice, SimdTarget* out);
+/// The best target for a choice. Throws Failure (SHD_ERROR_UNSUPPORTED), which names the targets that can run here.
+SimdTarget find_simd_target(shd_simd choice);
 
-/// The one that the compiler's options ask for, which runs wherever the library does.
+/// The lowest target of the build. It runs wherever the library runs.
 SimdTarget baseline_target();
 
-/// The same for one Highway target bit, for tests that loop over hwy::SupportedAndGeneratedTargets().
+/// The target of one Highway bit, for tests that loop over hwy::SupportedAndGeneratedTargets().
 SimdTarget simd_target_from_bit(int64_t bit);
 
 }  // namespace shd::core

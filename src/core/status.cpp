@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "core/status.h"
 
-#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
+
+#include "core/errno_scope.h"
 
 namespace shd::core {
 namespace {
 
-constexpr size_t kTextSize = 1024;
-thread_local char t_text[kTextSize];
+thread_local char t_text[kErrorTextSize];
 
 }  // namespace
 
 shd_result fail(shd_result code, const char* format, ...) noexcept {
-  const int saved_errno = errno;
+  const ErrnoScope host_errno;
   va_list arguments;
   va_start(arguments, format);
-  std::vsnprintf(t_text, kTextSize, format, arguments);
+  std::vsnprintf(t_text, sizeof t_text, format, arguments);
   va_end(arguments);
-  errno = saved_errno;
   return code;
 }
 

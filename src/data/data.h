@@ -18,7 +18,7 @@
 namespace shd::data {
 
 /// Columns that kernels read or write are allocated in multiples of this many elements, so that whole vectors
-/// may run past the last row. No vector is wider: AVX-512 has 16 lanes.
+/// may run past the last row. A multiple of the widest vector that shd is compiled for: 16 lanes of AVX-512.
 constexpr size_t kRowPad = 64;
 
 constexpr size_t padded(size_t rows) {

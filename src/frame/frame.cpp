@@ -29,7 +29,7 @@ class Progress {
       cancelled_ = callback_.report(callback_.user_data,
                                     static_cast<float>(static_cast<double>(done_) / static_cast<double>(total_))) != 0;
     }
-    if (cancelled_) throw core::Failure(core::fail(SHD_ERROR_CANCELLED, "render.progress: cancelled by the host"));
+    if (cancelled_) core::refuse(SHD_ERROR_CANCELLED, "render.progress: cancelled by the host");
   }
 
  private:

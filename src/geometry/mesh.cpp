@@ -50,7 +50,7 @@ void require_finite(int axis, const Column& column, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     if (std::isfinite(column[i])) continue;
     const char* what = std::isnan(column[i]) ? "nan" : column[i] < 0.0f ? "-inf" : "inf";
-    core::require(core::fail(SHD_ERROR_INVALID_ARGUMENT, "mesh.position[%d][%zu]: %s is not finite", axis, i, what));
+    core::refuse(SHD_ERROR_INVALID_ARGUMENT, "mesh.position[%d][%zu]: %s is not finite", axis, i, what);
   }
 }
 

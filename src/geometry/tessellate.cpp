@@ -30,9 +30,8 @@ void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, cons
     sum += RowPattern(segments).triangle_count();
   }
   if (sum <= desc.max_triangles) return;
-  core::require(core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                           "tessellation.max_triangles: %zu, but the %u triangles become %s%zu", desc.max_triangles,
-                           mesh.triangle_count, uniform ? "" : "at least ", sum));
+  core::refuse(SHD_ERROR_INVALID_ARGUMENT, "tessellation.max_triangles: %zu, but the %u triangles become %s%zu",
+               desc.max_triangles, mesh.triangle_count, uniform ? "" : "at least ", sum);
 }
 
 constexpr size_t kChunk = 8192;  // vertices per task

@@ -107,11 +107,10 @@ void call(const VertexProgram& program, const shd_vertices& in, shd_vertex_outpu
   try {
     program.function(&in, out, program.user_data);
   } catch (const std::exception& error) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]: %s",
-                                   program.draw, error.what()));
+    core::refuse(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]: %s", program.draw,
+                 error.what());
   } catch (...) {
-    throw core::Failure(
-        core::fail(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]", program.draw));
+    core::refuse(SHD_ERROR_CALLBACK, "material.program.vertex threw in render.draws[%u]", program.draw);
   }
 }
 
@@ -146,8 +145,7 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
   call(program, in, &out);
 #ifndef NDEBUG
   if (in.count != count) {
-    throw core::Failure(
-        core::fail(SHD_ERROR_CALLBACK, "material.program.vertex changed the count in render.draws[%u]", program.draw));
+    core::refuse(SHD_ERROR_CALLBACK, "material.program.vertex changed the count in render.draws[%u]", program.draw);
   }
 #endif
 }

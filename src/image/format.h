@@ -18,6 +18,37 @@ struct FormatInfo {
   Component component;  // of r, g and b: the alpha of kSrgb8 is kUnorm8
 };
 
-FormatInfo format_info(shd_format format);
+constexpr FormatInfo format_info(size_t channels, Component component) {
+  const size_t channel_size = component == Component::kFloat32                                       ? 4
+                              : component == Component::kFloat16 || component == Component::kUnorm16 ? 2
+                                                                                                     : 1;
+  return {channels * channel_size, channel_size, channels, component};
+}
+
+constexpr FormatInfo format_info(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_R8: return format_info(1, Component::kUnorm8);
+    case SHD_FORMAT_RG8: return format_info(2, Component::kUnorm8);
+    case SHD_FORMAT_RGB8: return format_info(3, Component::kUnorm8);
+    case SHD_FORMAT_RGBA8: return format_info(4, Component::kUnorm8);
+    case SHD_FORMAT_R8_SRGB: return format_info(1, Component::kSrgb8);
+    case SHD_FORMAT_RG8_SRGB: return format_info(2, Component::kSrgb8);
+    case SHD_FORMAT_RGB8_SRGB: return format_info(3, Component::kSrgb8);
+    case SHD_FORMAT_RGBA8_SRGB: return format_info(4, Component::kSrgb8);
+    case SHD_FORMAT_R16: return format_info(1, Component::kUnorm16);
+    case SHD_FORMAT_RG16: return format_info(2, Component::kUnorm16);
+    case SHD_FORMAT_RGB16: return format_info(3, Component::kUnorm16);
+    case SHD_FORMAT_RGBA16: return format_info(4, Component::kUnorm16);
+    case SHD_FORMAT_R16F: return format_info(1, Component::kFloat16);
+    case SHD_FORMAT_RG16F: return format_info(2, Component::kFloat16);
+    case SHD_FORMAT_RGB16F: return format_info(3, Component::kFloat16);
+    case SHD_FORMAT_RGBA16F: return format_info(4, Component::kFloat16);
+    case SHD_FORMAT_R32F: return format_info(1, Component::kFloat32);
+    case SHD_FORMAT_RG32F: return format_info(2, Component::kFloat32);
+    case SHD_FORMAT_RGB32F: return format_info(3, Component::kFloat32);
+    case SHD_FORMAT_RGBA32F: return format_info(4, Component::kFloat32);
+    default: return {0, 0, 0, Component::kUnorm8};
+  }
+}
 
 }  // namespace shd::image

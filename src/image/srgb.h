@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -30,6 +31,18 @@ inline uint8_t linear_to_srgb8(float linear) {
   const uint32_t start = kLinearToSrgb8Start[(bits >> 18) - kSrgb8StartFirst];
   const float* threshold = kLinearToSrgb8Threshold + start;
   return static_cast<uint8_t>(start + (linear >= threshold[1]) + (linear >= threshold[2]) + (linear >= threshold[3]));
+}
+
+// The curve between the codes, for files of 16 bits. These two use libm, so that their last bits depend on it.
+
+/// Linear value of an sRGB number in [0, 1] (IEC 61966-2-1).
+inline double srgb_to_linear(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// sRGB number of a linear value in [0, 1] (IEC 61966-2-1).
+inline double linear_to_srgb(double linear) {
+  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
 }  // namespace shd::image

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/bmp_header.h"
 
+#include "core/failure.h"
 #include "io/byte_reader.h"
-#include "io/failure.h"
 
 namespace shd::io {
 
@@ -35,8 +35,9 @@ BmpLayout read_layout(ByteReader& in) {
       core || header == 40 || header == 52 || header == 56 || header == 64 || header == 108 || header == 124;
   layout.bits = core ? in.u16(24) : in.u16(28);
   const uint32_t compression = core ? 0 : in.u32(30);
-  if (!in.ok || !known || !is_depth(layout.bits)) fail(SHD_ERROR_CORRUPT, "BMP: bad header");
-  if (compression != 0 && compression != kBitFields) fail(SHD_ERROR_UNSUPPORTED, "BMP: compression %u", compression);
+  if (!in.ok || !known || !is_depth(layout.bits)) core::refuse(SHD_ERROR_CORRUPT, "BMP: bad header");
+  if (compression != 0 && compression != kBitFields)
+    core::refuse(SHD_ERROR_UNSUPPORTED, "BMP: compression %u", compression);
   layout.width = core ? in.u16(18) : in.u32(18);
   const auto height = static_cast<int32_t>(core ? in.u16(20) : in.u32(22));
   layout.height = static_cast<uint64_t>(height < 0 ? -int64_t{height} : int64_t{height});
@@ -59,7 +60,7 @@ void check_indices(const ByteReader& in, const BmpLayout& layout) {
     for (uint64_t x = 0; x < layout.width; ++x) {
       const uint32_t shift = 8 - layout.bits * (1 + static_cast<uint32_t>(x % per_byte));
       if (((uint32_t{row[x / per_byte]} >> shift) & mask) >= layout.colors) {
-        fail(SHD_ERROR_CORRUPT, "BMP: a pixel is outside the palette");
+        core::refuse(SHD_ERROR_CORRUPT, "BMP: a pixel is outside the palette");
       }
     }
   }
@@ -70,11 +71,11 @@ void check_indices(const ByteReader& in, const BmpLayout& layout) {
 void check_bmp_header(const unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, false};
   const BmpLayout layout = read_layout(in);
-  const uint64_t most_colors = layout.bits > 8 ? 0 : uint64_t{1} << layout.bits;
-  if (!in.ok || layout.colors > most_colors || !in.has(layout.palette, layout.colors * layout.color_size)) {
-    fail(SHD_ERROR_CORRUPT, "BMP: bad palette");
+  const uint64_t max_colors = layout.bits > 8 ? 0 : uint64_t{1} << layout.bits;
+  if (!in.ok || layout.colors > max_colors || !in.has(layout.palette, layout.colors * layout.color_size)) {
+    core::refuse(SHD_ERROR_CORRUPT, "BMP: bad palette");
   }
-  if (!in.has(layout.pixels, layout.row * layout.height)) fail(SHD_ERROR_CORRUPT, "BMP: cut off");
+  if (!in.has(layout.pixels, layout.row * layout.height)) core::refuse(SHD_ERROR_CORRUPT, "BMP: cut off");
   if (layout.bits <= 8) check_indices(in, layout);
 }
 

@@ -5,8 +5,8 @@
 
 namespace shd::io {
 
-/// Checks a BMP file (Microsoft, "Bitmap Storage"): fails on run-length and embedded compression, on files too
-/// short for their pixels and palette, and on pixels outside the palette. The decoder trusts all of these.
+/// Checks a BMP file (Microsoft, "Bitmap Storage"): refuses run-length and embedded compression, files too
+/// short for their pixels and palette, and pixels outside the palette. The decoder does not check these.
 void check_bmp_header(const unsigned char* bytes, size_t size);
 
 }  // namespace shd::io

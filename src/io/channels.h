@@ -14,8 +14,7 @@ struct ChannelMap {
   int index[4];
 };
 
-/// By name (any case), else the first ones; `alpha` = the file's own alpha
-/// channel or -1.
+/// Finds the channels by name (any case), else takes the first ones. `alpha` is the file's own alpha channel or -1.
 ChannelMap map_channels(const std::vector<std::string>& names, int alpha);
 
 /// Copies pixels of `channel_size`-byte channels, `in_channels` of them from file channel `first` on, to RGBA.

@@ -9,7 +9,6 @@
 
 #include <cerrno>
 
-#include "io/failure.h"
 #include "io/file_descriptor.h"
 
 extern "C" char** environ;
@@ -57,13 +56,13 @@ int fill_options(SpawnOptions& options, int socket) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& program, int socket) {
-  if (::access(program.c_str(), X_OK) != 0) fail_errno("cannot run", program.c_str(), errno);
+  if (::access(program.c_str(), X_OK) != 0) refuse_errno("cannot run", program.c_str(), errno);
   SpawnOptions options;
   int error = fill_options(options, socket);
   char* arguments[] = {const_cast<char*>(program.c_str()), nullptr};
   pid_t pid = -1;
   if (!error) error = ::posix_spawn(&pid, program.c_str(), &options.files, &options.attributes, arguments, environ);
-  if (error) fail_errno("cannot run", program.c_str(), error);
+  if (error) refuse_errno("cannot run", program.c_str(), error);
   pid_ = pid;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/dds_header.h"
 
+#include "core/failure.h"
 #include "io/byte_reader.h"
-#include "io/failure.h"
 
 namespace shd::io {
 
@@ -46,27 +46,27 @@ size_t block_size(ByteReader& in, size_t* header) {
 
 void check_dds_header(const unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, false};
-  if (in.u32(4) != 124 || in.u32(76) != 32 || !in.has(0, kHeader)) fail(SHD_ERROR_CORRUPT, "DDS: bad header");
+  if (in.u32(4) != 124 || in.u32(76) != 32 || !in.has(0, kHeader)) core::refuse(SHD_ERROR_CORRUPT, "DDS: bad header");
   const uint64_t height = in.u32(12);
   const uint64_t width = in.u32(16);
   if ((in.u32(112) & kCubeOrVolume) || ((in.u32(8) & kDepthFlag) && in.u32(24) > 1)) {
-    fail(SHD_ERROR_UNSUPPORTED, "DDS: cube maps and volumes are not supported");
+    core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: cube maps and volumes are not supported");
   }
-  if (in.u32(28) > 32) fail(SHD_ERROR_CORRUPT, "DDS: %u levels", in.u32(28));
+  if (in.u32(28) > 32) core::refuse(SHD_ERROR_CORRUPT, "DDS: %u levels", in.u32(28));
   size_t header = kHeader;
   uint64_t needed = 0;
   const uint32_t flags = in.u32(80);
   if (flags & kFourCcFlag) {
     const size_t block = block_size(in, &header);
-    if (block == 0) fail(SHD_ERROR_UNSUPPORTED, "DDS: unknown compression");
+    if (block == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: unknown compression");
     needed = (width + 3) / 4 * ((height + 3) / 4) * block;
   } else {
     const uint32_t bits = in.u32(88);
     const bool known = (flags & kPlainFlags) != 0 && (bits == 8 || bits == 16 || bits == 24 || bits == 32);
-    if (!known) fail(SHD_ERROR_UNSUPPORTED, "DDS: pixels of %u bits and flags 0x%x", bits, flags);
+    if (!known) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: pixels of %u bits and flags 0x%x", bits, flags);
     needed = width * height * (bits / 8);
   }
-  if (!in.has(header, needed)) fail(SHD_ERROR_CORRUPT, "DDS: cut off");
+  if (!in.has(header, needed)) core::refuse(SHD_ERROR_CORRUPT, "DDS: cut off");
 }
 
 }  // namespace shd::io

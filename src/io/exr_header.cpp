@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/exr_header.h"
 
+#include <cstring>
+
+#include "core/failure.h"
 #include "io/byte_reader.h"
-#include "io/failure.h"
+#include "io/printable.h"
 
 namespace shd::io {
 
@@ -21,12 +24,12 @@ struct Attribute {
   uint64_t size;
 };
 
-/// Length of the zero-terminated text at `at`, at most kMaxName; fails otherwise.
+/// Length of the zero-terminated text at `at`, at most kMaxName; throws Failure otherwise.
 size_t text_length(const ByteReader& in, uint64_t at) {
   for (size_t i = 0; i <= kMaxName && in.has(at, i + 1); ++i) {
     if (in.bytes[at + i] == 0) return i;
   }
-  fail(SHD_ERROR_CORRUPT, "OpenEXR header is cut off or has a name above %zu bytes", kMaxName);
+  core::refuse(SHD_ERROR_CORRUPT, "OpenEXR header is cut off or has a name above %zu bytes", kMaxName);
 }
 
 /// Reads the attribute at *at and steps over it; false at the end of a header.
@@ -39,7 +42,7 @@ bool next_attribute(ByteReader& in, uint64_t* at, Attribute* out) {
   *at += text_length(in, *at) + 1;
   out->size = in.u32(*at);
   out->value = *at + 4;
-  if (!in.ok || !in.has(out->value, out->size)) fail(SHD_ERROR_CORRUPT, "OpenEXR attribute is cut off");
+  if (!in.ok || !in.has(out->value, out->size)) core::refuse(SHD_ERROR_CORRUPT, "OpenEXR attribute is cut off");
   *at = out->value + out->size;
   return true;
 }
@@ -62,10 +65,10 @@ void check_channels(ByteReader& in, const Attribute& attribute) {
     if (name == 0) return;
     const uint64_t fields = at + name + 1;
     const bool plain = in.u32(fields + 8) == 1 && in.u32(fields + 12) == 1;
-    if (!in.ok) fail(SHD_ERROR_CORRUPT, "OpenEXR channel list is cut off");
+    if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "OpenEXR channel list is cut off");
     if (!plain) {
-      fail(SHD_ERROR_UNSUPPORTED, "OpenEXR channel \"%s\" is subsampled",
-           printable(reinterpret_cast<const char*>(in.bytes + at)).c_str());
+      core::refuse(SHD_ERROR_UNSUPPORTED, "OpenEXR channel \"%s\" is subsampled",
+                   printable(reinterpret_cast<const char*>(in.bytes + at)).c_str());
     }
     at = fields + 16;
   }
@@ -74,7 +77,7 @@ void check_channels(ByteReader& in, const Attribute& attribute) {
 /// "deepscanline" and "deeptile", a text without its terminating zero.
 void check_type(const ByteReader& in, const Attribute& attribute) {
   if (attribute.size >= 4 && in.is(attribute.value, "deep", 4)) {
-    fail(SHD_ERROR_UNSUPPORTED, "deep OpenEXR images are not supported");
+    core::refuse(SHD_ERROR_UNSUPPORTED, "deep OpenEXR images are not supported");
   }
 }
 
@@ -98,13 +101,13 @@ bool check_part(ByteReader& in, uint64_t* at, const Limits& limits) {
 void check_exr_header(const unsigned char* bytes, size_t size, const Limits& limits) {
   ByteReader in{bytes, size, false};
   const uint32_t version = in.u32(4);
-  if (!in.ok) fail(SHD_ERROR_CORRUPT, "OpenEXR header is cut off");
-  if (version & kDeepBit) fail(SHD_ERROR_UNSUPPORTED, "deep OpenEXR images are not supported");
+  if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "OpenEXR header is cut off");
+  if (version & kDeepBit) core::refuse(SHD_ERROR_UNSUPPORTED, "deep OpenEXR images are not supported");
   uint64_t at = 8;
   size_t parts = 0;
   const bool multi_part = (version & kMultiPartBit) != 0;
   while (check_part(in, &at, limits) && multi_part) {
-    if (++parts > kMaxParts) fail(SHD_ERROR_LIMIT, "OpenEXR file of more than %zu parts", kMaxParts);
+    if (++parts > kMaxParts) core::refuse(SHD_ERROR_LIMIT, "OpenEXR file of more than %zu parts", kMaxParts);
   }
 }
 

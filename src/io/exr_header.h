@@ -7,7 +7,7 @@
 
 namespace shd::io {
 
-/// Walks the attributes of every part ("OpenEXR File Layout", 2.x): fails on windows beyond the limits, deep
+/// Walks the attributes of every part ("OpenEXR File Layout", 2.x): refuses windows beyond the limits, deep
 /// parts and subsampled channels.
 void check_exr_header(const unsigned char* bytes, size_t size, const Limits& limits);
 

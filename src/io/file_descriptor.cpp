@@ -4,11 +4,12 @@
 #include <cerrno>
 #include <cstring>
 
-#include "io/failure.h"
+#include "core/failure.h"
+#include "io/printable.h"
 
 namespace shd::io {
 
-void fail_errno(const char* action, const char* path, int error) {
+void refuse_errno(const char* action, const char* path, int error) {
   shd_result code = SHD_ERROR_IO;
   if (error == ENOENT || error == ENOTDIR) code = SHD_ERROR_NOT_FOUND;
   if (error == ENAMETOOLONG || error == EILSEQ || error == EINVAL) code = SHD_ERROR_INVALID_ARGUMENT;
@@ -16,7 +17,7 @@ void fail_errno(const char* action, const char* path, int error) {
   char buffer[128] = "";
   // The GNU strerror_r returns the text, the POSIX one a number; this build has the GNU one.
   const char* reason = ::strerror_r(error, buffer, sizeof buffer);
-  fail(code, "%s \"%s\": %s", action, printable(path).c_str(), reason);
+  core::refuse(code, "%s \"%s\": %s", action, printable(path).c_str(), reason);
 }
 
 }  // namespace shd::io

@@ -7,7 +7,7 @@
 
 namespace shd::io {
 
-/// A file descriptor it closes; negative = none.
+/// An owned file descriptor; negative = none.
 struct FileDescriptor {
   explicit FileDescriptor(int descriptor = -1) : fd(descriptor) {}
   FileDescriptor(FileDescriptor&& other) noexcept : fd(std::exchange(other.fd, -1)) {}
@@ -23,8 +23,8 @@ struct FileDescriptor {
   int fd;
 };
 
-/// Fails with "<action> "<path>": <reason>"; a missing file is SHD_ERROR_NOT_FOUND, a path the system cannot
-/// have SHD_ERROR_INVALID_ARGUMENT, everything else SHD_ERROR_IO.
-[[noreturn]] void fail_errno(const char* action, const char* path, int error);
+/// Throws a Failure with the text `<action> "<path>": <reason>`. A missing file is SHD_ERROR_NOT_FOUND, a path that the
+/// system cannot have SHD_ERROR_INVALID_ARGUMENT, lack of memory SHD_ERROR_OUT_OF_MEMORY, the rest SHD_ERROR_IO.
+[[noreturn]] void refuse_errno(const char* action, const char* path, int error);
 
 }  // namespace shd::io

@@ -2,29 +2,29 @@
 /// @file
 /// Stage contract: io, files in and out.
 ///
-/// Input:      bytes nobody vouches for; rows of pixels to store.
+/// Input:      untrusted bytes; rows of pixels to store.
 /// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
-/// Invariants: no file of this folder calls libshd, so that the worker process needs none of it; sizes are
-///             checked against the Limits before memory is taken; OpenImageIO never sees a path, only memory;
-///             its process-wide attributes are set in the worker alone.
+/// Invariants: no file of this folder calls libshd, so that the worker process needs none of it; failures are thrown
+///             by core::refuse(); sizes are checked against the Limits before memory is taken; OpenImageIO never sees
+///             a path, only memory; its process-wide attributes are set in the worker alone.
 ///
 /// | file             | what                                                                |
 /// |------------------|---------------------------------------------------------------------|
-/// | failure.h        | Failure, a result with its text as an exception                      |
+/// | printable.h      | texts of files and of the system, fit for messages                   |
 /// | memory.h         | Buffer, memory of the host's allocator                               |
 /// | limits.h         | budgets: checked sizes, deadline                                     |
 /// | read_file.h      | a regular file as bytes                                              |
 /// | write_file.h     | bytes as a file, whole or not at all                                 |
 /// | sniff.h          | format and declared size from the first bytes                        |
 /// | exr_header.h     | what an OpenEXR header declares                                      |
-/// | dds_header.h     | the same of a DDS header                                            |
-/// | bmp_header.h     | the same of a BMP header, and its palette                           |
+/// | dds_header.h     | what a DDS header declares                                           |
+/// | bmp_header.h     | what a BMP header declares, and its palette                          |
 /// | scrub.h          | removes metadata that decoders would parse                           |
 /// | channels.h       | which channels of a file are r, g, b, a, and their expansion to RGBA |
-/// | transfer.h       | colour-space names, transfer curves, half floats                     |
+/// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
-/// | isolate.h        | the same in a child process (worker_main.cpp)                        |
+/// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |
 #pragma once
 
 #include <cstddef>

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string>
 
+#include "core/failure.h"
 #include "io/child_process.h"
-#include "io/failure.h"
 #include "io/file_descriptor.h"
 #include "io/worker_path.h"
 #include "io/worker_protocol.h"
@@ -65,11 +65,12 @@ Stream receive_all(int fd, void* bytes, size_t size, const Deadline& deadline) {
   return Stream::kDone;
 }
 
-void require(Stream stream, ChildProcess& child, const Deadline& deadline) {
+/// Throws Failure unless a transfer is complete.
+void require_done(Stream stream, ChildProcess& child, const Deadline& deadline) {
   if (stream == Stream::kDone) return;
   const std::string end = child.finish(stream == Stream::kLate);
   if (stream == Stream::kLate) deadline.check();
-  fail(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
+  core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
 WorkerRequest make_request(const LoadOptions& options, size_t size) {
@@ -84,19 +85,19 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   return request;
 }
 
-/// The reply comes from a process that read hostile bytes: believe nothing.
+/// Checks every field of a reply: the process that sent it has read hostile bytes. Returns the size of the pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;
   if (reply.magic != kWorkerMagic || reply.code > SHD_ERROR_INTERNAL) {
-    fail(SHD_ERROR_INTERNAL, "the worker is of another version of shd");
+    core::refuse(SHD_ERROR_INTERNAL, "the worker is of another version of shd");
   }
-  if (reply.code != SHD_OK) fail(static_cast<shd_result>(reply.code), "%s", reply.message);
+  if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
-  if (pixel == 0) fail(SHD_ERROR_INTERNAL, "the worker sent format %u", reply.format);
+  if (pixel == 0) core::refuse(SHD_ERROR_INTERNAL, "the worker sent format %u", reply.format);
   check_extent(options.limits, "image", reply.width, reply.height);
   const size_t size = check_bytes(options.limits, reply.width, reply.height, pixel, file_size);
-  if (size != reply.size) fail(SHD_ERROR_INTERNAL, "the worker sent a wrong size");
+  if (size != reply.size) core::refuse(SHD_ERROR_INTERNAL, "the worker sent a wrong size");
   for (char* c = reply.color_space; *c; ++c) {
     if (*c < 0x20 || *c > 0x7e) *c = '?';
   }
@@ -110,7 +111,7 @@ Bitmap load_isolated(const char* worker_path, const unsigned char* bytes, size_t
   const std::string program = worker_path ? std::string(worker_path) : default_worker_path();
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_errno("cannot connect to", program.c_str(), errno);
+    refuse_errno("cannot connect to", program.c_str(), errno);
   const FileDescriptor ours(ends[0]);
   FileDescriptor theirs(ends[1]);
   ChildProcess child(program, theirs.fd);
@@ -119,8 +120,8 @@ Bitmap load_isolated(const char* worker_path, const unsigned char* bytes, size_t
   WorkerReply reply;
   Stream sent = send_all(ours.fd, &request, sizeof request, deadline);
   if (sent == Stream::kDone) sent = send_all(ours.fd, bytes, size, deadline);
-  require(sent, child, deadline);
-  require(receive_all(ours.fd, &reply, sizeof reply, deadline), child, deadline);
+  require_done(sent, child, deadline);
+  require_done(receive_all(ours.fd, &reply, sizeof reply, deadline), child, deadline);
   const size_t pixels = check_reply(reply, options, size);
   Bitmap out;
   out.format = static_cast<shd_format>(reply.format);
@@ -129,7 +130,7 @@ Bitmap load_isolated(const char* worker_path, const unsigned char* bytes, size_t
   out.info = reply.info;
   std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
   out.pixels = Buffer(memory, pixels);
-  require(receive_all(ours.fd, out.pixels.data(), pixels, deadline), child, deadline);
+  require_done(receive_all(ours.fd, out.pixels.data(), pixels, deadline), child, deadline);
   child.finish(false);
   return out;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/failure.h"
+#include "core/failure.h"
 
 namespace shd::io {
 
@@ -18,26 +18,26 @@ unsigned long long wide(uint64_t value) {
 
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height) {
   if (width == 0 || height == 0 || width > INT32_MAX || height > INT32_MAX) {
-    fail(SHD_ERROR_CORRUPT, "%s of %llu x %llu pixels", what, wide(width), wide(height));
+    core::refuse(SHD_ERROR_CORRUPT, "%s of %llu x %llu pixels", what, wide(width), wide(height));
   }
   if (width > kMaxSide || height > kMaxSide) {
-    fail(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels: a side is above %llu", what, wide(width), wide(height),
-         wide(kMaxSide));
+    core::refuse(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels: a side is above %llu", what, wide(width), wide(height),
+                 wide(kMaxSide));
   }
   if (width * height > limits.pixels) {
-    fail(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels is above load.max_pixels %llu", what, wide(width), wide(height),
-         wide(limits.pixels));
+    core::refuse(SHD_ERROR_LIMIT, "%s of %llu x %llu pixels is above load.max_pixels %llu", what, wide(width),
+                 wide(height), wide(limits.pixels));
   }
 }
 
 size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size) {
   const uint64_t bytes = width * height * pixel_size;  // at most 2^32 * 16 after check_extent
   if (bytes > limits.bytes || bytes > PTRDIFF_MAX) {
-    fail(SHD_ERROR_LIMIT, "%llu decoded bytes are above load.max_bytes %llu", wide(bytes), wide(limits.bytes));
+    core::refuse(SHD_ERROR_LIMIT, "%llu decoded bytes are above load.max_bytes %llu", wide(bytes), wide(limits.bytes));
   }
   if (bytes > kRatioFloor && static_cast<double>(bytes) > limits.ratio * static_cast<double>(file_size)) {
-    fail(SHD_ERROR_LIMIT, "%llu decoded bytes from %zu are above load.max_ratio %g", wide(bytes), file_size,
-         limits.ratio);
+    core::refuse(SHD_ERROR_LIMIT, "%llu decoded bytes from %zu are above load.max_ratio %g", wide(bytes), file_size,
+                 limits.ratio);
   }
   return static_cast<size_t>(bytes);
 }
@@ -49,7 +49,7 @@ Deadline::Deadline(double seconds)
 
 void Deadline::check() const {
   if (std::chrono::steady_clock::now() >= end_) {
-    fail(SHD_ERROR_LIMIT, "decoding took longer than load.time_limit %g s", seconds_);
+    core::refuse(SHD_ERROR_LIMIT, "decoding took longer than load.time_limit %g s", seconds_);
   }
 }
 

@@ -22,19 +22,19 @@ constexpr uint64_t kRatioFloor = uint64_t{1} << 24;
 /// Largest width and height of a shd_image. [pixels]
 constexpr uint64_t kMaxSide = 65536;
 
-/// Fails unless a window of that size is within the budgets. `what` names it in the message.
+/// Throws Failure unless a window of that size is within the budgets. `what` names it in the message.
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
 
-/// Bytes of width * height pixels after check_extent; fails beyond limits.bytes or limits.ratio.
+/// Bytes of width * height pixels after check_extent; throws Failure beyond limits.bytes or limits.ratio.
 size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size);
 
-/// The moment a load must be done.
+/// The moment by which a load must be done.
 class Deadline {
  public:
   explicit Deadline(double seconds);
-  /// Fails with SHD_ERROR_LIMIT when the time has passed.
+  /// Throws Failure (SHD_ERROR_LIMIT) when the time has passed.
   void check() const;
-  /// Until the deadline, rounded up, 0 when it has passed. [ms]
+  /// Time until the deadline, rounded up; 0 when it has passed. [ms]
   int milliseconds_left() const;
 
  private:

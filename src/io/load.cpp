@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/load.h"
 
-#include "io/failure.h"
+#include "core/failure.h"
 #include "io/oiio.h"
 #include "io/scrub.h"
 #include "io/sniff.h"
@@ -9,15 +9,15 @@
 namespace shd::io {
 
 shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOptions& options) {
-  if (size == 0) fail(SHD_ERROR_CORRUPT, "the file is empty");
+  if (size == 0) core::refuse(SHD_ERROR_CORRUPT, "the file is empty");
   shd_file_format format = sniff(bytes, size);
   const bool any = (options.formats & SHD_FILE_FORMAT_ANY) != 0;
   if (format == SHD_FILE_FORMAT_NONE) {
-    if (!any) fail(SHD_ERROR_UNSUPPORTED, "the content is of no known image format");
+    if (!any) core::refuse(SHD_ERROR_UNSUPPORTED, "the content is of no known image format");
     return SHD_FILE_FORMAT_ANY;
   }
   if (!any && (options.formats & static_cast<uint32_t>(format)) == 0) {
-    fail(SHD_ERROR_UNSUPPORTED, "the content is %s, which load.formats does not allow", format_name(format));
+    core::refuse(SHD_ERROR_UNSUPPORTED, "the content is %s, which load.formats does not allow", format_name(format));
   }
   check_header(format, bytes, size, options.limits);
   return format;
@@ -28,7 +28,7 @@ Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const
   const shd_file_format format = accept(bytes, size, options);
   const bool complete = format != SHD_FILE_FORMAT_JPEG || jpeg_is_complete(bytes, size);
   const bool strict = (options.flags & SHD_LOAD_PARTIAL) == 0;
-  if (!complete && strict) fail(SHD_ERROR_CORRUPT, "JPEG: the end is missing");
+  if (!complete && strict) core::refuse(SHD_ERROR_CORRUPT, "JPEG: the end is missing");
   const size_t scrubbed = scrub(format, bytes, size, strict);
   return decode(format, bytes, scrubbed, size, complete, options, memory, deadline);
 }

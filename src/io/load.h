@@ -5,7 +5,7 @@
 
 namespace shd::io {
 
-/// Format of the bytes, allowed by the options and with a header within the limits; fails otherwise.
+/// Format of the bytes, allowed by the options and with a header within the limits; throws Failure otherwise.
 shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOptions& options);
 
 /// Decodes in this process. `bytes` is scrubbed in place.

@@ -7,14 +7,14 @@
 
 namespace shd::io {
 
-/// Where buffers come from: the host's allocator, or malloc in the worker. Aligned to 64 bytes.
+/// The source of buffers: the host's allocator, or malloc in the worker. Blocks are aligned to 64 bytes.
 struct Memory {
   void* owner;
   void* (*allocate)(void* owner, size_t size);
   void (*free)(void* owner, void* memory, size_t size);
 };
 
-/// Bytes it owns.
+/// An owned block of bytes.
 class Buffer {
  public:
   Buffer() = default;

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "io/failure.h"
+#include "core/failure.h"
 
 namespace shd::io {
 
@@ -13,11 +13,11 @@ MemoryFile::MemoryFile(bool wanted, const unsigned char* bytes, size_t size) {
   if (!wanted) return;
 #ifdef __linux__
   file_ = FileDescriptor(::memfd_create("shd", MFD_CLOEXEC));
-  if (file_.fd < 0) fail_errno("cannot create", "an anonymous file", errno);
+  if (file_.fd < 0) refuse_errno("cannot create", "an anonymous file", errno);
   while (size > 0) {
     const ssize_t put = ::write(file_.fd, bytes, size);
     if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) fail_errno("cannot write", "an anonymous file", put < 0 ? errno : ENOSPC);
+    if (put <= 0) refuse_errno("cannot write", "an anonymous file", put < 0 ? errno : ENOSPC);
     bytes += put;
     size -= static_cast<size_t>(put);
   }
@@ -25,7 +25,7 @@ MemoryFile::MemoryFile(bool wanted, const unsigned char* bytes, size_t size) {
 #else
   (void)bytes;
   (void)size;
-  fail(SHD_ERROR_UNSUPPORTED, "SHD_FILE_FORMAT_ANY needs anonymous files, which this system lacks");
+  core::refuse(SHD_ERROR_UNSUPPORTED, "SHD_FILE_FORMAT_ANY needs anonymous files, which this system lacks");
 #endif
 }
 

@@ -8,7 +8,7 @@
 
 namespace shd::io {
 
-/// An anonymous file with a path, for decoders that want one.
+/// An anonymous file with a path, for decoders that need a path.
 class MemoryFile {
  public:
   /// Makes the file if `wanted`; the bytes are copied.

@@ -9,9 +9,10 @@
 #include <cstring>
 #include <memory>
 
+#include "core/failure.h"
 #include "io/channels.h"
-#include "io/failure.h"
 #include "io/memory_file.h"
+#include "io/printable.h"
 #include "io/sniff.h"
 #include "io/transfer.h"
 
@@ -35,7 +36,7 @@ constexpr Reader kReaders[] = {
     {SHD_FILE_FORMAT_GIF, "gif"},
 };
 
-/// An input or output whose pending errors are fetched at its end: OpenImageIO prints those nobody asked for.
+/// An input or output whose pending errors are fetched at its end: OpenImageIO prints errors that are not fetched.
 template <class Handle>
 struct Quiet {
   std::unique_ptr<Handle> handle;
@@ -72,8 +73,8 @@ struct Decoder {
   OIIO::TypeDesc type;
 };
 
-[[noreturn]] void fail_decode(Decoder& d, const char* action) {
-  fail(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
+[[noreturn]] void refuse_decode(Decoder& d, const char* action) {
+  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
 }
 
 void open_input(Decoder& d, const MemoryFile& file) {
@@ -82,7 +83,8 @@ void open_input(Decoder& d, const MemoryFile& file) {
   if (d.format == SHD_FILE_FORMAT_ANY) {
     d.input.handle = OIIO::ImageInput::open(file.path(), &config);
     if (!d.input.handle) {
-      fail(SHD_ERROR_UNSUPPORTED, "no reader of OpenImageIO takes the file: %s", printable(d.input.error()).c_str());
+      core::refuse(SHD_ERROR_UNSUPPORTED, "no reader of OpenImageIO takes the file: %s",
+                   printable(d.input.error()).c_str());
     }
     d.spec = d.input.handle->spec();
     return;
@@ -90,28 +92,31 @@ void open_input(Decoder& d, const MemoryFile& file) {
   const auto* reader =
       std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
   d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
-  if (!d.input.handle) fail(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without it", format_name(d.format));
+  if (!d.input.handle)
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without it", format_name(d.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) fail_decode(d, "cannot open");
+  if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
 }
 
-/// Fails on images this library does not take, with everything the spec says checked before it is used.
+/// Checks every field of the spec before its use, and refuses images that this library does not read.
 void check_spec(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const Limits& limits = d.options.limits;
-  if (spec.deep) fail(SHD_ERROR_UNSUPPORTED, "deep images are not supported");
-  if (spec.depth > 1 || spec.full_depth > 1) fail(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
-  if (spec.nchannels < 1) fail(SHD_ERROR_CORRUPT, "%d channels", spec.nchannels);
-  if (spec.nchannels > kMaxChannels) fail(SHD_ERROR_LIMIT, "%d channels are above %d", spec.nchannels, kMaxChannels);
+  if (spec.deep) core::refuse(SHD_ERROR_UNSUPPORTED, "deep images are not supported");
+  if (spec.depth > 1 || spec.full_depth > 1) core::refuse(SHD_ERROR_UNSUPPORTED, "volumes are not supported");
+  if (spec.nchannels < 1) core::refuse(SHD_ERROR_CORRUPT, "%d channels", spec.nchannels);
+  if (spec.nchannels > kMaxChannels)
+    core::refuse(SHD_ERROR_LIMIT, "%d channels are above %d", spec.nchannels, kMaxChannels);
   const auto side = [](int value) { return static_cast<uint64_t>(value < 0 ? 0 : value); };
   check_extent(limits, "image", side(spec.width), side(spec.height));
   check_extent(limits, "display window", side(spec.full_width), side(spec.full_height));
-  if (spec.tile_width < 0 || spec.tile_height < 0 || spec.tile_depth > 1) fail(SHD_ERROR_CORRUPT, "bad tile size");
+  if (spec.tile_width < 0 || spec.tile_height < 0 || spec.tile_depth > 1)
+    core::refuse(SHD_ERROR_CORRUPT, "bad tile size");
   const uint64_t tile = side(spec.tile_width) * side(spec.tile_height);
   const uint64_t row = std::max(tile, side(spec.width)) * side(spec.nchannels) * 8;
   if (tile > limits.pixels || row > std::max(limits.bytes, uint64_t{1} << 26)) {
-    fail(SHD_ERROR_LIMIT, "a tile or row of the file is above load.max_bytes");
+    core::refuse(SHD_ERROR_LIMIT, "a tile or row of the file is above load.max_bytes");
   }
 }
 
@@ -210,7 +215,7 @@ void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
     const int y_end = std::min(spec.height, y + step);
     std::memset(band.data(), 0, band.size());  // a decoder may succeed without writing all of it
     if (!read_rows(d, y, y_end, band.data())) {
-      if (!(d.options.flags & SHD_LOAD_PARTIAL)) fail_decode(d, "damaged");
+      if (!(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
       salvage_rows(d, band.data(), y, y_end, out);
       return;
     }
@@ -241,7 +246,7 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
   check_spec(d);
   if (d.options.subimage > 0) {
     if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), 0)) {
-      fail(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
+      core::refuse(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
     }
     d.spec = d.input.handle->spec();
     check_spec(d);
@@ -306,12 +311,12 @@ Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, s
     const MemoryFile file(format == SHD_FILE_FORMAT_ANY, bytes, size);
     Decoder decoder{format, options, deadline, &proxy, {}, {}, {}, 0, 0, {}};
     return decode_with(decoder, file, file_size, complete, memory);
-  } catch (const Failure&) {
+  } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    fail(SHD_ERROR_CORRUPT, "%s: %s", format_name(format), printable(error.what()).c_str());
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(format), printable(error.what()).c_str());
   }
 }
 
@@ -320,21 +325,21 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
   OIIO::Filesystem::IOVecOutput proxy(bytes);
   Quiet<OIIO::ImageOutput> output;
   output.handle = OIIO::ImageOutput::create(job.writer, nullptr, "");
-  if (!output.handle) fail(SHD_ERROR_UNSUPPORTED, "OpenImageIO was built without a writer of %s", job.writer);
+  if (!output.handle) core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO was built without a writer of %s", job.writer);
   const OIIO::ImageSpec spec = encode_spec(job);
   output.handle->threads(1);
   output.handle->set_ioproxy(&proxy);
-  const auto require = [&](bool ok) {
-    if (!ok) fail(SHD_ERROR_IO, "cannot encode %s: %s", job.writer, printable(output.error()).c_str());
+  const auto require_ok = [&](bool ok) {
+    if (!ok) core::refuse(SHD_ERROR_IO, "cannot encode %s: %s", job.writer, printable(output.error()).c_str());
   };
-  require(output.handle->open(std::string("memory.") + job.writer, spec));
+  require_ok(output.handle->open(std::string("memory.") + job.writer, spec));
   std::vector<unsigned char> row(spec.scanline_bytes(true));
   const auto stride = static_cast<OIIO::stride_t>(spec.pixel_bytes(true));
   for (uint32_t y = 0; y < job.height; ++y) {
     job.row(job.user_data, y, row.data());
-    require(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data(), stride));
+    require_ok(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data(), stride));
   }
-  require(output.handle->close());
+  require_ok(output.handle->close());
   output.handle.reset();
   return bytes;
 }

@@ -9,7 +9,7 @@
 
 namespace shd::io {
 
-/// Decodes a file whose header has been checked. Fails on damage unless SHD_LOAD_PARTIAL allows missing rows.
+/// Decodes a file whose header has been checked. Refuses damaged files unless SHD_LOAD_PARTIAL allows missing rows.
 /// `complete` false = the file is known to be cut off. file_size: of the file before scrubbing.
 Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
               const LoadOptions& options, const Memory& memory, const Deadline& deadline);
@@ -39,7 +39,8 @@ struct EncodeJob {
 /// The bytes of the file.
 std::vector<unsigned char> encode(const EncodeJob& job);
 
-/// For a process of our own: no threads of OpenImageIO or OpenEXR, and its own limits as a second line.
+/// Sets attributes of the whole process, for the worker: no threads of OpenImageIO or OpenEXR, and OpenImageIO's own
+/// limits as a second line of defence.
 void limit_process(uint64_t max_bytes);
 
 }  // namespace shd::io

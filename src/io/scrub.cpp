@@ -2,9 +2,10 @@
 #include "io/scrub.h"
 
 #include <cstring>
+#include <initializer_list>
 
+#include "core/failure.h"
 #include "io/byte_reader.h"
-#include "io/failure.h"
 
 namespace shd::io {
 
@@ -60,13 +61,13 @@ size_t scrub_png(unsigned char* bytes, size_t size, bool strict) {
     const bool wanted = is_wanted_chunk(in, at + 4);
     const bool damaged = wanted && crc32(bytes + at + 4, length - 8) != in.u32(at + length - 4);
     const bool misplaced = in.is(at + 4, "IHDR", 4) != (at == 8);
-    if (strict && (damaged || misplaced)) fail(SHD_ERROR_CORRUPT, "PNG: the chunk at byte %zu is damaged", at);
+    if (strict && (damaged || misplaced)) core::refuse(SHD_ERROR_CORRUPT, "PNG: the chunk at byte %zu is damaged", at);
     data = data || in.is(at + 4, "IDAT", 4);
     end = in.is(at + 4, "IEND", 4);
     if (wanted) out.keep(at, length);
     at += length;
   }
-  if (strict && !(data && end)) fail(SHD_ERROR_CORRUPT, "PNG: cut off at byte %zu", size);
+  if (strict && !(data && end)) core::refuse(SHD_ERROR_CORRUPT, "PNG: cut off at byte %zu", size);
   if (!end) out.keep(at, size - at);
   return out.kept;
 }
@@ -132,7 +133,7 @@ uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, ui
   return in.number((inside ? value : in.number(value, layout.offset_size)) + index * size, size);
 }
 
-/// Fails when a strip or tile lies beyond the end of the file: libtiff fills in what it does not find.
+/// Refuses strips and tiles beyond the end of the file: libtiff would fill in missing pixels.
 void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
   uint64_t offsets = 0, sizes = 0;
   for (uint64_t i = 0; i < count; ++i) {
@@ -147,7 +148,7 @@ void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLay
     const uint64_t at = field_value(in, offsets, layout, i);
     if (!in.has(at, field_value(in, sizes, layout, i))) in.ok = false;
   }
-  if (!in.ok) fail(SHD_ERROR_CORRUPT, "TIFF: strips or tiles beyond the end of the file");
+  if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "TIFF: strips or tiles beyond the end of the file");
 }
 
 /// Drops metadata entries of the directory at `at` and returns the offset of the next one, 0 at the end.

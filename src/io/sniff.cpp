@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/sniff.h"
 
+#include "core/failure.h"
 #include "io/bmp_header.h"
 #include "io/byte_reader.h"
 #include "io/dds_header.h"
 #include "io/exr_header.h"
-#include "io/failure.h"
 
 namespace shd::io {
 
@@ -159,7 +159,7 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
   }
   bool truncated = false;
   const Extent extent = declared_extent(format, bytes, size, &truncated);
-  if (truncated) fail(SHD_ERROR_CORRUPT, "%s header is cut off", format_name(format));
+  if (truncated) core::refuse(SHD_ERROR_CORRUPT, "%s header is cut off", format_name(format));
   const bool fixed = extent.width != 0 || extent.height != 0;
   if (fixed || (format != SHD_FILE_FORMAT_JPEG && format != SHD_FILE_FORMAT_TIFF && format != SHD_FILE_FORMAT_HDR &&
                 format != SHD_FILE_FORMAT_PNM && format != SHD_FILE_FORMAT_NONE)) {

@@ -16,9 +16,8 @@ shd_file_format sniff(const unsigned char* bytes, size_t size);
 /// Name for messages, such as "PNG".
 const char* format_name(shd_file_format format);
 
-/// Fails when the header at the front of the file declares a size beyond the limits or a kind of image that is
-/// not supported. Formats whose decoder takes no memory before it has told the size are left to the check after
-/// opening.
+/// Refuses a header that declares a size beyond the limits or a kind of image that is not supported. Formats whose
+/// decoder reports the size before it takes memory are checked after opening instead.
 void check_header(shd_file_format format, const unsigned char* bytes, size_t size, const Limits& limits);
 
 /// A complete JPEG stream ends with an EOI marker; the decoder silently fills what is missing with grey.

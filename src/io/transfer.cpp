@@ -6,6 +6,9 @@
 #include <cstring>
 #include <vector>
 
+#include "image/half.h"
+#include "image/srgb.h"
+
 namespace shd::io {
 
 namespace {
@@ -29,8 +32,8 @@ std::string lower(const std::string& text) {
   return out;
 }
 
-bool says_linear(const std::string& said) {
-  const std::string text = lower(said);
+bool is_linear_name(const std::string& reported) {
+  const std::string text = lower(reported);
   return text == "linear" || text == "scene_linear" || text == "lin_srgb" || text == "lin_rec709" ||
          text == "linear rec.709" || text == "linear rec.709 (srgb)";
 }
@@ -58,7 +61,9 @@ double normal_value(shd_format format, const unsigned char* at) {
     case SHD_FORMAT_RGBA8:
     case SHD_FORMAT_RGBA8_SRGB: return at[0] / 255.0;
     case SHD_FORMAT_RGBA16: std::memcpy(&word, at, sizeof word); return word / 65535.0;
-    case SHD_FORMAT_RGBA16F: std::memcpy(&word, at, sizeof word); return static_cast<double>(float_from_half(word));
+    case SHD_FORMAT_RGBA16F:
+      std::memcpy(&word, at, sizeof word);
+      return static_cast<double>(image::half_to_float(word));
     default: std::memcpy(&number, at, sizeof number); return static_cast<double>(number);
   }
 }
@@ -88,7 +93,7 @@ Transfer transfer_of(const std::string& color_space) {
   const std::string text = lower(color_space);
   if (text == "srgb") return {Curve::kSrgb, 1};
   if (text == "rec709") return {Curve::kRec709, 1};
-  if (text == "data" || text == "raw" || text == "acescg" || text == "aces2065-1" || says_linear(text)) {
+  if (text == "data" || text == "raw" || text == "acescg" || text == "aces2065-1" || is_linear_name(text)) {
     return {Curve::kLinear, 1};
   }
   if (text.rfind("linear (", 0) == 0) return {Curve::kLinear, 1};
@@ -99,7 +104,7 @@ Transfer transfer_of(const std::string& color_space) {
   return {};
 }
 
-std::string name_color_space(shd_color_encoding wanted, const std::string& said, bool integers,
+std::string name_color_space(shd_color_encoding wanted, const std::string& reported, bool integers,
                              const float* chromaticities) {
   switch (wanted) {
     case SHD_COLOR_ENCODING_SRGB: return "sRGB";
@@ -107,71 +112,27 @@ std::string name_color_space(shd_color_encoding wanted, const std::string& said,
     case SHD_COLOR_ENCODING_DATA: return "data";
     default: break;
   }
-  if (said.empty() && integers) return "sRGB";
-  if (said.empty() || says_linear(said)) {
+  if (reported.empty() && integers) return "sRGB";
+  if (reported.empty() || is_linear_name(reported)) {
     if (!chromaticities || near_all(chromaticities, kRec709)) return "Linear Rec.709";
     if (near_all(chromaticities, kAp1)) return "ACEScg";
     if (near_all(chromaticities, kAp0)) return "ACES2065-1";
     return "Linear (other primaries)";
   }
-  if (lower(said) == "srgb") return "sRGB";
+  if (lower(reported) == "srgb") return "sRGB";
   std::string name;
-  for (const char c : said.substr(0, 63)) name += c > 0x20 - 1 && c < 0x7f ? c : '?';
+  for (const char c : reported.substr(0, 63)) name += c > 0x20 - 1 && c < 0x7f ? c : '?';
   return name;
 }
 
 double decode(const Transfer& transfer, double value) {
   if (value < 0) return -decode(transfer, -value);
   switch (transfer.curve) {
-    case Curve::kSrgb: return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    case Curve::kSrgb: return image::srgb_to_linear(value);
     case Curve::kRec709: return value < 0.081 ? value / 4.5 : std::pow((value + 0.099) / 1.099, 1 / 0.45);
     case Curve::kGamma: return std::pow(value, transfer.gamma);
     default: return value;
   }
-}
-
-double encode_srgb(double light) {
-  return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
-
-uint16_t half_from_float(float value) {
-  uint32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  const auto sign = static_cast<uint16_t>((bits >> 16) & 0x8000);
-  bits &= 0x7fffffff;
-  if (bits > 0x7f800000) return static_cast<uint16_t>(sign | 0x7e00 | ((bits >> 13) & 0x1ff));
-  if (bits >= 0x47800000) return static_cast<uint16_t>(sign | 0x7c00);  // 2^16 and above, infinity
-  if (bits < 0x33000000) return sign;                                   // below half the smallest denormal
-  uint32_t mantissa, shift;
-  if (bits < 0x38800000) {  // denormal halves: count multiples of 2^-24
-    mantissa = (bits & 0x7fffff) | 0x800000;
-    shift = 126 - (bits >> 23);
-  } else {
-    mantissa = bits - 0x38000000;
-    shift = 13;
-  }
-  const uint32_t below = mantissa & ((1u << shift) - 1);
-  const uint32_t middle = 1u << (shift - 1);
-  uint32_t half = mantissa >> shift;
-  if (below > middle || (below == middle && (half & 1))) ++half;  // a carry runs into the exponent, as it should
-  return static_cast<uint16_t>(sign | half);
-}
-
-float float_from_half(uint16_t half) {
-  const uint32_t sign = static_cast<uint32_t>(half & 0x8000) << 16;
-  const uint32_t exponent = (half >> 10) & 0x1f;
-  const uint32_t mantissa = half & 0x3ff;
-  uint32_t bits;
-  if (exponent == 0) {
-    const float value = static_cast<float>(mantissa) * 0x1p-24f;
-    std::memcpy(&bits, &value, sizeof bits);
-    bits |= sign;
-  } else {
-    bits = sign | (exponent == 31 ? 0x7f800000 : (exponent + 112) << 23) | mantissa << 13;
-  }
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
 }
 
 void linearise(const Transfer& transfer, shd_format format, const void* in, size_t count, float* out) {

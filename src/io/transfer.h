@@ -21,20 +21,13 @@ struct Transfer {
 /// The curve of a colour space by name (shd_bitmap_color_space lists them).
 Transfer transfer_of(const std::string& color_space);
 
-/// Name of the colour space of a file. `said` is what the decoder reports ("" = nothing); `chromaticities` are the
+/// Name of the colour space of a file. `reported` is what the decoder reports ("" = nothing); `chromaticities` are the
 /// x, y of red, green, blue and white, or null.
-std::string name_color_space(shd_color_encoding wanted, const std::string& said, bool integers,
+std::string name_color_space(shd_color_encoding wanted, const std::string& reported, bool integers,
                              const float* chromaticities);
 
-/// Stored number to light. sRGB: IEC 61966-2-1; Rec709: inverse OETF of ITU-R BT.709-6, 1.2. Odd around 0.
+/// Stored number to light. sRGB: image/srgb.h; Rec709: inverse OETF of ITU-R BT.709-6, 1.2. Odd around 0.
 double decode(const Transfer& transfer, double value);
-
-/// Light to sRGB number; the argument is in [0, 1].
-double encode_srgb(double light);
-
-/// IEEE 754 binary16 and binary32; rounds to nearest even, overflows to infinity, keeps NaN.
-uint16_t half_from_float(float value);
-float float_from_half(uint16_t half);
 
 /// RGBA pixels of a bitmap format to linear RGBA32F; alpha is only converted. in and out: [count], packed.
 void linearise(const Transfer& transfer, shd_format format, const void* in, size_t count, float* out);

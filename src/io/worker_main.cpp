@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. It takes what it must not exceed from the
-// kernel's limits, so that a decoder gone wrong takes this process with it and nothing else.
+// shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. Limits of the operating system bound its memory and
+// time, so that a decoder that fails ends this process and no other.
 #include <sys/resource.h>
 #include <sys/socket.h>
 #ifdef __linux__
@@ -15,7 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "io/failure.h"
+#include "core/guard.h"
 #include "io/load.h"
 #include "io/oiio.h"
 #include "io/worker_protocol.h"
@@ -108,15 +108,16 @@ LoadOptions options_of(const WorkerRequest& request) {
   return options;
 }
 
-void refuse(shd_result code, const char* text, WorkerReply* reply) {
-  reply->code = static_cast<uint32_t>(code);
-  std::strncpy(reply->message, text, sizeof reply->message - 1);
-}
-
-/// Decodes the file of a request; a failure ends in the reply.
+/// Decodes the file of a request; a failure is stored in the reply.
 Bitmap answer(const WorkerRequest& request, WorkerReply* reply) {
   Bitmap bitmap;
-  try {
+  const auto report = [&](shd_result code, const char* text) {
+    reply->code = static_cast<uint32_t>(code);
+    if (code == SHD_ERROR_OUT_OF_MEMORY) text = "out of memory in the worker";
+    std::strncpy(reply->message, text, sizeof reply->message - 1);
+    return code;
+  };
+  shd::core::guard(report, [&] {
     Buffer bytes(kPlain, request.size);
     if (!receive_all(bytes.data(), bytes.size())) std::_Exit(3);
     const Deadline deadline(request.limits.seconds);
@@ -128,13 +129,8 @@ Bitmap answer(const WorkerRequest& request, WorkerReply* reply) {
     reply->size = bitmap.pixels.size();
     reply->info = bitmap.info;
     std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
-  } catch (const Failure& failure) {
-    refuse(failure.code, failure.what(), reply);
-  } catch (const std::bad_alloc&) {
-    refuse(SHD_ERROR_OUT_OF_MEMORY, "out of memory in the worker", reply);
-  } catch (const std::exception& error) {
-    refuse(SHD_ERROR_INTERNAL, error.what(), reply);
-  }
+    return SHD_OK;
+  });
   return bitmap;
 }
 

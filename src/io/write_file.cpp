@@ -12,8 +12,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/failure.h"
+#include "core/failure.h"
 #include "io/file_descriptor.h"
+#include "io/printable.h"
 
 namespace shd::io {
 
@@ -39,7 +40,7 @@ std::string resolve(const char* path) {
   struct stat status;
   if (::lstat(path, &status) != 0 || !S_ISLNK(status.st_mode)) return path;
   char* target = ::realpath(path, nullptr);
-  if (!target) fail_errno("cannot follow", path, errno);
+  if (!target) refuse_errno("cannot follow", path, errno);
   const std::string resolved(target);
   std::free(target);
   return resolved;
@@ -58,7 +59,7 @@ void open_temporary(const std::string& path, Temporary* out) {
     if (out->file.fd >= 0) return;
     error = errno;
   }
-  fail_errno("cannot create a file beside", path.c_str(), error);
+  refuse_errno("cannot create a file beside", path.c_str(), error);
 }
 
 void write_all(int fd, const void* bytes, size_t size, const std::string& path) {
@@ -67,7 +68,7 @@ void write_all(int fd, const void* bytes, size_t size, const std::string& path) 
     constexpr size_t kChunk = size_t{1} << 26;
     const ssize_t put = ::write(fd, next, std::min(size, kChunk));
     if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) fail_errno("cannot write", path.c_str(), put < 0 ? errno : ENOSPC);
+    if (put <= 0) refuse_errno("cannot write", path.c_str(), put < 0 ? errno : ENOSPC);
     next += put;
     size -= static_cast<size_t>(put);
   }
@@ -80,16 +81,16 @@ void write_file(const char* path_in, const void* bytes, size_t size) {
   struct stat old;
   const bool replaces = ::stat(path.c_str(), &old) == 0;
   if (replaces && !S_ISREG(old.st_mode)) {
-    fail(SHD_ERROR_IO, "\"%s\" is not a regular file: not replaced", printable(path).c_str());
+    core::refuse(SHD_ERROR_IO, "\"%s\" is not a regular file: not replaced", printable(path).c_str());
   }
   Temporary temporary;
   open_temporary(path, &temporary);
   if (replaces && ::fchmod(temporary.file.fd, old.st_mode & 07777) != 0) {
-    fail_errno("cannot keep the permissions of", path.c_str(), errno);
+    refuse_errno("cannot keep the permissions of", path.c_str(), errno);
   }
   write_all(temporary.file.fd, bytes, size, path);
-  if (::fsync(temporary.file.fd) != 0) fail_errno("cannot flush", path.c_str(), errno);
-  if (::rename(temporary.name.c_str(), path.c_str()) != 0) fail_errno("cannot rename to", path.c_str(), errno);
+  if (::fsync(temporary.file.fd) != 0) refuse_errno("cannot flush", path.c_str(), errno);
+  if (::rename(temporary.name.c_str(), path.c_str()) != 0) refuse_errno("cannot rename to", path.c_str(), errno);
   temporary.renamed = true;
   // The name is durable once its folder is; some file systems refuse this, and the file is whole either way.
   const FileDescriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

@@ -102,8 +102,7 @@ ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   double largest = largest_;
   for (int k = 0; k < 3; ++k) largest = std::fmax(largest, std::fabs(static_cast<double>(light_.position[k])));
   if (!(largest <= kMaxCoordinate)) {
-    throw core::Failure(
-        core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.draws: bounds of %g exceed %g", largest, kMaxCoordinate));
+    core::refuse(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.draws: bounds of %g exceed %g", largest, kMaxCoordinate);
   }
   ShadowPlacement placement = {};
   placement.kind = light_.kind;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "texture/lod.h"
 #include "texture/footprint/lod.h"
 
 namespace shd::material {

@@ -17,17 +17,16 @@ void call(const DrawShading& shading, const char* name, const Body& body) {
   try {
     body();
   } catch (const std::exception& error) {
-    throw core::Failure(
-        core::fail(SHD_ERROR_CALLBACK, "%s threw in render.draws[%u]: %s", name, shading.draw, error.what()));
+    core::refuse(SHD_ERROR_CALLBACK, "%s threw in render.draws[%u]: %s", name, shading.draw, error.what());
   } catch (...) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "%s threw in render.draws[%u]", name, shading.draw));
+    core::refuse(SHD_ERROR_CALLBACK, "%s threw in render.draws[%u]", name, shading.draw);
   }
 }
 
 void require_count(const DrawShading& shading, const char* name, size_t got, size_t expected) {
 #ifndef NDEBUG
   if (got != expected) {
-    throw core::Failure(core::fail(SHD_ERROR_CALLBACK, "%s changed the count in render.draws[%u]", name, shading.draw));
+    core::refuse(SHD_ERROR_CALLBACK, "%s changed the count in render.draws[%u]", name, shading.draw);
   }
 #else
   static_cast<void>(shading), static_cast<void>(name), static_cast<void>(got), static_cast<void>(expected);

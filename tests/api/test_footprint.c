@@ -308,6 +308,16 @@ static void edit_optional(shd_ray_differentials *r, shd_ray_cones *i, shd_deriva
     o->dvdx.data = NULL;
     (void)i;
 }
+static void edit_out_is_in(shd_ray_differentials *r, shd_ray_cones *i, shd_derivatives *o)
+{
+    r->dpdv[2].data = i->dpdv[2].data = o->dudy.data;
+    r->dpdv[2].stride = i->dpdv[2].stride = o->dudy.stride;
+}
+static void edit_outs_overlap(shd_ray_differentials *r, shd_ray_cones *i, shd_derivatives *o)
+{
+    o->dvdy = o->dvdx;
+    (void)r, (void)i;
+}
 
 static const struct argument_case k_arguments[] = {
     {"arguments/all", edit_nothing, "", ""},
@@ -319,6 +329,10 @@ static const struct argument_case k_arguments[] = {
     {"arguments/no_direction", edit_no_direction, "rays.direction[0].data: NULL", "cones.direction[0].data: NULL"},
     {"arguments/stride", edit_stride, "rays.dpdv[1].stride: 6", "cones.dpdv[1].stride: 6"},
     {"arguments/overflow", edit_overflow, "exceed the address space", "exceed the address space"},
+    {"arguments/out_is_in", edit_out_is_in, "derivatives.dudy: overlaps rays.dpdv[2]",
+     "derivatives.dudy: overlaps cones.dpdv[2]"},
+    {"arguments/outs_overlap", edit_outs_overlap, "derivatives.dvdy: overlaps derivatives.dvdx",
+     "derivatives.dvdy: overlaps derivatives.dvdx"},
 };
 
 static void test_arguments(void **state)

@@ -169,13 +169,49 @@ static void test_arguments(void **state)
     shd_sampler_release(sampler);
 }
 
+static float g_shared[4 * POINTS + 2];
+
+struct overlap_case {
+    const char *name;
+    size_t in, in_stride, lod, lod_stride, level, level_stride; /**< elements of g_shared; 0 strides = packed */
+    const char *message;                                        /**< "" = accepted */
+};
+static const struct overlap_case k_overlaps[] = {
+    {"overlaps/apart", 0, 4, 1, 4, 2, 4, ""},
+    {"overlaps/lod_is_in", 0, 4, 0, 4, 2, 4, "levels.lod: overlaps lookups.lod"},
+    {"overlaps/packed_level_over_in", 1, 4, 2, 4, 0, 0, "levels.level: overlaps lookups.lod"},
+    {"overlaps/level_is_lod", 0, 4, 1, 4, 1, 4, "levels.level: overlaps levels.lod"},
+    {"overlaps/one_row_later", 0, 2, 1, 2, 3, 2, "levels.level: overlaps levels.lod"},
+};
+
+static void test_overlaps(void **state)
+{
+    const struct overlap_case *c = (const struct overlap_case *)*state;
+    shd_lookups lookups = make_lookups();
+    shd_sampler *sampler = NULL;
+    shd_levels out;
+    shd_assert_ok(shd_sampler_create(g_context, NULL, &sampler));
+    lookups.lod.data = g_shared + c->in;
+    lookups.lod.stride = 4 * c->in_stride;
+    out.lod.data = g_shared + c->lod;
+    out.lod.stride = 4 * c->lod_stride;
+    out.level.data = (uint32_t *)(void *)(g_shared + c->level);
+    out.level.stride = 4 * c->level_stride;
+    shd_assert_result(c->name, shd_texture_query_levels(g_texture, sampler, &lookups, &out),
+                      c->message[0] ? SHD_ERROR_INVALID_ARGUMENT : SHD_OK, c->message);
+    shd_sampler_release(sampler);
+}
+
 int main(void)
 {
-    struct CMUnitTest tests[16];
-    size_t n = 0;
+    struct CMUnitTest tests[32];
+    size_t n = 0, i;
     for (; n < sizeof k_cases / sizeof k_cases[0]; ++n) {
         tests[n] = (struct CMUnitTest){k_cases[n].name, test_levels, NULL, NULL, (void *)&k_cases[n]};
     }
     tests[n++] = (struct CMUnitTest){"arguments", test_arguments, NULL, NULL, NULL};
+    for (i = 0; i < sizeof k_overlaps / sizeof k_overlaps[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_overlaps[i].name, test_overlaps, NULL, NULL, (void *)&k_overlaps[i]};
+    }
     return _cmocka_run_group_tests("api.levels", tests, n, setup, teardown);
 }

@@ -255,6 +255,41 @@ static void test_lookups(void **state)
     shd_shadow_release(shadow);
 }
 
+/** Rows of eight floats: position, normal and two others. */
+static float g_rows[5][8];
+
+struct overlap_case {
+    const char *name;
+    size_t first, stride; /**< of `out`, in floats of g_rows */
+    const char *message;  /**< "" = accepted */
+};
+static const struct overlap_case k_overlaps[] = {
+    {"overlaps/apart", 6, 8, ""},
+    {"overlaps/position", 0, 8, "out: overlaps shadow_lookups.position[0]"},
+    {"overlaps/normal", 4, 8, "out: overlaps shadow_lookups.normal[1]"},
+    {"overlaps/a_row_later", 10, 8, "out: overlaps shadow_lookups.position[2]"},
+    {"overlaps/packed", 11, 1, "out: overlaps shadow_lookups.normal[0]"},
+};
+
+static void test_overlaps(void **state)
+{
+    const struct overlap_case *c = (const struct overlap_case *)*state;
+    shd_shadow_lookups lookups = shd_shadow_lookups_default();
+    shd_shadow *shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, g.light);
+    shd_f32_out out;
+    int k;
+    lookups.count = 4;
+    for (k = 0; k < 3; ++k) {
+        lookups.position[k].data = &g_rows[0][k];
+        lookups.normal[k].data = &g_rows[0][3 + k];
+        lookups.position[k].stride = lookups.normal[k].stride = sizeof g_rows[0];
+    }
+    out.data = &g_rows[0][0] + c->first;
+    out.stride = c->stride * sizeof(float);
+    shd_assert_result(c->name, shd_shadow_sample(shadow, &lookups, out), c->message[0] ? BAD : SHD_OK, c->message);
+    shd_shadow_release(shadow);
+}
+
 /* Interleaved points in a batch that several tasks share. */
 static void test_strides(void **state)
 {
@@ -306,6 +341,9 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"create/arguments", test_create_arguments, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"render/arguments", test_render_arguments, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"lookups", test_lookups, NULL, NULL, NULL};
+    for (i = 0; i < sizeof k_overlaps / sizeof k_overlaps[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_overlaps[i].name, test_overlaps, NULL, NULL, (void *)&k_overlaps[i]};
+    }
     tests[n++] = (struct CMUnitTest){"strides", test_strides, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.shadow", tests, n, set_up, tear_down);
 }

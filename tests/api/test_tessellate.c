@@ -666,7 +666,7 @@ static void test_bits(void **state)
     uint64_t want = 0;
     size_t run;
     (void)state;
-    for (run = 0; run < 4 + 7; ++run) {
+    for (run = 0; run < 4 + SHD_SIMD_WASM - SHD_SIMD_SCALAR + 1; ++run) {
         static const uint32_t k_workers[4] = {1, 2, 3, 16};
         static shd_pool pool = {0, SHD_POOL_RANDOM, 3};
         shd_context_desc context_desc = shd_context_desc_default();

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "core/context.h"

@@ -6,12 +6,12 @@
 
 #include <shd/extension.h>
 
-#include "abi/extension_desc.h"
-#include "abi/extension_guard.h"
 #include "color/apply.h"
 #include "color/config.h"
 #include "color/default_config.h"
 #include "color/source.h"
+#include "extension/desc.h"
+#include "extension/guard.h"
 
 namespace {
 
@@ -78,8 +78,8 @@ shd_image read_output_image(const char* name, const shd_image* in, uint32_t widt
   return image;
 }
 
-/// Either the same pixels or none in common.
-void check_overlap(const shd_image& in, const shd_image& out) {
+/// Refuses images that share pixels unless they are the same image.
+void require_no_overlap(const shd_image& in, const shd_image& out) {
   const auto* in_begin = static_cast<const unsigned char*>(in.pixels);
   const auto* out_begin = static_cast<const unsigned char*>(out.pixels);
   const bool same = in_begin == out_begin && in.format == out.format && in.row_stride == out.row_stride;
@@ -107,7 +107,7 @@ color::Planes read_planes(const shd_framebuffer* framebuffer, const shd_context*
   return planes;
 }
 
-/// Answer of a question that has no result code: what `body` finds, or `none` with the error text set.
+/// The value that `find` returns, or `none` with an error text: for functions that return no result.
 template <class Answer, class Find>
 Answer ask(Answer none, Find&& find) {
   Answer answer = none;
@@ -136,9 +136,7 @@ shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, sh
   return guard([&]() -> shd_result {
     if (!out_color) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_color: NULL");
     *out_color = nullptr;
-    if (shd_context_worker_count(context) == 0) {
-      refuse(SHD_ERROR_INVALID_ARGUMENT, context ? "context: not a live handle" : "context: NULL");
-    }
+    extension::require_context(context);
     shd_color_desc read = shd_color_desc_default();
     extension::read_desc("color", desc, &read);
     if (read.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "color.reserved: %u is not 0", read.reserved);
@@ -179,7 +177,7 @@ shd_result shd_color_apply_display_image(const shd_color* color, const shd_image
     const Body& body = body_of(color);
     const shd_image source = read_float_image("in", in);
     const shd_image image = read_output_image("out", out, source.width, source.height);
-    check_overlap(source, image);
+    require_no_overlap(source, image);
     const std::string from = read_space(body, "from_space", from_space);
     const color::TransformRef transform = to_display(body, from, display, view);
     color::apply_image(shd_object_context(object_of(color)), *transform, source, image);

@@ -3,30 +3,14 @@
 
 #include <shd/io.h>
 
-#include "abi/extension_desc.h"
-#include "abi/extension_guard.h"
-#include "io/failure.h"
+#include "extension/desc.h"
+#include "extension/guard.h"
 #include "io/memory.h"
 
 /// What the bodies of shd/io.h share.
 namespace shd::extension {
 
-/// guard() that also ends the exceptions of io/.
-template <class Body>
-shd_result io_guard(Body&& body) noexcept {
-  return guard([&]() -> shd_result {
-    try {
-      return body();
-    } catch (const io::Failure& failure) {
-      return fail(failure.code, "%s", failure.what());
-    }
-  });
-}
-
-inline void require_context(shd_context* context) {
-  if (shd_context_worker_count(context) == 0) throw Failure(SHD_ERROR_INVALID_ARGUMENT);  // which has set the text
-}
-
+/// Throws Failure for no path and an empty one.
 inline void require_path(const char* path) {
   if (!path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: NULL");
   if (!*path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: empty");

@@ -2,12 +2,14 @@
 #include <shd/io.h>
 
 #include <cmath>
+#include <cstring>
 #include <new>
 
-#include "abi/io_common.h"
+#include "abi/io/common.h"
 #include "io/io.h"
 #include "io/isolate.h"
 #include "io/load.h"
+#include "io/printable.h"
 #include "io/read_file.h"
 #include "io/transfer.h"
 
@@ -104,8 +106,8 @@ io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& 
   const io::Buffer bytes = io::read_file(path, request.options.limits, memory_of(context));
   try {
     return load_bytes(context, request, bytes.data(), bytes.size());
-  } catch (const io::Failure& failure) {
-    io::fail(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
+  } catch (const Failure& failure) {
+    refuse(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
   }
 }
 
@@ -129,7 +131,7 @@ io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
 extern "C" {
 
 shd_result shd_bitmap_load(shd_context* context, const char* path, const shd_load_desc* desc, shd_bitmap** out_bitmap) {
-  return io_guard([&]() -> shd_result {
+  return guard([&]() -> shd_result {
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
@@ -140,7 +142,7 @@ shd_result shd_bitmap_load(shd_context* context, const char* path, const shd_loa
 
 shd_result shd_bitmap_load_memory(shd_context* context, const void* bytes, size_t size, const shd_load_desc* desc,
                                   shd_bitmap** out_bitmap) {
-  return io_guard([&]() -> shd_result {
+  return guard([&]() -> shd_result {
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
@@ -196,7 +198,7 @@ shd_result shd_bitmap_get_info(const shd_bitmap* bitmap, shd_bitmap_info* out_in
 
 shd_result shd_texture_load(shd_context* context, const char* path, const shd_load_desc* desc,
                             shd_texture** out_texture) {
-  return io_guard([&]() -> shd_result {
+  return guard([&]() -> shd_result {
     if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
     *out_texture = nullptr;
     require_context(context);

@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "abi/io_common.h"
+#include "abi/io/common.h"
+#include "image/half.h"
+#include "image/srgb.h"
 #include "io/oiio.h"
+#include "io/printable.h"
 #include "io/transfer.h"
 #include "io/write_file.h"
 
@@ -18,7 +21,7 @@ using namespace shd::extension;
 using io::EncodeJob;
 using io::Sample;
 
-/// What a file extension stands for.
+/// The kind of file that an extension names.
 enum class Kind { kPng, kExr, kHdr, kTiff, kTga, kBmp };
 struct Extension {
   const char* text;
@@ -128,7 +131,7 @@ float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
 template <class T>
 void display_row(const void* user_data, uint32_t y, unsigned char* out) {
   const auto& planes = *static_cast<const Planes*>(user_data);
-  constexpr double kMaximum = T(~T(0));
+  constexpr double kMax = T(~T(0));
   for (uint32_t x = 0; x < planes.width; ++x) {
     T rgba[4];
     const double alpha = static_cast<double>(plane_value(planes, SHD_PLANE_A, x, y));
@@ -136,8 +139,8 @@ void display_row(const void* user_data, uint32_t y, unsigned char* out) {
       double value = c == 3 ? alpha : static_cast<double>(plane_value(planes, c, x, y));
       if (c < 3 && alpha > 0) value /= alpha;
       value = value > 0 ? (value < 1 ? value : 1) : 0;  // NaN to 0
-      if (c < 3 && planes.curve) value = io::encode_srgb(value);
-      rgba[c] = static_cast<T>(value * kMaximum + 0.5);
+      if (c < 3 && planes.curve) value = image::linear_to_srgb(value);
+      rgba[c] = static_cast<T>(value * kMax + 0.5);
     }
     std::memcpy(out + x * sizeof rgba, rgba, sizeof rgba);
   }
@@ -167,7 +170,7 @@ void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
       } else if (view.f32) {
         const float value = plane_value(planes, plane, x, y);
         const bool half = planes.half && plane <= SHD_PLANE_A;
-        const uint16_t narrow = io::half_from_float(value);
+        const uint16_t narrow = image::float_to_half(value);
         std::memcpy(out, half ? static_cast<const void*>(&narrow) : &value, half ? sizeof narrow : sizeof value);
         out += half ? sizeof narrow : sizeof value;
       }
@@ -327,7 +330,7 @@ void save_image(const shd_image& image, const char* path, const shd_save_desc& d
 extern "C" {
 
 shd_result shd_framebuffer_save(const shd_framebuffer* framebuffer, const char* path, const shd_save_desc* desc) {
-  return io_guard([&]() -> shd_result {
+  return guard([&]() -> shd_result {
     if (!framebuffer) return fail(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
     require_path(path);
     save_framebuffer(framebuffer, path, read_save_desc(desc));
@@ -336,7 +339,7 @@ shd_result shd_framebuffer_save(const shd_framebuffer* framebuffer, const char* 
 }
 
 shd_result shd_image_save(const shd_image* image, const char* path, const shd_save_desc* desc) {
-  return io_guard([&]() -> shd_result {
+  return guard([&]() -> shd_result {
     const shd_image read = read_image("image", image);
     require_path(path);
     save_image(read, path, read_save_desc(desc));

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Batches: the columns of one call, checked, split over the executor and handed to kernels as packed pieces.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <shd/column.h>
+
+#include "core/executor.h"
+#include "data/column.h"
+
+namespace shd::abi {
+
+/// A column of a caller, of float or uint32_t. Void is const void for inputs and void for outputs.
+template <class Void>
+struct BatchColumn {
+  const char* name;  // of its field, in messages
+  int index;         // in an array of columns with that name; -1 = none
+  bool required;
+  Void* data;     // null = absent
+  size_t stride;  // bytes from element to element; 0 = packed
+};
+using InColumn = BatchColumn<const void>;
+using OutColumn = BatchColumn<void>;
+
+enum class Need { kOptional, kRequired };
+
+template <class Column>
+InColumn in_column(const char* name, const Column& column, Need need, int index = -1) {
+  return {name, index, need == Need::kRequired, column.data, column.stride};
+}
+template <class Column>
+OutColumn out_column(const char* name, const Column& column, Need need, int index = -1) {
+  return {name, index, need == Need::kRequired, column.data, column.stride};
+}
+
+/// Elements [0, count) of the columns of a call.
+template <size_t kIn, size_t kOut>
+struct Batch {
+  size_t count;
+  std::array<InColumn, kIn> in;
+  std::array<OutColumn, kOut> out;
+};
+
+/// Elements of a batch next to each other, in the order of its columns; absent columns are null.
+template <size_t kIn, size_t kOut>
+struct Piece {
+  size_t count;
+  std::array<const void*, kIn> in;
+  std::array<void*, kOut> out;
+
+  const float* floats(size_t column) const { return static_cast<const float*>(in[column]); }
+  const uint32_t* integers(size_t column) const { return static_cast<const uint32_t*>(in[column]); }
+  float* out_floats(size_t column) const { return static_cast<float*>(out[column]); }
+  uint32_t* out_integers(size_t column) const { return static_cast<uint32_t*>(out[column]); }
+};
+
+/// Elements first..first + count - 1 of a piece.
+template <size_t kIn, size_t kOut>
+Piece<kIn, kOut> part_of(const Piece<kIn, kOut>& piece, size_t first, size_t count) {
+  Piece<kIn, kOut> part = {count, {}, {}};
+  for (size_t c = 0; c < kIn; ++c) part.in[c] = piece.in[c] ? piece.floats(c) + first : nullptr;
+  for (size_t c = 0; c < kOut; ++c) part.out[c] = piece.out[c] ? piece.out_floats(c) + first : nullptr;
+  return part;
+}
+
+/// Alignment, stride and size of each column, and that required ones are there if `count` is not 0.
+shd_result check_columns(const InColumn* columns, size_t column_count, size_t count);
+shd_result check_columns(const OutColumn* columns, size_t column_count, size_t count);
+
+/// That no output shares an element with an input or another output. Strides that differ are not compared unless one
+/// of the two columns is packed.
+shd_result check_overlap(const InColumn* in, size_t in_count, const OutColumn* out, size_t out_count, size_t count);
+
+/// All of the above for a batch.
+template <size_t kIn, size_t kOut>
+shd_result check_batch(const Batch<kIn, kOut>& batch) {
+  if (const shd_result result = check_columns(batch.in.data(), kIn, batch.count)) return result;
+  if (const shd_result result = check_columns(batch.out.data(), kOut, batch.count)) return result;
+  return check_overlap(batch.in.data(), kIn, batch.out.data(), kOut, batch.count);
+}
+
+namespace batch_detail {
+
+constexpr size_t kElementSize = sizeof(float);
+constexpr size_t kTaskElements = 16384;
+constexpr size_t kMaxTasks = size_t{1} << 20;
+constexpr size_t kStageElements = 128;  // 11 KB of stack for the columns of shd_texture_sample
+
+template <class Columns>
+bool is_packed(const Columns& columns) {
+  bool packed = true;
+  for (const auto& column : columns) packed = packed && (!column.data || data::is_packed(column.stride));
+  return packed;
+}
+
+template <class Byte, class Void>
+Byte* element_of(const BatchColumn<Void>& column, size_t index) {
+  return static_cast<Byte*>(column.data) + index * (column.stride ? column.stride : kElementSize);
+}
+
+/// run(piece) on up to kStageElements elements, through packed copies.
+template <size_t kIn, size_t kOut, class Run>
+void run_staged(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run& run) {
+  uint32_t stage[kIn + kOut][kStageElements];
+  Piece<kIn, kOut> piece = {count, {}, {}};
+  for (size_t c = 0; c < kIn; ++c) {
+    if (!batch.in[c].data) continue;
+    for (size_t i = 0; i < count; ++i) {
+      std::memcpy(&stage[c][i], element_of<const char>(batch.in[c], first + i), kElementSize);
+    }
+    piece.in[c] = stage[c];
+  }
+  for (size_t c = 0; c < kOut; ++c) piece.out[c] = batch.out[c].data ? stage[kIn + c] : nullptr;
+  run(static_cast<const Piece<kIn, kOut>&>(piece));
+  for (size_t c = 0; c < kOut; ++c) {
+    for (size_t i = 0; batch.out[c].data && i < count; ++i) {
+      std::memcpy(element_of<char>(batch.out[c], first + i), &stage[kIn + c][i], kElementSize);
+    }
+  }
+}
+
+}  // namespace batch_detail
+
+/// run(piece) for pieces that cover `count` elements from `first` on, on the calling thread. Columns that are packed
+/// are used where they are, others through copies. The results must not depend on where pieces end.
+template <size_t kIn, size_t kOut, class Run>
+void for_each_piece(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run&& run) {
+  using namespace batch_detail;
+  if (is_packed(batch.in) && is_packed(batch.out)) {
+    Piece<kIn, kOut> piece = {count, {}, {}};
+    for (size_t c = 0; c < kIn; ++c) {
+      if (batch.in[c].data) piece.in[c] = element_of<const char>(batch.in[c], first);
+    }
+    for (size_t c = 0; c < kOut; ++c) {
+      if (batch.out[c].data) piece.out[c] = element_of<char>(batch.out[c], first);
+    }
+    return run(static_cast<const Piece<kIn, kOut>&>(piece));
+  }
+  for (size_t done = 0; done < count; done += kStageElements) {
+    run_staged(batch, first + done, count - done < kStageElements ? count - done : kStageElements, run);
+  }
+}
+
+/// for_each_piece over the whole batch, concurrently on the context's executor.
+template <size_t kIn, size_t kOut, class Run>
+void run_batch(const core::Context& context, const Batch<kIn, kOut>& batch, Run&& run) {
+  using namespace batch_detail;
+  const size_t size = batch.count / kMaxTasks < kTaskElements ? kTaskElements : batch.count / kMaxTasks + 1;
+  const auto tasks = static_cast<uint32_t>(batch.count / size + (batch.count % size != 0));
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
+    const size_t first = task * size;
+    for_each_piece(batch, first, batch.count - first < size ? batch.count - first : size, run);
+  });
+}
+
+}  // namespace shd::abi

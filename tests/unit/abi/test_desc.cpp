@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Structs of callers with older and newer headers.
+#include "abi/desc.h"
+
+#include "support/check.h"
+
+namespace shd::tests {
+namespace {
+
+/// The struct as this version knows it.
+struct Desc {
+  uint32_t struct_size;
+  uint32_t first;
+  uint32_t appended;
+};
+
+/// The memory of a caller, with room behind its struct.
+struct Caller {
+  Desc desc;
+  uint32_t canary[2];
+};
+
+struct WriteCase {
+  const char* name;
+  uint32_t struct_size;
+  uint32_t appended;  // what is in the caller's struct afterwards
+};
+constexpr WriteCase kWriteCases[] = {
+    {"write_desc/same", sizeof(Desc), 3},
+    {"write_desc/older", offsetof(Desc, appended), 77},
+    {"write_desc/newer", sizeof(Caller), 3},
+};
+
+void test_write(void** state) {
+  const WriteCase& c = *static_cast<const WriteCase*>(*state);
+  Caller caller = {{c.struct_size, 77, 77}, {77, 77}};
+  abi::write_desc(Desc{1, 2, 3}, &caller.desc);
+  assert_int_equal(caller.desc.struct_size, c.struct_size);
+  assert_int_equal(caller.desc.first, 2);
+  assert_int_equal(caller.desc.appended, c.appended);
+  assert_int_equal(caller.canary[0], 77);
+  assert_int_equal(caller.canary[1], 77);
+}
+
+struct ReadCase {
+  const char* name;
+  uint32_t struct_size;
+  uint32_t unknown;  // in the bytes that this version does not know
+  shd_result result;
+  uint32_t appended;  // what is read; 9 = the default
+};
+constexpr ReadCase kReadCases[] = {
+    {"read_desc/same", sizeof(Desc), 5, SHD_OK, 3},
+    {"read_desc/older", offsetof(Desc, appended), 5, SHD_OK, 9},
+    {"read_desc/newer", sizeof(Caller), 0, SHD_OK, 3},
+    {"read_desc/newer_and_set", sizeof(Caller), 5, SHD_ERROR_UNSUPPORTED, 9},
+    {"read_desc/below_minimum", 4, 0, SHD_ERROR_INVALID_ARGUMENT, 9},
+};
+
+void test_read(void** state) {
+  const ReadCase& c = *static_cast<const ReadCase*>(*state);
+  const Caller caller = {{c.struct_size, 2, 3}, {0, c.unknown}};
+  Desc out = {0, 9, 9};
+  const shd_result result =
+      core::read_desc_bytes(core::fail, "desc", &caller, offsetof(Desc, appended), &out, sizeof out);
+  assert_int_equal(result, c.result);
+  assert_int_equal(out.first, result == SHD_OK ? 2 : 9);
+  assert_int_equal(out.appended, c.appended);
+}
+
+}  // namespace
+}  // namespace shd::tests
+
+int main() {
+  using namespace shd::tests;
+  static CMUnitTest tests[16];
+  size_t n = 0;
+  for (const WriteCase& c : kWriteCases)
+    tests[n++] = {c.name, test_write, nullptr, nullptr, const_cast<WriteCase*>(&c)};
+  for (const ReadCase& c : kReadCases) tests[n++] = {c.name, test_read, nullptr, nullptr, const_cast<ReadCase*>(&c)};
+  return _cmocka_run_group_tests("unit.abi.desc", tests, n, nullptr, nullptr);
+}
