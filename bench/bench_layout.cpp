@@ -50,10 +50,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class V>
 HWY_INLINE V Spread(V x) {
   const hn::DFromV<V> d;
-  x = hn::And(hn::Or(x, hn::ShiftLeft<8>(x)), hn::Set(d, 0x00FF00FF));
-  x = hn::And(hn::Or(x, hn::ShiftLeft<4>(x)), hn::Set(d, 0x0F0F0F0F));
-  x = hn::And(hn::Or(x, hn::ShiftLeft<2>(x)), hn::Set(d, 0x33333333));
-  return hn::And(hn::Or(x, hn::ShiftLeft<1>(x)), hn::Set(d, 0x55555555));
+  x = (x | hn::ShiftLeft<8>(x)) & hn::Set(d, 0x00FF00FF);
+  x = (x | hn::ShiftLeft<4>(x)) & hn::Set(d, 0x0F0F0F0F);
+  x = (x | hn::ShiftLeft<2>(x)) & hn::Set(d, 0x33333333);
+  return (x | hn::ShiftLeft<1>(x)) & hn::Set(d, 0x55555555);
 }
 
 /// What x adds to the index of a texel; y adds its own part.
@@ -61,9 +61,9 @@ template <Storage kStorage, class V>
 HWY_INLINE V PartOfX(V x) {
   const hn::DFromV<V> d;
   if constexpr (kStorage == Storage::kTiles4) {
-    return hn::Add(hn::ShiftLeft<4>(hn::ShiftRight<2>(x)), hn::And(x, hn::Set(d, 3)));
+    return hn::ShiftLeft<4>(hn::ShiftRight<2>(x)) + (x & hn::Set(d, 3));
   } else if constexpr (kStorage == Storage::kTiles8) {
-    return hn::Add(hn::ShiftLeft<6>(hn::ShiftRight<3>(x)), hn::And(x, hn::Set(d, 7)));
+    return hn::ShiftLeft<6>(hn::ShiftRight<3>(x)) + (x & hn::Set(d, 7));
   } else if constexpr (kStorage == Storage::kMorton) {
     return Spread(x);
   } else {
@@ -75,9 +75,9 @@ template <Storage kStorage, class V>
 HWY_INLINE V PartOfY(V y, int log2_edge) {
   const hn::DFromV<V> d;
   if constexpr (kStorage == Storage::kTiles4) {
-    return hn::Add(hn::ShiftLeftSame(hn::ShiftRight<2>(y), log2_edge + 2), hn::ShiftLeft<2>(hn::And(y, hn::Set(d, 3))));
+    return hn::ShiftLeftSame(hn::ShiftRight<2>(y), log2_edge + 2) + hn::ShiftLeft<2>(y & hn::Set(d, 3));
   } else if constexpr (kStorage == Storage::kTiles8) {
-    return hn::Add(hn::ShiftLeftSame(hn::ShiftRight<3>(y), log2_edge + 3), hn::ShiftLeft<3>(hn::And(y, hn::Set(d, 7))));
+    return hn::ShiftLeftSame(hn::ShiftRight<3>(y), log2_edge + 3) + hn::ShiftLeft<3>(y & hn::Set(d, 7));
   } else if constexpr (kStorage == Storage::kMorton) {
     return hn::ShiftLeft<1>(Spread(y));
   } else {
@@ -91,31 +91,31 @@ HWY_INLINE void FetchTaps(const LayoutJob& job, V x, V y, V* taps) {
   const hn::DFromV<V> di;
   const auto* words = reinterpret_cast<const int32_t*>(job.texels);
   const auto mask = hn::Set(di, (1 << job.log2_edge) - 1), one = hn::Set(di, 1);
-  const auto left = PartOfX<kStorage>(x), right = PartOfX<kStorage>(hn::And(hn::Add(x, one), mask));
+  const auto left = PartOfX<kStorage>(x), right = PartOfX<kStorage>((x + one) & mask);
   const auto top = PartOfY<kStorage>(y, job.log2_edge);
-  const auto bottom = PartOfY<kStorage>(hn::And(hn::Add(y, one), mask), job.log2_edge);
+  const auto bottom = PartOfY<kStorage>((y + one) & mask, job.log2_edge);
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   if constexpr (kFetch == Fetch::kPairs || kFetch == Fetch::kRows) {
     const hn::RebindToFloat<decltype(di)> d;
     const auto* bytes = reinterpret_cast<const uint8_t*>(job.texels);
-    const auto behind = hn::Eq(right, hn::Add(left, one));
+    const auto behind = hn::Eq(right, left + one);
     const bool all = hn::AllTrue(di, behind);
     if constexpr (kFetch == Fetch::kRows) {
       if (all && texture::HWY_NAMESPACE::FetchRows(d, bytes, top, bottom, left, &taps[0], &taps[1], &taps[2], &taps[3]))
         return;
     }
-    texture::HWY_NAMESPACE::GatherWordPairs(d, bytes, hn::Add(top, left), &taps[0], &taps[1]);
-    texture::HWY_NAMESPACE::GatherWordPairs(d, bytes, hn::Add(bottom, left), &taps[2], &taps[3]);
+    texture::HWY_NAMESPACE::GatherWordPairs(d, bytes, top + left, &taps[0], &taps[1]);
+    texture::HWY_NAMESPACE::GatherWordPairs(d, bytes, bottom + left, &taps[2], &taps[3]);
     if (HWY_LIKELY(all)) return;
-    taps[1] = hn::IfThenElse(behind, taps[1], hn::GatherIndex(di, words, hn::Add(top, right)));
-    taps[3] = hn::IfThenElse(behind, taps[3], hn::GatherIndex(di, words, hn::Add(bottom, right)));
+    taps[1] = hn::IfThenElse(behind, taps[1], hn::GatherIndex(di, words, top + right));
+    taps[3] = hn::IfThenElse(behind, taps[3], hn::GatherIndex(di, words, bottom + right));
     return;
   }
 #endif
-  taps[0] = hn::GatherIndex(di, words, hn::Add(top, left));
-  taps[1] = hn::GatherIndex(di, words, hn::Add(top, right));
-  taps[2] = hn::GatherIndex(di, words, hn::Add(bottom, left));
-  taps[3] = hn::GatherIndex(di, words, hn::Add(bottom, right));
+  taps[0] = hn::GatherIndex(di, words, top + left);
+  taps[1] = hn::GatherIndex(di, words, top + right);
+  taps[2] = hn::GatherIndex(di, words, bottom + left);
+  taps[3] = hn::GatherIndex(di, words, bottom + right);
 }
 
 /// Texel coordinates, wrapped, and the weight of the next one.
@@ -123,10 +123,10 @@ template <class D>
 HWY_INLINE hn::VFromD<hn::RebindToSigned<D>> Place(D d, const float* coordinate, int log2_edge, hn::VFromD<D>* weight) {
   const hn::RebindToSigned<D> di;
   const auto edge = hn::Set(d, static_cast<float>(1 << log2_edge));
-  const auto place = hn::Sub(hn::Mul(hn::LoadU(d, coordinate), edge), hn::Set(d, 0.5f));
+  const auto place = hn::LoadU(d, coordinate) * edge - hn::Set(d, 0.5f);
   const auto below = hn::Floor(place);
-  *weight = hn::Sub(place, below);
-  return hn::And(hn::ConvertTo(di, below), hn::Set(di, (1 << log2_edge) - 1));
+  *weight = place - below;
+  return hn::ConvertTo(di, below) & hn::Set(di, (1 << log2_edge) - 1);
 }
 
 /// Asks for the line of the top left and the bottom left texel of each lookup from `begin` on.
@@ -139,9 +139,9 @@ HWY_INLINE void PrefetchTaps(D d, const LayoutJob& job, size_t begin) {
   const auto mask = hn::Set(di, (1 << job.log2_edge) - 1);
   const auto left = PartOfX<kStorage>(x);
   HWY_ALIGN int32_t index[2 * HWY_MAX_BYTES / 4];
-  hn::Store(hn::Add(PartOfY<kStorage>(y, job.log2_edge), left), di, index);
-  const auto below = PartOfY<kStorage>(hn::And(hn::Add(y, hn::Set(di, 1)), mask), job.log2_edge);
-  hn::Store(hn::Add(below, left), di, index + hn::Lanes(di));
+  hn::Store(PartOfY<kStorage>(y, job.log2_edge) + left, di, index);
+  const auto below = PartOfY<kStorage>((y + hn::Set(di, 1)) & mask, job.log2_edge);
+  hn::Store(below + left, di, index + hn::Lanes(di));
   for (size_t i = 0; i < 2 * hn::Lanes(di); ++i) hwy::Prefetch(job.texels + index[i]);
 }
 
@@ -159,12 +159,12 @@ void Loop(const LayoutJob& job) {
     for (int c = 0; c < 4; ++c) {
       hn::VFromD<decltype(d)> value[4];
       for (int k = 0; k < 4; ++k) {
-        value[k] = hn::ConvertTo(d, hn::And(hn::ShiftRightSame(taps[k], 8 * c), hn::Set(di, 255)));
+        value[k] = hn::ConvertTo(d, hn::ShiftRightSame(taps[k], 8 * c) & hn::Set(di, 255));
       }
-      const auto above = hn::Add(value[0], hn::Mul(wx, hn::Sub(value[1], value[0])));
-      const auto below = hn::Add(value[2], hn::Mul(wx, hn::Sub(value[3], value[2])));
-      const auto sum = hn::Add(above, hn::Mul(wy, hn::Sub(below, above)));
-      hn::StoreU(hn::Mul(sum, hn::Set(d, 1.0f / 255.0f)), d, job.out + static_cast<size_t>(c) * job.count + i);
+      const auto above = value[0] + wx * (value[1] - value[0]);
+      const auto below = value[2] + wx * (value[3] - value[2]);
+      const auto sum = above + wy * (below - above);
+      hn::StoreU(sum * hn::Set(d, 1.0f / 255.0f), d, job.out + static_cast<size_t>(c) * job.count + i);
     }
   }
 }

@@ -24,7 +24,8 @@ void query_piece(const core::SimdTarget& simd, const texture::Texture& texture, 
   for (size_t first = 0; first < piece.count; first += kBlock) {
     const size_t count = piece.count - first < kBlock ? piece.count - first : kBlock;
     float lod[kBlock];
-    texture::find_lods(texture, sampler, range, texture::LodAxis::kLonger, simd, lookups_of(part_of(piece, first, count)), lod);
+    texture::find_lods(texture, sampler, range, texture::LodAxis::kLonger, simd,
+                       lookups_of(part_of(piece, first, count)), lod);
     for (size_t i = 0; i < count; ++i) {
       if (piece.out[kLod]) piece.out_floats(kLod)[first + i] = lod[i];
       if (piece.out[kLevel]) piece.out_integers(kLevel)[first + i] = texture::nearest_level(sampler, lod[i]);

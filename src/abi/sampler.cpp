@@ -20,8 +20,8 @@ shd_result check_expectation(shd_filter filter) {
     case SHD_FILTER_ANISOTROPIC:
     case SHD_FILTER_EWA: return SHD_OK;
     default:
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: %u is not a filter that can be drawn from",
-                        enum_bits(filter));
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                        "sampler.stochastic_filter: %u is not a filter that can be drawn from", enum_bits(filter));
   }
 }
 

@@ -22,15 +22,15 @@ using simd::HWY_NAMESPACE::Vec3V;
 /// Row `row` of a column-major 4x4 matrix times (p, 1).
 template <class D, class V>
 HWY_INLINE V TransformRow(D d, const float* m, int row, const Vec3V<V>& p) {
-  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), p.x), hn::Mul(hn::Set(d, m[4 + row]), p.y));
-  return hn::Add(hn::Add(xy, hn::Mul(hn::Set(d, m[8 + row]), p.z)), hn::Set(d, m[12 + row]));
+  const V xy = hn::Set(d, m[row]) * p.x + hn::Set(d, m[4 + row]) * p.y;
+  return xy + hn::Set(d, m[8 + row]) * p.z + hn::Set(d, m[12 + row]);
 }
 
 /// Row `row` of a column-major 3x3 matrix times n.
 template <class D, class V>
 HWY_INLINE V TransformNormalRow(D d, const float* m, int row, const Vec3V<V>& n) {
-  const V xy = hn::Add(hn::Mul(hn::Set(d, m[row]), n.x), hn::Mul(hn::Set(d, m[3 + row]), n.y));
-  return hn::Add(xy, hn::Mul(hn::Set(d, m[6 + row]), n.z));
+  const V xy = hn::Set(d, m[row]) * n.x + hn::Set(d, m[3 + row]) * n.y;
+  return xy + hn::Set(d, m[6 + row]) * n.z;
 }
 
 template <class DI, class M>
@@ -51,23 +51,23 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transfo
                                                    hn::Mask<D> finite) {
   const hn::RebindToSigned<D> di;
   const V zero = hn::Zero(d);
-  const V guard = hn::Mul(h.w, hn::Set(d, kGuardBand));
-  auto code = Bit(di, hn::Lt(h.x, hn::Mul(h.w, hn::Set(d, transform.left))), kOutLeft);
-  code = hn::Or(code, Bit(di, hn::Gt(h.x, hn::Mul(h.w, hn::Set(d, transform.right))), kOutRight));
-  code = hn::Or(code, Bit(di, hn::Lt(h.y, hn::Mul(h.w, hn::Set(d, transform.top))), kOutTop));
-  code = hn::Or(code, Bit(di, hn::Gt(h.y, hn::Mul(h.w, hn::Set(d, transform.bottom))), kOutBottom));
-  code = hn::Or(code, Bit(di, hn::Lt(h.z, zero), kOutNear));
-  code = hn::Or(code, Bit(di, hn::Gt(h.z, h.w), kOutFar));
-  code = hn::Or(code, Bit(di, hn::Lt(h.w, hn::Set(d, kMinW)), kOutBehind));
-  code = hn::Or(code, Bit(di, hn::Or(hn::Gt(hn::Abs(h.x), guard), hn::Gt(hn::Abs(h.y), guard)), kOutGuard));
-  return hn::Or(code, Bit(di, hn::Not(finite), kOutNonfinite));
+  const V guard = h.w * hn::Set(d, kGuardBand);
+  auto code = Bit(di, hn::Lt(h.x, h.w * hn::Set(d, transform.left)), kOutLeft);
+  code = code | Bit(di, hn::Gt(h.x, h.w * hn::Set(d, transform.right)), kOutRight);
+  code = code | Bit(di, hn::Lt(h.y, h.w * hn::Set(d, transform.top)), kOutTop);
+  code = code | Bit(di, hn::Gt(h.y, h.w * hn::Set(d, transform.bottom)), kOutBottom);
+  code = code | Bit(di, hn::Lt(h.z, zero), kOutNear);
+  code = code | Bit(di, hn::Gt(h.z, h.w), kOutFar);
+  code = code | Bit(di, hn::Lt(h.w, hn::Set(d, kMinW)), kOutBehind);
+  code = code | Bit(di, hn::Or(hn::Gt(hn::Abs(h.x), guard), hn::Gt(hn::Abs(h.y), guard)), kOutGuard);
+  return code | Bit(di, hn::Not(finite), kOutNonfinite);
 }
 
 /// Raster coordinate X / W in fixed point, rounded to nearest; 0 in lanes that are not `usable`.
 template <class D, class V>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Snap(D d, V numerator, V w, hn::Mask<D> usable) {
-  const V pixels = hn::IfThenElseZero(usable, hn::Div(numerator, w));
-  return hn::NearestInt(hn::Mul(pixels, hn::Set(d, static_cast<float>(kSubpixels))));
+  const V pixels = hn::IfThenElseZero(usable, numerator / w);
+  return hn::NearestInt(pixels * hn::Set(d, static_cast<float>(kSubpixels)));
 }
 
 template <class D, class V>
@@ -103,10 +103,10 @@ HWY_INLINE void StoreRaster(D d, const Transform& transform, const Homogeneous<V
                             Vertices& out) {
   const hn::RebindToSigned<D> di;
   const auto code = Outcodes(d, transform, h, finite);
-  const auto usable = hn::RebindMask(
-      d, hn::Eq(hn::And(code, hn::Set(di, static_cast<int32_t>(kMustClip | kOutNonfinite))), hn::Zero(di)));
+  const auto usable =
+      hn::RebindMask(d, hn::Eq(code & hn::Set(di, static_cast<int32_t>(kMustClip | kOutNonfinite)), hn::Zero(di)));
   hn::StoreInterleaved4(h.x, h.y, h.z, h.w, d, &out.raster[4 * i]);
-  const V depth = hn::IfThenElseZero(usable, hn::Div(h.z, h.w));
+  const V depth = hn::IfThenElseZero(usable, h.z / h.w);
   hn::StoreInterleaved4(Snap(d, h.x, h.w, usable), Snap(d, h.y, h.w, usable), hn::BitCast(di, depth), code, di,
                         &out.screen[i].x);
 }

@@ -31,12 +31,9 @@ void TransformVertices(const Mesh& mesh, const Transform& transform, const Verte
 
     // A sum is finite only if its terms are; eighths keep finite terms from overflowing together.
     const V eighth = hn::Set(d, 0.125f);
-    const V clip_sum = hn::Add(hn::Add(hn::Mul(hn::Abs(h.x), eighth), hn::Mul(hn::Abs(h.y), eighth)),
-                               hn::Add(hn::Mul(hn::Abs(h.z), eighth), hn::Mul(hn::Abs(h.w), eighth)));
-    const V world_sum = hn::Add(hn::Add(hn::Mul(hn::Abs(world.x), eighth), hn::Mul(hn::Abs(world.y), eighth)),
-                                hn::Mul(hn::Abs(world.z), eighth));
-    const auto finite =
-        hn::Lt(hn::Add(hn::Mul(clip_sum, eighth), hn::Mul(world_sum, eighth)), hn::Set(d, __builtin_inff()));
+    const V clip_sum = hn::Abs(h.x) * eighth + hn::Abs(h.y) * eighth + (hn::Abs(h.z) * eighth + hn::Abs(h.w) * eighth);
+    const V world_sum = hn::Abs(world.x) * eighth + hn::Abs(world.y) * eighth + hn::Abs(world.z) * eighth;
+    const auto finite = hn::Lt(clip_sum * eighth + world_sum * eighth, hn::Set(d, __builtin_inff()));
     StorePositions(d, world, hn::Load(d, &mesh.u[i]), to, out);
     StoreNormals(d, normal, hn::Load(d, &mesh.v[i]), to, out);
     StoreRaster(d, transform, h, finite, to, out);

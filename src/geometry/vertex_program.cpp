@@ -48,7 +48,7 @@ template <class D, class V>
 HWY_INLINE V RasterCoordinate(D d, const Transform& transform, int axis, V x, V w, hn::Mask<D> same_w,
                               const Vec3V<V>& p) {
   const float half = axis == 0 ? transform.half[0] : -transform.half[1];
-  const V mapped = hn::Add(hn::Mul(hn::Set(d, transform.centre[axis]), w), hn::Mul(hn::Set(d, half), x));
+  const V mapped = hn::Set(d, transform.centre[axis]) * w + hn::Set(d, half) * x;
   const auto same = hn::And(same_w, hn::Eq(x, TransformRow(d, transform.clip, axis, p)));
   return hn::IfThenElse(same, TransformRow(d, transform.raster, axis, p), mapped);
 }

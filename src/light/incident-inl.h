@@ -25,9 +25,9 @@ struct Incident {
 /// t^2 (3 - 2 t) of a spot at the cosine of the angle off its axis.
 template <class D, class V>
 HWY_INLINE V Cone(D d, const Light& light, V cosine) {
-  const V t = hn::Mul(hn::Set(d, light.cone_scale), hn::Sub(cosine, hn::Set(d, light.cone_start)));
+  const V t = hn::Set(d, light.cone_scale) * (cosine - hn::Set(d, light.cone_start));
   const V clamped = hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0f));
-  return hn::Mul(hn::Mul(clamped, clamped), hn::Sub(hn::Set(d, 3.0f), hn::Add(clamped, clamped)));
+  return clamped * clamped * (hn::Set(d, 3.0f) - (clamped + clamped));
 }
 
 /// Any light except ambient ones at p, without cookie and shadow: falloff is E / I. 0 where r = 0 or r^2 overflows.
@@ -40,16 +40,16 @@ HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMES
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
   const V safe = hn::IfThenElse(usable, squared, one);
-  const V inverse = hn::Div(one, hn::Sqrt(safe));
-  V falloff = hn::IfThenElseZero(usable, hn::Div(one, hn::Max(safe, hn::Set(d, 1e-8f))));
-  const simd::HWY_NAMESPACE::Vec3V<V> l = {hn::IfThenElseZero(usable, hn::Mul(to_light.x, inverse)),
-                                           hn::IfThenElseZero(usable, hn::Mul(to_light.y, inverse)),
-                                           hn::IfThenElseZero(usable, hn::Mul(to_light.z, inverse))};
+  const V inverse = one / hn::Sqrt(safe);
+  V falloff = hn::IfThenElseZero(usable, one / hn::Max(safe, hn::Set(d, 1e-8f)));
+  const simd::HWY_NAMESPACE::Vec3V<V> l = {hn::IfThenElseZero(usable, to_light.x * inverse),
+                                           hn::IfThenElseZero(usable, to_light.y * inverse),
+                                           hn::IfThenElseZero(usable, to_light.z * inverse)};
   if (light.range > 0.0f) {
-    const V ratio = hn::Mul(safe, hn::Set(d, light.inverse_range_squared));
-    falloff = hn::Mul(falloff, hn::Max(hn::Sub(one, hn::Mul(ratio, ratio)), zero));
+    const V ratio = safe * hn::Set(d, light.inverse_range_squared);
+    falloff = falloff * hn::Max(one - ratio * ratio, zero);
   }
-  if (light.kind == SHD_LIGHT_SPOT) falloff = hn::Mul(falloff, Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l)));
+  if (light.kind == SHD_LIGHT_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
   return {l, falloff};
 }
 

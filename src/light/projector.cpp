@@ -25,18 +25,18 @@ void Project(const Light& light, size_t count, const float* const* p, float* u, 
   const Vf scale_x = hn::Set(d, light.cookie_scale[0]), scale_y = hn::Set(d, light.cookie_scale[1]);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto q = Difference(Load3(d, p[0], p[1], p[2], i), Set3(d, light.position));
-    Vf x = hn::Mul(Dot(q, Set3(d, light.right)), scale_x), y = hn::Mul(Dot(q, Set3(d, light.up)), scale_y);
+    Vf x = Dot(q, Set3(d, light.right)) * scale_x, y = Dot(q, Set3(d, light.up)) * scale_y;
     auto usable = hn::Eq(zero, zero);
     if (light.kind == SHD_LIGHT_SPOT) {
       const Vf distance = hn::Neg(Dot(q, Set3(d, light.to_light)));
       usable = hn::Gt(distance, zero);
       const Vf safe = hn::IfThenElse(usable, distance, one);
-      x = hn::Div(x, safe);
-      y = hn::Div(y, safe);
+      x = x / safe;
+      y = y / safe;
     }
     usable = hn::And(usable, hn::And(IsFinite(d, x), IsFinite(d, y)));
-    hn::Store(hn::IfThenElse(usable, hn::Add(half, hn::Mul(half, x)), outside), d, u + i);
-    hn::Store(hn::IfThenElse(usable, hn::Sub(half, hn::Mul(half, y)), outside), d, v + i);
+    hn::Store(hn::IfThenElse(usable, half + half * x, outside), d, u + i);
+    hn::Store(hn::IfThenElse(usable, half - half * y, outside), d, v + i);
   }
 }
 

@@ -23,37 +23,37 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
     using V = hn::Vec<D>;
     const hn::RebindToSigned<D> di;
     const V one = hn::Set(d, 1.0f), radius = hn::Set(d, 0.5f * static_cast<float>(taps));
-    const V left = hn::Sub(at.x, radius), top = hn::Sub(at.y, radius);
+    const V left = at.x - radius, top = at.y - radius;
     const V column = hn::Floor(left), row = hn::Floor(top);
-    const V last_x = hn::Sub(left, column), last_y = hn::Sub(top, row);
-    const V first_x = hn::Sub(one, last_x), first_y = hn::Sub(one, last_y);
+    const V last_x = left - column, last_y = top - row;
+    const V first_x = one - last_x, first_y = one - last_y;
     const auto pitch = hn::Set(di, static_cast<int32_t>(map.pitch));
     auto start = TexelIndex(d, map, at.face, column, row);
     V start_z = PlaneDepth(d, at, column, row);
     V lit = hn::Zero(d), all = hn::Zero(d), all_row = hn::Zero(d);
-    for (uint32_t j = 0; j <= taps; ++j) all_row = hn::Add(all_row, j == 0 ? first_x : j == taps ? last_x : one);
+    for (uint32_t j = 0; j <= taps; ++j) all_row = all_row + (j == 0 ? first_x : j == taps ? last_x : one);
     for (uint32_t i = 0; i <= taps; ++i) {
       V lit_row = hn::Zero(d), z = start_z;
       auto index = start;
       const auto compare = [&](V found, V weight) {
-        lit_row = hn::Add(lit_row, hn::IfThenElseZero(hn::Le(z, found), weight));
-        z = hn::Add(z, at.dx);
+        lit_row = lit_row + hn::IfThenElseZero(hn::Le(z, found), weight);
+        z = z + at.dx;
       };
       for (uint32_t j = 0; j < taps; j += 2) {
         V depth, next_depth;
         GatherPairs(d, map.depth.data(), index, &depth, &next_depth);
         compare(depth, j == 0 ? first_x : one);
         compare(next_depth, j + 1 == taps ? last_x : one);
-        index = hn::Add(index, hn::Set(di, 2));
+        index = index + hn::Set(di, 2);
       }
       if (taps % 2 == 0) compare(GatherDepths(d, map, index), last_x);
       const V weight = i == 0 ? first_y : i == taps ? last_y : one;
-      lit = hn::Add(lit, hn::Mul(weight, lit_row));
-      all = hn::Add(all, hn::Mul(weight, all_row));  // same rounding as `lit` where all texels are lit
-      start = hn::Add(start, pitch);
-      start_z = hn::Add(start_z, at.dy);
+      lit = lit + weight * lit_row;
+      all = all + weight * all_row;  // same rounding as `lit` where all texels are lit
+      start = start + pitch;
+      start_z = start_z + at.dy;
     }
-    return hn::Div(lit, all);
+    return lit / all;
   });
 }
 

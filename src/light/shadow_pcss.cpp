@@ -21,13 +21,13 @@ struct TapGrid {
   float inverse;
 
   HWY_INLINE TapGrid(D d, uint32_t taps, V half) : inverse(1.0f / static_cast<float>(taps)) {
-    step = hn::Mul(half, hn::Set(d, 2.0f * inverse));
-    first = hn::Mul(half, hn::Set(d, inverse * inverse - 1.0f));
+    step = half * hn::Set(d, 2.0f * inverse);
+    first = half * hn::Set(d, inverse * inverse - 1.0f);
   }
   /// Offset along the axis of index `cell`.
   HWY_INLINE V offset(D d, uint32_t cell, uint32_t other) const {
     const float position = static_cast<float>(cell) + static_cast<float>(other) * inverse;
-    return hn::Add(first, hn::Mul(step, hn::Set(d, position)));
+    return first + step * hn::Set(d, position);
   }
 };
 
@@ -46,16 +46,15 @@ struct Comparison {
   /// The bilinear mean of four comparisons around (x, y).
   HWY_INLINE V bilinear(D d, V x, V y) const {
     const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
-    const V left = hn::Sub(x, half), top = hn::Sub(y, half);
+    const V left = x - half, top = y - half;
     const V column = hn::Floor(left), row = hn::Floor(top);
-    const V fx = hn::Sub(left, column), fy = hn::Sub(top, row);
+    const V fx = left - column, fy = top - row;
     const V plane = PlaneDepth(d, at, column, row);
-    return Mix(lit_pair(d, column, row, plane, fx), lit_pair(d, column, hn::Add(row, one), hn::Add(plane, at.dy), fx),
-               fy);
+    return Mix(lit_pair(d, column, row, plane, fx), lit_pair(d, column, row + one, plane + at.dy, fx), fy);
   }
 
  private:
-  static HWY_INLINE V Mix(V a, V b, V f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
+  static HWY_INLINE V Mix(V a, V b, V f) { return a + f * (b - a); }
   /// Mean of the comparisons with a texel and its right neighbour.
   HWY_INLINE V lit_pair(D d, V column, V row, V plane, V fx) const {
     const auto size = static_cast<float>(map.size);
@@ -63,7 +62,7 @@ struct Comparison {
     V depth, next_depth;
     GatherPairs(d, map.depth.data(), TexelIndex(d, map, at.face, x, y), &depth, &next_depth);
     const V lit = hn::IfThenElseZero(hn::Le(plane, depth), one);
-    return Mix(lit, hn::IfThenElseZero(hn::Le(hn::Add(plane, at.dx), next_depth), one), fx);
+    return Mix(lit, hn::IfThenElseZero(hn::Le(plane + at.dx, next_depth), one), fx);
   }
 };
 
@@ -80,33 +79,33 @@ void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half_light = hn::Set(d, 0.5f * shadow.options.light_size);
     const auto half_width = [&](V blocker) {
-      const V gap = hn::Mul(half_light, hn::Max(hn::Sub(at.z, blocker), zero));
-      const V length = is_perspective ? hn::Div(gap, hn::Max(blocker, hn::Set(d, placement.near))) : gap;
-      return Clamp(d, hn::Div(length, at.texel), 0.0f, max_width);
+      const V gap = half_light * hn::Max(at.z - blocker, zero);
+      const V length = is_perspective ? gap / hn::Max(blocker, hn::Set(d, placement.near)) : gap;
+      return Clamp(d, length / at.texel, 0.0f, max_width);
     };
     const Comparison<D> comparison = {map, at};
     const TapGrid<D, V> search(d, taps, hn::Max(half_width(hn::Set(d, placement.near)), one));
     V sum = zero, count = zero;
     for (uint32_t i = 0; i < taps; ++i) {
       for (uint32_t j = 0; j < taps; ++j) {
-        const V column = hn::Floor(hn::Add(at.x, search.offset(d, j, i)));
-        const V row = hn::Floor(hn::Add(at.y, search.offset(d, i, j)));
+        const V column = hn::Floor(at.x + search.offset(d, j, i));
+        const V row = hn::Floor(at.y + search.offset(d, i, j));
         const V depth = comparison.depth(d, column, row);
         const auto blocks = hn::Lt(depth, PlaneDepth(d, at, column, row));
-        sum = hn::Add(sum, hn::IfThenElseZero(blocks, depth));
-        count = hn::Add(count, hn::IfThenElseZero(blocks, one));
+        sum = sum + hn::IfThenElseZero(blocks, depth);
+        count = count + hn::IfThenElseZero(blocks, one);
       }
     }
     if (hn::AllTrue(d, hn::Eq(count, zero))) return one;
-    const TapGrid<D, V> grid(d, taps, half_width(hn::Div(sum, hn::Max(count, one))));
+    const TapGrid<D, V> grid(d, taps, half_width(sum / hn::Max(count, one)));
     V lit = zero;
     for (uint32_t i = 0; i < taps; ++i) {
       for (uint32_t j = 0; j < taps; ++j) {
-        const V x = hn::Add(at.x, grid.offset(d, j, i)), y = hn::Add(at.y, grid.offset(d, i, j));
-        lit = hn::Add(lit, comparison.bilinear(d, x, y));
+        const V x = at.x + grid.offset(d, j, i), y = at.y + grid.offset(d, i, j);
+        lit = lit + comparison.bilinear(d, x, y);
       }
     }
-    const V mean = hn::Div(lit, hn::Set(d, static_cast<float>(taps * taps)));
+    const V mean = lit / hn::Set(d, static_cast<float>(taps * taps));
     return hn::IfThenElse(hn::Eq(count, zero), one, mean);
   });
 }

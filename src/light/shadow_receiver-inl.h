@@ -77,7 +77,7 @@ struct CubeFace {
   HWY_INLINE ShadowInts<D> number(D d) const {
     const hn::RebindToSigned<D> di;
     const auto axis = hn::IfThenElse(is_x, hn::Zero(d), hn::IfThenElse(is_z, hn::Set(d, 4.0f), hn::Set(d, 2.0f)));
-    return hn::ConvertTo(di, hn::Add(axis, hn::IfThenElseZero(negative, hn::Set(d, 1.0f))));
+    return hn::ConvertTo(di, axis + hn::IfThenElseZero(negative, hn::Set(d, 1.0f)));
   }
 };
 
@@ -93,37 +93,37 @@ HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVecto
                                       M has_normal) {
   const ShadowPlacement& placement = shadow.map.placement;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), size = hn::Set(d, static_cast<float>(shadow.map.size));
-  const V centre = hn::Mul(size, hn::Set(d, 0.5f)), scale = hn::Set(d, placement.scale);
+  const V centre = size * hn::Set(d, 0.5f), scale = hn::Set(d, placement.scale);
   const bool is_perspective = placement.projection != ShadowProjection::kOrthographic;
   const auto in_front = is_perspective ? hn::Gt(q.forward, zero) : IsFinite(d, q.forward);
   const V w = is_perspective ? hn::IfThenElse(in_front, q.forward, one) : one;
-  const V a = hn::Div(q.right, w), b = hn::Div(q.down, w);
-  const V x = hn::Add(centre, hn::Mul(scale, a)), y = hn::Add(centre, hn::Mul(scale, b));
+  const V a = q.right / w, b = q.down / w;
+  const V x = centre + scale * a, y = centre + scale * b;
   const auto in_x = hn::And(hn::Ge(x, zero), hn::Le(x, size)), in_y = hn::And(hn::Ge(y, zero), hn::Le(y, size));
 
   Receiver<D> at;
   at.inside = hn::And(hn::And(in_front, IsFinite(d, q.forward)), hn::And(in_x, in_y));
   at.x = hn::IfThenElseZero(at.inside, x);
   at.y = hn::IfThenElseZero(at.inside, y);
-  at.texel = hn::Div(hn::IfThenElse(at.inside, w, one), scale);
+  at.texel = hn::IfThenElse(at.inside, w, one) / scale;
   V facing = n.forward;
-  if (is_perspective) facing = hn::Add(facing, hn::Add(hn::Mul(n.right, a), hn::Mul(n.down, b)));
+  if (is_perspective) facing = facing + (n.right * a + n.down * b);
   const V steep = hn::CopySign(hn::Max(hn::Abs(hn::IfThenElseZero(has_normal, facing)), hn::Set(d, 1e-6f)), facing);
   const auto slope = [&](V component) {
-    const V s = hn::Div(hn::Neg(hn::IfThenElseZero(has_normal, component)), steep);
+    const V s = hn::Neg(hn::IfThenElseZero(has_normal, component)) / steep;
     return Clamp(d, FiniteOrZero(d, s), -kMaxSlope, kMaxSlope);
   };
   const V slope_x = slope(n.right), slope_y = slope(n.down);
-  at.dx = hn::Mul(at.texel, slope_x);
-  at.dy = hn::Mul(at.texel, slope_y);
+  at.dx = at.texel * slope_x;
+  at.dy = at.texel * slope_y;
   const ShadowOptions& options = shadow.options;
   const V unknown = hn::Set(d, unknown_steepness(options));
-  const V known = hn::Add(hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)), hn::Set(d, kSteepnessSlack));
+  const V known = hn::Abs(slope_x) + hn::Abs(slope_y) + hn::Set(d, kSteepnessSlack);
   const V steepness = hn::IfThenElse(has_normal, known, unknown);
-  const V guard = hn::Add(hn::Set(d, options.bias + placement.guard),
-                          hn::Mul(hn::Set(d, placement.guard_square), hn::Mul(q.forward, q.forward)));
-  const V bias = hn::Add(guard, hn::Mul(hn::Set(d, options.bias_slope), hn::Mul(steepness, at.texel)));
-  at.z = hn::IfThenElseZero(at.inside, hn::Sub(q.forward, bias));
+  const V guard =
+      hn::Set(d, options.bias + placement.guard) + hn::Set(d, placement.guard_square) * (q.forward * q.forward);
+  const V bias = guard + hn::Set(d, options.bias_slope) * (steepness * at.texel);
+  at.z = hn::IfThenElseZero(at.inside, q.forward - bias);
   return at;
 }
 
@@ -138,8 +138,8 @@ HWY_INLINE Receiver<D> MakeReceiver(D d, const Shadow& shadow, const Vec3V<V>& p
   const auto has_normal = has_normals ? usable : hn::Lt(zero, zero);
   const V offset = hn::Set(d, shadow.options.normal_offset);
   const auto from_origin = [&](V p, V n, float origin) {
-    const V shift = hn::IfThenElseZero(has_normal, hn::Mul(n, offset));
-    return hn::Add(hn::Sub(p, hn::Set(d, origin)), shift);
+    const V shift = hn::IfThenElseZero(has_normal, n * offset);
+    return p - hn::Set(d, origin) + shift;
   };
   const Vec3V<V> q = {from_origin(position.x, normal.x, placement.origin[0]),
                       from_origin(position.y, normal.y, placement.origin[1]),
@@ -198,18 +198,18 @@ using ReceiverTag = hn::CappedTag<float, kMaxReceiverLanes>;
 template <class D, class V>
 HWY_INLINE ShadowInts<D> TexelIndex(D, const ShadowMap& map, ShadowInts<D> face, V column, V row) {
   const hn::RebindToSigned<D> di;
-  const auto first = hn::Add(hn::Mul(face, hn::Set(di, static_cast<int32_t>(map.face_stride))),
-                             hn::Set(di, static_cast<int32_t>(map.pad * (map.pitch + 1))));
-  const auto start = hn::Mul(hn::ConvertTo(di, row), hn::Set(di, static_cast<int32_t>(map.pitch)));
-  return hn::Add(first, hn::Add(start, hn::ConvertTo(di, column)));
+  const auto first = face * hn::Set(di, static_cast<int32_t>(map.face_stride)) +
+                     hn::Set(di, static_cast<int32_t>(map.pad * (map.pitch + 1)));
+  const auto start = hn::ConvertTo(di, row) * hn::Set(di, static_cast<int32_t>(map.pitch));
+  return first + (start + hn::ConvertTo(di, column));
 }
 
 /// Depth of the surface's plane at the centre of a texel.
 template <class D, class V>
 HWY_INLINE V PlaneDepth(D d, const Receiver<D>& at, V column, V row) {
   const V half = hn::Set(d, 0.5f);
-  const V across = hn::Mul(at.dx, hn::Sub(hn::Add(column, half), at.x));
-  return hn::Add(at.z, hn::Add(across, hn::Mul(at.dy, hn::Sub(hn::Add(row, half), at.y))));
+  const V across = at.dx * (column + half - at.x);
+  return at.z + (across + at.dy * (row + half - at.y));
 }
 
 /// Depths of texels.
@@ -223,14 +223,14 @@ HWY_INLINE hn::Vec<D> GatherDepths(D d, const ShadowMap& map, ShadowInts<D> inde
 template <class D, class V>
 HWY_INLINE V Chebyshev(D d, const ShadowOptions& options, V z, V mean, V variance) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const V away = hn::Sub(z, mean);
-  const V square = hn::Mul(away, away);
+  const V away = z - mean;
+  const V square = away * away;
   const V spread = hn::Max(variance, hn::Set(d, options.min_variance));
-  const V sum = hn::Add(spread, square);
+  const V sum = spread + square;
   const auto beyond = hn::And(hn::Gt(away, zero), hn::Gt(sum, zero));
-  const V bound = hn::Div(spread, hn::IfThenElse(beyond, sum, one));
+  const V bound = spread / hn::IfThenElse(beyond, sum, one);
   const V bleed = hn::Set(d, options.bleed);
-  const V reduced = hn::Div(hn::Max(hn::Sub(bound, bleed), zero), hn::Sub(one, bleed));
+  const V reduced = hn::Max(bound - bleed, zero) / (one - bleed);
   return hn::IfThenElse(beyond, hn::Min(reduced, one), one);
 }
 

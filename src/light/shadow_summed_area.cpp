@@ -22,13 +22,13 @@ struct BoxSide {
 
   HWY_INLINE BoxSide(D d, V centre, V half, float size) {
     const hn::RebindToSigned<D> di;
-    const V end[2] = {Clamp(d, hn::Sub(centre, half), 0.0f, size), Clamp(d, hn::Add(centre, half), 0.0f, size)};
+    const V end[2] = {Clamp(d, centre - half, 0.0f, size), Clamp(d, centre + half, 0.0f, size)};
     for (size_t k = 0; k < 2; ++k) {
       const V cell = hn::Min(hn::Floor(end[k]), hn::Set(d, size - 1.0f));
       entry[k] = hn::ConvertTo(di, cell);
-      part[k] = hn::Sub(end[k], cell);
+      part[k] = end[k] - cell;
     }
-    length = hn::Sub(end[1], end[0]);
+    length = end[1] - end[0];
   }
 };
 
@@ -45,16 +45,16 @@ struct BoxTable {
   }
   /// Sum from a start to an end, each a part of a texel after an entry.
   static HWY_INLINE R between(R start, R after_start, R end, R after_end, R start_part, R end_part) {
-    const R whole = hn::Sub(end, start);
-    const R last = hn::Mul(end_part, hn::Sub(after_end, end)), first = hn::Mul(start_part, hn::Sub(after_start, start));
-    return hn::Add(whole, hn::Sub(last, first));
+    const R whole = end - start;
+    const R last = end_part * (after_end - end), first = start_part * (after_start - start);
+    return whole + (last - first);
   }
   /// Sums of a row of the table that starts at `row`, between the ends of a box.
   HWY_INLINE R row(ShadowInts<D> row, const ShadowInts<D> (&column)[2], const R (&part)[2]) const {
     const hn::RebindToSigned<D> di;
     const auto next = hn::Set(di, 2);
-    const auto start = hn::Add(row, column[0]), end = hn::Add(row, column[1]);
-    return between(entry(start), entry(hn::Add(start, next)), entry(end), entry(hn::Add(end, next)), part[0], part[1]);
+    const auto start = row + column[0], end = row + column[1];
+    return between(entry(start), entry(start + next), entry(end), entry(end + next), part[0], part[1]);
   }
 };
 
@@ -73,28 +73,28 @@ void SampleSummedArea(const Shadow& shadow, const ShadowLookups& in, float* visi
     const Real real;
     const auto size = static_cast<float>(map.size);
     const float max_half = size / static_cast<float>(kMaxRadiusPart);
-    const V half = Clamp(d, hn::Div(hn::Set(d, 0.5f * shadow.options.filter_size), at.texel), 0.5f, max_half);
+    const V half = Clamp(d, hn::Set(d, 0.5f * shadow.options.filter_size) / at.texel, 0.5f, max_half);
     const BoxSide<D, V> across(d, at.x, half, size), along(d, at.y, half, size);
     const auto width = static_cast<int32_t>(2 * (map.size + 1));
-    const auto face = hn::Mul(at.face, hn::Set(di, width * static_cast<int32_t>(map.size + 1)));
+    const auto face = at.face * hn::Set(di, width * static_cast<int32_t>(map.size + 1));
     const ShadowInts<D> column[2] = {hn::ShiftLeft<1>(across.entry[0]), hn::ShiftLeft<1>(across.entry[1])};
     const R part_x[2] = {hn::PromoteTo(real, across.part[0]), hn::PromoteTo(real, across.part[1])};
     const R part_y[2] = {hn::PromoteTo(real, along.part[0]), hn::PromoteTo(real, along.part[1])};
-    const R area = hn::Mul(hn::PromoteTo(real, across.length), hn::PromoteTo(real, along.length));
+    const R area = hn::PromoteTo(real, across.length) * hn::PromoteTo(real, along.length);
     R moment[2];
     for (size_t k = 0; k < 2; ++k) {
       const BoxTable<D> table = {map.sums.data() + k};
       R row[4];
       for (size_t r = 0; r < 4; ++r) {
-        const auto y = hn::Add(along.entry[r / 2], hn::Set(di, static_cast<int32_t>(r % 2)));
-        row[r] = table.row(hn::Add(face, hn::Mul(y, hn::Set(di, width))), column, part_x);
+        const auto y = along.entry[r / 2] + hn::Set(di, static_cast<int32_t>(r % 2));
+        row[r] = table.row(face + y * hn::Set(di, width), column, part_x);
       }
-      moment[k] = hn::Div(BoxTable<D>::between(row[0], row[1], row[2], row[3], part_y[0], part_y[1]), area);
+      moment[k] = BoxTable<D>::between(row[0], row[1], row[2], row[3], part_y[0], part_y[1]) / area;
     }
-    const R spread = hn::Max(hn::Sub(moment[1], hn::Mul(moment[0], moment[0])), hn::Zero(real));
+    const R spread = hn::Max(moment[1] - moment[0] * moment[0], hn::Zero(real));
     const R range = hn::Set(real, scale.range), middle = hn::Set(real, scale.middle);
-    const V mean = hn::DemoteTo(d, hn::Add(middle, hn::Mul(moment[0], range)));
-    const V variance = hn::DemoteTo(d, hn::Mul(spread, hn::Mul(range, range)));
+    const V mean = hn::DemoteTo(d, middle + moment[0] * range);
+    const V variance = hn::DemoteTo(d, spread * (range * range));
     const V z = hn::Min(at.z, hn::Set(d, map.placement.far));
     return Chebyshev(d, shadow.options, z, mean, variance);
   });

@@ -20,7 +20,7 @@ struct Corners {
   template <class D>
   HWY_INLINE V bilinear(D d, V fx, V fy) const {
     const V one = hn::Set(d, 1.0f);
-    const auto mix = [&](V a, V b, V f) { return hn::Add(hn::Mul(a, hn::Sub(one, f)), hn::Mul(b, f)); };
+    const auto mix = [&](V a, V b, V f) { return a * (one - f) + b * f; };
     return mix(mix(value[0], value[1], fx), mix(value[2], value[3], fx), fy);
   }
 };
@@ -34,21 +34,21 @@ void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibi
     using D = decltype(d);
     using V = hn::Vec<D>;
     const hn::RebindToSigned<D> di;
-    const V left = hn::Sub(at.x, hn::Set(d, centre)), top = hn::Sub(at.y, hn::Set(d, centre));
+    const V left = at.x - hn::Set(d, centre), top = at.y - hn::Set(d, centre);
     const V column = hn::Floor(left), row = hn::Floor(top);
-    const V fx = hn::Sub(left, column), fy = hn::Sub(top, row);
+    const V fx = left - column, fy = top - row;
     const auto pitch = hn::Set(di, static_cast<int32_t>(map.pitch));
     const auto start = TexelIndex(d, map, at.face, column, row);
-    const auto below = hn::Add(start, pitch), next = hn::Set(di, 1);
-    const ShadowInts<D> index[4] = {start, hn::Add(start, next), below, hn::Add(below, next)};
+    const auto below = start + pitch, next = hn::Set(di, 1);
+    const ShadowInts<D> index[4] = {start, start + next, below, below + next};
     Corners<V> mean, variance;
     for (size_t k = 0; k < 4; ++k) {
       GatherPairs(d, map.moments.data(), hn::ShiftLeft<1>(index[k]), &mean.value[k], &variance.value[k]);
     }
     const V middle = mean.bilinear(d, fx, fy);
     for (size_t k = 0; k < 4; ++k) {
-      const V away = hn::Sub(mean.value[k], middle);
-      variance.value[k] = hn::Add(variance.value[k], hn::Mul(away, away));
+      const V away = mean.value[k] - middle;
+      variance.value[k] = variance.value[k] + away * away;
     }
     const V z = hn::Min(at.z, hn::Set(d, map.placement.far));
     return Chebyshev(d, shadow.options, z, middle, variance.bilinear(d, fx, fy));

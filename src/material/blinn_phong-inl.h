@@ -23,7 +23,7 @@ HWY_INLINE V BlinnPhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V
   const V squared = Dot(sum, sum);
   const auto usable = hn::Gt(squared, zero);
   const V length = hn::Sqrt(hn::IfThenElse(usable, squared, one));
-  const V n_dot_h = hn::Div(Dot(point.n, sum), length);
+  const V n_dot_h = Dot(point.n, sum) / length;
   const V cosine = hn::Min(hn::Max(n_dot_h, zero), one);
   return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent));
 }

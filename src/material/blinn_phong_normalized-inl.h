@@ -18,9 +18,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// wo = n.
 template <class D, class V>
 HWY_INLINE V BlinnPhongNorm(D d, V p) {
-  const V falling = simd::HWY_NAMESPACE::Exp2(d, hn::Mul(p, hn::Set(d, -0.5f)));
-  const V above = hn::Mul(hn::Add(p, hn::Set(d, 2.0f)), hn::Add(p, hn::Set(d, 4.0f)));
-  return hn::Div(above, hn::Mul(hn::Set(d, 25.1327412f), hn::Add(falling, p)));
+  const V falling = simd::HWY_NAMESPACE::Exp2(d, p * hn::Set(d, -0.5f));
+  const V above = (p + hn::Set(d, 2.0f)) * (p + hn::Set(d, 4.0f));
+  return above / (hn::Set(d, 25.1327412f) * (falling + p));
 }
 
 /// k_a I_a + sum of (k_d / pi + k_s N max(0, n.h)^p) E max(0, n.l).
@@ -30,21 +30,21 @@ struct BlinnPhongNormalized : SpecularBase {
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
                                     V* lobe) {
       lobe[0] = Cosine(d, in);
-      lobe[1] = hn::Mul(lobe[0], BlinnPhongLobe(d, point, in, shape[Shape::kExponent]));
+      lobe[1] = lobe[0] * BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
     }
 
     template <class D, class V>
     static HWY_INLINE void Normalize(D d, const V* shape, V (&sum)[2][3]) {
       const V norm = BlinnPhongNorm(d, shape[Shape::kExponent]);
-      for (V& channel : sum[1]) channel = hn::Mul(channel, norm);
+      for (V& channel : sum[1]) channel = channel * norm;
     }
   };
 
   struct Combination {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
-      const V scattered = hn::Mul(hn::Mul(c.Diffuse(), hn::Set(d, simd::HWY_NAMESPACE::kInvPi)), c.Lobe(0));
-      return hn::Add(hn::Add(c.ambient, scattered), hn::Mul(c.Specular(), c.Lobe(1)));
+      const V scattered = c.Diffuse() * hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * c.Lobe(0);
+      return c.ambient + scattered + c.Specular() * c.Lobe(1);
     }
   };
 };

@@ -21,7 +21,7 @@ struct Combined : BlinnPhong {
   struct Combination {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
-      return hn::Add(hn::Mul(c.Diffuse(), hn::Add(c.ambient, c.Lobe(0))), hn::Mul(c.Specular(), c.Lobe(1)));
+      return c.Diffuse() * (c.ambient + c.Lobe(0)) + c.Specular() * c.Lobe(1);
     }
   };
 };

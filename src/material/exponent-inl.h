@@ -32,8 +32,8 @@ struct ExponentShape {
   static HWY_INLINE void Derive(D d, const Material& m, const SlotsAt<D>& slots, V variance, V* shape) {
     const V one = hn::Set(d, 1.0f);
     const V p = ClampExponent(d, slots.Get(m.exponent, SHD_SLOT_EXPONENT, 0));
-    shape[kExponent] = hn::Div(p, hn::Add(one, hn::Mul(p, variance)));
-    shape[kGain] = hn::Div(hn::Add(one, shape[kExponent]), hn::Add(one, p));
+    shape[kExponent] = p / (one + p * variance);
+    shape[kGain] = (one + shape[kExponent]) / (one + p);
   }
 };
 

@@ -26,7 +26,7 @@ struct Gooch : ModelBase {
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
       const V half = hn::Set(d, 0.5f);
-      lobe[0] = hn::Add(half, hn::Mul(half, in.n_dot_l));
+      lobe[0] = half + half * in.n_dot_l;
     }
   };
 
@@ -35,10 +35,10 @@ struct Gooch : ModelBase {
     static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
       const Material& m = c.material;
       const V diffuse = c.Diffuse();
-      const V warmth = c.light_count > 0.0f ? hn::Div(c.Lobe(0), hn::Set(d, c.light_count)) : hn::Set(d, 0.5f);
-      const V warm = hn::Add(hn::Set(d, m.warm[c.channel]), hn::Mul(hn::Set(d, m.warm_mix), diffuse));
-      const V cool = hn::Add(hn::Set(d, m.cool[c.channel]), hn::Mul(hn::Set(d, m.cool_mix), diffuse));
-      return hn::Add(hn::Mul(warmth, warm), hn::Mul(hn::Sub(hn::Set(d, 1.0f), warmth), cool));
+      const V warmth = c.light_count > 0.0f ? c.Lobe(0) / hn::Set(d, c.light_count) : hn::Set(d, 0.5f);
+      const V warm = hn::Set(d, m.warm[c.channel]) + hn::Set(d, m.warm_mix) * diffuse;
+      const V cool = hn::Set(d, m.cool[c.channel]) + hn::Set(d, m.cool_mix) * diffuse;
+      return warmth * warm + (hn::Set(d, 1.0f) - warmth) * cool;
     }
   };
 };

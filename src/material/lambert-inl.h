@@ -30,7 +30,7 @@ struct Lambert : ModelBase {
   struct Combination {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
-      return hn::Add(c.ambient, hn::Mul(c.Diffuse(), c.Lobe(0)));
+      return c.ambient + c.Diffuse() * c.Lobe(0);
     }
   };
 };

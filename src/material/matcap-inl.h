@@ -50,7 +50,7 @@ struct Matcap : ModelBase {
   struct Combination {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
-      return hn::Mul(c.Diffuse(), c.Lobe(0));
+      return c.Diffuse() * c.Lobe(0);
     }
   };
 };

@@ -33,30 +33,27 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
   const auto sum = Sum(point.wo, in.l);
   const V squared = Dot(sum, sum);
   const auto usable = hn::Gt(squared, zero);
-  const V inverse = hn::Div(one, hn::IfThenElse(usable, squared, one));
+  const V inverse = one / hn::IfThenElse(usable, squared, one);
   const V cosine = Cosine(d, in);
   const V n_dot_v = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
 
   // (n.h)^2 (a^2 - 1) + 1 = (n.h)^2 a^2 + |n x h|^2, without cancellation near the centre of the highlight.
   const V n_dot_sum = hn::Max(Dot(point.n, sum), zero);
   const auto across = simd::HWY_NAMESPACE::Cross(point.n, sum);
-  const V spread =
-      hn::Mul(hn::Add(hn::Mul(hn::Mul(n_dot_sum, n_dot_sum), alpha_squared), Dot(across, across)), inverse);
+  const V spread = (n_dot_sum * n_dot_sum * alpha_squared + Dot(across, across)) * inverse;
   const V floor = hn::Max(spread, hn::Set(d, 1e-12f));
-  const V distribution =
-      hn::Div(hn::Mul(alpha_squared, hn::Set(d, simd::HWY_NAMESPACE::kInvPi)), hn::Mul(floor, floor));
+  const V distribution = alpha_squared * hn::Set(d, simd::HWY_NAMESPACE::kInvPi) / (floor * floor);
 
-  const V rest = hn::Sub(one, alpha_squared);
-  const auto shadowed = [&](V c) { return hn::Sqrt(hn::Add(hn::Mul(hn::Mul(c, c), rest), alpha_squared)); };
-  const V visibility =
-      hn::Div(hn::Set(d, 0.5f), hn::Add(hn::Mul(cosine, shadowed(n_dot_v)), hn::Mul(n_dot_v, shadowed(cosine))));
+  const V rest = one - alpha_squared;
+  const auto shadowed = [&](V c) { return hn::Sqrt(c * c * rest + alpha_squared); };
+  const V visibility = hn::Set(d, 0.5f) / (cosine * shadowed(n_dot_v) + n_dot_v * shadowed(cosine));
 
   // v.h = |v + l| / 2 of unit vectors.
-  const V v_dot_h = hn::Min(hn::Mul(hn::Set(d, 0.5f), hn::Sqrt(squared)), one);
-  const V m = hn::Sub(one, v_dot_h), m2 = hn::Mul(m, m);
-  const V f = hn::Mul(hn::Mul(m2, m2), m);
-  const V lobe = hn::IfThenElseZero(usable, hn::Mul(hn::Mul(cosine, distribution), visibility));
-  return {hn::Mul(cosine, hn::Sub(one, f)), hn::Mul(lobe, hn::Sub(one, f)), hn::Mul(lobe, f)};
+  const V v_dot_h = hn::Min(hn::Set(d, 0.5f) * hn::Sqrt(squared), one);
+  const V m = one - v_dot_h, m2 = m * m;
+  const V f = m2 * m2 * m;
+  const V lobe = hn::IfThenElseZero(usable, cosine * distribution * visibility);
+  return {cosine * (one - f), lobe * (one - f), lobe * f};
 }
 
 /// k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f0) (1 - f) / pi + (F0 (1 - f) + f) D V) with base
@@ -83,13 +80,12 @@ struct MetallicRoughness : ModelBase {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D d, const ChannelAt<D>& c) {
       const V one = hn::Set(d, 1.0f), dielectric_f0 = hn::Set(d, c.material.dielectric_f0);
-      const V base = c.Diffuse(), metallic = c.Metallic(), rest = hn::Sub(one, metallic);
-      const V scattering = hn::Mul(base, rest);
-      const V f0 = hn::Add(hn::Mul(dielectric_f0, rest), hn::Mul(base, metallic));
-      const V diffuse =
-          hn::Mul(hn::Mul(scattering, hn::Sub(one, dielectric_f0)), hn::Set(d, simd::HWY_NAMESPACE::kInvPi));
-      const V reflected = hn::Add(hn::Mul(f0, c.Lobe(1)), c.Lobe(2));
-      return hn::Add(hn::Mul(c.ambient, hn::Add(scattering, f0)), hn::Add(hn::Mul(diffuse, c.Lobe(0)), reflected));
+      const V base = c.Diffuse(), metallic = c.Metallic(), rest = one - metallic;
+      const V scattering = base * rest;
+      const V f0 = dielectric_f0 * rest + base * metallic;
+      const V diffuse = scattering * (one - dielectric_f0) * hn::Set(d, simd::HWY_NAMESPACE::kInvPi);
+      const V reflected = f0 * c.Lobe(1) + c.Lobe(2);
+      return c.ambient * (scattering + f0) + (diffuse * c.Lobe(0) + reflected);
     }
   };
 };

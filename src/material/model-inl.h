@@ -42,7 +42,7 @@ struct SlotsAt {
 
   /// A constant of the material times its slot.
   HWY_INLINE V Get(float constant, uint32_t slot, int channel) const {
-    return hn::Mul(hn::Set(d, constant), hn::Load(d, parameters.value[slot][channel] + i));
+    return hn::Set(d, constant) * hn::Load(d, parameters.value[slot][channel] + i);
   }
 };
 

@@ -18,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// max(0, wo.r)^p with r = 2 (n.l) n - l, the light mirrored at the normal. Unit vectors or 0.
 template <class D, class V>
 HWY_INLINE V PhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
-  const V twice = hn::Add(in.n_dot_l, in.n_dot_l);
-  const V o_dot_r = hn::Sub(hn::Mul(twice, Dot(point.n, point.wo)), Dot(point.wo, in.l));
+  const V twice = in.n_dot_l + in.n_dot_l;
+  const V o_dot_r = twice * Dot(point.n, point.wo) - Dot(point.wo, in.l);
   const V cosine = hn::Min(hn::Max(o_dot_r, hn::Zero(d)), hn::Set(d, 1.0f));
   return simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent);
 }

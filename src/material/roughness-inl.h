@@ -19,9 +19,9 @@ template <class D, class V>
 HWY_INLINE V AlphaSquared(D d, V roughness) {
   const V one = hn::Set(d, 1.0f), min_alpha = hn::Set(d, 1e-3f);
   const V clamped = hn::IfThenElse(hn::Lt(roughness, one), roughness, one);
-  const V square = hn::Mul(clamped, clamped);
+  const V square = clamped * clamped;
   const V alpha = hn::IfThenElse(hn::And(hn::Gt(clamped, hn::Zero(d)), hn::Gt(square, min_alpha)), square, min_alpha);
-  return hn::Mul(alpha, alpha);
+  return alpha * alpha;
 }
 
 /// alpha^2 = min(1, roughness^4 + 2 variance). The slopes of a GGX surface have no variance; those of a Beckmann
@@ -34,7 +34,7 @@ struct RoughnessShape {
   static HWY_INLINE void Derive(D d, const Material& m, const SlotsAt<D>& slots, V variance, V* shape) {
     const V one = hn::Set(d, 1.0f);
     const V own = AlphaSquared(d, slots.Get(m.roughness, SHD_SLOT_ROUGHNESS, 0));
-    const V sum = hn::Add(own, hn::Add(variance, variance));
+    const V sum = own + (variance + variance);
     shape[kAlphaSquared] = hn::IfThenElse(hn::Lt(sum, one), sum, one);
   }
 };

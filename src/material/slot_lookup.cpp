@@ -76,8 +76,7 @@ void find_levels(const core::SimdTarget& simd, const Material& material, const r
   std::fill_n(lod, fragments.count, 0.0f);
   if (!has_slot(material, SHD_SLOT_DIFFUSE) || !slot.texture) return;
   texture::find_lods(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler),
-                     texture::LodAxis::kLonger, simd,
-                      lookups_of(slot, fragments, true, scratch), lod);
+                     texture::LodAxis::kLonger, simd, lookups_of(slot, fragments, true, scratch), lod);
 }
 
 }  // namespace shd::material

@@ -24,7 +24,7 @@ struct SpecularLighting : LightingBase {
 
   template <class D, class V>
   static HWY_INLINE void Normalize(D, const V* shape, V (&sum)[2][3]) {
-    for (V& channel : sum[1]) channel = hn::Mul(channel, shape[Shape::kGain]);
+    for (V& channel : sum[1]) channel = channel * shape[Shape::kGain];
   }
 };
 
@@ -35,7 +35,7 @@ struct SpecularBase : ModelBase {
   struct Combination {
     template <class D, class V = hn::Vec<D>>
     static HWY_INLINE V Combine(D, const ChannelAt<D>& c) {
-      return hn::Add(hn::Add(c.ambient, hn::Mul(c.Diffuse(), c.Lobe(0))), hn::Mul(c.Specular(), c.Lobe(1)));
+      return c.ambient + c.Diffuse() * c.Lobe(0) + c.Specular() * c.Lobe(1);
     }
   };
 };

@@ -21,14 +21,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// difference overflows.
 template <class D, class V>
 HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
-  const V blend = hn::Add(hn::Add(a0, hn::Mul(b1, hn::Sub(a1, a0))), hn::Mul(b2, hn::Sub(a2, a0)));
+  const V blend = a0 + b1 * (a1 - a0) + b2 * (a2 - a0);
   const auto finite = simd::HWY_NAMESPACE::IsFinite(d, blend);
   if (HWY_LIKELY(hn::AllTrue(d, finite))) return blend;
   const V half = hn::Set(d, 0.5f), limit = hn::Set(d, 0x1.fffffep126f);
-  const V h0 = hn::Mul(a0, half), h1 = hn::Sub(hn::Mul(a1, half), h0), h2 = hn::Sub(hn::Mul(a2, half), h0);
-  const V halved = hn::Add(hn::Add(h0, hn::Mul(b1, h1)), hn::Mul(b2, h2));
+  const V h0 = a0 * half, h1 = a1 * half - h0, h2 = a2 * half - h0;
+  const V halved = h0 + b1 * h1 + b2 * h2;
   const V bounded = hn::Min(hn::Max(halved, hn::Neg(limit)), limit);
-  return hn::IfThenElse(finite, blend, hn::Add(bounded, bounded));
+  return hn::IfThenElse(finite, blend, bounded + bounded);
 }
 
 /// Whether a vector of fragments from row `at` on belongs to one triangle. Comparing its first and last row is not

@@ -38,7 +38,7 @@ struct RowPerLane {
   hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
   HWY_INLINE hn::Vec<D> Get(D d, const float* rows, int c) const {
     const hn::RebindToSigned<D> di;
-    return hn::GatherIndex(d, rows, hn::Add(first, hn::Set(di, c)));
+    return hn::GatherIndex(d, rows, first + hn::Set(di, c));
   }
 };
 
@@ -57,36 +57,36 @@ HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const
   for (int k = 0; k < 3; ++k) {
     const float* raster = vertices.raster.data();
     w[k] = rows[k].Get(d, raster, 3);
-    x[k] = hn::Sub(rows[k].Get(d, raster, 0), hn::Mul(px, w[k]));
-    y[k] = hn::Sub(rows[k].Get(d, raster, 1), hn::Mul(py, w[k]));
+    x[k] = rows[k].Get(d, raster, 0) - px * w[k];
+    y[k] = rows[k].Get(d, raster, 1) - py * w[k];
   }
   V e[3], e_dx[3], e_dy[3];
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    e[k] = hn::Sub(hn::Mul(x[i], y[j]), hn::Mul(x[j], y[i]));
-    e_dx[k] = hn::Sub(hn::Mul(w[j], y[i]), hn::Mul(w[i], y[j]));
-    e_dy[k] = hn::Sub(hn::Mul(x[j], w[i]), hn::Mul(x[i], w[j]));
+    e[k] = x[i] * y[j] - x[j] * y[i];
+    e_dx[k] = w[j] * y[i] - w[i] * y[j];
+    e_dy[k] = x[j] * w[i] - x[i] * w[j];
   }
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const V sum = hn::Add(hn::Add(e[0], e[1]), e[2]);
-  const V sum_dx = hn::Add(hn::Add(e_dx[0], e_dx[1]), e_dx[2]);
-  const V sum_dy = hn::Add(hn::Add(e_dy[0], e_dy[1]), e_dy[2]);
-  const V size = hn::Add(hn::Add(hn::Abs(e[0]), hn::Abs(e[1])), hn::Abs(e[2]));
+  const V sum = e[0] + e[1] + e[2];
+  const V sum_dx = e_dx[0] + e_dx[1] + e_dx[2];
+  const V sum_dy = e_dy[0] + e_dy[1] + e_dy[2];
+  const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
   // A sum this small has no finite inverse; NaN fails both.
   const auto usable = hn::And(hn::Lt(size, hn::Set(d, __builtin_inff())), hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
-  const V inverse = hn::Div(one, hn::IfThenElse(usable, sum, one));
+  const V inverse = one / hn::IfThenElse(usable, sum, one);
 
   const V third = hn::Set(d, 1.0f / 3.0f);
-  const V raw1 = hn::IfThenElse(usable, hn::Mul(e[1], inverse), third);
-  const V raw2 = hn::IfThenElse(usable, hn::Mul(e[2], inverse), third);
+  const V raw1 = hn::IfThenElse(usable, e[1] * inverse, third);
+  const V raw2 = hn::IfThenElse(usable, e[2] * inverse, third);
   Barycentric<V> result;
-  result.b1_dx = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dx[1], hn::Mul(raw1, sum_dx)), inverse));
-  result.b1_dy = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dy[1], hn::Mul(raw1, sum_dy)), inverse));
-  result.b2_dx = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dx[2], hn::Mul(raw2, sum_dx)), inverse));
-  result.b2_dy = hn::IfThenElseZero(usable, hn::Mul(hn::Sub(e_dy[2], hn::Mul(raw2, sum_dy)), inverse));
+  result.b1_dx = hn::IfThenElseZero(usable, (e_dx[1] - raw1 * sum_dx) * inverse);
+  result.b1_dy = hn::IfThenElseZero(usable, (e_dy[1] - raw1 * sum_dy) * inverse);
+  result.b2_dx = hn::IfThenElseZero(usable, (e_dx[2] - raw2 * sum_dx) * inverse);
+  result.b2_dy = hn::IfThenElseZero(usable, (e_dy[2] - raw2 * sum_dy) * inverse);
   result.b1 = hn::Min(hn::Max(raw1, zero), one);
-  result.b2 = hn::Min(hn::Max(raw2, zero), hn::Sub(one, result.b1));
-  result.b0 = hn::Sub(hn::Sub(one, result.b1), result.b2);
+  result.b2 = hn::Min(hn::Max(raw2, zero), one - result.b1);
+  result.b0 = one - result.b1 - result.b2;
   return result;
 }
 
@@ -103,10 +103,10 @@ HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (
   const auto c = static_cast<int>(from.component);
   const V a0 = rows[0].Get(d, from.rows, c);
   const V corner1 = rows[1].Get(d, from.rows, c), corner2 = rows[2].Get(d, from.rows, c);
-  const V a1 = hn::Sub(corner1, a0), a2 = hn::Sub(corner2, a0);
+  const V a1 = corner1 - a0, a2 = corner2 - a0;
   hn::Store(Blend(d, a0, corner1, corner2, b.b1, b.b2), d, out + at);
-  hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dx, a1), hn::Mul(b.b2_dx, a2))), d, out_dx + at);
-  hn::Store(FiniteOrZero(d, hn::Add(hn::Mul(b.b1_dy, a1), hn::Mul(b.b2_dy, a2))), d, out_dy + at);
+  hn::Store(FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), d, out_dx + at);
+  hn::Store(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
 }
 
 /// Position, normal and wo of one vector of rows.
@@ -124,8 +124,7 @@ HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const 
                       Attribute(d, world, 2, rows, b)};
   Store3(d, p, f.px, f.py, f.pz, at);
   if (!(wanted & kToEye)) return;
-  const Vec3V<V> to_eye = {hn::Sub(hn::Set(d, eye[0]), p.x), hn::Sub(hn::Set(d, eye[1]), p.y),
-                           hn::Sub(hn::Set(d, eye[2]), p.z)};
+  const Vec3V<V> to_eye = {hn::Set(d, eye[0]) - p.x, hn::Set(d, eye[1]) - p.y, hn::Set(d, eye[2]) - p.z};
   const Vec3V<V> o = Normalize(d, to_eye);
   Store3(d, o, f.ox, f.oy, f.oz, at);
 }

@@ -51,9 +51,9 @@ class Period {
     const auto a = hn::Set(di, static_cast<int32_t>(line.a)), b = hn::Set(di, static_cast<int32_t>(line.b));
     const auto whole = hn::Set(di, static_cast<int32_t>(line.value >> geometry::kSubpixelBits));
     const auto part = hn::Set(di, static_cast<int32_t>(line.value & (geometry::kSubpixels - 1)));
-    const auto x = hn::Mul(a, hn::LoadU(di, pattern_.x + at)), y = hn::Mul(b, hn::LoadU(di, pattern_.y + at));
-    const auto in_pixel = hn::ShiftRight<geometry::kSubpixelBits>(hn::Add(part, hn::Add(x, y)));
-    return hn::Add(hn::Add(whole, in_pixel), hn::Mul(a, column(at)));
+    const auto x = a * hn::LoadU(di, pattern_.x + at), y = b * hn::LoadU(di, pattern_.y + at);
+    const auto in_pixel = hn::ShiftRight<geometry::kSubpixelBits>(part + (x + y));
+    return whole + in_pixel + a * column(at);
   }
 
   HWY_INLINE Int stored_edge(int k, int32_t at) const { return hn::Load(hn::RebindToSigned<Tag>(), edge_[k] + at); }
@@ -66,11 +66,11 @@ class Period {
     const hn::ScalableTag<double> d;
     const DepthOrigin origin = origin_of(slope);
     for (int32_t at = 0; at < length; at += static_cast<int32_t>(hn::Lanes(d))) {
-      const auto step_x = hn::Add(hn::Set(d, origin.step_x), hn::LoadU(d, pattern_.pixel_x + at));
-      const auto step_y = hn::Add(hn::Set(d, origin.step_y), hn::LoadU(d, pattern_.pixel_y + at));
-      const auto along_x = hn::Add(hn::Set(d, slope.z), hn::Mul(hn::Set(d, slope.dx), step_x));
+      const auto step_x = hn::Set(d, origin.step_x) + hn::LoadU(d, pattern_.pixel_x + at);
+      const auto step_y = hn::Set(d, origin.step_y) + hn::LoadU(d, pattern_.pixel_y + at);
+      const auto along_x = hn::Set(d, slope.z) + hn::Set(d, slope.dx) * step_x;
       const hn::Rebind<float, decltype(d)> df;
-      hn::StoreU(hn::DemoteTo(df, hn::Add(along_x, hn::Mul(hn::Set(d, slope.dy), step_y))), df, base_ + at);
+      hn::StoreU(hn::DemoteTo(df, along_x + hn::Set(d, slope.dy) * step_y), df, base_ + at);
     }
   }
 
@@ -93,8 +93,8 @@ class Period<Samples::kSingle> {
   HWY_INLINE V base(int32_t) const { return base_; }
   HWY_INLINE Int edge(const EdgeLine& line, int32_t) const {
     const hn::RebindToSigned<Tag> di;
-    const auto steps = hn::Mul(hn::Set(di, static_cast<int32_t>(line.a)), hn::Iota(di, 0));
-    return hn::Add(hn::Set(di, static_cast<int32_t>(edge_at(line, point_).value)), steps);
+    const auto steps = hn::Set(di, static_cast<int32_t>(line.a)) * hn::Iota(di, 0);
+    return hn::Set(di, static_cast<int32_t>(edge_at(line, point_).value)) + steps;
   }
   HWY_INLINE Int stored_edge(int, int32_t) const { return hn::Zero(hn::RebindToSigned<Tag>()); }
 
@@ -113,13 +113,13 @@ struct EdgeWalk {
     const hn::RebindToSigned<Tag> di;
     const auto a = static_cast<int32_t>(line.a), b = static_cast<int32_t>(line.b);
     row = hn::Set(di, a * x + b * y);
-    if (kSamples != Samples::kVectors) row = hn::Add(row, period.edge(line, 0));
+    if (kSamples != Samples::kVectors) row = row + period.edge(line, 0);
     right = hn::Set(di, a * period.pixels);
     down = hn::Set(di, b);
   }
   HWY_INLINE void BeginRow() { here = row; }
-  HWY_INLINE void NextVector() { here = hn::Add(here, right); }
-  HWY_INLINE void NextRow() { row = hn::Add(row, down); }
+  HWY_INLINE void NextVector() { here = here + right; }
+  HWY_INLINE void NextRow() { row = row + down; }
 
   Int row, here, right, down;
 };
@@ -147,17 +147,17 @@ HWY_INLINE void ForEachCovered(const TriangleSetup& t, const Body& body) {
     for (EdgeWalk* edge : {&edge0, &edge1, &edge2}) edge->BeginRow();
     for (int32_t x = first_x; x <= t.box.max_x; x += pixels) {
       for (int32_t i = 0; i < length; i += lanes) {
-        const auto side0 = kStored ? hn::Add(edge0.here, period.stored_edge(0, i)) : edge0.here;
-        const auto side1 = kStored ? hn::Add(edge1.here, period.stored_edge(1, i)) : edge1.here;
-        const auto side2 = kStored ? hn::Add(edge2.here, period.stored_edge(2, i)) : edge2.here;
-        auto in = hn::Gt(hn::Or(hn::Or(side0, side1), side2), hn::Set(di, -1));
-        const auto column = hn::Add(hn::Set(di, x), period.column(i));
+        const auto side0 = kStored ? edge0.here + period.stored_edge(0, i) : edge0.here;
+        const auto side1 = kStored ? edge1.here + period.stored_edge(1, i) : edge1.here;
+        const auto side2 = kStored ? edge2.here + period.stored_edge(2, i) : edge2.here;
+        auto in = hn::Gt(side0 | side1 | side2, hn::Set(di, -1));
+        const auto column = hn::Set(di, x) + period.column(i);
         if (Variant::kClipped) in = hn::And(in, hn::And(hn::Gt(column, before), hn::Gt(behind, column)));
         const auto inside = hn::RebindMask(d, in);
         if (hn::AllFalse(d, inside)) continue;
-        const auto from_origin = hn::ConvertTo(d, hn::Add(column, to_origin));
-        const auto row = hn::Add(period.base(i), depth);
-        const auto z = hn::Min(hn::Max(hn::Add(hn::Mul(slope, from_origin), row), low), high);
+        const auto from_origin = hn::ConvertTo(d, column + to_origin);
+        const auto row = period.base(i) + depth;
+        const auto z = hn::Min(hn::Max(slope * from_origin + row, low), high);
         body(static_cast<size_t>((y * kTile + x) * samples + i), inside, z);
       }
       for (EdgeWalk* edge : {&edge0, &edge1, &edge2}) edge->NextVector();

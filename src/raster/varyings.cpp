@@ -51,26 +51,26 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
   V x[3], y[3], e[3];
   for (int k = 0; k < 3; ++k) {
     const V rx = triangle.Get(d, raster, 4, k, 0), ry = triangle.Get(d, raster, 4, k, 1);
-    const V w = triangle.Get(d, raster, 4, k, 3), reach = hn::Mul(w, hn::Set(d, 0x1p60f));
+    const V w = triangle.Get(d, raster, 4, k, 3), reach = w * hn::Set(d, 0x1p60f);
     usable = hn::And(usable, hn::Ge(w, hn::Set(d, geometry::kMinW)));
     usable = hn::And(usable, hn::And(hn::Le(hn::Abs(rx), reach), hn::Le(hn::Abs(ry), reach)));
     // The pixel becomes the origin before the division: what is left of it is small.
-    x[k] = hn::Div(hn::Sub(rx, hn::Mul(px, w)), w);
-    y[k] = hn::Div(hn::Sub(ry, hn::Mul(py, w)), w);
+    x[k] = (rx - px * w) / w;
+    y[k] = (ry - py * w) / w;
   }
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    e[k] = hn::Sub(hn::Mul(x[i], y[j]), hn::Mul(x[j], y[i]));
+    e[k] = x[i] * y[j] - x[j] * y[i];
   }
-  const V sum = hn::Add(hn::Add(e[0], e[1]), e[2]);
-  const V size = hn::Add(hn::Add(hn::Abs(e[0]), hn::Abs(e[1])), hn::Abs(e[2]));
+  const V sum = e[0] + e[1] + e[2];
+  const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
   usable = hn::And(usable, hn::Lt(size, hn::Set(d, __builtin_inff())));
   usable = hn::And(usable, hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
-  const V inverse = hn::Div(one, hn::IfThenElse(usable, sum, one));
-  const V raw1 = hn::IfThenElse(usable, hn::Mul(e[1], inverse), perspective.b1);
-  const V raw2 = hn::IfThenElse(usable, hn::Mul(e[2], inverse), perspective.b2);
+  const V inverse = one / hn::IfThenElse(usable, sum, one);
+  const V raw1 = hn::IfThenElse(usable, e[1] * inverse, perspective.b1);
+  const V raw2 = hn::IfThenElse(usable, e[2] * inverse, perspective.b2);
   const V b1 = hn::Min(hn::Max(raw1, zero), one);
-  return {b1, hn::Min(hn::Max(raw2, zero), hn::Sub(one, b1))};
+  return {b1, hn::Min(hn::Max(raw2, zero), one - b1)};
 }
 
 /// One vector of rows, starting at row `at`.

@@ -33,9 +33,9 @@ void CombineAmbient(const Inputs& in, Radiance& out) {
   for (int c = 0; c < 3; ++c) {
     for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
       const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-      const auto lost = hn::Sub(slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0), one);
-      const auto kept = hn::Add(one, hn::Mul(strength, lost));
-      hn::Store(hn::Mul(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c), kept), d, out.channel[c] + i);
+      const auto lost = slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one;
+      const auto kept = one + strength * lost;
+      hn::Store(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c) * kept, d, out.channel[c] + i);
     }
   }
 }
@@ -59,7 +59,7 @@ void AddEmission(const Inputs& in, int c, float* out) {
   const D d;
   for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
     const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-    hn::Store(hn::Add(hn::Load(d, out + i), slots.Get(in.material.emission[c], SHD_SLOT_EMISSION, c)), d, out + i);
+    hn::Store(hn::Load(d, out + i) + slots.Get(in.material.emission[c], SHD_SLOT_EMISSION, c), d, out + i);
   }
 }
 
@@ -72,10 +72,10 @@ void CombineOpacity(const Inputs& in, Radiance& out) {
   const auto one = hn::Set(d, 1.0f);
   for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
     const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-    const auto a = hn::Mul(slots.Get(m.opacity, SHD_SLOT_OPACITY, 0), slots.Get(1.0f, SHD_SLOT_DIFFUSE, 3));
+    const auto a = slots.Get(m.opacity, SHD_SLOT_OPACITY, 0) * slots.Get(1.0f, SHD_SLOT_DIFFUSE, 3);
     hn::Store(material::has_opacity(m) ? a : one, d, out.channel[3] + i);
     for (int c = 0; premultiplied && c < 3; ++c) {
-      hn::Store(hn::Mul(a, hn::Load(d, out.channel[c] + i)), d, out.channel[c] + i);
+      hn::Store(a * hn::Load(d, out.channel[c] + i), d, out.channel[c] + i);
     }
   }
 }
@@ -102,10 +102,10 @@ void SpreadCorners(const raster::Fragments& fragments, const uint32_t* points, c
   for (size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
     const auto first = hn::Load(di, signed_points + i);
     const auto a0 = hn::GatherIndex(d, in, first);
-    const auto a1 = hn::Sub(hn::GatherIndex(d, in, hn::Add(first, one)), a0);
-    const auto a2 = hn::Sub(hn::GatherIndex(d, in, hn::Add(first, hn::Add(one, one))), a0);
-    const auto sum = hn::Add(a0, hn::Mul(hn::Load(d, fragments.bary[1] + i), a1));
-    hn::Store(hn::Add(sum, hn::Mul(hn::Load(d, fragments.bary[2] + i), a2)), d, out + i);
+    const auto a1 = hn::GatherIndex(d, in, first + one) - a0;
+    const auto a2 = hn::GatherIndex(d, in, first + (one + one)) - a0;
+    const auto sum = a0 + hn::Load(d, fragments.bary[1] + i) * a1;
+    hn::Store(sum + hn::Load(d, fragments.bary[2] + i) * a2, d, out + i);
   }
 }
 

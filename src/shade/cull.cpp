@@ -43,9 +43,9 @@ size_t CullLights(const LightTable& lights, const raster::Fragments& points, uin
     auto squared = hn::Zero(d);
     for (int c = 0; c < 3; ++c) {
       const auto at = hn::Load(d, columns[c] + i);
-      const auto before = hn::Sub(hn::Set(d, bounds[c].low), at), after = hn::Sub(at, hn::Set(d, bounds[c].high));
+      const auto before = hn::Set(d, bounds[c].low) - at, after = at - hn::Set(d, bounds[c].high);
       const auto away = hn::Max(hn::Max(before, after), hn::Zero(d));
-      squared = hn::Add(squared, hn::Mul(away, away));
+      squared = squared + away * away;
     }
     const auto affects = hn::Le(squared, hn::Load(d, lights.max_squared_distance.data() + i));
     HWY_ALIGN uint8_t bits[8] = {};

@@ -24,8 +24,8 @@ template <class D, class V>
 HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&sum)[3]) {
   const auto is_lit = hn::Gt(w, hn::Zero(d));
   for (int c = 0; c < 3; ++c) {
-    const V left = active.factor[c] ? hn::IfThenElseZero(is_lit, hn::Mul(w, hn::Load(d, active.factor[c] + i))) : w;
-    sum[c] = hn::Add(sum[c], hn::Mul(hn::Set(d, active.light->intensity[c]), left));
+    const V left = active.factor[c] ? hn::IfThenElseZero(is_lit, w * hn::Load(d, active.factor[c] + i)) : w;
+    sum[c] = sum[c] + hn::Set(d, active.light->intensity[c]) * left;
   }
 }
 
@@ -39,7 +39,7 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
   V lobe[Lighting::kLobes];
   if constexpr (Lighting::kIgnoresIrradiance) {
     Lighting::AddLight(d, material, point, in, shape, lobe);
-    for (V& channel : sum[0]) channel = hn::Add(channel, lobe[0]);
+    for (V& channel : sum[0]) channel = channel + lobe[0];
   } else {
     const auto faces = hn::Gt(in.n_dot_l, hn::Zero(d));
     // Behind every point of the vector: all terms are +0, and adding them changes no bit.
@@ -47,7 +47,7 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
     Lighting::AddLight(d, material, point, in, shape, lobe);
     for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
       const V kept = k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k];
-      Accumulate(d, active, i, hn::Mul(incident.falloff, kept), sum[k]);
+      Accumulate(d, active, i, incident.falloff * kept, sum[k]);
     }
   }
 }

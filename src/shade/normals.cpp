@@ -34,9 +34,9 @@ template <class D, class V>
 HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const V sign = hn::IfThenElse(hn::Lt(n.z, zero), hn::Set(d, -1.0f), one);
-  const V a = hn::Div(hn::Set(d, -1.0f), hn::Add(sign, n.z));
-  const V b = hn::Mul(hn::Mul(n.x, n.y), a);
-  return {hn::Add(one, hn::Mul(hn::Mul(sign, hn::Mul(n.x, n.x)), a)), hn::Mul(sign, b), hn::Neg(hn::Mul(sign, n.x))};
+  const V a = hn::Set(d, -1.0f) / (sign + n.z);
+  const V b = n.x * n.y * a;
+  return {one + sign * (n.x * n.x) * a, sign * b, hn::Neg(sign * n.x)};
 }
 
 /// A vector m in the tangent space of point i, in world space.
@@ -48,7 +48,7 @@ HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& points, const
   const auto usable = hn::Gt(Dot(across, across), hn::Set(d, 1e-8f));
   const Vec3V<V> t = Select(usable, given, AnyTangent(d, n));
   const V side = hn::IfThenElse(hn::Lt(hn::Load(d, points.tw + i), hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
-  return Sum(Sum(Scaled(t, m.x), Scaled(Cross(n, t), hn::Mul(side, m.y))), Scaled(n, m.z));
+  return Sum(Sum(Scaled(t, m.x), Scaled(Cross(n, t), side * m.y)), Scaled(n, m.z));
 }
 
 /// A normal in tangent space, and the variance of slopes that its texel has lost.
@@ -62,28 +62,27 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const V factor = hn::Set(d, material.normal_factor), offset = hn::Set(d, material.normal_offset);
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
-  const V squared_scale = hn::Mul(scale_x, scale_x);
+  const V squared_scale = scale_x * scale_x;
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
   if (material.normal_encoding == SHD_NORMAL_MOMENTS) {
-    const V squares = hn::Add(hn::Load(d, map[2] + i), hn::Load(d, map[3] + i));
-    const V spread = hn::Sub(squares, hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
-    const V half = hn::Mul(hn::Set(d, 0.5f), hn::Mul(squared_scale, spread));
+    const V squares = hn::Load(d, map[2] + i) + hn::Load(d, map[3] + i);
+    const V spread = squares - (a * a + b * b);
+    const V half = hn::Set(d, 0.5f) * (squared_scale * spread);
     const V max = hn::Set(d, 1e30f);  // products with exponents are finite
     const V held = hn::IfThenElse(hn::Lt(half, max), half, max);
-    return {{hn::Mul(a, scale_x), hn::Mul(b, scale_y), one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
+    return {{a * scale_x, b * scale_y, one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
-  const V x = hn::Add(hn::Mul(factor, a), offset), y = hn::Add(hn::Mul(factor, b), offset);
+  const V x = factor * a + offset, y = factor * b + offset;
   if (material.normal_encoding == SHD_NORMAL_XY) {
-    const V rest = hn::Sub(one, hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-    return {{hn::Mul(x, scale_x), hn::Mul(y, scale_y), hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
+    const V rest = one - (x * x + y * y);
+    return {{x * scale_x, y * scale_y, hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
   }
-  const Vec3V<V> m = {hn::Mul(x, scale_x), hn::Mul(y, scale_y),
-                      hn::Add(hn::Mul(factor, hn::Load(d, map[2] + i)), offset)};
+  const Vec3V<V> m = {x * scale_x, y * scale_y, factor * hn::Load(d, map[2] + i) + offset};
   if (material.normal_encoding != SHD_NORMAL_TOKSVIG) return {m, zero};
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);
   const V length = hn::IfThenElse(hn::Gt(given, hn::Set(d, 0.01f)), given, hn::Set(d, 0.01f));
-  const V variance = hn::Mul(squared_scale, hn::Div(hn::Sub(one, length), length));
+  const V variance = squared_scale * ((one - length) / length);
   return {m, hn::IfThenElseZero(shorter, variance)};
 }
 
@@ -118,8 +117,7 @@ void BumpNormals(const float* const* tilt, const float* const* tangent_frame, ra
     const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));
     const auto safe = hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
     // Divided first, because the lengths of the frame may be far from 1.
-    const auto slope =
-        Sum(Scaled(r1, hn::Div(hn::Load(d, tilt[0] + i), safe)), Scaled(r2, hn::Div(hn::Load(d, tilt[1] + i), safe)));
+    const auto slope = Sum(Scaled(r1, hn::Load(d, tilt[0] + i) / safe), Scaled(r2, hn::Load(d, tilt[1] + i) / safe));
     const auto turned = Sum(n, Scaled(slope, hn::Set(d, -1.0f)));
     StoreNormal(d, Select(flat, n, turned), n, i, points);
   }

@@ -33,15 +33,14 @@ void FindShift(float depth, const float* const* tangent_frame, const raster::Fra
     const V cosine = Dot(n, wo);
     const V steep = hn::Max(hn::Abs(cosine), hn::Set(d, 0.1f));
     // Away from the eye, along the surface.
-    const Vec3V<V> along =
-        Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Div(hn::Set(d, depth), steep));
+    const Vec3V<V> along = Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Set(d, depth) / steep);
     const Vec3V<V> dpdu = Load3(d, tangent_frame[0], tangent_frame[1], tangent_frame[2], i),
                    dpdv = Load3(d, tangent_frame[3], tangent_frame[4], tangent_frame[5], i);
     const Vec3V<V> r1 = Cross(dpdv, n), r2 = Cross(n, dpdu);
     const V area = Dot(dpdu, r1);
     const auto flat = hn::Eq(area, zero);
-    const V inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(flat, hn::Set(d, 1.0f), area));
-    const V u = hn::Mul(Dot(r1, along), inverse), v = hn::Mul(Dot(r2, along), inverse);
+    const V inverse = hn::Set(d, 1.0f) / hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
+    const V u = Dot(r1, along) * inverse, v = Dot(r2, along) * inverse;
     const auto usable = hn::AndNot(flat, hn::And(hn::Lt(hn::Abs(u), limit), hn::Lt(hn::Abs(v), limit)));
     hn::Store(hn::IfThenElseZero(usable, u), d, du + i);
     hn::Store(hn::IfThenElseZero(usable, v), d, dv + i);

@@ -32,7 +32,7 @@ HWY_INLINE void GatherPairs(D d, const hn::TFromD<D>* base, hn::Vec<hn::RebindTo
   *right = hn::ConcatOdd(d, high, low);
 #else
   *left = hn::GatherIndex(d, base, index);
-  *right = hn::GatherIndex(d, base, hn::Add(index, hn::Set(di, 1)));
+  *right = hn::GatherIndex(d, base, index + hn::Set(di, 1));
 #endif
 }
 

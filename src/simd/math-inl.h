@@ -19,24 +19,24 @@ constexpr float kInvPi = 0.318309886f;
 /// log2((1 + s) / (1 - s)) / s by its series, with z = s^2 up to z^4.
 template <class D, class V>
 HWY_INLINE V AtanhSeries(D d, V z) {
-  V p = hn::Set(d, 0.320598898f);                          // 2 / (9 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.412198583f));    // 2 / (7 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.577078016f));    // 2 / (5 ln 2)
-  p = hn::Add(hn::Mul(p, z), hn::Set(d, 0.961796694f));    // 2 / (3 ln 2)
-  return hn::Add(hn::Mul(p, z), hn::Set(d, 2.88539008f));  // 2 / ln 2
+  V p = hn::Set(d, 0.320598898f);          // 2 / (9 ln 2)
+  p = p * z + hn::Set(d, 0.412198583f);    // 2 / (7 ln 2)
+  p = p * z + hn::Set(d, 0.577078016f);    // 2 / (5 ln 2)
+  p = p * z + hn::Set(d, 0.961796694f);    // 2 / (3 ln 2)
+  return p * z + hn::Set(d, 2.88539008f);  // 2 / ln 2
 }
 
 /// 2^f by its series up to f^7.
 template <class D, class V>
 HWY_INLINE V ExpSeries(D d, V f) {
   V p = hn::Set(d, 1.52527338e-5f);  // ln(2)^7 / 7!
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.54035304e-4f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.33335581e-3f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 9.61812911e-3f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 5.55041087e-2f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.240226507f));
-  p = hn::Add(hn::Mul(p, f), hn::Set(d, 0.693147181f));
-  return hn::Add(hn::Mul(p, f), hn::Set(d, 1.0f));
+  p = p * f + hn::Set(d, 1.54035304e-4f);
+  p = p * f + hn::Set(d, 1.33335581e-3f);
+  p = p * f + hn::Set(d, 9.61812911e-3f);
+  p = p * f + hn::Set(d, 5.55041087e-2f);
+  p = p * f + hn::Set(d, 0.240226507f);
+  p = p * f + hn::Set(d, 0.693147181f);
+  return p * f + hn::Set(d, 1.0f);
 }
 
 /// log2(x). Relative error <= 4e-7 (measured over every positive float: 2.31e-7).
@@ -47,15 +47,15 @@ template <class D, class V>
 HWY_INLINE V Log2(D d, V x) {
   const hn::RebindToSigned<D> di;
   const auto tiny = hn::Lt(x, hn::Set(d, 1.17549435e-38f));
-  const V scaled = hn::IfThenElse(tiny, hn::Mul(x, hn::Set(d, 8388608.0f)), x);
+  const V scaled = hn::IfThenElse(tiny, x * hn::Set(d, 8388608.0f), x);
   const auto bits = hn::BitCast(di, scaled);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
-  const V m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
-  const V e = hn::Sub(hn::ConvertTo(d, exponent), hn::IfThenElseZero(tiny, hn::Set(d, 23.0f)));
+  const auto exponent = hn::ShiftRight<23>(bits - hn::Set(di, 0x3f3504f3));
+  const V m = hn::BitCast(d, bits - hn::ShiftLeft<23>(exponent));
+  const V e = hn::ConvertTo(d, exponent) - hn::IfThenElseZero(tiny, hn::Set(d, 23.0f));
 
   const V one = hn::Set(d, 1.0f);
-  const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
-  V y = hn::Add(e, hn::Mul(s, AtanhSeries(d, hn::Mul(s, s))));
+  const V s = (m - one) / (m + one);
+  V y = e + s * AtanhSeries(d, s * s);
 
   const V infinity = hn::Set(d, __builtin_inff());
   y = hn::IfThenElse(hn::Eq(x, infinity), infinity, y);
@@ -74,15 +74,15 @@ HWY_INLINE V Exp2(D d, V x) {
   V t = hn::IfThenElse(is_nan, hn::Zero(d), x);
   t = hn::Min(hn::Max(t, hn::Set(d, -160.0f)), hn::Set(d, 129.0f));
   const V whole = hn::Round(t);
-  const V f = hn::Sub(t, whole);
+  const V f = t - whole;
   const V p = ExpSeries(d, f);
   // 2^n in two factors, each of which is a normal float; only the last product rounds.
   const auto n = hn::ConvertTo(di, whole);
   const auto half = hn::ShiftRight<1>(n);
   const auto bias = hn::Set(di, 127);
-  const V a = hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(half, bias)));
-  const V b = hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(hn::Sub(n, half), bias)));
-  const V y = hn::Mul(hn::Mul(p, a), b);
+  const V a = hn::BitCast(d, hn::ShiftLeft<23>(half + bias));
+  const V b = hn::BitCast(d, hn::ShiftLeft<23>(n - half + bias));
+  const V y = p * a * b;
   return hn::IfThenElse(is_nan, x, y);
 }
 
@@ -90,7 +90,7 @@ HWY_INLINE V Exp2(D d, V x) {
 /// 0.43 of that); 0 where the result is below 2^-150. Negative or NaN x: NaN unless y = 0.
 template <class D, class V>
 HWY_INLINE V Pow(D d, V x, V y) {
-  const V power = Exp2(d, hn::Mul(y, Log2(d, x)));
+  const V power = Exp2(d, y * Log2(d, x));
   return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), hn::Set(d, 1.0f), power);
 }
 
@@ -99,17 +99,17 @@ template <class D, class V>
 HWY_INLINE V UnitPow(D d, V x, V y) {
   const hn::RebindToSigned<D> di;
   const auto bits = hn::BitCast(di, x);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
-  const V m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  const auto exponent = hn::ShiftRight<23>(bits - hn::Set(di, 0x3f3504f3));
+  const V m = hn::BitCast(d, bits - hn::ShiftLeft<23>(exponent));
   const V one = hn::Set(d, 1.0f);
-  const V s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
-  const V power = hn::Mul(y, hn::Add(hn::ConvertTo(d, exponent), hn::Mul(s, AtanhSeries(d, hn::Mul(s, s)))));
+  const V s = (m - one) / (m + one);
+  const V power = y * (hn::ConvertTo(d, exponent) + s * AtanhSeries(d, s * s));
 
   const V t = hn::Max(power, hn::Set(d, -126.0f));
   const V whole = hn::Round(t);
-  const V f = hn::Sub(t, whole);
-  const auto scale = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127)));
-  const V result = hn::Mul(ExpSeries(d, f), hn::BitCast(d, scale));
+  const V f = t - whole;
+  const auto scale = hn::ShiftLeft<23>(hn::ConvertTo(di, whole) + hn::Set(di, 127));
+  const V result = ExpSeries(d, f) * hn::BitCast(d, scale);
   const V kept =
       hn::IfThenElseZero(hn::And(hn::Ge(power, hn::Set(d, -126.0f)), hn::Ge(x, hn::Set(d, 0x1p-126f))), result);
   return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), one, kept);

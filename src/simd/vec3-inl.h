@@ -41,28 +41,27 @@ HWY_INLINE Vec3V<V> Set3(D d, const float* v) {
 
 template <class V>
 HWY_INLINE V Dot(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class V>
 HWY_INLINE Vec3V<V> Sum(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 template <class V>
 HWY_INLINE Vec3V<V> Difference(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 template <class V>
 HWY_INLINE Vec3V<V> Scaled(const Vec3V<V>& a, V s) {
-  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+  return {a.x * s, a.y * s, a.z * s};
 }
 
 template <class V>
 HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// a where the mask is set, else b.
@@ -76,10 +75,10 @@ template <class D, class V>
 HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
   const V squared = Dot(a, a);
   const auto usable = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Lt(squared, hn::Set(d, __builtin_inff())));
-  const V inverse = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::IfThenElse(usable, squared, hn::Set(d, 1.0f))));
+  const V inverse = hn::Set(d, 1.0f) / hn::Sqrt(hn::IfThenElse(usable, squared, hn::Set(d, 1.0f)));
   const V scale = hn::IfThenElseZero(usable, inverse);
-  return {hn::IfThenElseZero(usable, hn::Mul(a.x, scale)), hn::IfThenElseZero(usable, hn::Mul(a.y, scale)),
-          hn::IfThenElseZero(usable, hn::Mul(a.z, scale))};
+  return {hn::IfThenElseZero(usable, a.x * scale), hn::IfThenElseZero(usable, a.y * scale),
+          hn::IfThenElseZero(usable, a.z * scale)};
 }
 
 }  // namespace shd::simd::HWY_NAMESPACE

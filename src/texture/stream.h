@@ -33,15 +33,15 @@ enum StreamOp : uint16_t {
   kStart = 0,
   kBlend = 1,
   kReplace = 2,
-  kHow = 3,           // mask of the above
-  kSecond = 4,        // into the second average
-  kQuad = 8,          // 2 x 2 texels: columns 0 and 1 of row 0, then of row 1
-  kRow = 512,         // 4 texels, the two in the middle first: columns 1, 2, 0, 3
-  kNeighbours = 16,   // texels side by side are so in memory, and none is the border
-  kMerge = 32,        // the second average into the first
-  kRated = 64,        // the share depends on the point: its rates are there, if the stream has rates
-  kNewLine = 128,     // a texel that begins a row, for prefetching
-  kLast = 256,        // the last element of its lookups
+  kHow = 3,          // mask of the above
+  kSecond = 4,       // into the second average
+  kQuad = 8,         // 2 x 2 texels: columns 0 and 1 of row 0, then of row 1
+  kRow = 512,        // 4 texels, the two in the middle first: columns 1, 2, 0, 3
+  kNeighbours = 16,  // texels side by side are so in memory, and none is the border
+  kMerge = 32,       // the second average into the first
+  kRated = 64,       // the share depends on the point: its rates are there, if the stream has rates
+  kNewLine = 128,    // a texel that begins a row, for prefetching
+  kLast = 256,       // the last element of its lookups
 };
 
 /// Share of a lane that starts with the value.
@@ -50,7 +50,7 @@ constexpr float kWhole = 2.0f;
 /// Columns of elements: element e of a target with L lanes lies at e * L.
 template <size_t kCapacity>
 struct Elements {
-  bool has_rates;                                          // whether rates are written: derivatives are wanted
+  bool has_rates;                           // whether rates are written: derivatives are wanted
   alignas(64) int32_t index[4][kCapacity];  // texels; ~index on the border
   alignas(64) float s[kCapacity];           // quad: fraction along u; row: share of the second texel
   alignas(64) float t[kCapacity];           // quad: fraction along v; row: share of the third texel

@@ -157,9 +157,8 @@ struct Lookups {
 
   /// The columns by number, for what treats all of them alike.
   const float*& real(size_t i) {
-    constexpr const float* Lookups::*kColumns[kFloatColumns] = {&Lookups::u,    &Lookups::v,    &Lookups::dudx,
-                                                                &Lookups::dvdx, &Lookups::dudy, &Lookups::dvdy,
-                                                                &Lookups::lod};
+    constexpr const float* Lookups::*kColumns[kFloatColumns] = {
+        &Lookups::u, &Lookups::v, &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy, &Lookups::dvdy, &Lookups::lod};
     return this->*kColumns[i];
   }
   const float* real(size_t i) const { return const_cast<Lookups*>(this)->real(i); }

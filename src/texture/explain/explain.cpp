@@ -6,12 +6,12 @@
 
 #include "image/half.h"
 #include "image/srgb.h"
-#include "texture/store/texel_codec.h"
+#include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
-#include "texture/explain/record.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
+#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 

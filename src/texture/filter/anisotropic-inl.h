@@ -31,8 +31,7 @@ struct Anisotropic : OnMipLevels {
   HWY_INLINE void emit(D d, const ProbeBlock& block, size_t i, Sink& sink) const {
     using V = hn::Vec<D>;
     const ProbeLine<D> line(d, sampler, block, i);
-    const LevelPair<D> levels =
-        LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
+    const LevelPair<D> levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
     const V reach = hn::Load(d, block.reach + i);
     V total = hn::Zero(d);

@@ -27,8 +27,8 @@ struct Bicubic : OnBaseLevel {
     const CubicTaps<D> y = WrapCubic(d, sampler.wrap_v, hn::Load(d, block.v + i), base.down);
     const CubicSteps<D> across = StepsOf(d, sampler.cubic, x.s, x.rate), down = StepsOf(d, sampler.cubic, y.s, y.rate);
     const hn::RebindToSigned<D> di;
-    const auto right = hn::And(hn::Eq(x.index[1], x.index[0] + hn::Set(di, 1)),
-                               hn::Eq(x.index[3], x.index[0] + hn::Set(di, 3)));
+    const auto right =
+        hn::And(hn::Eq(x.index[1], x.index[0] + hn::Set(di, 1)), hn::Eq(x.index[3], x.index[0] + hn::Set(di, 3)));
     const bool neighbours = hn::AllTrue(di, hn::And(right, hn::Eq(x.index[2], x.index[1] + hn::Set(di, 1))));
     for (int k = 0; k < 4; ++k) {
       const auto first = RowIndex(d, base, y.index[kOrder[k]]);

@@ -55,13 +55,13 @@ struct Boxes {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V HalfSide(D d, V side, const BoxRange& range) {
   const V bounded = hn::Min(hn::Max(side, hn::Set(d, range.low)), hn::Set(d, range.high));
-  return hn::Mul(hn::Set(d, 0.5f), bounded);
+  return hn::Set(d, 0.5f) * bounded;
 }
 
 template <class D>
 HWY_INLINE Boxes<D> SquareBoxes(D d, hn::Vec<D> lod, const BoxRange& range) {
   const auto bounded = hn::Min(hn::Max(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
-  const auto side = hn::Mul(simd::HWY_NAMESPACE::Exp2(d, bounded), hn::Set(d, range.scale));
+  const auto side = simd::HWY_NAMESPACE::Exp2(d, bounded) * hn::Set(d, range.scale);
   const auto half = HalfSide(d, side, range);
   return {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d), half, half};
 }
@@ -74,7 +74,7 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   using V = hn::Vec<D>;
   const V one = hn::Set(d, 1.0f), longest = hn::Set(d, kLongestBox);
   const auto texels = [&](V derivative, float size) {
-    const V side = hn::Mul(hn::Mul(derivative, hn::Set(d, size)), hn::Set(d, range.scale));
+    const V side = derivative * hn::Set(d, size) * hn::Set(d, range.scale);
     return hn::Min(hn::Max(side, hn::Neg(longest)), longest);
   };
   const V xu = texels(j.dudx, width), xv = texels(j.dvdx, height);
@@ -83,19 +83,19 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   if (most < 2.0f) {
     b.count = one;
     b.side_u = b.side_v = hn::Zero(d);
-    b.half_u = HalfSide(d, hn::Add(hn::Abs(xu), hn::Abs(yu)), range);
-    b.half_v = HalfSide(d, hn::Add(hn::Abs(xv), hn::Abs(yv)), range);
+    b.half_u = HalfSide(d, hn::Abs(xu) + hn::Abs(yu), range);
+    b.half_v = HalfSide(d, hn::Abs(xv) + hn::Abs(yv), range);
     return b;
   }
-  const V xx = hn::Add(hn::Mul(xu, xu), hn::Mul(xv, xv)), yy = hn::Add(hn::Mul(yu, yu), hn::Mul(yv, yv));
+  const V xx = xu * xu + xv * xv, yy = yu * yu + yv * yv;
   const auto along_x = hn::Ge(xx, yy);
   b.side_u = hn::IfThenElse(along_x, xu, yu);
   b.side_v = hn::IfThenElse(along_x, xv, yv);
   const V other_u = hn::IfThenElse(along_x, yu, xu), other_v = hn::IfThenElse(along_x, yv, xv);
-  const V ratio = hn::Sqrt(hn::Div(hn::Max(xx, yy), hn::Max(hn::Min(xx, yy), one)));
+  const V ratio = hn::Sqrt(hn::Max(xx, yy) / hn::Max(hn::Min(xx, yy), one));
   b.count = hn::Min(hn::Max(hn::Ceil(ratio), one), hn::Set(d, most));
-  b.half_u = HalfSide(d, hn::Add(hn::Div(hn::Abs(b.side_u), b.count), hn::Abs(other_u)), range);
-  b.half_v = HalfSide(d, hn::Add(hn::Div(hn::Abs(b.side_v), b.count), hn::Abs(other_v)), range);
+  b.half_u = HalfSide(d, hn::Abs(b.side_u) / b.count + hn::Abs(other_u), range);
+  b.half_v = HalfSide(d, hn::Abs(b.side_v) / b.count + hn::Abs(other_v), range);
   return b;
 }
 
@@ -119,15 +119,15 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
   auto mirrored = hn::Lt(one, zero);
   switch (wrap) {
     case SHD_WRAP_REPEAT:
-      e.turns = hn::Floor(hn::Div(x, size));
-      e.place = hn::Sub(x, hn::Mul(e.turns, size));
+      e.turns = hn::Floor(x / size);
+      e.place = x - e.turns * size;
       break;
     case SHD_WRAP_MIRROR: {
-      const V period = hn::Add(size, size), periods = hn::Floor(hn::Div(x, period));
-      const V rest = hn::Sub(x, hn::Mul(periods, period));
+      const V period = size + size, periods = hn::Floor(x / period);
+      const V rest = x - periods * period;
       mirrored = hn::Gt(rest, size);
-      e.place = hn::IfThenElse(mirrored, hn::Sub(period, rest), rest);
-      e.turns = hn::Add(hn::Add(periods, periods), hn::IfThenElseZero(mirrored, hn::Set(d, 2.0f)));
+      e.place = hn::IfThenElse(mirrored, period - rest, rest);
+      e.turns = periods + periods + hn::IfThenElseZero(mirrored, hn::Set(d, 2.0f));
       break;
     }
     case SHD_WRAP_MIRROR_ONCE:
@@ -137,11 +137,11 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
     case SHD_WRAP_BORDER: e.place = hn::Min(hn::Max(x, zero), size); break;
     default: break;
   }
-  const V cell = hn::Min(hn::Max(hn::Floor(e.place), zero), hn::Sub(size, one)), next = hn::Add(cell, one);
+  const V cell = hn::Min(hn::Max(hn::Floor(e.place), zero), size - one), next = cell + one;
   const auto below = upper ? hn::Not(mirrored) : mirrored;  // whether the box holds the lower part of the cell
   e.inner = hn::ConvertTo(di, hn::IfThenElse(below, cell, next));
   e.outer = hn::ConvertTo(di, hn::IfThenElse(below, next, cell));
-  e.weight = hn::IfThenElse(below, hn::Sub(e.place, cell), hn::Sub(next, e.place));
+  e.weight = hn::IfThenElse(below, e.place - cell, next - e.place);
   e.sign = hn::IfThenElse(mirrored, hn::Neg(one), one);
   return e;
 }
@@ -167,16 +167,16 @@ SHD_KERNEL_PART MaskOf<D> WrapBox(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> h
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   if (wrap != SHD_WRAP_REPEAT && wrap != SHD_WRAP_MIRROR) {
     // Further outside all texels are the same.
-    const V reach = hn::Add(half, one), low = wrap == SHD_WRAP_MIRROR_ONCE ? hn::Add(reach, size) : reach;
-    x = hn::Min(hn::Max(x, hn::Neg(low)), hn::Add(reach, size));
+    const V reach = half + one, low = wrap == SHD_WRAP_MIRROR_ONCE ? reach + size : reach;
+    x = hn::Min(hn::Max(x, hn::Neg(low)), reach + size);
   }
-  const V first = hn::Sub(x, half), last = hn::Add(x, half);
+  const V first = x - half, last = x + half;
   const BoxEnd<D> a = FoldEnd(d, wrap, first, size, false), b = FoldEnd(d, wrap, last, size, true);
-  const V turns = hn::Sub(b.turns, a.turns);
-  const V inner_a = hn::Mul(a.sign, hn::ConvertTo(d, a.inner)), inner_b = hn::Mul(b.sign, hn::ConvertTo(d, b.inner));
-  const V between = hn::Sub(hn::Add(hn::Mul(turns, size), inner_b), inner_a);
+  const V turns = b.turns - a.turns;
+  const V inner_a = a.sign * hn::ConvertTo(d, a.inner), inner_b = b.sign * hn::ConvertTo(d, b.inner);
+  const V between = turns * size + inner_b - inner_a;
   V outside = zero;
-  if (wrap == SHD_WRAP_BORDER) outside = hn::Add(hn::Sub(a.place, first), hn::Sub(last, b.place));
+  if (wrap == SHD_WRAP_BORDER) outside = a.place - first + (last - b.place);
   hn::Store(a.inner, hn::RebindToSigned<D>(), out->inner[0]);
   hn::Store(a.outer, hn::RebindToSigned<D>(), out->outer[0]);
   hn::Store(a.weight, d, out->weight[0]);
@@ -188,7 +188,7 @@ SHD_KERNEL_PART MaskOf<D> WrapBox(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> h
   hn::Store(turns, d, out->turns);
   hn::Store(between, d, out->between);
   hn::Store(outside, d, out->outside);
-  const auto upright = hn::Eq(hn::Add(a.sign, b.sign), hn::Set(d, 2.0f));
+  const auto upright = hn::Eq(a.sign + b.sign, hn::Set(d, 2.0f));
   return hn::And(upright, hn::And(hn::Eq(turns, zero), hn::Ge(between, zero)));
 }
 

@@ -44,24 +44,24 @@ SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds) {
   const CubicKernel k = cubic_kernel(cubic);
   const auto set = [&](float value) { return hn::Set(d, value); };
   const auto inner = [&](V x) {
-    const V square = hn::Mul(x, x);
-    return hn::Add(hn::Mul(hn::Add(hn::Mul(set(k.p3), x), set(k.p2)), square), set(k.p0));
+    const V square = x * x;
+    return (set(k.p3) * x + set(k.p2)) * square + set(k.p0);
   };
-  const auto inner_slope = [&](V x) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.p3), x), set(2 * k.p2)), x); };
-  const auto outer = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(k.q3), r), set(k.q2)), hn::Mul(r, r)); };
-  const auto outer_slope = [&](V r) { return hn::Mul(hn::Add(hn::Mul(set(3 * k.q3), r), set(2 * k.q2)), r); };
-  const V r = hn::Sub(set(1.0f), s);
+  const auto inner_slope = [&](V x) { return (set(3 * k.p3) * x + set(2 * k.p2)) * x; };
+  const auto outer = [&](V r) { return (set(k.q3) * r + set(k.q2)) * (r * r); };
+  const auto outer_slope = [&](V r) { return (set(3 * k.q3) * r + set(2 * k.q2)) * r; };
+  const V r = set(1.0f) - s;
   // In the order of the taps: second, third, first, fourth.
   const V weight[4] = {inner(s), inner(r), outer(r), outer(s)};
   const V slope[4] = {inner_slope(s), hn::Neg(inner_slope(r)), hn::Neg(outer_slope(r)), outer_slope(s)};
   CubicSteps<D> steps;
   V sum = weight[0], sum_slope = slope[0];
   for (int i = 1; i < 4; ++i) {
-    sum = hn::Add(sum, weight[i]);
-    sum_slope = hn::Add(sum_slope, slope[i]);
-    const V step = hn::Div(weight[i], sum);
+    sum = sum + weight[i];
+    sum_slope = sum_slope + slope[i];
+    const V step = weight[i] / sum;
     steps.step[i - 1] = step;
-    steps.rate[i - 1] = hn::Mul(hn::Div(hn::Sub(slope[i], hn::Mul(step, sum_slope)), sum), ds);
+    steps.rate[i - 1] = (slope[i] - step * sum_slope) / sum * ds;
   }
   return steps;
 }

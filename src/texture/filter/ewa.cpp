@@ -31,9 +31,9 @@ struct EllipseWalk {
   const Sampler& sampler;
   Ellipse<D> ellipse;
   V per_height2, per_width2;
-  V top, last;                  // lowest row, and how many more there are; -1 = none
-  V total, total_u, total_v;    // sum of the weights, and its derivatives
-  bool any = false;             // whether an element was emitted
+  V top, last;                // lowest row, and how many more there are; -1 = none
+  V total, total_u, total_v;  // sum of the weights, and its derivatives
+  bool any = false;           // whether an element was emitted
 
   HWY_INLINE EllipseWalk(D d, const Texture& texture, const Sampler& of_sampler, const EllipseBlock& block, size_t i)
       : sampler(of_sampler), ellipse(d, texture, of_sampler, block, i) {

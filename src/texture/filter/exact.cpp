@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "texture/footprint/block.h"
-#include "texture/store/texel_codec.h"
 #include "texture/footprint/exact_footprint.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
+#include "texture/store/texel_codec.h"
 #include "texture/store/wrap.h"
 
 namespace shd::texture {

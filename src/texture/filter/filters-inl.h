@@ -14,17 +14,17 @@
 #include "texture/stream.h"
 
 #ifndef SHD_TEXTURE_FILTERS
-#define SHD_TEXTURE_FILTERS(ROW)                      \
-  ROW(SHD_FILTER_NEAREST, RunNearest, false)          \
-  ROW(SHD_FILTER_BILINEAR, RunBilinear, true)         \
-  ROW(SHD_FILTER_BICUBIC, RunBicubic, true)           \
-  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMip, false)   \
-  ROW(SHD_FILTER_BILINEAR_MIP, RunBilinearMip, true)  \
-  ROW(SHD_FILTER_TRILINEAR, RunTrilinear, true)       \
-  ROW(SHD_FILTER_RIPMAP, RunRipmap, true)             \
-  ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)   \
-  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)   \
-  ROW(SHD_FILTER_EWA, RunEwa, true)                   \
+#define SHD_TEXTURE_FILTERS(ROW)                     \
+  ROW(SHD_FILTER_NEAREST, RunNearest, false)         \
+  ROW(SHD_FILTER_BILINEAR, RunBilinear, true)        \
+  ROW(SHD_FILTER_BICUBIC, RunBicubic, true)          \
+  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMip, false)  \
+  ROW(SHD_FILTER_BILINEAR_MIP, RunBilinearMip, true) \
+  ROW(SHD_FILTER_TRILINEAR, RunTrilinear, true)      \
+  ROW(SHD_FILTER_RIPMAP, RunRipmap, true)            \
+  ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)  \
+  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)  \
+  ROW(SHD_FILTER_EWA, RunEwa, true)                  \
   ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)
 #endif
 

@@ -27,7 +27,6 @@ HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level,
   sink.finish();
 }
 
-
 struct Nearest : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
 

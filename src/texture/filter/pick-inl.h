@@ -40,19 +40,18 @@ HWY_INLINE Pick<D> PickLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const Axis
 /// 3 s^3 - 6 s^2 + 4, 3 (1 - s)^3 - 6 (1 - s)^2 + 4 and s^3. At s = 0 the first three sum to 6 exactly, which 6 x never
 /// reaches.
 template <class D>
-HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size,
-                              hn::Vec<D> x) {
+HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, hn::Vec<D> x) {
   using V = hn::Vec<D>;
   const V one = hn::Set(d, 1.0f), three = hn::Set(d, 3.0f), four = hn::Set(d, 4.0f), six = hn::Set(d, 6.0f);
   const CubicPoint<D> at = LocateCubic(d, wrap, reduced, size);
-  const V r = hn::Sub(one, at.s);
-  const auto inner = [&](V t) { return hn::Add(hn::Mul(hn::Sub(hn::Mul(three, t), six), hn::Mul(t, t)), four); };
-  const V first = hn::Mul(r, hn::Mul(r, r));
-  const V second = hn::Add(first, inner(at.s));
-  const V third = hn::Add(second, inner(r));
-  const V scaled = hn::Mul(x, six);
-  V tap = hn::Sub(at.second, one);
-  for (const V sum : {first, second, third}) tap = hn::Add(tap, hn::IfThenElseZero(hn::Ge(scaled, sum), one));
+  const V r = one - at.s;
+  const auto inner = [&](V t) { return (three * t - six) * (t * t) + four; };
+  const V first = r * (r * r);
+  const V second = first + inner(at.s);
+  const V third = second + inner(r);
+  const V scaled = x * six;
+  V tap = at.second - one;
+  for (const V sum : {first, second, third}) tap = tap + hn::IfThenElseZero(hn::Ge(scaled, sum), one);
   Pick<D> pick;
   pick.index = WrapCubicTap(d, wrap, tap, size, &pick.in);
   return pick;
@@ -62,9 +61,9 @@ HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisS
 template <class D>
 HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
   const auto floor = hn::Floor(lod);
-  const auto next = hn::IfThenElseZero(hn::Lt(x, hn::Sub(lod, floor)), hn::Set(d, 1.0f));
+  const auto next = hn::IfThenElseZero(hn::Lt(x, lod - floor), hn::Set(d, 1.0f));
   const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
-  return LevelAt(d, texture, first_texel, hn::Min(hn::Add(floor, next), last));
+  return LevelAt(d, texture, first_texel, hn::Min(floor + next, last));
 }
 
 /// The one texel of a lookup.

@@ -10,8 +10,8 @@
 
 #include <hwy/highway.h>
 
-#include "texture/filter/pick-inl.h"
 #include "texture/filter/ellipse-inl.h"
+#include "texture/filter/pick-inl.h"
 #include "texture/filter/random-inl.h"
 #include "texture/filter/walk-inl.h"
 
@@ -30,20 +30,20 @@ class EllipseLines {
   /// With the middle at (x, y) in texels whose centres are whole numbers.
   HWY_INLINE EllipseLines(D d, V x, V y, V shear, V height2, V width2) {
     const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-    const V across = hn::Add(width2, hn::Mul(hn::Mul(shear, shear), height2));  // half of its width, squared
+    const V across = width2 + shear * shear * height2;  // half of its width, squared
     by_column_ = hn::Gt(across, height2);
-    const V turn = hn::IfThenElse(by_column_, hn::Div(height2, across), one);
+    const V turn = hn::IfThenElse(by_column_, height2 / across, one);
     along_ = hn::IfThenElse(by_column_, x, y);
     across_ = hn::IfThenElse(by_column_, y, x);
-    shear_ = hn::Mul(shear, turn);
-    const V long_square = hn::IfThenElse(by_column_, across, height2), short_square = hn::Mul(width2, turn);
-    per_long_ = hn::Div(one, long_square);
-    per_short_ = hn::Div(one, short_square);
+    shear_ = shear * turn;
+    const V long_square = hn::IfThenElse(by_column_, across, height2), short_square = width2 * turn;
+    per_long_ = one / long_square;
+    per_short_ = one / short_square;
     const V half_length = hn::Sqrt(long_square);
     half_width_ = hn::Sqrt(short_square);
-    first_ = hn::Ceil(hn::Sub(along_, half_length));
-    lines_ = hn::Add(hn::Floor(hn::Mul(half_length, two)), one);
-    texels_ = hn::Add(hn::Floor(hn::Mul(half_width_, two)), one);
+    first_ = hn::Ceil(along_ - half_length);
+    lines_ = hn::Floor(half_length * two) + one;
+    texels_ = hn::Floor(half_width_ * two) + one;
   }
 
   /// Most lines of any lane, and most texels of any line.
@@ -57,24 +57,24 @@ class EllipseLines {
   };
   HWY_INLINE Line line(D d, V k) const {
     const V one = hn::Set(d, 1.0f);
-    const V distance = hn::Sub(hn::Add(first_, k), along_);
-    const V middle = hn::Add(across_, hn::Mul(shear_, distance));
+    const V distance = first_ + k - along_;
+    const V middle = across_ + shear_ * distance;
     Line line;
-    line.square = hn::IfThenElse(hn::Lt(k, lines_), hn::Mul(hn::Mul(distance, distance), per_long_), one);
-    line.start = hn::Ceil(hn::Sub(middle, half_width_));
-    line.offset = hn::Sub(line.start, middle);
+    line.square = hn::IfThenElse(hn::Lt(k, lines_), distance * distance * per_long_, one);
+    line.start = hn::Ceil(middle - half_width_);
+    line.offset = line.start - middle;
     return line;
   }
   /// Of texel k of a line; 0 beyond the last and outside the ellipse.
   HWY_INLINE V weight(D d, const Line& line, float k) const {
     const V one = hn::Set(d, 1.0f), at = hn::Set(d, k);
-    const V offset = hn::Add(line.offset, at);
-    const V square = hn::Add(line.square, hn::Mul(hn::Mul(offset, offset), per_short_));
+    const V offset = line.offset + at;
+    const V square = line.square + offset * offset * per_short_;
     return WeightAt(d, hn::IfThenElse(hn::Lt(at, texels_), hn::Min(square, one), one));
   }
   /// Coordinates of texel `texel` of line k.
   HWY_INLINE void locate(D d, V k, V texel, V* x, V* y) const {
-    const V place = hn::Add(first_, k), start = hn::Add(line(d, k).start, texel);
+    const V place = first_ + k, start = line(d, k).start + texel;
     *x = hn::IfThenElse(by_column_, place, start);
     *y = hn::IfThenElse(by_column_, start, place);
   }
@@ -102,29 +102,29 @@ HWY_INLINE void PickInEllipse(D d, const EllipseLines<D>& lines, hn::Vec<D> rand
   for (size_t n = 0; n < count; n += in_group) {
     for (size_t i = 0; i < in_group; ++i) {
       const auto line = lines.line(d, k);
-      for (float t = 0.0f; t < texels; t += 1.0f) total = hn::Add(total, lines.weight(d, line, t));
-      k = hn::Add(k, one);
+      for (float t = 0.0f; t < texels; t += 1.0f) total = total + lines.weight(d, line, t);
+      k = k + one;
     }
     hn::Store(total, d, sums + lanes * groups++);
   }
 
-  const V wanted = hn::Mul(random, total), group = hn::Set(d, static_cast<float>(in_group));
+  const V wanted = random * total, group = hn::Set(d, static_cast<float>(in_group));
   V sum = zero, texel = zero;
   k = zero;
   for (size_t n = 0; n < groups; ++n) {
     const V end = hn::Load(d, sums + lanes * n);
     const auto passed = hn::Ge(wanted, end);
     sum = hn::IfThenElse(passed, end, sum);
-    k = hn::Add(k, hn::IfThenElseZero(passed, group));
+    k = k + hn::IfThenElseZero(passed, group);
   }
   for (size_t i = 0; i < in_group; ++i) {
     const auto line = lines.line(d, k);
     for (float t = 0.0f; t < texels; t += 1.0f) {
-      sum = hn::Add(sum, lines.weight(d, line, t));
-      texel = hn::Add(texel, hn::IfThenElseZero(hn::Ge(wanted, sum), one));
+      sum = sum + lines.weight(d, line, t);
+      texel = texel + hn::IfThenElseZero(hn::Ge(wanted, sum), one);
     }
     const auto passed = hn::Ge(wanted, sum);
-    k = hn::Add(k, hn::IfThenElseZero(passed, one));
+    k = k + hn::IfThenElseZero(passed, one);
     texel = hn::IfThenZeroElse(passed, texel);
   }
   lines.locate(d, k, texel, x, y);

@@ -30,7 +30,8 @@ void prefetch_elements(const TexelSource& source, const Stream& stream, size_t f
     __asm__ volatile("");
     for (size_t k = 0; k < lanes; ++k) {
       const auto i = static_cast<uint32_t>(index[k] < 0 ? ~index[k] : index[k]);
-      __builtin_prefetch((i < source.borrowed_texels ? source.borrowed : source.origin) + size_t{i} * source.texel_size);
+      __builtin_prefetch((i < source.borrowed_texels ? source.borrowed : source.origin) +
+                         size_t{i} * source.texel_size);
     }
   };
   for (size_t e = first; e < end; ++e) {

@@ -25,18 +25,18 @@ constexpr uint32_t kWeylStep = 0x9e3779b9u;
 /// ("Prospecting for Hash Functions", 2018, lowbias32).
 template <class DU, class VU>
 HWY_INLINE VU MixBits(DU du, VU x) {
-  x = hn::Xor(x, hn::ShiftRight<16>(x));
-  x = hn::Mul(x, hn::Set(du, 0x7feb352du));
-  x = hn::Xor(x, hn::ShiftRight<15>(x));
-  x = hn::Mul(x, hn::Set(du, 0x846ca68bu));
-  return hn::Xor(x, hn::ShiftRight<16>(x));
+  x = x ^ hn::ShiftRight<16>(x);
+  x = x * hn::Set(du, 0x7feb352du);
+  x = x ^ hn::ShiftRight<15>(x);
+  x = x * hn::Set(du, 0x846ca68bu);
+  return x ^ hn::ShiftRight<16>(x);
 }
 
 /// One word for a point.
 template <class D, class V>
 HWY_INLINE Bits<D> BitsOfPoint(D, V u, V v) {
   const hn::RebindToUnsigned<D> du;
-  return hn::Add(hn::BitCast(du, u), MixBits(du, hn::Add(hn::BitCast(du, v), hn::Set(du, kWeylStep))));
+  return hn::BitCast(du, u) + MixBits(du, hn::BitCast(du, v) + hn::Set(du, kWeylStep));
 }
 
 /// A sequence of random numbers for each lane.
@@ -45,15 +45,15 @@ class Rng {
  public:
   Rng(D, Bits<D> random, uint32_t seed) {
     const hn::RebindToUnsigned<D> du;
-    state_ = MixBits(du, hn::Add(random, MixBits(du, hn::Set(du, seed + kWeylStep))));
+    state_ = MixBits(du, random + MixBits(du, hn::Set(du, seed + kWeylStep)));
   }
   /// A multiple of 2^-24, uniform in [0, 1).
   HWY_INLINE hn::Vec<D> next(D d) {
     const hn::RebindToUnsigned<D> du;
     const hn::RebindToSigned<D> di;
-    state_ = hn::Add(state_, hn::Set(du, kWeylStep));
+    state_ = state_ + hn::Set(du, kWeylStep);
     const auto bits = hn::BitCast(di, hn::ShiftRight<8>(MixBits(du, state_)));
-    return hn::Mul(hn::ConvertTo(d, bits), hn::Set(d, 0x1p-24f));
+    return hn::ConvertTo(d, bits) * hn::Set(d, 0x1p-24f);
   }
 
  private:

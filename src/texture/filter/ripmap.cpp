@@ -100,8 +100,7 @@ struct Ripmap {
   HWY_INLINE void emit(D d, const AxisLodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
     const auto first_texel = FirstTexel(d, texture, block, i);
-    const AxisLevels<D> columns =
-        LevelsAround(d, hn::Load(d, block.lod_u + i), texture.width, texture.ripmap_columns);
+    const AxisLevels<D> columns = LevelsAround(d, hn::Load(d, block.lod_u + i), texture.width, texture.ripmap_columns);
     const AxisLevels<D> rows = LevelsAround(d, hn::Load(d, block.lod_v + i), texture.height, texture.ripmap_rows);
     const LinearTaps<D> x[2] = {WrapLinear(d, sampler.wrap_u, u, columns.size[0]),
                                 WrapLinear(d, sampler.wrap_u, u, columns.size[1])};

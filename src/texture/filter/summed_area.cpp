@@ -31,7 +31,7 @@ struct WholeEntries {
     const Real d;
     const hn::Rebind<uint64_t, Real> bits;
     const auto magic = hn::Set(d, 0x1p52);  // the low 32 bits of its mantissa count ones
-    return hn::Sub(hn::BitCast(d, hn::Or(hn::PromoteTo(bits, v), hn::BitCast(bits, magic))), magic);
+    return hn::BitCast(d, hn::PromoteTo(bits, v) | hn::BitCast(bits, magic)) - magic;
   }
 };
 template <class Real>
@@ -85,17 +85,17 @@ struct BoxSums {
   static HWY_INLINE V real(Raw raw) { return Stored::real(raw); }
   static HWY_INLINE V weighted(V first, V middle, V last, const BoxSpan& span) {
     const Real d;
-    const V ends = hn::Add(hn::Mul(first, hn::Set(d, span.weight[0])), hn::Mul(last, hn::Set(d, span.weight[1])));
-    return hn::Add(middle, ends);
+    const V ends = first * hn::Set(d, span.weight[0]) + last * hn::Set(d, span.weight[1]);
+    return middle + ends;
   }
 
   static HWY_INLINE Row<Raw> rising_row(const Entry* row, const BoxSpan& u) {
     const Raw outer0 = at(row, u.outer[0]), inner0 = at(row, u.inner[0]);
     const Raw inner1 = at(row, u.inner[1]), outer1 = at(row, u.outer[1]);
-    return {hn::Sub(inner0, outer0), hn::Sub(inner1, inner0), hn::Sub(outer1, inner1)};
+    return {inner0 - outer0, inner1 - inner0, outer1 - inner1};
   }
   static HWY_INLINE V rising_column(Raw outer0, Raw inner0, Raw inner1, Raw outer1, const BoxSpan& v) {
-    return weighted(real(hn::Sub(inner0, outer0)), real(hn::Sub(inner1, inner0)), real(hn::Sub(outer1, inner1)), v);
+    return weighted(real(inner0 - outer0), real(inner1 - inner0), real(outer1 - inner1), v);
   }
   /// Of a box whose ends are in order in the texture itself.
   HWY_INLINE V rising(const BoxSpan& u, const BoxSpan& v) const {
@@ -111,9 +111,8 @@ struct BoxSums {
   static HWY_INLINE Row<V> differences(V outer0, V inner0, V inner1, V outer1, V whole, const BoxSpan& s) {
     const Real d;
     const V sign0 = hn::Set(d, s.sign[0]), sign1 = hn::Set(d, s.sign[1]);
-    const V turned = hn::Add(hn::Mul(hn::Set(d, s.turns), whole), hn::Mul(sign1, inner1));
-    return {hn::Mul(sign0, hn::Sub(inner0, outer0)), hn::Sub(turned, hn::Mul(sign0, inner0)),
-            hn::Mul(sign1, hn::Sub(outer1, inner1))};
+    const V turned = hn::Set(d, s.turns) * whole + sign1 * inner1;
+    return {sign0 * (inner0 - outer0), turned - sign0 * inner0, sign1 * (outer1 - inner1)};
   }
   HWY_INLINE Row<V> wrapped_row(const Entry* row, const BoxSpan& u) const {
     const V outer0 = real(at(row, u.outer[0])), inner0 = real(at(row, u.inner[0]));
@@ -184,7 +183,7 @@ struct SummedArea {
       const Sums sums = sums_of<Sums>(tables, layer, c);
       const auto sum = HWY_LIKELY(rising) ? sums.rising(u, v) : sums.wrapped(u, v);
       double* total = totals->sum[lane] + c;
-      hn::StoreU(hn::Add(hn::LoadU(d, total), sum), d, total);
+      hn::StoreU(hn::LoadU(d, total) + sum, d, total);
     }
     const double width = us.inside(lane), height = vs.inside(lane);
     totals->inside[lane] += width * height;
@@ -221,13 +220,13 @@ struct SummedArea {
     const auto most = hn::Set(d, 0x1.fffffep127);
     float value[kChannels];
     for (size_t c = 0; c < kChannels; c += hn::Lanes(d)) {
-      const auto whole = hn::Mul(hn::Set(d, inside), hn::LoadU(d, scale.one + c));
-      auto mean = hn::Div(hn::LoadU(d, totals.sum[lane] + c), whole);
-      mean = hn::Add(mean, hn::LoadU(d, texture.sum_origins.data() + layer * kChannels + c));
+      const auto whole = hn::Set(d, inside) * hn::LoadU(d, scale.one + c);
+      auto mean = hn::LoadU(d, totals.sum[lane] + c) / whole;
+      mean = mean + hn::LoadU(d, texture.sum_origins.data() + layer * kChannels + c);
       if (HWY_UNLIKELY(area > inside)) {
         const auto border = hn::LoadU(d, scale.border + c);
         if (!(inside > 0)) mean = border;
-        mean = hn::Add(mean, hn::Mul(hn::Sub(border, mean), hn::Set(d, (area - inside) / area)));
+        mean = mean + (border - mean) * hn::Set(d, (area - inside) / area);
       }
       mean = hn::Min(hn::Max(mean, hn::Neg(most)), most);
       hn::StoreU(hn::DemoteTo(df, mean), df, value + c);
@@ -288,8 +287,8 @@ size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& 
   const bool lod_given = in.lod != nullptr;
   out->count = in.count;
   return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
-    const auto boxes = lod_given ? SquareBoxes(d, p.lod, range)
-                                 : BoxesOf(d, p.derivatives, width, height, max_parts, range);
+    const auto boxes =
+        lod_given ? SquareBoxes(d, p.lod, range) : BoxesOf(d, p.derivatives, width, height, max_parts, range);
     hn::Store(boxes.count, d, out->parts + to);
     hn::Store(boxes.side_u, d, out->side_u + to);
     hn::Store(boxes.side_v, d, out->side_v + to);

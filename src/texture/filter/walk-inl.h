@@ -28,10 +28,10 @@ struct TexelPoint {
 template <class D>
 HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec<D> size) {
   using V = hn::Vec<D>;
-  const V scaled = hn::Mul(reduced, size);
-  const V x = hn::Sub(wrap == SHD_WRAP_MIRROR ? hn::Add(scaled, scaled) : scaled, hn::Set(d, 0.5f));
+  const V scaled = reduced * size;
+  const V x = (wrap == SHD_WRAP_MIRROR ? scaled + scaled : scaled) - hn::Set(d, 0.5f);
   if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return {x, size};
-  const V outside = hn::Add(size, hn::Set(d, kFarOutside));
+  const V outside = size + hn::Set(d, kFarOutside);
   const V near = hn::Min(hn::Max(x, hn::Neg(outside)), outside);
   return {near, hn::IfThenElseZero(hn::Eq(near, x), size)};
 }
@@ -41,13 +41,13 @@ template <class D>
 class Walk {
  public:
   HWY_INLINE Walk(D d, shd_wrap wrap, hn::Vec<D> start, const AxisSize<D>& size) : wrap_(wrap), size_(size.whole) {
-    end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size_, size_) : size_;
-    real_end_ = wrap == SHD_WRAP_MIRROR ? hn::Add(size.real, size.real) : size.real;
+    end_ = wrap == SHD_WRAP_MIRROR ? size_ + size_ : size_;
+    real_end_ = wrap == SHD_WRAP_MIRROR ? size.real + size.real : size.real;
     at_ = wrapped(d, start);
   }
   HWY_INLINE void step(D) {
     const hn::RebindToSigned<D> di;
-    at_ = hn::Add(at_, hn::Set(di, 1));
+    at_ = at_ + hn::Set(di, 1);
     if (is_periodic()) at_ = hn::IfThenZeroElse(hn::Eq(at_, end_), at_);
   }
   /// In some lanes.
@@ -69,7 +69,7 @@ class Walk {
       case SHD_WRAP_MIRROR: return Fold(di, at_, size_);
       case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, at_, size_);
       case SHD_WRAP_BORDER: return ClampBorder(d, at_, size_, in);
-      default: return hn::Min(hn::Max(at_, hn::Zero(di)), hn::Sub(size_, hn::Set(di, 1)));
+      default: return hn::Min(hn::Max(at_, hn::Zero(di)), size_ - hn::Set(di, 1));
     }
   }
 
@@ -77,7 +77,7 @@ class Walk {
   HWY_INLINE bool is_periodic() const { return wrap_ == SHD_WRAP_REPEAT || wrap_ == SHD_WRAP_MIRROR; }
   HWY_INLINE Ints<D> wrapped(D, hn::Vec<D> start) const {
     const hn::RebindToSigned<D> di;
-    if (is_periodic()) start = hn::Sub(start, hn::Mul(hn::Floor(hn::Div(start, real_end_)), real_end_));
+    if (is_periodic()) start = start - hn::Floor(start / real_end_) * real_end_;
     return hn::ConvertTo(di, start);
   }
 

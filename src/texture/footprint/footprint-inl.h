@@ -13,8 +13,8 @@
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
-#include "texture/kernel_part.h"
 #include "texture/footprint/lod-inl.h"
+#include "texture/kernel_part.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,7 +25,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D>
 HWY_INLINE hn::Vec<D> PowerOfTwo(D d, hn::Vec<hn::RebindToSigned<D>> exponent) {
   const hn::RebindToSigned<D> di;
-  return hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(exponent, hn::Set(di, 127))));
+  return hn::BitCast(d, hn::ShiftLeft<23>(exponent + hn::Set(di, 127)));
 }
 
 /// floor(log2 |x|) clamped to -126..126, for x that is not NaN.
@@ -33,7 +33,7 @@ template <class D>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> ExponentOf(D, hn::Vec<D> x) {
   const hn::RebindToSigned<D> di;
   const auto bits = hn::BitCast(di, hn::Abs(x));
-  const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
+  const auto exponent = hn::ShiftRight<23>(bits) - hn::Set(di, 127);
   return hn::Min(hn::Max(exponent, hn::Set(di, -126)), hn::Set(di, 126));
 }
 
@@ -56,7 +56,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d), wx = hn::Set(d, sampler.width_x), wy = hn::Set(d, sampler.width_y);
   const auto widened = [&](V value, V width) {
-    const V product = hn::Mul(value, width);
+    const V product = value * width;
     return hn::IfThenElseZero(hn::Eq(product, product), product);
   };
   j->dudx = widened(j->dudx, wx);
@@ -70,17 +70,17 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   const auto finite = hn::Lt(largest, hn::Set(d, __builtin_inff()));
   const auto exponent = ExponentOf(d, largest);
   const V down = PowerOfTwo(d, hn::Neg(exponent)), up = PowerOfTwo(d, exponent);
-  const V ux = hn::Mul(j->dudx, down), uy = hn::Mul(j->dudy, down), ub = hn::Mul(blur_u, down);
-  const V vx = hn::Mul(j->dvdx, down), vy = hn::Mul(j->dvdy, down), vb = hn::Mul(blur_v, down);
-  const V uu = hn::Add(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Mul(ub, ub));
+  const V ux = j->dudx * down, uy = j->dudy * down, ub = blur_u * down;
+  const V vx = j->dvdx * down, vy = j->dvdy * down, vb = blur_v * down;
+  const V uu = ux * ux + uy * uy + ub * ub;
   const V length = hn::Sqrt(uu);
-  const V scale = hn::IfThenElseZero(hn::Gt(uu, zero), hn::Div(hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy)), uu));
-  const V rx = hn::Sub(vx, hn::Mul(scale, ux)), ry = hn::Sub(vy, hn::Mul(scale, uy)), rb = hn::Mul(scale, ub);
-  const V rest = hn::Add(hn::Add(hn::Mul(rx, rx), hn::Mul(ry, ry)), hn::Add(hn::Mul(rb, rb), hn::Mul(vb, vb)));
-  j->dudx = hn::IfThenElse(finite, hn::Mul(length, up), j->dudx);
+  const V scale = hn::IfThenElseZero(hn::Gt(uu, zero), (ux * vx + uy * vy) / uu);
+  const V rx = vx - scale * ux, ry = vy - scale * uy, rb = scale * ub;
+  const V rest = rx * rx + ry * ry + (rb * rb + vb * vb);
+  j->dudx = hn::IfThenElse(finite, length * up, j->dudx);
   j->dudy = hn::IfThenElse(finite, zero, j->dudy);
-  j->dvdx = hn::IfThenElse(finite, hn::Mul(hn::Mul(scale, length), up), j->dvdx);
-  j->dvdy = hn::IfThenElse(finite, hn::Mul(hn::Sqrt(rest), up), j->dvdy);
+  j->dvdx = hn::IfThenElse(finite, scale * length * up, j->dvdx);
+  j->dvdy = hn::IfThenElse(finite, hn::Sqrt(rest) * up, j->dvdy);
 }
 
 /// Of one vector of lookups; finite.
@@ -98,46 +98,45 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f), zero = hn::Zero(d);
-  V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
   const V largest = LargestMagnitude(ux, vx, uy, vy);
   const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
   const auto exponent = ExponentOf(d, largest);
   const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(exponent)));
-  const auto scaled = [&](V x) { return hn::IfThenZeroElse(infinite, hn::Mul(x, down)); };
+  const auto scaled = [&](V x) { return hn::IfThenZeroElse(infinite, x * down); };
   ux = scaled(ux);
   vx = scaled(vx);
   uy = scaled(uy);
   vy = scaled(vy);
-  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));
-  const V y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
-  const V xy = hn::Add(hn::Mul(ux, uy), hn::Mul(vx, vy));
-  const V mean = hn::Mul(half, hn::Add(x, y)), skew = hn::Mul(half, hn::Sub(x, y));
-  const V square = hn::Add(mean, hn::Sqrt(hn::Add(hn::Mul(skew, skew), hn::Mul(xy, xy))));
+  const V x = ux * ux + vx * vx;
+  const V y = uy * uy + vy * vy;
+  const V xy = ux * uy + vx * vy;
+  const V mean = half * (x + y), skew = half * (x - y);
+  const V square = mean + hn::Sqrt(skew * skew + xy * xy);
   const V one = hn::Set(d, 1.0f);
   const auto round = hn::Lt(square, hn::Set(d, 0x1p-20f));  // 0 or infinite, or below every level by far
 
   Footprint<D> f;
   // The square of the axis itself as far as floats reach, the rest as a whole number of levels.
   const auto near = hn::Min(hn::Max(exponent, hn::Set(di, -31)), hn::Set(di, 31));
-  const V unscaled = hn::Mul(square, PowerOfTwo(d, hn::Add(near, near)));
+  const V unscaled = square * PowerOfTwo(d, near + near);
   const V bounded = hn::Max(unscaled, hn::Set(d, 0x1p-64f));
-  f.lambda = hn::Add(hn::Mul(half, simd::HWY_NAMESPACE::Log2(d, bounded)), hn::ConvertTo(d, hn::Sub(exponent, near)));
+  f.lambda = half * simd::HWY_NAMESPACE::Log2(d, bounded) + hn::ConvertTo(d, exponent - near);
   f.lambda = hn::IfThenElse(infinite, hn::Set(d, 126.0f), hn::Max(f.lambda, hn::Set(d, -32.0f)));
   const auto length_exponent = hn::Min(exponent, hn::Set(di, 98));
-  f.length = hn::Mul(hn::Sqrt(square), PowerOfTwo(d, length_exponent));
+  f.length = hn::Sqrt(square) * PowerOfTwo(d, length_exponent);
   f.length = hn::IfThenElse(infinite, hn::Set(d, 0x1p100f), f.length);
-  const V determinant = hn::Abs(hn::Sub(hn::Mul(ux, vy), hn::Mul(uy, vx)));
-  f.roundness = hn::IfThenElse(round, one, hn::Min(hn::Div(determinant, square), one));
+  const V determinant = hn::Abs(ux * vy - uy * vx);
+  f.roundness = hn::IfThenElse(round, one, hn::Min(determinant / square, one));
 
   // The eigenvector of J J^T to the larger eigenvalue, from the row of its two that does not cancel.
-  const V p =
-      hn::Mul(half, hn::Sub(hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy)), hn::Add(hn::Mul(vx, vx), hn::Mul(vy, vy))));
-  const V q = hn::Add(hn::Mul(ux, vx), hn::Mul(uy, vy));
-  const V a = hn::Add(hn::Sqrt(hn::Add(hn::Mul(p, p), hn::Mul(q, q))), hn::Abs(p));
-  const V norm = hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(q, q)));
+  const V p = half * (ux * ux + uy * uy - (vx * vx + vy * vy));
+  const V q = ux * vx + uy * vy;
+  const V a = hn::Sqrt(p * p + q * q) + hn::Abs(p);
+  const V norm = hn::Sqrt(a * a + q * q);
   const auto any = hn::Lt(norm, hn::Set(d, 0x1p-40f));
-  const V long_part = hn::IfThenElse(any, one, hn::Div(a, norm));
-  const V short_part = hn::IfThenElse(any, zero, hn::Div(q, norm));
+  const V long_part = hn::IfThenElse(any, one, a / norm);
+  const V short_part = hn::IfThenElse(any, zero, q / norm);
   const auto along_u = hn::Ge(p, zero);
   f.u = hn::IfThenElse(along_u, long_part, short_part);
   f.v = hn::IfThenElse(along_u, short_part, long_part);

@@ -12,8 +12,8 @@
 #include <hwy/highway.h>
 
 #include "simd/math-inl.h"
-#include "texture/kernel_part.h"
 #include "texture/footprint/lod.h"
+#include "texture/kernel_part.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,22 +32,22 @@ struct Derivatives {
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f);
-  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
-  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));
-  const V y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
-  const V xy = hn::Add(hn::Mul(ux, uy), hn::Mul(vx, vy));
-  const V mean = hn::Mul(half, hn::Add(x, y)), skew = hn::Mul(half, hn::Sub(x, y));
-  const V square = hn::Add(mean, hn::Sqrt(hn::Add(hn::Mul(skew, skew), hn::Mul(xy, xy))));
+  const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
+  const V x = ux * ux + vx * vx;
+  const V y = uy * uy + vy * vy;
+  const V xy = ux * uy + vx * vy;
+  const V mean = half * (x + y), skew = half * (x - y);
+  const V square = mean + hn::Sqrt(skew * skew + xy * xy);
   const V huge = hn::Set(d, 0x1p62f);
   // Also where the sum overflowed to infinity or NaN.
   const V bounded = hn::IfThenElse(hn::Lt(square, huge), hn::Max(square, hn::Set(d, 0x1p-64f)), huge);
-  return hn::Mul(half, simd::HWY_NAMESPACE::Log2(d, bounded));
+  return half * simd::HWY_NAMESPACE::Log2(d, bounded);
 }
 
 /// lambda + bias, clamped to the range; lambda may be infinite but not NaN.
 template <class D, class V>
 HWY_INLINE V ClampLod(D d, V lambda, float bias, const LodRange& range) {
-  const V biased = hn::Add(lambda, hn::Set(d, bias));
+  const V biased = lambda + hn::Set(d, bias);
   return hn::Min(hn::Max(biased, hn::Set(d, range.low)), hn::Set(d, range.high));
 }
 

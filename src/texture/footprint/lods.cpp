@@ -20,10 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out) {
   out->count = in.count;
-  return ForEachVector(unwidened(sampler), in,
-                       [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
-                         StorePoints(d, texture, sampler, p, from, i, to, out);
-                       });
+  return ForEachVector(unwidened(sampler), in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    StorePoints(d, texture, sampler, p, from, i, to, out);
+  });
 }
 
 size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
@@ -39,8 +38,8 @@ size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& 
   });
 }
 
-size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis,
-                 const Lookups& in, float* out) {
+size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis, const Lookups& in,
+                 float* out) {
   size_t nonfinite = 0;
   for (size_t first = 0; first < in.count; first += kBlock) {
     const Lookups part = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);

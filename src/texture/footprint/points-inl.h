@@ -10,9 +10,9 @@
 
 #include <hwy/highway.h>
 
-#include "texture/store/wrap-inl.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/footprint-inl.h"
+#include "texture/store/wrap-inl.h"
 #include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();

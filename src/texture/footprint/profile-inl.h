@@ -15,8 +15,8 @@
 
 #include <hwy/highway.h>
 
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/footprint-inl.h"
+#include "texture/footprint/points-inl.h"
 #include "texture/store/storage.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,15 +42,15 @@ template <class D>
 SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, float height) {
   using V = hn::Vec<D>;
   const V w = hn::Set(d, width), h = hn::Set(d, height);
-  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
+  const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
   const V largest = LargestMagnitude(ux, vx, uy, vy);
   const auto infinite = hn::Eq(largest, hn::Set(d, __builtin_inff()));
   Lengths<D> lengths;
   lengths.exponent = ExponentOf(d, largest);
   const V down = hn::IfThenZeroElse(infinite, PowerOfTwo(d, hn::Neg(lengths.exponent)));
   const auto length = [&](V u, V v) {
-    const V a = hn::IfThenZeroElse(infinite, hn::Mul(u, down)), b = hn::IfThenZeroElse(infinite, hn::Mul(v, down));
-    return hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b)));
+    const V a = hn::IfThenZeroElse(infinite, u * down), b = hn::IfThenZeroElse(infinite, v * down);
+    return hn::Sqrt(a * a + b * b);
   };
   lengths.x = length(ux, vx);
   lengths.y = length(uy, vy);
@@ -61,17 +61,17 @@ SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, 
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height);
-  const V ux = hn::Mul(j.dudx, w), vx = hn::Mul(j.dvdx, h), uy = hn::Mul(j.dudy, w), vy = hn::Mul(j.dvdy, h);
-  const V x = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx)), y = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
+  const V ux = j.dudx * w, vx = j.dvdx * h, uy = j.dudy * w, vy = j.dvdy * h;
+  const V x = ux * ux + vx * vx, y = uy * uy + vy * vy;
   const V bounded = hn::Min(hn::Max(hn::Max(x, y), hn::Set(d, 0x1p-64f)), hn::Set(d, 0x1p62f));
-  return hn::Mul(hn::Set(d, 0.5f), simd::HWY_NAMESPACE::Log2(d, bounded));
+  return hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::Log2(d, bounded);
 }
 
 /// A level of detail to the nearest multiple of 1 / steps.
 template <class D, class V>
 HWY_INLINE V RoundLevel(D d, V lod, float steps) {
   const V count = hn::Set(d, steps);
-  return hn::Div(hn::Floor(hn::Add(hn::Mul(lod, count), hn::Set(d, 0.5f))), count);
+  return hn::Floor(lod * count + hn::Set(d, 0.5f)) / count;
 }
 
 template <class D, class V>
@@ -99,16 +99,16 @@ struct VulkanProfile {
     const Lengths<D> l = LengthsOf(d, j, static_cast<float>(texture.width), static_cast<float>(texture.height));
     const V longer = hn::Max(l.x, l.y), shorter = hn::Min(l.x, l.y);
     const auto none = hn::Eq(longer, zero);
-    const V ratio = hn::Div(hn::IfThenElse(none, one, longer), hn::IfThenElse(none, one, shorter));
+    const V ratio = hn::IfThenElse(none, one, longer) / hn::IfThenElse(none, one, shorter);
     const V eta = hn::Min(ratio, hn::Set(d, sampler.max_anisotropy));
     const auto along_x = hn::Gt(l.x, l.y);
     Probes<D> probes;
     probes.count = hn::Ceil(eta);
-    probes.lambda = hn::Sub(Lambda(d, j), simd::HWY_NAMESPACE::Log2(d, eta));
+    probes.lambda = Lambda(d, j) - simd::HWY_NAMESPACE::Log2(d, eta);
     // Probe i = 1..N lies at i / (N + 1) - 1/2 of the derivative.
-    const V parts = hn::Add(hn::Add(probes.count, probes.count), hn::Set(d, 2.0f));
-    probes.step_u = ClampStep(d, hn::Div(hn::IfThenElse(along_x, j.dudx, j.dudy), parts));
-    probes.step_v = ClampStep(d, hn::Div(hn::IfThenElse(along_x, j.dvdx, j.dvdy), parts));
+    const V parts = probes.count + probes.count + hn::Set(d, 2.0f);
+    probes.step_u = ClampStep(d, hn::IfThenElse(along_x, j.dudx, j.dudy) / parts);
+    probes.step_v = ClampStep(d, hn::IfThenElse(along_x, j.dvdx, j.dvdy) / parts);
     probes.reach = probes.count;
     return probes;
   }
@@ -139,7 +139,7 @@ struct D3d11Profile {
     const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
     const Lengths<D> l = LengthsOf(d, j, width, height);
     const auto parallel = hn::Eq(f.roundness, hn::Zero(d));
-    const auto longer = hn::Mul(hn::Max(l.x, l.y), PowerOfTwo(d, hn::Min(l.exponent, hn::Set(di, 98))));
+    const auto longer = hn::Max(l.x, l.y) * PowerOfTwo(d, hn::Min(l.exponent, hn::Set(di, 98)));
     return {hn::IfThenElse(parallel, longer, f.length),
             hn::IfThenElse(parallel, LongerLambda(d, j, width, height), f.lambda)};
   }
@@ -158,15 +158,15 @@ struct D3d11Profile {
     const Footprint<D> f = FootprintOf(d, j, width, height);
     const Major<D> major = MajorOf(d, j, f);
     // length^2 / |det| is the inverse of the roundness.
-    const V ratio = hn::Div(one, hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy)));
+    const V ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
     Probes<D> probes;
-    probes.lambda = hn::Sub(major.lambda, simd::HWY_NAMESPACE::Log2(d, ratio));
+    probes.lambda = major.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
     // A minor axis below one texel: no more probes than the major axis has texels.
     probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major.length, one)));
-    const V parts = hn::Add(hn::Add(probes.count, probes.count), hn::Set(d, 2.0f));
-    const V step = hn::Div(major.length, parts);
-    probes.step_u = ClampStep(d, hn::Div(hn::Mul(step, f.u), hn::Set(d, width)));
-    probes.step_v = ClampStep(d, hn::Div(hn::Mul(step, f.v), hn::Set(d, height)));
+    const V parts = probes.count + probes.count + hn::Set(d, 2.0f);
+    const V step = major.length / parts;
+    probes.step_u = ClampStep(d, step * f.u / hn::Set(d, width));
+    probes.step_v = ClampStep(d, step * f.v / hn::Set(d, height));
     probes.reach = probes.count;
     return probes;
   }
@@ -174,7 +174,7 @@ struct D3d11Profile {
   /// floor(lod + 1/2) of the fixed-point level of detail.
   template <class D, class V>
   HWY_INLINE V NearestLevel(D d, V lod) const {
-    return hn::Floor(hn::Add(RoundLevel(d, lod, kLevelSteps), hn::Set(d, 0.5f)));
+    return hn::Floor(RoundLevel(d, lod, kLevelSteps) + hn::Set(d, 0.5f));
   }
 };
 
@@ -190,8 +190,7 @@ struct OiioProfile {
   template <class D>
   HWY_INLINE Derivatives<D> Scaled(D d, const Derivatives<D>& j) const {
     const auto wu = hn::Set(d, sampler.width_x), wv = hn::Set(d, sampler.width_y);
-    return {ZeroIfNaN(hn::Mul(j.dudx, wu)), ZeroIfNaN(hn::Mul(j.dvdx, wv)), ZeroIfNaN(hn::Mul(j.dudy, wu)),
-            ZeroIfNaN(hn::Mul(j.dvdy, wv))};
+    return {ZeroIfNaN(j.dudx * wu), ZeroIfNaN(j.dvdx * wv), ZeroIfNaN(j.dudy * wu), ZeroIfNaN(j.dvdy * wv)};
   }
 
   /// Of a filter of a width in units of the texture: between the first level m where it is at most a texel of the
@@ -201,13 +200,13 @@ struct OiioProfile {
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
     V lambda = hn::Set(d, static_cast<float>(texture.level_count - 1));
     for (uint32_t level = texture.level_count; level-- > 1;) {
-      const V texels = hn::Mul(width, hn::Set(d, smaller_side(level)));
-      const V blend = hn::Min(hn::Max(hn::Sub(hn::Add(texels, texels), one), zero), one);
-      const V here = hn::Add(hn::Set(d, static_cast<float>(level - 1)), one_level ? one : blend);
+      const V texels = width * hn::Set(d, smaller_side(level));
+      const V blend = hn::Min(hn::Max(texels + texels - one, zero), one);
+      const V here = hn::Set(d, static_cast<float>(level - 1)) + (one_level ? one : blend);
       lambda = hn::IfThenElse(hn::Le(texels, one), here, lambda);
     }
     // Below level 0, where OpenImageIO goes no further, as other profiles do: for bias and magnification.
-    const V texels = hn::Max(hn::Mul(width, hn::Set(d, smaller_side(0))), hn::Set(d, 0x1p-32f));
+    const V texels = hn::Max(width * hn::Set(d, smaller_side(0)), hn::Set(d, 0x1p-32f));
     const auto magnified = hn::Le(texels, one);
     return hn::IfThenElse(magnified, simd::HWY_NAMESPACE::Log2(d, hn::IfThenElse(magnified, texels, one)), lambda);
   }
@@ -216,7 +215,7 @@ struct OiioProfile {
   SHD_KERNEL_PART V Lambda(D d, const Derivatives<D>& derivatives) const {
     const Derivatives<D> j = Scaled(d, derivatives);
     const float blur = sampler.blur_u > sampler.blur_v ? sampler.blur_u : sampler.blur_v;
-    return LambdaOfWidth(d, hn::Add(LargestMagnitude(j.dudx, j.dvdx, j.dudy, j.dvdy), hn::Set(d, blur)));
+    return LambdaOfWidth(d, LargestMagnitude(j.dudx, j.dvdx, j.dudy, j.dvdy) + hn::Set(d, blur));
   }
 
   /// Scaled derivatives, a tiny one replaced by a vector of length 1e-8 across the other.
@@ -225,17 +224,17 @@ struct OiioProfile {
     using V = hn::Vec<D>;
     const V epsilon = hn::Set(d, 1e-8f), square = hn::Set(d, 1e-16f), zero = hn::Zero(d);
     const Derivatives<D> j = Scaled(d, derivatives);
-    const V xx = hn::Add(hn::Mul(j.dudx, j.dudx), hn::Mul(j.dvdx, j.dvdx));
-    const V yy = hn::Add(hn::Mul(j.dudy, j.dudy), hn::Mul(j.dvdy, j.dvdy));
+    const V xx = j.dudx * j.dudx + j.dvdx * j.dvdx;
+    const V yy = j.dudy * j.dudy + j.dvdy * j.dvdy;
     const auto tiny_x = hn::Lt(xx, square), tiny_y = hn::Lt(yy, square);
     const auto both = hn::And(tiny_x, tiny_y);
-    const V from_y = hn::Div(epsilon, hn::Sqrt(hn::Max(yy, square)));
-    const V from_x = hn::Div(epsilon, hn::Sqrt(hn::Max(xx, square)));
+    const V from_y = epsilon / hn::Sqrt(hn::Max(yy, square));
+    const V from_x = epsilon / hn::Sqrt(hn::Max(xx, square));
     Derivatives<D> a;
-    a.dudx = hn::IfThenElse(tiny_x, ZeroIfNaN(hn::Mul(j.dvdy, from_y)), j.dudx);
-    a.dvdx = hn::IfThenElse(tiny_x, ZeroIfNaN(hn::Neg(hn::Mul(j.dudy, from_y))), j.dvdx);
-    a.dudy = hn::IfThenElse(tiny_y, ZeroIfNaN(hn::Neg(hn::Mul(j.dvdx, from_x))), j.dudy);
-    a.dvdy = hn::IfThenElse(tiny_y, ZeroIfNaN(hn::Mul(j.dudx, from_x)), j.dvdy);
+    a.dudx = hn::IfThenElse(tiny_x, ZeroIfNaN(j.dvdy * from_y), j.dudx);
+    a.dvdx = hn::IfThenElse(tiny_x, ZeroIfNaN(hn::Neg(j.dudy * from_y)), j.dvdx);
+    a.dudy = hn::IfThenElse(tiny_y, ZeroIfNaN(hn::Neg(j.dvdx * from_x)), j.dudy);
+    a.dvdy = hn::IfThenElse(tiny_y, ZeroIfNaN(j.dudx * from_x), j.dvdy);
     a.dudx = hn::IfThenElse(both, epsilon, a.dudx);
     a.dvdx = hn::IfThenElse(both, zero, a.dvdx);
     a.dudy = hn::IfThenElse(both, zero, a.dudy);
@@ -255,12 +254,12 @@ struct OiioProfile {
     using V = hn::Vec<D>;
     const V longest = hn::Set(d, 1000.0f), limit = hn::Set(d, sampler.max_anisotropy);
     const Footprint<D> f = FootprintOf(d, Adjusted(d, j), 1.0f, 1.0f);
-    Axes<D> axes = {hn::Min(f.length, longest), hn::Min(hn::Mul(f.length, f.roundness), longest), limit, f.u, f.v};
+    Axes<D> axes = {hn::Min(f.length, longest), hn::Min(f.length * f.roundness, longest), limit, f.u, f.v};
     if (sampler.blur_u + sampler.blur_v != 0.0f) {
       const V blur_u = hn::Set(d, sampler.blur_u), blur_v = hn::Set(d, sampler.blur_v);
       const V cosine = hn::Abs(f.u), sine = hn::Abs(f.v);
-      const V one = hn::Add(axes.major, hn::Add(hn::Mul(blur_u, cosine), hn::Mul(blur_v, sine)));
-      const V other = hn::Add(axes.minor, hn::Add(hn::Mul(blur_u, sine), hn::Mul(blur_v, cosine)));
+      const V one = axes.major + (blur_u * cosine + blur_v * sine);
+      const V other = axes.minor + (blur_u * sine + blur_v * cosine);
       const auto swapped = hn::Gt(other, one);
       axes.major = hn::Max(one, other);
       axes.minor = hn::Min(one, other);
@@ -268,12 +267,12 @@ struct OiioProfile {
       axes.v = hn::IfThenElse(swapped, f.u, f.v);
     }
     // The major axis is positive.
-    const V aspect = hn::Max(hn::Div(axes.major, axes.minor), hn::Set(d, 1.0f));
+    const V aspect = hn::Max(axes.major / axes.minor, hn::Set(d, 1.0f));
     const auto over = hn::Gt(aspect, limit);
-    const V between = hn::Mul(hn::Set(d, 0.5f), hn::Add(axes.major, hn::Mul(axes.minor, limit)));
+    const V between = hn::Set(d, 0.5f) * (axes.major + axes.minor * limit);
     axes.aspect = hn::Min(aspect, limit);
     axes.major = hn::IfThenElse(over, between, axes.major);
-    axes.minor = hn::IfThenElse(over, hn::Div(between, limit), axes.minor);
+    axes.minor = hn::IfThenElse(over, between / limit, axes.minor);
     return axes;
   }
 
@@ -286,17 +285,17 @@ struct OiioProfile {
     probes.lambda = LambdaOfWidth(d, axes.minor);
     // A minor axis below half a texel of level 0: a probe per half texel of the major one is enough.
     const V larger = hn::Set(d, static_cast<float>(texture.width > texture.height ? texture.width : texture.height));
-    const auto magnified = hn::And(hn::Le(hn::Mul(axes.minor, hn::Set(d, smaller_side(0))), one),
-                                   hn::Lt(hn::Mul(axes.minor, larger), half));
-    const V texels = hn::Mul(axes.major, larger);
-    const V enough = hn::Min(hn::Max(hn::Add(texels, texels), one), hn::Set(d, sampler.max_anisotropy));
+    const auto magnified =
+        hn::And(hn::Le(axes.minor * hn::Set(d, smaller_side(0)), one), hn::Lt(axes.minor * larger, half));
+    const V texels = axes.major * larger;
+    const V enough = hn::Min(hn::Max(texels + texels, one), hn::Set(d, sampler.max_anisotropy));
     const V aspect = hn::IfThenElse(magnified, enough, axes.aspect);
-    probes.count = hn::Max(hn::Floor(hn::Sub(hn::Add(aspect, aspect), one)), one);
-    const V spread = hn::Sub(axes.major, axes.minor), step = hn::Div(spread, probes.count);
-    probes.step_u = hn::Mul(step, axes.u);
-    probes.step_v = hn::Mul(step, axes.v);
+    probes.count = hn::Max(hn::Floor(aspect + aspect - one), one);
+    const V spread = axes.major - axes.minor, step = spread / probes.count;
+    probes.step_u = step * axes.u;
+    probes.step_v = step * axes.v;
     // Weights exp(-2 x^2), x = p major / (2 spread) at p = -1..1 of the spread.
-    const V reach = hn::Div(hn::Mul(hn::Add(probes.count, probes.count), spread), axes.major);
+    const V reach = (probes.count + probes.count) * spread / axes.major;
     probes.reach = hn::Max(reach, hn::Set(d, 0x1p-20f));  // 0 for a single probe, which stands at 0
     return probes;
   }

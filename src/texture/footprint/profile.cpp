@@ -65,8 +65,7 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
     return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
       using D = decltype(d);
       const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-      const Probes<D> probes =
-          lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
+      const Probes<D> probes = lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
       hn::Store(probes.step_u, d, out->step_u + to);
       hn::Store(probes.step_v, d, out->step_v + to);
       hn::Store(probes.count, d, out->probes + to);

@@ -115,12 +115,12 @@ HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elem
 
 /// A running average and one more value.
 template <class B, class D, class Value, class Elements>
-HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream, uint32_t op,
-                          size_t at) {
+HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream,
+                          uint32_t op, size_t at) {
   const auto share = hn::Load(d, stream.share + at);
-  const Value blended = HWY_UNLIKELY(op & kRated) ? b.blend_by(d, average, value, share, stream.share_rate_u + at,
-                                                               stream.share_rate_v + at)
-                                                  : b.blend(d, average, value, share);
+  const Value blended = HWY_UNLIKELY(op & kRated)
+                            ? b.blend_by(d, average, value, share, stream.share_rate_u + at, stream.share_rate_v + at)
+                            : b.blend(d, average, value, share);
   if ((op & kHow) != kReplace) return blended;
   return b.replace(d, hn::Eq(share, hn::Set(d, kWhole)), blended, value);
 }

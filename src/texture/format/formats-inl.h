@@ -13,7 +13,7 @@
 #include "texture/stream.h"
 
 #ifndef SHD_TEXTURE_FORMATS
-#define SHD_TEXTURE_FORMATS(ROW)              \
+#define SHD_TEXTURE_FORMATS(ROW)                  \
   ROW(image::Component::kUnorm8, Unorm8Kernels)   \
   ROW(image::Component::kSrgb8, Srgb8Kernels)     \
   ROW(image::Component::kUnorm16, Unorm16Kernels) \

@@ -28,10 +28,10 @@ using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
 /// repeat and mirror (whose period is 2); itself for the others. -tiny gives 1, which the callers allow for.
 template <class D, class V>
 HWY_INLINE V ReduceCoordinate(D d, shd_wrap wrap, V u) {
-  if (wrap == SHD_WRAP_REPEAT) return hn::Sub(u, hn::Floor(u));
+  if (wrap == SHD_WRAP_REPEAT) return u - hn::Floor(u);
   if (wrap == SHD_WRAP_MIRROR) {
-    const V half = hn::Mul(u, hn::Set(d, 0.5f));
-    return hn::Sub(half, hn::Floor(half));
+    const V half = u * hn::Set(d, 0.5f);
+    return half - hn::Floor(half);
   }
   return u;
 }
@@ -55,21 +55,21 @@ struct LinearTaps {
 /// Index of the mirrored period 0..2n - 1, or one beyond at either end, folded into 0..n - 1.
 template <class DI, class VI>
 HWY_INLINE VI Fold(DI di, VI i, VI size) {
-  const VI last = hn::Sub(hn::Add(size, size), hn::Set(di, 1));
-  return hn::Max(hn::Zero(di), hn::Min(i, hn::Sub(last, i)));
+  const VI last = size + size - hn::Set(di, 1);
+  return hn::Max(hn::Zero(di), hn::Min(i, last - i));
 }
 
 /// Index mirrored at 0, then clamped to 0..n - 1.
 template <class DI, class VI>
 HWY_INLINE VI FoldOnce(DI di, VI i, VI size) {
-  return hn::Min(hn::Xor(i, hn::BroadcastSignBit(i)), hn::Sub(size, hn::Set(di, 1)));
+  return hn::Min(i ^ hn::BroadcastSignBit(i), size - hn::Set(di, 1));
 }
 
 /// Index clamped to 0..size - 1, and whether it was there before.
 template <class D, class VI>
 HWY_INLINE VI ClampBorder(D d, VI i, VI size, MaskOf<D>* in) {
   const hn::RebindToSigned<D> di;
-  const VI clamped = hn::Min(hn::Max(i, hn::Zero(di)), hn::Sub(size, hn::Set(di, 1)));
+  const VI clamped = hn::Min(hn::Max(i, hn::Zero(di)), size - hn::Set(di, 1));
   *in = hn::RebindMask(d, hn::Eq(i, clamped));
   return clamped;
 }
@@ -85,58 +85,58 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
   LinearTaps<D> taps;
   taps.in0 = taps.in1 = hn::Eq(half, half);
   taps.rate = size.real;
-  V x = hn::Mul(reduced, size.real);
+  V x = reduced * size.real;
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
-      x = hn::Sub(x, half);
+      x = x - half;
       const V floor = hn::Floor(x);
-      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      taps.s = hn::Min(x - floor, below_one);
       const auto i = hn::ConvertTo(di, floor);  // -1..size - 1
-      taps.i0 = hn::Add(i, hn::And(size.whole, hn::BroadcastSignBit(i)));
-      const auto next = hn::Add(i, one);
+      taps.i0 = i + (size.whole & hn::BroadcastSignBit(i));
+      const auto next = i + one;
       taps.i1 = hn::IfThenZeroElse(hn::Eq(next, size.whole), next);
       return taps;
     }
     case SHD_WRAP_MIRROR: {
-      x = hn::Sub(hn::Add(x, x), half);
+      x = x + x - half;
       const V floor = hn::Floor(x);
-      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      taps.s = hn::Min(x - floor, below_one);
       const auto i = hn::ConvertTo(di, floor);  // -1..2 size - 1
       taps.i0 = Fold(di, i, size.whole);
-      taps.i1 = Fold(di, hn::Add(i, one), size.whole);
+      taps.i1 = Fold(di, i + one, size.whole);
       return taps;
     }
     case SHD_WRAP_BORDER: {
-      const V free = hn::Sub(x, half);
+      const V free = x - half;
       x = hn::Min(hn::Max(free, hn::Set(d, -1.0f)), size.real);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
-      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      taps.s = hn::Min(x - floor, below_one);
       const auto i = hn::ConvertTo(di, floor);  // -1..size
       taps.i0 = ClampBorder(d, i, size.whole, &taps.in0);
-      taps.i1 = ClampBorder(d, hn::Add(i, one), size.whole, &taps.in1);
+      taps.i1 = ClampBorder(d, i + one, size.whole, &taps.in1);
       return taps;
     }
     case SHD_WRAP_MIRROR_ONCE: {
-      const V free = hn::Sub(x, half);
+      const V free = x - half;
       x = hn::Min(hn::Max(free, hn::Neg(size.real)), size.real);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
-      taps.s = hn::Min(hn::Sub(x, floor), below_one);
+      taps.s = hn::Min(x - floor, below_one);
       const auto i = hn::ConvertTo(di, floor);  // -size..size
       taps.i0 = FoldOnce(di, i, size.whole);
-      taps.i1 = FoldOnce(di, hn::Add(i, one), size.whole);
+      taps.i1 = FoldOnce(di, i + one, size.whole);
       return taps;
     }
     default: {
       // Outside, both taps would be the same edge texel: the edge with weight 1 is that.
-      const V free = hn::Sub(x, half), last = hn::Sub(size.real, hn::Set(d, 1.0f));
+      const V free = x - half, last = size.real - hn::Set(d, 1.0f);
       x = hn::Min(hn::Max(free, hn::Zero(d)), last);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
-      taps.s = hn::Sub(x, floor);
+      taps.s = x - floor;
       taps.i0 = hn::ConvertTo(di, floor);
-      taps.i1 = hn::Min(hn::Add(taps.i0, one), hn::Sub(size.whole, one));
+      taps.i1 = hn::Min(taps.i0 + one, size.whole - one);
       return taps;
     }
   }
@@ -159,13 +159,13 @@ HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>
   *in = hn::Eq(i, i);
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
-      const V periods = hn::Floor(hn::Div(i, size.real));
-      return hn::ConvertTo(di, hn::Sub(i, hn::Mul(periods, size.real)));
+      const V periods = hn::Floor(i / size.real);
+      return hn::ConvertTo(di, i - periods * size.real);
     }
     case SHD_WRAP_MIRROR: {
-      const V period = hn::Add(size.real, size.real);
-      const V periods = hn::Floor(hn::Div(i, period));
-      return Fold(di, hn::ConvertTo(di, hn::Sub(i, hn::Mul(periods, period))), size.whole);
+      const V period = size.real + size.real;
+      const V periods = hn::Floor(i / period);
+      return Fold(di, hn::ConvertTo(di, i - periods * period), size.whole);
     }
     case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, hn::ConvertTo(di, i), size.whole);
     default: return ClampBorder(d, hn::ConvertTo(di, i), size.whole, in);
@@ -183,18 +183,18 @@ template <class D>
 SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   using V = hn::Vec<D>;
   const V half = hn::Set(d, 0.5f), two = hn::Set(d, 2.0f);
-  const V scaled = hn::Mul(reduced, size.real);
-  V x = hn::Sub(wrap == SHD_WRAP_MIRROR ? hn::Add(scaled, scaled) : scaled, half);
+  const V scaled = reduced * size.real;
+  V x = (wrap == SHD_WRAP_MIRROR ? scaled + scaled : scaled) - half;
   CubicPoint<D> point;
   point.rate = size.real;
   if (wrap == SHD_WRAP_CLAMP || wrap == SHD_WRAP_BORDER || wrap == SHD_WRAP_MIRROR_ONCE) {
     // Further outside all taps are the same.
-    const V free = x, outside = wrap == SHD_WRAP_MIRROR_ONCE ? hn::Add(size.real, two) : two;
-    x = hn::Min(hn::Max(free, hn::Neg(outside)), hn::Add(size.real, two));
+    const V free = x, outside = wrap == SHD_WRAP_MIRROR_ONCE ? size.real + two : two;
+    x = hn::Min(hn::Max(free, hn::Neg(outside)), size.real + two);
     point.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
   }
   point.second = hn::Floor(x);
-  point.s = hn::Min(hn::Sub(x, point.second), hn::Set(d, 0x1.fffffep-1f));
+  point.s = hn::Min(x - point.second, hn::Set(d, 0x1.fffffep-1f));
   return point;
 }
 
@@ -214,7 +214,7 @@ SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, c
   taps.s = point.s;
   taps.rate = point.rate;
   for (int k = 0; k < 4; ++k) {
-    const auto i = hn::Add(point.second, hn::Set(d, static_cast<float>(k - 1)));
+    const auto i = point.second + hn::Set(d, static_cast<float>(k - 1));
     taps.index[k] = WrapCubicTap(d, wrap, i, size, &taps.in[k]);
   }
   return taps;
@@ -225,12 +225,12 @@ template <class D>
 SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  const V x = hn::Mul(reduced, size.real);
-  const V last = hn::Sub(size.real, hn::Set(d, 1.0f));
+  const V x = reduced * size.real;
+  const V last = size.real - hn::Set(d, 1.0f);
   *in = hn::Eq(last, last);
   switch (wrap) {
     case SHD_WRAP_REPEAT: return hn::ConvertTo(di, hn::Min(x, last));
-    case SHD_WRAP_MIRROR: return Fold(di, hn::ConvertTo(di, hn::Add(x, x)), size.whole);
+    case SHD_WRAP_MIRROR: return Fold(di, hn::ConvertTo(di, x + x), size.whole);
     case SHD_WRAP_BORDER: {
       const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Set(d, -1.0f)), size.real);
       return ClampBorder(d, hn::ConvertTo(di, clamped), size.whole, in);

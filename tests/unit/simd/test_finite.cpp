@@ -28,8 +28,8 @@ void evaluate(const float* x, size_t count, float* kept, float* vector) {
     const auto by_x = simd::HWY_NAMESPACE::IsFinite(d, Vec{v, one, one});
     const auto by_y = simd::HWY_NAMESPACE::IsFinite(d, Vec{one, v, one});
     const auto by_z = simd::HWY_NAMESPACE::IsFinite(d, Vec{one, one, v});
-    const auto sum = hn::Add(hn::IfThenElseZero(by_x, one), hn::IfThenElseZero(by_y, one));
-    hn::StoreU(hn::Add(sum, hn::IfThenElseZero(by_z, one)), d, vector + i);
+    const auto sum = hn::IfThenElseZero(by_x, one) + hn::IfThenElseZero(by_y, one);
+    hn::StoreU(sum + hn::IfThenElseZero(by_z, one), d, vector + i);
   }
 }
 

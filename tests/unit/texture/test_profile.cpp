@@ -85,7 +85,8 @@ void test_lines(void** state) {
         }
         assert_int_equal(nonfinite, kNonfinitePoints);
         float lod[kMaxPoints];
-        shd::texture::find_lods(*texture, sampler, {-15, 17}, LodAxis::kLonger, simd, t_batch.lookups(true, false), lod);
+        shd::texture::find_lods(*texture, sampler, {-15, 17}, LodAxis::kLonger, simd, t_batch.lookups(true, false),
+                                lod);
         for (size_t i = 0; i < t_batch.count; ++i) {
           const double lambda = ref::profile_lambda(image, jacobian(t_batch, i), false);
           const double want = bounded(bounded(lambda) + static_cast<double>(desc.lod_bias));
@@ -172,8 +173,7 @@ void test_sheared(void**) {
     for_each_target([&](int64_t target) {
       const auto simd = shd::core::simd_target_from_bit(target);
       float lod;
-      shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes, simd,
-                                t_batch.lookups(true, false), &lod);
+      shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes, simd, t_batch.lookups(true, false), &lod);
       shd_assert_close("sheared", static_cast<size_t>(k), static_cast<double>(lod), want[k], 1e-3, 0);
       shd::texture::find_probes(*texture, sampler, simd, t_batch.lookups(true, false), &t_block);
       assert_true(t_block.probes[0] == static_cast<float>(want_count[k]));
@@ -196,8 +196,8 @@ void test_parallel(void**) {
   const Sampler sampler = make_sampler(make_desc(SHD_PROFILE_D3D11, SHD_FILTER_ANISOTROPIC, 0));
   for_each_target([&](int64_t target) {
     float lod;
-    shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes,
-                              shd::core::simd_target_from_bit(target), t_batch.lookups(true, false), &lod);
+    shd::texture::find_lods(*texture, sampler, {-32, 32}, LodAxis::kProbes, shd::core::simd_target_from_bit(target),
+                            t_batch.lookups(true, false), &lod);
     shd_assert_close("parallel", 0, static_cast<double>(lod), log2(sqrt(32) / 16), 1e-5, 0);
   });
   free_texture(texture);

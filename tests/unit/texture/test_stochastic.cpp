@@ -197,7 +197,7 @@ void test_weights(void**) {
     const auto weight = [&](double x, int i) {
       const double distance = x * 6 - 0.5 - i;
       return stochastic_filter == SHD_FILTER_BICUBIC ? ref::cubic_weight(SHD_CUBIC_B_SPLINE, distance)
-                                               : fmax(0, 1 - fabs(distance));
+                                                     : fmax(0, 1 - fabs(distance));
     };
     for (int i = 0; i < 36; ++i) {
       const double want = weight(static_cast<double>(0.45f), i % 6) * weight(static_cast<double>(0.62f), i / 6);
