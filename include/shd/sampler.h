@@ -50,7 +50,7 @@ typedef enum shd_filter {
      * where a <= a texel of level 0, blended up to two. `lod` is a circle. Reads at most 16 (max_anisotropy + 1).
      */
     SHD_FILTER_EWA = 9,
-    /** One texel, picked at random so that its stochastic_filter is the filter `stochastic_filter`. */
+    /** One texel, picked at random: an unbiased estimate of the filter that `stochastic_filter` names. */
     SHD_FILTER_STOCHASTIC = 10,
     /**
      * The average of the bilinear reconstruction over the footprint's parallelogram, in doubles: the ground truth.
@@ -153,7 +153,7 @@ typedef struct shd_sampler_desc {
     shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
     shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
     /**
-     * What SHD_FILTER_STOCHASTIC expects: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC, EWA;
+     * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC, EWA;
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter stochastic_filter;

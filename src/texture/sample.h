@@ -19,8 +19,8 @@ namespace shd::texture {
 ///   anisotropic that of trilinear, and m 4e-6 max_anisotropy for the places and the level of the probes
 ///   ewa        m (3e-6 + 4e-6 (w + h) + 4e-6 max_anisotropy); a level of detail within 2e-6 of a whole one may take
 ///              either level
-///   stochastic one texel, drawn with the weights of its stochastic_filter within 2e-6 + 8e-7 (w + h), of EWA within that
-///              filter's bound for m = 1; a texel of weight 0 is never drawn
+///   stochastic one texel, picked with the weights of its filter within 2e-6 + 8e-7 (w + h), of EWA within that filter's
+///              bound for m = 1; a texel of weight 0 is never picked
 ///   exact      m 1e-6 where level 0 serves, i.e. where cell_bound() (parallelogram.h) of the footprint's sides is at
 ///              most 16 / tolerance^2 (2^10..2^24 cells); else the integral of the finest level that does, or of a
 ///              footprint shortened to that many cells of the coarsest
@@ -28,7 +28,8 @@ namespace shd::texture {
 /// Anisotropic: with the footprint's longer and shorter half axis a >= b in base texels (footprint-inl.h) and
 /// r = min(a / b, max_anisotropy), the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias
 /// at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N), k = 0..N - 1; Gaussian weights are
-/// exp(-2 x^2), x = 2 t. N = 1 with r = 1 has the bits of trilinear.
+/// exp(-2 x^2), x = 2 t. The lookups are averaged on each of the two levels, and then blended between them. N = 1 with
+/// r = 1 has the bits of trilinear.
 ///
 /// EWA: on the level l = floor(log2(a / r) + bias), clamped, in its texels: a' = a 2^(bias - l) and b' = a' / r, where
 /// the clamp raised l: b' = 1 and a' >= 1. The sum of w t over the sum of w, w = exp(-2 r^2) - exp(-2), over the texels
@@ -39,14 +40,14 @@ namespace shd::texture {
 ///
 /// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
 /// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
-
-/// The filter that sampler.filter names, on the calling thread; its magnification does not count, and it is not
-/// SHD_FILTER_EXACT. Goes to `recording` in place of the columns where that is not null. Returns how many lookups were
-/// not finite.
+///
+/// Runs the filter that sampler.filter names, on the calling thread; its magnification does not count, and it is not
+/// SHD_FILTER_EXACT. Lookups go to `recording` in place of the columns where that is not null. Returns how many of them
+/// were not finite.
 size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out, Recording* recording);
 
-/// The same with SHD_FILTER_EXACT, into the columns.
+/// run_filter() into the columns, SHD_FILTER_EXACT included.
 size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& out);
 

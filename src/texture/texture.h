@@ -9,57 +9,59 @@
 /// Invariants: a Texture only changes by update(), while nothing else uses it; finite texels give finite values for any
 ///             input bits; a lane depends on its own inputs only.
 ///
-/// | file                    | what                                                                        |
-/// |-------------------------|-----------------------------------------------------------------------------|
-/// | storage.h               | layout of levels; the copy of the base                                      |
-/// | update.cpp              | a rectangle of the base written anew, with what depends on it               |
-/// | mip.cpp, codes.h        | mip levels: exact area averages in linear light, rounded once               |
-/// | mip_sums.h              | their first steps as sums of integers                                       |
-/// | rows.h                  | rows of a level on the executor                                             |
-/// | ripmap.cpp, span.h      | ripmap levels: likewise, halved along each axis on its own                  |
-/// | summed_area.h           | sums over rectangles at the origin                                          |
-/// | mip_build.h             | mip levels in the caller's memory: kernels, normals, coverage of alpha      |
-/// | normal_moments.h        | slopes of normal maps and their squares                                     |
-/// | mip_weights.h           | weights of their kernels along one axis                                     |
-/// | image_list.h            | images of the caller's in an array                                          |
-/// | sample.h                | the filters and their error bounds                                          |
-/// | sample_nearest.cpp      | kernels: nearest x format                                                   |
-/// | sample_bilinear.cpp     | kernels: bilinear x format                                                  |
-/// | sample_trilinear.cpp    | kernels: trilinear x format                                                 |
-/// | sample_ripmap.cpp       | kernels: ripmap x format                                                    |
-/// | sample_bicubic.cpp, cubic-inl.h | kernels: bicubic x format                                           |
-/// | sample_mip.cpp          | kernels: nearest and bilinear on the nearest level x format                 |
-/// | sample_stochastic.cpp, draw-inl.h, draw_ellipse-inl.h, random-inl.h | kernels: one texel at random x format |
-/// | magnify.h               | another filter where the footprint is no longer than a texel                |
-/// | lod.h, lod_block-inl.h, shape_block-inl.h, block.h | what a block of lookups needs before it is filtered |
-/// | sample_lod.cpp          | levels of detail and axes of footprints                                     |
-/// | sample_anisotropic.cpp  | kernels: anisotropic probes x format                                        |
-/// | sample_ewa.cpp          | kernels: elliptical weighted average x format                               |
-/// | ellipse-inl.h           | its ellipse and weights, for a block of lookups                             |
-/// | walk-inl.h              | texels along an axis, one after the other                                   |
-/// | sample_summed_area.cpp  | kernels: summed-area lookups x type of the table                            |
-/// | box-inl.h               | their boxes and the cells of the table at the edges of a box                |
-/// | profile.h, profile-inl.h | levels of detail and probes of other texture units                         |
-/// | sample_exact.cpp        | the integral over the footprint, in doubles                                 |
-/// | exact_footprint.h       | its level and its parallelogram                                             |
-/// | parallelogram.h         | pieces of a parallelogram in the cells of a lattice, and their moments      |
-/// | wrap.h                  | wrapping of one index                                                       |
-/// | batch-inl.h             | the loop over a batch and its tail; inputs that are not finite              |
-/// | lod-inl.h               | level of detail from the footprint                                          |
-/// | footprint-inl.h         | axes of the footprint; width and blur                                       |
-/// | probe-inl.h             | lookups at several points of the same mip levels                            |
-/// | probe_line-inl.h        | where those of anisotropic filtering lie, for a block of lookups            |
-/// | wrap-inl.h              | texel coordinates and wrapping                                              |
-/// | filter-inl.h            | levels, the four texels around a point, blends                              |
-/// | format-inl.h            | fetching and unpacking texels of each format                                |
-/// | gather-inl.h            | loads of neighbouring texels                                                |
-/// | scatter.h, prefetch-inl.h | lookups far apart in memory, whose lines are asked for ahead              |
-/// | explain.h               | one lookup as its tree of blends                                            |
-/// | kernel-inl.h            | how a filter becomes kernels: values, gradients, records                    |
-/// | gradient-inl.h          | kernels that give derivatives                                               |
-/// | record.h, record-inl.h  | kernels that write down what they do                                        |
-/// | ray_footprint.h         | derivatives from ray differentials and ray cones                            |
-/// | kernel_part.h           | inlining of the larger pieces                                               |
+/// A filter turns lookups into a stream of quads and texels; a format fetches, decodes and blends a stream. Neither
+/// knows of the other, so code grows as filters plus formats.
+///
+/// sample.h -> kernels.cpp -> filter -> footprint -> stream.h -> format -> store
+///
+/// | room        | what                                                                                         |
+/// |-------------|----------------------------------------------------------------------------------------------|
+/// | store/      | texels and tables in memory: levels, ripmaps, summed areas; how they are built and addressed   |
+/// | footprint/  | what filters need of each lookup, block by block: levels of detail, probes, ellipses; profiles |
+/// | filter/     | one file a filter, and what they share: levels and quads, the sink of a stream, prefetching    |
+/// | format/     | one file a component type: fetch, decode; the consumers that blend values and derivatives      |
+/// | explain/    | one lookup as its tree of blends, by a consumer that records                                   |
+///
+/// | file                                   | what                                                              |
+/// |----------------------------------------|-------------------------------------------------------------------|
+/// | sample.h, sample.cpp                   | error bounds; channels, magnification, which filter runs          |
+/// | kernels.cpp                            | where filters and formats of one SIMD target meet                 |
+/// | stream.h                               | elements of a stream, and what a consumer is                      |
+/// | fused.cpp, fused-inl.h                 | hot pairs of a filter and a format, compiled together             |
+/// | store/storage.h                        | layout of levels; the copy of the base                            |
+/// | store/update.cpp                       | a rectangle of the base written anew, with what depends on it     |
+/// | store/mip.cpp, mip_sums.h              | mip levels: exact area averages in linear light, rounded once     |
+/// | store/ripmap.cpp, span.h               | ripmap levels: the same, halved along each axis on its own        |
+/// | store/summed_area.h                    | sums over rectangles at the origin                                |
+/// | store/texel_codec.h                    | texels of each format from and to doubles                         |
+/// | store/mip_build.h, mip_weights.h       | mip levels in the caller's memory: kernels, normals, coverage     |
+/// | store/normal_moments.h                 | slopes of normal maps and their squares                           |
+/// | store/image_list.h, rows.h             | images of the caller's in an array; rows of a level on the executor |
+/// | store/wrap.h, wrap-inl.h               | texel coordinates and wrapping, of one index and of vectors       |
+/// | footprint/block.h                      | blocks: points, levels of detail, probes, ellipses                |
+/// | footprint/points-inl.h                 | the loop over a block; inputs that are not finite                 |
+/// | footprint/shapes-inl.h                 | the functions that fill blocks: lods.cpp, probes.cpp, ellipses.cpp |
+/// | footprint/lod.h, lod-inl.h, footprint-inl.h | level of detail and axes of a footprint; width and blur      |
+/// | footprint/profile.h, profile-inl.h     | levels of detail and probes of other texture units                |
+/// | footprint/exact_footprint.h, parallelogram.h | what SHD_FILTER_EXACT integrates over                       |
+/// | footprint/ray_footprint.h              | derivatives from ray differentials and ray cones                  |
+/// | filter/filters-inl.h                   | the list of filters: a row each                                   |
+/// | filter/runner-inl.h, sink-inl.h        | how a filter runs over a batch, and where it emits to             |
+/// | filter/prefetch.h                      | lines of memory asked for ahead, for lookups that are scattered   |
+/// | filter/bases-inl.h, level-inl.h        | what filters on level 0 or on mip levels share; quads of a level  |
+/// | filter/nearest, bilinear, bicubic, mip, trilinear, ripmap, anisotropic, ewa | a filter each (.cpp, some -inl.h) |
+/// | filter/cubic-inl.h, probe_line-inl.h, ellipse-inl.h, walk-inl.h | parts of those                          |
+/// | filter/stochastic.cpp, pick-inl.h, pick_ellipse-inl.h, random-inl.h | one texel, picked by a filter's weights |
+/// | filter/summed_area.cpp, box-inl.h      | boxes of a summed-area table                                      |
+/// | filter/exact.cpp                       | the integral over the footprint, in doubles                       |
+/// | filter/magnify.h                       | another filter where the footprint is no longer than a texel      |
+/// | format/formats-inl.h                   | the list of formats: a row each                                   |
+/// | format/consume-inl.h                   | the consumer of a stream                                          |
+/// | format/blend-inl.h, gradient-inl.h     | what it computes: values, derivatives                             |
+/// | format/unorm8, srgb8, unorm16, float16, float32 | a format each (.cpp, some -inl.h)                        |
+/// | format/words-inl.h, gather-inl.h       | texels of one or two words; loads of neighbouring texels          |
+/// | explain/explain.h, record.h, record-inl.h | one lookup as its tree of blends                               |
+/// | kernel_part.h                          | inlining of the larger pieces                                     |
 #pragma once
 
 #include <cstddef>

@@ -46,14 +46,14 @@ struct Mean {
 };
 
 /// Integrates the reconstruction of one level over the pieces that visit_cells() names.
-template <class Code>
+template <class Codec>
 class Integral {
  public:
   Integral(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint)
       : texture_(texture), sampler_(sampler), footprint_(footprint), negligible_(footprint.thin ? 0x1p-20 : 0x1p-40) {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
-    for (size_t c = 0; c < Code::kChannels; ++c) {
+    for (size_t c = 0; c < Codec::kChannels; ++c) {
       border_[c] = static_cast<double>(sampler.border[c]) * code_of_one(texture.component, c);
     }
   }
@@ -91,14 +91,14 @@ class Integral {
 
   void add(const uint8_t* from, int64_t i, double weight) {
     const int64_t x = wrap_index(sampler_.wrap_u, footprint_.x + i, width_);
-    double loaded[Code::kChannels];
+    double loaded[Codec::kChannels];
     const double* value = border_;
     if (from && x >= 0) {
-      Code::load(from + static_cast<size_t>(x) * Code::kSize, loaded);
+      Codec::load(from + static_cast<size_t>(x) * Codec::kSize, loaded);
       value = loaded;
     }
     weight_ += weight;
-    for (size_t c = 0; c < Code::kChannels; ++c) mean_[c].add(value[c], weight);
+    for (size_t c = 0; c < Codec::kChannels; ++c) mean_[c].add(value[c], weight);
   }
 
   const Texture& texture_;
@@ -107,16 +107,16 @@ class Integral {
   const double
       negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
   int64_t width_, height_;
-  double border_[Code::kChannels];
+  double border_[Codec::kChannels];
   double weight_ = 0;
-  Mean mean_[Code::kChannels];
+  Mean mean_[Codec::kChannels];
 };
 
 void integrate(const Texture& texture, const Sampler& sampler, const ExactFootprint& footprint, const Texels& out) {
-  visit_code(texture.component, texture.channels, [&](auto code) {
-    Integral<decltype(code)> integral(texture, sampler, footprint);
+  visit_codec(texture.component, texture.channels, [&](auto codec) {
+    Integral<decltype(codec)> integral(texture, sampler, footprint);
     visit_cells(parallelogram(footprint.center, footprint.a, footprint.b), &integral);
-    for (size_t c = 0; c < decltype(code)::kChannels; ++c) {
+    for (size_t c = 0; c < decltype(codec)::kChannels; ++c) {
       if (out.channel[c]) *out.channel[c] = integral.channel(c);
     }
   });

@@ -53,21 +53,21 @@ void halve(double* plane, uint32_t width, uint32_t height) {
 }
 
 /// The same from two stored rows (equal where the height is 1).
-template <class Code>
+template <class Codec>
 void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
-  const size_t right = width > 1 ? Code::kSize : 0;
+  const size_t right = width > 1 ? Codec::kSize : 0;
   for (uint32_t x = 0; x < (width + 1) / 2; ++x, top += 2 * right, bottom += 2 * right) {
-    double a[Code::kChannels], b[Code::kChannels], c[Code::kChannels], d[Code::kChannels];
-    Code::load(top, a);
-    Code::load(top + right, b);
-    Code::load(bottom, c);
-    Code::load(bottom + right, d);
-    for (size_t i = 0; i < Code::kChannels; ++i) *to++ = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
+    double a[Codec::kChannels], b[Codec::kChannels], c[Codec::kChannels], d[Codec::kChannels];
+    Codec::load(top, a);
+    Codec::load(top + right, b);
+    Codec::load(bottom, c);
+    Codec::load(bottom + right, d);
+    for (size_t i = 0; i < Codec::kChannels; ++i) *to++ = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
   }
 }
 
 /// One round down the even levels: from level `from` (stored if 0, else `source`) to level from + steps.
-template <class Code>
+template <class Codec>
 struct Round {
   Texture& texture;
   const double* source;  // unrounded level `from`, null for the base
@@ -84,52 +84,53 @@ struct Round {
   }
 
   void run_tile(uint32_t column, uint32_t row, uint32_t columns) const {
-    double scratch[Code::kChannels * kTile * kTile / 4];
+    double scratch[Codec::kChannels * kTile * kTile / 4];
     const uint32_t level_width = level_size(texture.width, from), level_height = level_size(texture.height, from);
     uint32_t width = level_width < 1u << steps ? level_width : 1u << steps;
     uint32_t height = level_height < 1u << steps ? level_height : 1u << steps;
     halve_source(column * width, row * height, width, height, scratch);
     for (uint32_t step = 1; step <= steps; ++step) {
-      if (step > 1) halve<Code::kChannels>(scratch, width, height);
+      if (step > 1) halve<Codec::kChannels>(scratch, width, height);
       width = width > 1 ? width / 2 : 1;
       height = height > 1 ? height / 2 : 1;
       store(from + step, column * width, row * height, width, height, scratch);
     }
     if (last) {
-      std::memcpy(last + (size_t{row} * columns + column) * Code::kChannels, scratch, Code::kChannels * sizeof(double));
+      std::memcpy(last + (size_t{row} * columns + column) * Codec::kChannels, scratch,
+                  Codec::kChannels * sizeof(double));
     }
   }
 
   /// First step of a tile whose first texel is (x, y).
   void halve_source(uint32_t x, uint32_t y, uint32_t width, uint32_t height, double* to) const {
     const uint32_t down = height > 1 ? 1 : 0;
-    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Code::kChannels;
+    const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Codec::kChannels;
     for (uint32_t j = 0; j < (height + 1) / 2; ++j, to += to_row) {
       const uint32_t top = y + 2 * j;
       if (source) {
-        const size_t pitch = size_t{level_size(texture.width, from)} * Code::kChannels;
-        halve_rows<Code::kChannels>(source + top * pitch + x * Code::kChannels, down * pitch, width, to);
+        const size_t pitch = size_t{level_size(texture.width, from)} * Codec::kChannels;
+        halve_rows<Codec::kChannels>(source + top * pitch + x * Codec::kChannels, down * pitch, width, to);
       } else {
-        halve_texels<Code>(row_of(texture, layer, 0, top) + x * Code::kSize,
-                           row_of(texture, layer, 0, top + down) + x * Code::kSize, width, to);
+        halve_texels<Codec>(row_of(texture, layer, 0, top) + x * Codec::kSize,
+                            row_of(texture, layer, 0, top + down) + x * Codec::kSize, width, to);
       }
     }
   }
 
   void store(uint32_t level, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const double* average) const {
     for (uint32_t j = 0; j < height; ++j) {
-      uint8_t* texel = row_of(texture, layer, level, y + j) + x * Code::kSize;
-      for (uint32_t i = 0; i < width; ++i, texel += Code::kSize, average += Code::kChannels) {
-        Code::store(average, texel);
+      uint8_t* texel = row_of(texture, layer, level, y + j) + x * Codec::kSize;
+      for (uint32_t i = 0; i < width; ++i, texel += Codec::kSize, average += Codec::kChannels) {
+        Codec::store(average, texel);
       }
     }
   }
 };
 
 /// The first steps down of a base of an integer format, both of whose sizes are multiples of 2^steps.
-template <class Code>
+template <class Codec>
 struct FirstRound {
-  using Sum = typename Sums<Code>::Sum;
+  using Sum = typename Sums<Codec>::Sum;
   static constexpr uint32_t kRows = 1u << kSumSteps;
   static constexpr uint32_t kColumns = 1024 / sizeof(Sum);
 
@@ -139,7 +140,7 @@ struct FirstRound {
   uint32_t layer;
 
   void run(const core::Context& context, const Region& region) const {
-    const Sums<Code> sums;
+    const Sums<Codec> sums;
     const Region tiles = level_region(texture, region, steps);
     const uint32_t end = tiles.x.end << steps;
     for_rows(context, tiles.y, [&](uint32_t band, uint32_t) {
@@ -149,8 +150,8 @@ struct FirstRound {
     });
   }
 
-  void run_tile(const Sums<Code>& sums, uint32_t x, uint32_t width, uint32_t y) const {
-    Sum odd[Code::kChannels * kColumns * kRows / 4], even[Code::kChannels * kColumns * kRows / 16];
+  void run_tile(const Sums<Codec>& sums, uint32_t x, uint32_t width, uint32_t y) const {
+    Sum odd[Codec::kChannels * kColumns * kRows / 4], even[Codec::kChannels * kColumns * kRows / 16];
     const Sum* from = even;
     Sum* to = odd;
     uint32_t rows = 1u << steps;
@@ -159,15 +160,15 @@ struct FirstRound {
       rows /= 2;
       x /= 2;
       y /= 2;
-      const size_t pitch = size_t{width} * Code::kChannels;
+      const size_t pitch = size_t{width} * Codec::kChannels;
       for (uint32_t j = 0; j < rows; ++j) {
         if (step == 1) {
-          sums.pair(row_of(texture, layer, 0, 2 * (y + j)) + size_t{x} * 2 * Code::kSize,
-                    row_of(texture, layer, 0, 2 * (y + j) + 1) + size_t{x} * 2 * Code::kSize, width, to + j * pitch);
+          sums.pair(row_of(texture, layer, 0, 2 * (y + j)) + size_t{x} * 2 * Codec::kSize,
+                    row_of(texture, layer, 0, 2 * (y + j) + 1) + size_t{x} * 2 * Codec::kSize, width, to + j * pitch);
         } else {
           sums.halve(from + 4 * j * pitch, from + (4 * j + 2) * pitch, width, to + j * pitch);
         }
-        sums.store(to + j * pitch, width, 2 * step, row_of(texture, layer, step, y + j) + size_t{x} * Code::kSize);
+        sums.store(to + j * pitch, width, 2 * step, row_of(texture, layer, step, y + j) + size_t{x} * Codec::kSize);
       }
       from = to;
       to = to == odd ? even : odd;
@@ -175,48 +176,48 @@ struct FirstRound {
     if (last) keep(sums, from, x, y, width);
   }
 
-  void keep(const Sums<Code>& sums, const Sum* from, uint32_t x, uint32_t y, uint32_t width) const {
-    double* to = last + (size_t{y} * level_size(texture.width, steps) + x) * Code::kChannels;
+  void keep(const Sums<Codec>& sums, const Sum* from, uint32_t x, uint32_t y, uint32_t width) const {
+    double* to = last + (size_t{y} * level_size(texture.width, steps) + x) * Codec::kChannels;
     for (size_t i = 0; i < width; ++i) {
-      for (size_t c = 0; c < Code::kChannels; ++c, ++from) *to++ = sums.average(*from, c, 2 * steps);
+      for (size_t c = 0; c < Codec::kChannels; ++c, ++from) *to++ = sums.average(*from, c, 2 * steps);
     }
   }
 };
 
 /// Weighted sum of the texels of `span` in one stored row.
-template <class Code>
+template <class Codec>
 void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* sum) {
-  double value[Code::kChannels], total[Code::kChannels] = {};
+  double value[Codec::kChannels], total[Codec::kChannels] = {};
   if (span.last > span.first + 1) {
-    Code::add(row + (size_t{span.first} + 1) * Code::kSize, span.last - span.first - 1, total);
+    Codec::add(row + (size_t{span.first} + 1) * Codec::kSize, span.last - span.first - 1, total);
   }
-  for (size_t c = 0; c < Code::kChannels; ++c) total[c] *= span.full;
-  Code::load(row + size_t{span.first} * Code::kSize, value);
-  for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.head * value[c];
+  for (size_t c = 0; c < Codec::kChannels; ++c) total[c] *= span.full;
+  Codec::load(row + size_t{span.first} * Codec::kSize, value);
+  for (size_t c = 0; c < Codec::kChannels; ++c) total[c] += span.head * value[c];
   if (span.last > span.first) {
-    Code::load(row + size_t{span.last} * Code::kSize, value);
-    for (size_t c = 0; c < Code::kChannels; ++c) total[c] += span.tail * value[c];
+    Codec::load(row + size_t{span.last} * Codec::kSize, value);
+    for (size_t c = 0; c < Codec::kChannels; ++c) total[c] += span.tail * value[c];
   }
-  for (size_t c = 0; c < Code::kChannels; ++c) sum[c] += weight * total[c];
+  for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += weight * total[c];
 }
 
 /// One level from the base.
-template <class Code>
+template <class Codec>
 void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
   const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
   const double area = static_cast<double>(texture.width) * texture.height;
   const Region texels = level_region(texture, region, level);
   for_rows(context, texels.y, [&](uint32_t y, uint32_t) {
     const AxisSpan down(y, texture.height, height);
-    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * Code::kSize;
-    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Code::kSize) {
+    uint8_t* texel = row_of(texture, layer, level, y) + size_t{texels.x.first} * Codec::kSize;
+    for (uint32_t x = texels.x.first; x < texels.x.end; ++x, texel += Codec::kSize) {
       const AxisSpan across(x, texture.width, width);
-      double sum[Code::kChannels] = {};
+      double sum[Codec::kChannels] = {};
       for (uint32_t row = down.first; row <= down.last; ++row) {
-        add_row<Code>(row_of(texture, layer, 0, row), across, down.weight(row), sum);
+        add_row<Codec>(row_of(texture, layer, 0, row), across, down.weight(row), sum);
       }
-      for (size_t c = 0; c < Code::kChannels; ++c) sum[c] /= area;
-      Code::store(sum, texel);
+      for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] /= area;
+      Codec::store(sum, texel);
     }
   });
 }
@@ -256,37 +257,37 @@ size_t plane_size(const Texture& texture, uint32_t level) {
   return size_t{level_size(texture.width, level)} * level_size(texture.height, level) * texture.channels;
 }
 
-template <class Code>
+template <class Codec>
 void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region, double* sums) {
   const uint32_t even = even_steps(texture);
   const double* source = nullptr;
   for (uint32_t from = 0, steps; from < even; from += steps) {
     steps = round_steps(texture, from, even);
     double* last = from + steps < even ? sums : nullptr;
-    if constexpr (Sums<Code>::kExact) {
+    if constexpr (Sums<Codec>::kExact) {
       if (from == 0 && square_steps(texture) > 0) {
-        FirstRound<Code>{texture, last, steps, layer}.run(context, region);
+        FirstRound<Codec>{texture, last, steps, layer}.run(context, region);
       } else {
-        Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
+        Round<Codec>{texture, source, last, from, steps, layer}.run(context, region);
       }
     } else {
-      Round<Code>{texture, source, last, from, steps, layer}.run(context, region);
+      Round<Codec>{texture, source, last, from, steps, layer}.run(context, region);
     }
     source = last;
     if (last) sums += plane_size(texture, from + steps);
   }
   for (uint32_t level = even + 1; level < texture.level_count; ++level) {
-    sum_level<Code>(context, texture, layer, level, region);
+    sum_level<Codec>(context, texture, layer, level, region);
   }
 }
 
-template <template <size_t> class Code>
+template <template <size_t> class Codec>
 void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
                     double* sums) {
   switch (texture.channels) {
-    case 1: return build_layer<Code<1>>(context, texture, layer, region, sums);
-    case 2: return build_layer<Code<2>>(context, texture, layer, region, sums);
-    default: return build_layer<Code<4>>(context, texture, layer, region, sums);
+    case 1: return build_layer<Codec<1>>(context, texture, layer, region, sums);
+    case 2: return build_layer<Codec<2>>(context, texture, layer, region, sums);
+    default: return build_layer<Codec<4>>(context, texture, layer, region, sums);
   }
 }
 
@@ -305,11 +306,11 @@ size_t mip_sums_size(const Texture& texture) {
 void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                       double* sums) {
   switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture, layer, region, sums);
-    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture, layer, region, sums);
-    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture, layer, region, sums);
-    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture, layer, region, sums);
-    default: return build_channels<CodeFloat32>(context, *texture, layer, region, sums);
+    case image::Component::kUnorm8: return build_channels<Unorm8Codec>(context, *texture, layer, region, sums);
+    case image::Component::kSrgb8: return build_channels<Srgb8Codec>(context, *texture, layer, region, sums);
+    case image::Component::kUnorm16: return build_channels<Unorm16Codec>(context, *texture, layer, region, sums);
+    case image::Component::kFloat16: return build_channels<Float16Codec>(context, *texture, layer, region, sums);
+    default: return build_channels<Float32Codec>(context, *texture, layer, region, sums);
   }
 }
 

@@ -12,7 +12,7 @@
 namespace shd::texture {
 namespace {
 
-/// Largest stored value of a channel in the units of Code::load; the least is 0, or its negative if signed.
+/// Largest stored value of a channel in the units of Codec::load; the least is 0, or its negative if signed.
 struct Limit {
   double maximum;
   bool is_signed;
@@ -34,9 +34,9 @@ struct Limit {
   }
 };
 
-template <class Code>
+template <class Codec>
 struct Filter {
-  static constexpr size_t kChannels = Code::kChannels;
+  static constexpr size_t kChannels = Codec::kChannels;
   const shd_image& source;
   const shd_image& level;
   const AxisWeights& across;
@@ -48,8 +48,8 @@ struct Filter {
   /// Texels of a source row as numbers; normals as vectors.
   void decode(const uint8_t* row, double* to) const {
     const Limit limit(component, 0);
-    for (uint32_t x = 0; x < source.width; ++x, row += Code::kSize, to += kChannels) {
-      Code::load(row, to);
+    for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
+      Codec::load(row, to);
       if constexpr (kChannels >= 3) {
         if (normal) decode_normal(limit, to);
       }
@@ -86,7 +86,7 @@ struct Filter {
       for (size_t i = 0; i < size; ++i) column[i] += weight * row[i];
     }
     uint8_t* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride;
-    for (uint32_t x = 0; x < level.width; ++x, texel += Code::kSize) store(x, y, column, texel);
+    for (uint32_t x = 0; x < level.width; ++x, texel += Codec::kSize) store(x, y, column, texel);
   }
 
   void store(uint32_t x, uint32_t y, const double* column, uint8_t* texel) const {
@@ -100,7 +100,7 @@ struct Filter {
       if (normal) encode_normal(Limit(component, 0), sum);
     }
     for (size_t c = 0; c < kChannels; ++c) sum[c] = Limit(component, c).clamp(sum[c]);
-    Code::store(sum, texel);
+    Codec::store(sum, texel);
     if constexpr (kChannels == 4) {
       const Limit limit(component, 3);
       if (alpha) {
@@ -110,9 +110,9 @@ struct Filter {
   }
 };
 
-template <class Code>
-void filter_code(const core::Context& context, const Filter<Code>& filter) {
-  const size_t size = filter.source.width * Code::kChannels;
+template <class Codec>
+void filter_code(const core::Context& context, const Filter<Codec>& filter) {
+  const size_t size = filter.source.width * Codec::kChannels;
   const uint32_t workers = context.executor.worker_count ? context.executor.worker_count : 1;
   core::Array<double> rows(context.allocator, core::checked_mul(core::checked_mul(size, 2), workers));
   core::parallel_for(context, filter.level.height, [&](uint32_t y, uint32_t worker) {
@@ -132,9 +132,9 @@ void filter_level(const core::Context& context, const shd_image& source, const s
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
   const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
   const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;
-  visit_code(component, format.channels, [&](auto code) {
-    using Code = decltype(code);
-    filter_code<Code>(context, {source, level, across, down, component, normal, lengths, alpha});
+  visit_codec(component, format.channels, [&](auto codec) {
+    using Codec = decltype(codec);
+    filter_code<Codec>(context, {source, level, across, down, component, normal, lengths, alpha});
   });
 }
 

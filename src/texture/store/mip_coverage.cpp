@@ -49,7 +49,7 @@ struct Cut {
 /// The code of alpha alone, which is never encoded.
 template <class Body>
 void visit_alpha(image::Component component, Body&& body) {
-  visit_code(component == image::Component::kSrgb8 ? image::Component::kUnorm8 : component, 1, body);
+  visit_codec(component == image::Component::kSrgb8 ? image::Component::kUnorm8 : component, 1, body);
 }
 
 uint64_t count_from(const float* alpha, size_t size, float threshold) {
@@ -80,14 +80,14 @@ uint64_t count_covered(const core::Context& context, const shd_image& image, dou
   const image::FormatInfo format = image::format_info(image.format);
   const Cut cut(format.component, cutoff);
   std::atomic<uint64_t> total{0};
-  visit_alpha(format.component, [&](auto code) {
-    using Code = decltype(code);
+  visit_alpha(format.component, [&](auto codec) {
+    using Codec = decltype(codec);
     core::parallel_for(context, image.height, [&](uint32_t y, uint32_t) {
       const auto* texel = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride + 3 * format.channel_size;
       uint64_t count = 0;
       for (uint32_t x = 0; x < image.width; ++x, texel += format.pixel_size) {
         double value;
-        Code::load(texel, &value);
+        Codec::load(texel, &value);
         count += value >= cut.pass;
       }
       total.fetch_add(count, std::memory_order_relaxed);
@@ -101,8 +101,8 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
   const image::FormatInfo format = image::format_info(level.format);
   const Cut cut(format.component, cutoff);
   const auto threshold = static_cast<double>(find_threshold(alpha, size_t{level.width} * level.height, wanted));
-  visit_alpha(format.component, [&](auto code) {
-    using Code = decltype(code);
+  visit_alpha(format.component, [&](auto codec) {
+    using Codec = decltype(codec);
     core::parallel_for(context, level.height, [&](uint32_t y, uint32_t) {
       auto* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride + 3 * format.channel_size;
       for (uint32_t x = 0; x < level.width; ++x, texel += format.pixel_size) {
@@ -113,7 +113,7 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
         } else if (scaled > cut.fail) {
           scaled = cut.fail;
         }
-        Code::store(&scaled, texel);
+        Codec::store(&scaled, texel);
       }
     });
   });

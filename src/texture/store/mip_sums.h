@@ -6,8 +6,8 @@
 ///   Sum      holds 4^kSumSteps texels
 ///   pair     sums of 2 x 2 texels of two stored rows, `count` of them
 ///   halve    the same from two rows of sums
-///   store    rounds sums / 2^shift as Code::store does
-///   average  sum / 2^shift in the units of Code::load
+///   store    rounds sums / 2^shift as Codec::store does
+///   average  sum / 2^shift in the units of Codec::load
 #pragma once
 
 #include "texture/store/texel_codec.h"
@@ -17,7 +17,7 @@ namespace shd::texture {
 constexpr uint32_t kSumSteps = 4;
 
 /// Formats without exact integer sums.
-template <class Code>
+template <class Codec>
 struct Sums {
   static constexpr bool kExact = false;
 };
@@ -57,7 +57,7 @@ struct Fields<4> {
 
 /// 256 texels of 255 fill 16 bits, so that all channels of a texel add as one integer without a carry between them.
 template <size_t kChannels>
-struct Sums<CodeUnorm8<kChannels>> {
+struct Sums<Unorm8Codec<kChannels>> {
   static constexpr bool kExact = true;
   using Sum = uint16_t;
   using Texel = typename Fields<kChannels>::Type;
@@ -95,7 +95,7 @@ struct Sums<CodeUnorm8<kChannels>> {
 };
 
 template <size_t kChannels>
-struct Sums<CodeUnorm16<kChannels>> {
+struct Sums<Unorm16Codec<kChannels>> {
   static constexpr bool kExact = true;
   using Sum = uint32_t;
 
@@ -123,7 +123,7 @@ struct Sums<CodeUnorm16<kChannels>> {
 
 /// Linear values are multiples of 2^-35: the least, decoded from code 1, lies above 2^-12 and has 24 bits.
 template <size_t kChannels>
-struct Sums<CodeSrgb8<kChannels>> {
+struct Sums<Srgb8Codec<kChannels>> {
   static constexpr bool kExact = true;
   using Sum = uint64_t;
   static constexpr float kUnit = 0x1p35f;

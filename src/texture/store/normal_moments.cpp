@@ -58,13 +58,13 @@ void write_moments(const core::Context& context, const shd_image& normals, const
   const image::FormatInfo format = image::format_info(normals.format);
   const bool is_srgb = format.component == image::Component::kSrgb8;
   const image::Component component = is_srgb ? image::Component::kUnorm8 : format.component;
-  visit_code(component, format.channels, [&](auto code) {
-    using In = decltype(code);
+  visit_codec(component, format.channels, [&](auto codec) {
+    using In = decltype(codec);
     if constexpr (In::kChannels >= 3) {
       if (out.format == SHD_FORMAT_RGBA16F) {
-        convert<In, CodeFloat16<4>>(context, normals, out, code_of_one(component));
+        convert<In, Float16Codec<4>>(context, normals, out, code_of_one(component));
       } else {
-        convert<In, CodeFloat32<4>>(context, normals, out, code_of_one(component));
+        convert<In, Float32Codec<4>>(context, normals, out, code_of_one(component));
       }
     }
   });

@@ -17,12 +17,12 @@ namespace shd::texture {
 namespace {
 
 /// sum += weight * texel, for every channel of a stored row.
-template <class Code>
+template <class Codec>
 void add_row(const uint8_t* texels, uint32_t width, double weight, double* sum) {
-  for (uint32_t x = 0; x < width; ++x, texels += Code::kSize, sum += Code::kChannels) {
-    double value[Code::kChannels];
-    Code::load(texels, value);
-    for (size_t c = 0; c < Code::kChannels; ++c) sum[c] += weight * value[c];
+  for (uint32_t x = 0; x < width; ++x, texels += Codec::kSize, sum += Codec::kChannels) {
+    double value[Codec::kChannels];
+    Codec::load(texels, value);
+    for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += weight * value[c];
   }
 }
 
@@ -47,10 +47,10 @@ void add_span(const double* row, uint32_t index, uint32_t base, uint32_t width, 
 }
 
 /// Row y of the levels (0.., j) of one layer.
-template <class Code>
+template <class Codec>
 class Row {
  public:
-  static constexpr size_t kChannels = Code::kChannels;
+  static constexpr size_t kChannels = Codec::kChannels;
 
   /// Of texels over `columns` of the base; `scratch` has room for two rows of it.
   Row(Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y, double* scratch)
@@ -67,7 +67,7 @@ class Row {
     const AxisSpan down(y_, texture_.height, height);
     std::memset(whole_, 0, width * kChannels * sizeof(double));
     for (uint32_t y = down.first; y <= down.last; ++y) {
-      add_row<Code>(row_of(texture_, layer_, 0, y), width, down.weight(y), whole_);
+      add_row<Codec>(row_of(texture_, layer_, 0, y), width, down.weight(y), whole_);
     }
     if (!is_there(0)) store(0, whole_);
     std::memcpy(halved_, whole_, width * kChannels * sizeof(double));
@@ -89,10 +89,10 @@ class Row {
   /// Sums of 2^i texels across.
   void store(uint32_t i, const double* sum) {
     const AxisRange range = level_range(columns_, texture_.width, level_size(texture_.width, i));
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Code::kSize;
+    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Codec::kSize;
     const double area = static_cast<double>(texture_.height) * (1u << i);
     sum += size_t{range.first} * kChannels;
-    for (uint32_t x = range.first; x < range.end; ++x, texel += Code::kSize, sum += kChannels) {
+    for (uint32_t x = range.first; x < range.end; ++x, texel += Codec::kSize, sum += kChannels) {
       store_texel(sum, area, texel);
     }
   }
@@ -100,9 +100,9 @@ class Row {
   void store_spans(uint32_t i) {
     const uint32_t width = level_size(texture_.width, i);
     const AxisRange range = level_range(columns_, texture_.width, width);
-    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Code::kSize;
+    uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Codec::kSize;
     const double area = static_cast<double>(texture_.width) * texture_.height;
-    for (uint32_t x = range.first; x < range.end; ++x, texel += Code::kSize) {
+    for (uint32_t x = range.first; x < range.end; ++x, texel += Codec::kSize) {
       double sum[kChannels];
       add_span<kChannels>(whole_, x, texture_.width, width, sum);
       store_texel(sum, area, texel);
@@ -112,7 +112,7 @@ class Row {
   static void store_texel(const double* sum, double area, uint8_t* texel) {
     double average[kChannels];
     for (size_t c = 0; c < kChannels; ++c) average[c] = sum[c] / area;
-    Code::store(average, texel);
+    Codec::store(average, texel);
   }
 
   Texture& texture_;
@@ -121,25 +121,25 @@ class Row {
   double *whole_, *halved_;
 };
 
-template <class Code>
+template <class Codec>
 void build_layer(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
                  double* scratch) {
-  const size_t rows = size_t{2} * texture.width * Code::kChannels;
+  const size_t rows = size_t{2} * texture.width * Codec::kChannels;
   for (uint32_t j = 0; j < texture.ripmap_rows; ++j) {
     const AxisRange range = level_range(region.y, texture.height, level_size(texture.height, j));
     for_rows(context, range, [&](uint32_t y, uint32_t worker) {
-      Row<Code>(texture, layer, region.x, j, y, scratch + worker * rows).run();
+      Row<Codec>(texture, layer, region.x, j, y, scratch + worker * rows).run();
     });
   }
 }
 
-template <template <size_t> class Code>
+template <template <size_t> class Codec>
 void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
                     double* scratch) {
   switch (texture.channels) {
-    case 1: return build_layer<Code<1>>(context, texture, layer, region, scratch);
-    case 2: return build_layer<Code<2>>(context, texture, layer, region, scratch);
-    default: return build_layer<Code<4>>(context, texture, layer, region, scratch);
+    case 1: return build_layer<Codec<1>>(context, texture, layer, region, scratch);
+    case 2: return build_layer<Codec<2>>(context, texture, layer, region, scratch);
+    default: return build_layer<Codec<4>>(context, texture, layer, region, scratch);
   }
 }
 
@@ -153,11 +153,11 @@ size_t ripmap_scratch_size(const core::Context& context, const Texture& texture)
 void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                          double* scratch) {
   switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<CodeUnorm8>(context, *texture, layer, region, scratch);
-    case image::Component::kSrgb8: return build_channels<CodeSrgb8>(context, *texture, layer, region, scratch);
-    case image::Component::kUnorm16: return build_channels<CodeUnorm16>(context, *texture, layer, region, scratch);
-    case image::Component::kFloat16: return build_channels<CodeFloat16>(context, *texture, layer, region, scratch);
-    default: return build_channels<CodeFloat32>(context, *texture, layer, region, scratch);
+    case image::Component::kUnorm8: return build_channels<Unorm8Codec>(context, *texture, layer, region, scratch);
+    case image::Component::kSrgb8: return build_channels<Srgb8Codec>(context, *texture, layer, region, scratch);
+    case image::Component::kUnorm16: return build_channels<Unorm16Codec>(context, *texture, layer, region, scratch);
+    case image::Component::kFloat16: return build_channels<Float16Codec>(context, *texture, layer, region, scratch);
+    default: return build_channels<Float32Codec>(context, *texture, layer, region, scratch);
   }
 }
 

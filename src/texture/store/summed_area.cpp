@@ -102,26 +102,26 @@ double finite_or(double value, double other) {
 }
 
 /// What is taken off every texel of a layer: nothing where sums are integers.
-template <class Code>
+template <class Codec>
 void load_origin(const Texture& texture, uint32_t layer, double* origin) {
-  Code::load(row_of(texture, layer, 0, 0), origin);
-  for (size_t c = 0; c < Code::kChannels; ++c) {
+  Codec::load(row_of(texture, layer, 0, 0), origin);
+  for (size_t c = 0; c < Codec::kChannels; ++c) {
     origin[c] = has_integer_sums(texture) ? 0 : finite_or(origin[c], 0);
   }
 }
 
-template <class Code, class Entry>
+template <class Codec, class Entry>
 void build_sums(const core::Context& context, Texture& texture, uint32_t layer) {
-  constexpr size_t kChannels = Code::kChannels;
+  constexpr size_t kChannels = Codec::kChannels;
   double origin[kChannels];
-  load_origin<Code>(texture, layer, origin);
+  load_origin<Codec>(texture, layer, origin);
   for (size_t c = 0; c < kChannels; ++c) {
     texture.sum_origins[layer * kChannels + c] = origin[c] / sum_of_one(texture, c);
   }
   auto* first = reinterpret_cast<Entry*>(texture.sums.data()) + layer * sum_count(texture);
   Table<Entry, kChannels>(texture, first).build(context, [&](uint32_t x, uint32_t y, Entry* value) {
     double linear[kChannels];
-    Code::load(row_of(texture, layer, 0, y) + size_t{x} * Code::kSize, linear);
+    Codec::load(row_of(texture, layer, 0, y) + size_t{x} * Codec::kSize, linear);
     for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<Entry>(finite_or(linear[c], origin[c]) - origin[c]);
   });
 }
@@ -130,7 +130,7 @@ bool may_be_nonfinite(const Texture& texture) {
   return texture.component == image::Component::kFloat16 || texture.component == image::Component::kFloat32;
 }
 
-template <class Code>
+template <class Codec>
 bool has_nonfinite(const core::Context& context, const Texture& texture, uint32_t layer) {
   if (!may_be_nonfinite(texture)) return false;
   std::atomic<bool> found{false};
@@ -138,8 +138,8 @@ bool has_nonfinite(const core::Context& context, const Texture& texture, uint32_
     bool in_row = false;
     const uint8_t* row = row_of(texture, layer, 0, y);
     for (uint32_t x = 0; x < texture.width; ++x) {
-      double value[Code::kChannels];
-      Code::load(row + size_t{x} * Code::kSize, value);
+      double value[Codec::kChannels];
+      Codec::load(row + size_t{x} * Codec::kSize, value);
       for (const double channel : value) in_row = in_row || !std::isfinite(channel);
     }
     if (in_row) found.store(true, std::memory_order_relaxed);
@@ -147,47 +147,47 @@ bool has_nonfinite(const core::Context& context, const Texture& texture, uint32_
   return found.load(std::memory_order_relaxed);
 }
 
-template <class Code>
+template <class Codec>
 void build_nonfinite(const core::Context& context, Texture& texture, uint32_t layer) {
-  constexpr size_t kChannels = Code::kChannels;
+  constexpr size_t kChannels = Codec::kChannels;
   uint32_t* first = texture.nonfinite_sums.data() + layer * sum_count(texture);
   Table<uint32_t, kChannels>(texture, first).build(context, [&](uint32_t x, uint32_t y, uint32_t* value) {
     double linear[kChannels];
-    Code::load(row_of(texture, layer, 0, y) + size_t{x} * Code::kSize, linear);
+    Codec::load(row_of(texture, layer, 0, y) + size_t{x} * Codec::kSize, linear);
     for (size_t c = 0; c < kChannels; ++c) value[c] = !std::isfinite(linear[c]);
   });
 }
 
-template <class Code>
+template <class Codec>
 void build_layer(const core::Context& context, Texture& texture, uint32_t layer) {
   if (has_integer_sums(texture)) {
-    build_sums<Code, uint32_t>(context, texture, layer);
+    build_sums<Codec, uint32_t>(context, texture, layer);
   } else {
-    build_sums<Code, double>(context, texture, layer);
+    build_sums<Codec, double>(context, texture, layer);
   }
 }
 
-template <class Code>
+template <class Codec>
 void build_layers(const core::Context& context, Texture& texture) {
   bool nonfinite = false;
   for (uint32_t layer = 0; layer < texture.layers; ++layer) {
-    build_layer<Code>(context, texture, layer);
-    nonfinite = nonfinite || has_nonfinite<Code>(context, texture, layer);
+    build_layer<Codec>(context, texture, layer);
+    nonfinite = nonfinite || has_nonfinite<Codec>(context, texture, layer);
   }
   if (!nonfinite) return;
   texture.nonfinite_sums = core::Array<uint32_t>(context.allocator, sum_count(texture) * texture.layers);
-  for (uint32_t layer = 0; layer < texture.layers; ++layer) build_nonfinite<Code>(context, texture, layer);
+  for (uint32_t layer = 0; layer < texture.layers; ++layer) build_nonfinite<Codec>(context, texture, layer);
 }
 
-template <class Code>
+template <class Codec>
 void update_layer(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture& texture) {
-  build_layer<Code>(context, texture, layer);
+  build_layer<Codec>(context, texture, layer);
   if (texture.nonfinite_sums.size() == 0) {
-    if (!has_nonfinite<Code>(context, texture, layer)) return;
+    if (!has_nonfinite<Codec>(context, texture, layer)) return;
     texture.nonfinite_sums = static_cast<core::Array<uint32_t>&&>(*spare);
     std::memset(texture.nonfinite_sums.data(), 0, texture.nonfinite_sums.size() * sizeof(uint32_t));
   }
-  build_nonfinite<Code>(context, texture, layer);
+  build_nonfinite<Codec>(context, texture, layer);
 }
 
 }  // namespace
@@ -197,8 +197,8 @@ void build_summed_area(const core::Context& context, Texture* texture) {
   const size_t size = has_integer_sums(*texture) ? sizeof(uint32_t) : sizeof(double);
   texture->sums = core::Array<uint8_t>(context.allocator, core::checked_mul(entries, size));
   texture->sum_origins = core::Array<double>(context.allocator, size_t{texture->layers} * texture->channels);
-  visit_code(texture->component, texture->channels,
-             [&](auto code) { build_layers<decltype(code)>(context, *texture); });
+  visit_codec(texture->component, texture->channels,
+              [&](auto codec) { build_layers<decltype(codec)>(context, *texture); });
 }
 
 size_t spare_sums_size(const Texture& texture) {
@@ -206,8 +206,8 @@ size_t spare_sums_size(const Texture& texture) {
 }
 
 void update_summed_area(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture* texture) {
-  visit_code(texture->component, texture->channels,
-             [&](auto code) { update_layer<decltype(code)>(context, layer, spare, *texture); });
+  visit_codec(texture->component, texture->channels,
+              [&](auto codec) { update_layer<decltype(codec)>(context, layer, spare, *texture); });
 }
 
 }  // namespace shd::texture

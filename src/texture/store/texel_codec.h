@@ -56,7 +56,7 @@ inline double canonical(double value) {
 }
 
 template <size_t kCount>
-struct CodeUnorm8 {
+struct Unorm8Codec {
   static constexpr size_t kChannels = kCount, kSize = kCount;
   static void load(const uint8_t* texel, double* value) {
     for (size_t c = 0; c < kChannels; ++c) value[c] = texel[c];
@@ -74,25 +74,25 @@ struct CodeUnorm8 {
 };
 
 /// For formats whose texels are turned into doubles one by one.
-template <class Code>
+template <class Codec>
 void add_each(const uint8_t* texel, size_t count, double* sum) {
-  for (size_t i = 0; i < count; ++i, texel += Code::kSize) {
-    double value[Code::kChannels];
-    Code::load(texel, value);
-    for (size_t c = 0; c < Code::kChannels; ++c) sum[c] += value[c];
+  for (size_t i = 0; i < count; ++i, texel += Codec::kSize) {
+    double value[Codec::kChannels];
+    Codec::load(texel, value);
+    for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += value[c];
   }
 }
 
 /// Channel 3 is alpha: a linear code.
 template <size_t kCount>
-struct CodeSrgb8 {
+struct Srgb8Codec {
   static constexpr size_t kChannels = kCount, kSize = kCount;
   static void load(const uint8_t* texel, double* value) {
     for (size_t c = 0; c < kChannels; ++c) {
       value[c] = c == 3 ? texel[c] : static_cast<double>(image::kSrgb8ToLinear[texel[c]]);
     }
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeSrgb8>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<Srgb8Codec>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
     for (size_t c = 0; c < kChannels; ++c) {
       texel[c] = c == 3 ? round_to_code<uint8_t>(average[c]) : image::linear_to_srgb8(static_cast<float>(average[c]));
@@ -101,14 +101,14 @@ struct CodeSrgb8 {
 };
 
 template <size_t kCount>
-struct CodeUnorm16 {
+struct Unorm16Codec {
   static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
   static void load(const uint8_t* texel, double* value) {
     uint16_t codes[kChannels];
     std::memcpy(codes, texel, sizeof codes);
     for (size_t c = 0; c < kChannels; ++c) value[c] = codes[c];
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeUnorm16>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<Unorm16Codec>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
     uint16_t codes[kChannels];
     for (size_t c = 0; c < kChannels; ++c) codes[c] = round_to_code<uint16_t>(average[c]);
@@ -117,14 +117,14 @@ struct CodeUnorm16 {
 };
 
 template <size_t kCount>
-struct CodeFloat16 {
+struct Float16Codec {
   static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
   static void load(const uint8_t* texel, double* value) {
     uint16_t halves[kChannels];
     std::memcpy(halves, texel, sizeof halves);
     for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<double>(image::half_to_float(halves[c]));
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeFloat16>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<Float16Codec>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
     uint16_t halves[kChannels];
     for (size_t c = 0; c < kChannels; ++c) halves[c] = image::float_to_half(round_to_odd(canonical(average[c])));
@@ -133,14 +133,14 @@ struct CodeFloat16 {
 };
 
 template <size_t kCount>
-struct CodeFloat32 {
+struct Float32Codec {
   static constexpr size_t kChannels = kCount, kSize = 4 * kCount;
   static void load(const uint8_t* texel, double* value) {
     float floats[kChannels];
     std::memcpy(floats, texel, sizeof floats);
     for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<double>(floats[c]);
   }
-  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<CodeFloat32>(texel, count, sum); }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<Float32Codec>(texel, count, sum); }
   static void store(const double* average, uint8_t* texel) {
     float floats[kChannels];
     for (size_t c = 0; c < kChannels; ++c) floats[c] = static_cast<float>(canonical(average[c]));
@@ -148,25 +148,25 @@ struct CodeFloat32 {
   }
 };
 
-template <template <size_t> class Code, class Body>
+template <template <size_t> class Codec, class Body>
 void visit_channels(size_t channels, Body&& body) {
   switch (channels) {
-    case 1: return body(Code<1>());
-    case 2: return body(Code<2>());
-    case 3: return body(Code<3>());
-    default: return body(Code<4>());
+    case 1: return body(Codec<1>());
+    case 2: return body(Codec<2>());
+    case 3: return body(Codec<3>());
+    default: return body(Codec<4>());
   }
 }
 
-/// Calls body(Code<channels>()) with the code of a component.
+/// Calls body(Codec<channels>()) with the code of a component.
 template <class Body>
-void visit_code(image::Component component, size_t channels, Body&& body) {
+void visit_codec(image::Component component, size_t channels, Body&& body) {
   switch (component) {
-    case image::Component::kUnorm8: return visit_channels<CodeUnorm8>(channels, body);
-    case image::Component::kSrgb8: return visit_channels<CodeSrgb8>(channels, body);
-    case image::Component::kUnorm16: return visit_channels<CodeUnorm16>(channels, body);
-    case image::Component::kFloat16: return visit_channels<CodeFloat16>(channels, body);
-    default: return visit_channels<CodeFloat32>(channels, body);
+    case image::Component::kUnorm8: return visit_channels<Unorm8Codec>(channels, body);
+    case image::Component::kSrgb8: return visit_channels<Srgb8Codec>(channels, body);
+    case image::Component::kUnorm16: return visit_channels<Unorm16Codec>(channels, body);
+    case image::Component::kFloat16: return visit_channels<Float16Codec>(channels, body);
+    default: return visit_channels<Float32Codec>(channels, body);
   }
 }
 
