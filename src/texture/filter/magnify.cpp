@@ -2,12 +2,14 @@
 // A block whose lookups all go one way is filtered in place; else both kinds are gathered, filtered and scattered.
 #include "texture/filter/magnify.h"
 
-#include "texture/footprint/block.h"
 #include "texture/footprint/lod.h"
 #include "texture/sample.h"
 
 namespace shd::texture {
 namespace {
+
+/// Lookups that are divided together; their copies take 6 KB of stack.
+constexpr size_t kPart = 64;
 
 /// Levels of detail that the texture's own levels do not clamp.
 LodRange free_range(const Sampler& sampler) {
@@ -25,9 +27,9 @@ size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::
 
 /// Packed copies of some lookups of a block, and room for their results.
 struct Gathered {
-  float floats[kFloatColumns][kBlock];
-  uint32_t integers[kIntegerColumns][kBlock];
-  float results[kOutputColumns][kBlock];
+  float floats[kFloatColumns][kPart];
+  uint32_t integers[kIntegerColumns][kPart];
+  float results[kOutputColumns][kPart];
 
   template <class T>
   static const T* gather(const T* column, const uint16_t* rows, size_t count, T* to) {
@@ -92,12 +94,12 @@ size_t sample_magnified(const Texture& texture, const Sampler& sampler, const co
                         const Lookups& lookups, const Texels& out) {
   const Sampler near = magnifier(sampler), far = minifier(sampler);
   size_t nonfinite = 0;
-  for (size_t first = 0; first < lookups.count; first += kBlock) {
-    const size_t count = lookups.count - first < kBlock ? lookups.count - first : kBlock;
+  for (size_t first = 0; first < lookups.count; first += kPart) {
+    const size_t count = lookups.count - first < kPart ? lookups.count - first : kPart;
     const Lookups block = part_of(lookups, first, count);
-    float lod[kBlock];
+    float lod[kPart];
     nonfinite += deciding_lod(texture, sampler, simd, block, lod);
-    uint16_t near_rows[kBlock], far_rows[kBlock];
+    uint16_t near_rows[kPart], far_rows[kPart];
     size_t near_count = 0, far_count = 0;
     for (size_t i = 0; i < count; ++i) {
       if (lod[i] <= 0.0f) {
