@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/filter/ewa-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/runner-inl.h"
 #include "texture/format/consume-inl.h"
@@ -41,6 +42,11 @@ class FusedSink {
   HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in) {
     WriteTexel(d, index, in, false, 0, &element_);
     consume(d, op);
+  }
+  HWY_INLINE bool has_rates() const { return false; }
+  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const Share<D>& share) {
+    WriteShare(d, share, 0, &element_);
+    texel(d, op, index, in);
   }
   HWY_INLINE void merge(D d, hn::Vec<D> share) {
     WriteShare(d, share, 0, &element_);
@@ -90,6 +96,7 @@ size_t RunFused(const FilterCall& call) {
 
 RunFilter FusedOf(shd_filter filter, image::Component component) {
   if (component == image::Component::kUnorm8 && filter == SHD_FILTER_NEAREST) return RunFused<Nearest, Unorm8>;
+  if (component == image::Component::kUnorm8 && filter == SHD_FILTER_EWA) return RunFused<Ewa, Unorm8>;
   return nullptr;
 }
 

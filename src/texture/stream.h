@@ -50,15 +50,17 @@ constexpr float kWhole = 2.0f;
 /// Columns of elements: element e of a target with L lanes lies at e * L.
 template <size_t kCapacity>
 struct Elements {
+  static constexpr size_t kColumn = kCapacity + 16;  // columns a power of two apart would alias in the cache
+
   bool has_rates;                           // whether rates are written: derivatives are wanted
-  alignas(64) int32_t index[4][kCapacity];  // texels; ~index on the border
-  alignas(64) float s[kCapacity];           // quad: fraction along u; row: share of the second texel
-  alignas(64) float t[kCapacity];           // quad: fraction along v; row: share of the third texel
-  alignas(64) float r[kCapacity];           // row: share of the fourth texel
-  alignas(64) float share[kCapacity];       // unless kStart
+  alignas(64) int32_t index[4][kColumn];  // texels; ~index on the border
+  alignas(64) float s[kColumn];           // quad: fraction along u; row: share of the second texel
+  alignas(64) float t[kColumn];           // quad: fraction along v; row: share of the third texel
+  alignas(64) float r[kColumn];           // row: share of the fourth texel
+  alignas(64) float share[kColumn];       // unless kStart
   // Their change in the coordinate, if has_rates: s and r along u, t of a quad along v, share along both.
-  alignas(64) float rate_s[kCapacity], rate_t[kCapacity], rate_r[kCapacity];
-  alignas(64) float share_rate_u[kCapacity], share_rate_v[kCapacity];
+  alignas(64) float rate_s[kColumn], rate_t[kColumn], rate_r[kColumn];
+  alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
 /// A buffer of elements: 8 KB, 13 KB with rates, which stay in the first-level cache.

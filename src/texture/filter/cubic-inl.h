@@ -39,29 +39,34 @@ struct CubicSteps {
   hn::Vec<D> step[3], rate[3];
 };
 
+/// At s between the second and the third tap; ds is its change with the coordinate. Rates take six divisions and are 0
+/// unless they are wanted.
 template <class D, class V>
-SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds) {
+SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds, bool has_rates) {
   const CubicKernel k = cubic_kernel(cubic);
   const auto set = [&](float value) { return hn::Set(d, value); };
-  const auto inner = [&](V x) {
-    const V square = x * x;
-    return (set(k.p3) * x + set(k.p2)) * square + set(k.p0);
-  };
-  const auto inner_slope = [&](V x) { return (set(3 * k.p3) * x + set(2 * k.p2)) * x; };
+  const auto inner = [&](V x) { return (set(k.p3) * x + set(k.p2)) * (x * x) + set(k.p0); };
   const auto outer = [&](V r) { return (set(k.q3) * r + set(k.q2)) * (r * r); };
-  const auto outer_slope = [&](V r) { return (set(3 * k.q3) * r + set(2 * k.q2)) * r; };
   const V r = set(1.0f) - s;
   // In the order of the taps: second, third, first, fourth.
   const V weight[4] = {inner(s), inner(r), outer(r), outer(s)};
-  const V slope[4] = {inner_slope(s), hn::Neg(inner_slope(r)), hn::Neg(outer_slope(r)), outer_slope(s)};
   CubicSteps<D> steps;
-  V sum = weight[0], sum_slope = slope[0];
+  V sum = weight[0];
+  for (int i = 1; i < 4; ++i) {
+    sum = sum + weight[i];
+    steps.step[i - 1] = weight[i] / sum;
+    steps.rate[i - 1] = hn::Zero(d);
+  }
+  if (!has_rates) return steps;
+  const auto inner_slope = [&](V x) { return (set(3 * k.p3) * x + set(2 * k.p2)) * x; };
+  const auto outer_slope = [&](V x) { return (set(3 * k.q3) * x + set(2 * k.q2)) * x; };
+  const V slope[4] = {inner_slope(s), hn::Neg(inner_slope(r)), hn::Neg(outer_slope(r)), outer_slope(s)};
+  V sum_slope = slope[0];
+  sum = weight[0];
   for (int i = 1; i < 4; ++i) {
     sum = sum + weight[i];
     sum_slope = sum_slope + slope[i];
-    const V step = weight[i] / sum;
-    steps.step[i - 1] = step;
-    steps.rate[i - 1] = (slope[i] - step * sum_slope) / sum * ds;
+    steps.rate[i - 1] = (slope[i] - steps.step[i - 1] * sum_slope) / sum * ds;
   }
   return steps;
 }

@@ -36,8 +36,8 @@ void prefetch_elements(const TexelSource& source, const Stream& stream, size_t f
   };
   for (size_t e = first; e < end; ++e) {
     const uint32_t op = stream.op[e];
-    if (op & (kQuad | kRow | kNewLine)) ask(stream.index[0] + e * lanes);
-    if (op & kQuad) ask(stream.index[2] + e * lanes);
+    if (op & (kQuad | kNewLine)) ask(stream.index[0] + e * lanes);
+    if (op & (kQuad | kRow)) ask(stream.index[2] + e * lanes);
   }
 }
 

@@ -68,11 +68,15 @@ HWY_INLINE uint32_t WriteRow(D d, const Row<D>& row, bool bordered, size_t at, E
     hn::Store(row.share[k], d, shares[k] + at);
     if (HWY_UNLIKELY(to->has_rates)) hn::Store(row.rate[k], d, rates[k] + at);
   }
+  if (HWY_LIKELY(row.neighbours && !bordered)) {
+    hn::Store(row.index[2], di, to->index[2] + at);
+    return kRow | kNeighbours;
+  }
   for (size_t k = 0; k < 4; ++k) {
     const auto texel = HWY_UNLIKELY(bordered) ? TexelOrBorder(d, row.index[k], row.in[k]) : row.index[k];
     hn::Store(texel, di, to->index[k] + at);
   }
-  return row.neighbours && !bordered ? kRow | kNeighbours : kRow;
+  return kRow;
 }
 
 /// Writes a single texel.

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Elliptical weighted average: the texels inside the footprint's ellipse on one level, under a Gaussian (Greene and
+// Heckbert, "Creating Raster Omnimax Images from Multiple Perspective Views Using the Elliptical Weighted Average
+// Filter", 1986; Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5).
+
+#if defined(SHD_TEXTURE_EWA_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_EWA_INL_H_
+#undef SHD_TEXTURE_EWA_INL_H_
+#else
+#define SHD_TEXTURE_EWA_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/filter/ellipse-inl.h"
+#include "texture/filter/sink-inl.h"
+#include "texture/footprint/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One vector of ellipses, and the weights so far.
+template <class D>
+struct EllipseWalk {
+  using V = hn::Vec<D>;
+
+  /// The texels of one row that lie inside: `last` + 1 of them from `left` on, the first `dx` from the row's middle.
+  struct Row {
+    V dy, height, left, dx, last;
+  };
+
+  const Sampler& sampler;
+  Ellipse<D> ellipse;
+  V per_height2, per_width2;
+  V top, last;                // lowest row, and how many more there are; -1 = none
+  V total, total_u, total_v;  // sum of the weights, and its derivatives
+  bool any = false;           // whether an element was emitted
+
+  HWY_INLINE EllipseWalk(D d, const Texture& texture, const Sampler& of_sampler, const EllipseBlock& block, size_t i)
+      : sampler(of_sampler), ellipse(d, texture, of_sampler, block, i) {
+    const V one = hn::Set(d, 1.0f), half_height = hn::Sqrt(ellipse.height2);
+    per_height2 = one / ellipse.height2;
+    per_width2 = one / ellipse.width2;
+    top = hn::Ceil(ellipse.y.x - half_height);
+    const V bottom = hn::Floor(ellipse.y.x + half_height);
+    last = hn::IfThenElse(ellipse.is_quad, hn::Neg(one), bottom - top);
+    total = total_u = total_v = hn::Zero(d);
+  }
+
+  /// Whether the lanes' ellipses fill little of the rectangle around all of them.
+  HWY_INLINE bool are_unlike(D d) const {
+    const float height2 = hn::GetLane(hn::MaxOfLanes(d, ellipse.height2));
+    const float width2 = hn::GetLane(hn::MaxOfLanes(d, ellipse.width2));
+    return height2 * width2 > 4.0f * hn::GetLane(hn::MaxOfLanes(d, ellipse.height2 * ellipse.width2));
+  }
+
+  /// Row r of every lane; those beyond the last are empty.
+  HWY_INLINE Row row_at(D d, V r) const {
+    Row row;
+    row.dy = top + r - ellipse.y.x;
+    row.height = row.dy * row.dy * per_height2;
+    const V middle = ellipse.x.x + ellipse.shear * row.dy;
+    const V rest = hn::Max(hn::Set(d, 1.0f) - row.height, hn::Zero(d));
+    const V half_width = hn::Sqrt(rest * ellipse.width2);
+    row.left = hn::Ceil(middle - half_width);
+    row.dx = row.left - middle;
+    const V right = hn::Floor(middle + half_width);
+    row.last = hn::IfThenElse(hn::Ge(last, r), right - row.left, hn::Set(d, -1.0f));
+    return row;
+  }
+
+  /// Lanes in step, row by row: the shortest way for ellipses that are alike.
+  template <class Sink>
+  HWY_INLINE void emit_together(D d, Sink& sink) {
+    const float max_row = hn::GetLane(hn::MaxOfLanes(d, last));
+    Walk<D> down(d, sampler.wrap_v, top, ellipse.level.down);
+    for (float r = 0.0f; r <= max_row; r += 1.0f) {
+      const Row row = row_at(d, hn::Set(d, r));
+      const float max_column = hn::GetLane(hn::MaxOfLanes(d, row.last));
+      Walk<D> across(d, sampler.wrap_u, row.left, ellipse.level.across);
+      uint32_t flags = kNewLine;
+      for (float c = 0.0f; c <= max_column; c += 1.0f) {
+        if (emit_texel(d, row, hn::Set(d, c), down, across, flags, sink)) flags = 0;
+        across.step(d);
+      }
+      down.step(d);
+    }
+  }
+
+  /// Every lane at its own pace, for ellipses that lie across each other.
+  template <class Sink>
+  HWY_INLINE void emit_apart(D d, Sink& sink) {
+    const V one = hn::Set(d, 1.0f);
+    V r = hn::Neg(one), column = hn::Neg(one);
+    Walk<D> down(d, sampler.wrap_v, top - one, ellipse.level.down);
+    Walk<D> across(d, sampler.wrap_u, ellipse.x.x, ellipse.level.across);
+    Row row = row_at(d, r);
+    row.last = r;
+    for (;;) {
+      column = column + one;
+      across.step(d);
+      uint32_t flags = 0;
+      const auto done = hn::Gt(column, row.last);
+      if (!hn::AllFalse(d, done)) {
+        if (hn::AllTrue(d, hn::And(done, hn::Ge(r, last)))) return;
+        r = r + hn::IfThenElseZero(done, one);
+        row = row_at(d, r);
+        down.step_if(d, done);
+        across.restart_if(d, done, row.left);
+        column = hn::IfThenZeroElse(done, column);
+        flags = kNewLine;
+      }
+      emit_texel(d, row, column, down, across, flags, sink);
+    }
+  }
+
+  /// Returns whether the texel lies in any ellipse.
+  template <class Sink>
+  HWY_INLINE bool emit_texel(D d, const Row& row, V column, const Walk<D>& down, const Walk<D>& across, uint32_t flags,
+                             Sink& sink) {
+    const V dx = row.dx + column;
+    const V x = row.height + dx * dx * per_width2;
+    const auto active = hn::And(hn::Ge(row.last, column), hn::Lt(x, hn::Set(d, 1.0f)));
+    if (hn::AllFalse(d, active)) return false;
+    const V weight = hn::IfThenElseZero(active, WeightAt(d, x));
+    const auto first = hn::And(active, hn::Eq(total, hn::Zero(d)));
+    Share<D> share = sink.has_rates() ? rated_share(d, row, dx, weight, active) : plain_share(d, weight, active);
+    share.value = hn::IfThenElse(first, hn::Set(d, kWhole), share.value);
+    MaskOf<D> in_x, in_y;
+    const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
+    const bool starts = !hn::AllFalse(d, first);
+    sink.texel(d, how(starts) | flags, texel, hn::And(in_x, in_y), share);
+    return true;
+  }
+
+  /// Bilinear by its share.
+  template <class Sink>
+  HWY_INLINE void emit_quad(D d, Sink& sink) {
+    const V share = hn::IfThenElse(ellipse.is_quad, hn::Set(d, kWhole), ellipse.bilinear);
+    sink.quad(d, how(true), QuadAt(d, sampler, ellipse.level, ellipse.u, ellipse.v), share);
+  }
+
+  /// `starts`: the average of some lane begins.
+  HWY_INLINE uint32_t how(bool starts) {
+    const uint32_t how = !any ? kStart : starts ? kReplace : kBlend;
+    any = true;
+    return how;
+  }
+
+  HWY_INLINE Share<D> plain_share(D d, V weight, MaskOf<D> active) {
+    total = total + weight;
+    return {hn::IfThenElseZero(active, weight / total), hn::Zero(d), hn::Zero(d)};
+  }
+
+  /// With w' = -2 (w + exp(-2)) r^2' the share has the derivative (w' - share total') / total.
+  HWY_INLINE Share<D> rated_share(D d, const Row& row, V dx, V weight, MaskOf<D> active) {
+    Share<D> share = plain_share(d, weight, active);
+    const V slope = hn::IfThenElseZero(active, hn::Set(d, 4.0f)) * (weight + hn::Set(d, 0.135335283f));
+    const V along_x = dx * per_width2;
+    const V along_y = row.dy * per_height2 - ellipse.shear * along_x;
+    const V weight_u = slope * along_x * ellipse.x.rate, weight_v = slope * along_y * ellipse.y.rate;
+    total_u = total_u + weight_u;
+    total_v = total_v + weight_v;
+    share.rate_u = hn::IfThenElseZero(active, (weight_u - share.value * total_u) / total);
+    share.rate_v = hn::IfThenElseZero(active, (weight_v - share.value * total_v) / total);
+    return share;
+  }
+};
+
+struct Ewa {
+  using Block = EllipseBlock;
+
+  const Texture& texture;
+  const Sampler& sampler;
+
+  Ewa(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
+
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
+    return FindEllipses(texture, sampler, in, block);
+  }
+  static bool is_scattered(const Texture& texture, const EllipseBlock& block) {
+    return texture::is_scattered(texture, block, block.level);
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const EllipseBlock& block, size_t i, Sink& sink) const {
+    EllipseWalk<D> walk(d, texture, sampler, block, i);
+    if (!hn::AllTrue(d, walk.ellipse.is_quad)) {
+      if (!sink.has_rates() && walk.are_unlike(d)) {
+        walk.emit_apart(d, sink);
+      } else {
+        walk.emit_together(d, sink);
+      }
+    }
+    if (!hn::AllTrue(d, hn::Eq(walk.ellipse.bilinear, hn::Zero(d)))) walk.emit_quad(d, sink);
+    sink.finish();
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_EWA_INL_H_
