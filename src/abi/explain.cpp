@@ -26,8 +26,7 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
   return guard([&]() -> shd_result {
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
-    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
-    SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
+    SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     SHD_TRY(check_tables(*texture_body, *sampler_body));
     Batch<kLookupColumns, 0> batch;
     SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));

@@ -12,7 +12,6 @@ using namespace shd;
 using namespace shd::abi;
 using texture::Step;
 using texture::Surface;
-using texture::Triple;
 
 constexpr size_t kOutputs = 4;
 
@@ -31,7 +30,7 @@ enum DifferentialColumn {
 /// Columns of shd_ray_cones; the first nine are those of DifferentialColumn.
 enum ConeColumn { kWidth = 9, kConeColumns = 10 };
 
-void set_triple(const char* name, const shd_f32_in (&columns)[3], Need need, InColumn* out) {
+void set_vector(const char* name, const shd_f32_in (&columns)[3], Need need, InColumn* out) {
   for (int c = 0; c < 3; ++c) out[c] = in_column(name, columns[c], need, c);
 }
 
@@ -49,7 +48,7 @@ double value_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
   return piece.in[column] ? static_cast<double>(piece.floats(column)[i]) : 0.0;
 }
 template <size_t kIn>
-Triple triple_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
+data::Vec3d vector_at(const Piece<kIn, kOutputs>& piece, size_t column, size_t i) {
   return {value_at(piece, column, i), value_at(piece, column + 1, i), value_at(piece, column + 2, i)};
 }
 
@@ -63,22 +62,22 @@ void store_steps(const Piece<kIn, kOutputs>& piece, size_t i, const Step& x, con
 
 void trace_differentials(const Piece<kDifferentialColumns, kOutputs>& piece) {
   for (size_t i = 0; i < piece.count; ++i) {
-    const Surface surface = {triple_at(piece, kDpdu, i), triple_at(piece, kDpdv, i)};
-    const Triple direction = triple_at(piece, kDirection, i);
+    const Surface surface = {vector_at(piece, kDpdu, i), vector_at(piece, kDpdv, i)};
+    const data::Vec3d direction = vector_at(piece, kDirection, i);
     const double distance = value_at(piece, kDistance, i);
     store_steps(piece, i,
-                step_of_differential(surface, direction, distance, triple_at(piece, kOriginDx, i),
-                                     triple_at(piece, kDirectionDx, i)),
-                step_of_differential(surface, direction, distance, triple_at(piece, kOriginDy, i),
-                                     triple_at(piece, kDirectionDy, i)));
+                step_of_differential(surface, direction, distance, vector_at(piece, kOriginDx, i),
+                                     vector_at(piece, kDirectionDx, i)),
+                step_of_differential(surface, direction, distance, vector_at(piece, kOriginDy, i),
+                                     vector_at(piece, kDirectionDy, i)));
   }
 }
 
 void trace_cones(const Piece<kConeColumns, kOutputs>& piece) {
   for (size_t i = 0; i < piece.count; ++i) {
-    const Surface surface = {triple_at(piece, kDpdu, i), triple_at(piece, kDpdv, i)};
+    const Surface surface = {vector_at(piece, kDpdu, i), vector_at(piece, kDpdv, i)};
     const texture::ConeSteps steps =
-        steps_of_cone(surface, triple_at(piece, kDirection, i), value_at(piece, kWidth, i));
+        steps_of_cone(surface, vector_at(piece, kDirection, i), value_at(piece, kWidth, i));
     store_steps(piece, i, steps.along, steps.across);
   }
 }
@@ -96,14 +95,14 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     Batch<kDifferentialColumns, kOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
-    set_triple("rays.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
-    set_triple("rays.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
-    set_triple("rays.direction", in.direction, Need::kRequired, columns + kDirection);
+    set_vector("rays.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
+    set_vector("rays.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
+    set_vector("rays.direction", in.direction, Need::kRequired, columns + kDirection);
     columns[kDistance] = in_column("rays.distance", in.distance, Need::kOptional);
-    set_triple("rays.origin_dx", in.origin_dx, Need::kOptional, columns + kOriginDx);
-    set_triple("rays.origin_dy", in.origin_dy, Need::kOptional, columns + kOriginDy);
-    set_triple("rays.direction_dx", in.direction_dx, Need::kOptional, columns + kDirectionDx);
-    set_triple("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
+    set_vector("rays.origin_dx", in.origin_dx, Need::kOptional, columns + kOriginDx);
+    set_vector("rays.origin_dy", in.origin_dy, Need::kOptional, columns + kOriginDy);
+    set_vector("rays.direction_dx", in.direction_dx, Need::kOptional, columns + kDirectionDx);
+    set_vector("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
     set_derivatives(*out, &batch);
     SHD_TRY(check_batch(batch));
     for_each_piece(batch, 0, batch.count, trace_differentials);
@@ -120,9 +119,9 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     Batch<kConeColumns, kOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
-    set_triple("cones.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
-    set_triple("cones.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
-    set_triple("cones.direction", in.direction, Need::kRequired, columns + kDirection);
+    set_vector("cones.dpdu", in.dpdu, Need::kRequired, columns + kDpdu);
+    set_vector("cones.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
+    set_vector("cones.direction", in.direction, Need::kRequired, columns + kDirection);
     columns[kWidth] = in_column("cones.width", in.width, Need::kRequired);
     set_derivatives(*out, &batch);
     SHD_TRY(check_batch(batch));

@@ -40,8 +40,7 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
   return guard([&]() -> shd_result {
     const texture::Texture* texture_body;
     const texture::Sampler* sampler_body;
-    SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &texture_body));
-    SHD_TRY(read_handle("sampler", sampler, core::ObjectType::kSampler, &sampler_body));
+    SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     LevelBatch batch;
     SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
     SHD_TRY(check_not_null("levels", out));

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "abi/desc.h"
+#include "abi/handle.h"
 
 namespace shd::abi {
 
@@ -34,6 +35,12 @@ constexpr Row<shd_u32_in, uint32_t> kIntegerRows[] = {
 static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
 
 }  // namespace
+
+shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,
+                                    const texture::Texture** texture_body, const texture::Sampler** sampler_body) {
+  SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, texture_body));
+  return read_handle("sampler", sampler, core::ObjectType::kSampler, sampler_body);
+}
 
 shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count) {
   shd_lookups read = shd_lookups_default();

@@ -14,6 +14,10 @@ namespace shd::abi {
 constexpr size_t kLookupColumns = texture::kFloatColumns + texture::kIntegerColumns;
 using LookupColumns = std::array<InColumn, kLookupColumns>;
 
+/// Reads the handles of a texture and of the sampler that filters it.
+shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,
+                                    const texture::Texture** texture_body, const texture::Sampler** sampler_body);
+
 /// Reads a caller's desc into columns and their count, and checks them.
 shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count);
 

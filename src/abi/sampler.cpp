@@ -11,8 +11,8 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-/// What SHD_FILTER_STOCHASTIC may expect.
-shd_result check_expectation(shd_filter filter) {
+/// SHD_FILTER_STOCHASTIC estimates filters whose weights are positive.
+shd_result check_stochastic_filter(shd_filter filter) {
   switch (enum_bits(filter)) {
     case SHD_FILTER_TRILINEAR:
     case SHD_FILTER_BILINEAR:
@@ -20,17 +20,17 @@ shd_result check_expectation(shd_filter filter) {
     case SHD_FILTER_ANISOTROPIC:
     case SHD_FILTER_EWA: return SHD_OK;
     default:
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                        "sampler.stochastic_filter: %u is not a filter that can be drawn from", enum_bits(filter));
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: %u is not a filter that can be sampled",
+                        enum_bits(filter));
   }
 }
 
-/// Weights below 0 are no probabilities.
-shd_result check_drawn_cubic(const shd_sampler_desc& desc) {
+/// Negative weights are no probabilities: of the cubic kernels only the B-spline has none.
+shd_result check_stochastic_cubic(const shd_sampler_desc& desc) {
   if (desc.filter != SHD_FILTER_STOCHASTIC || desc.stochastic_filter != SHD_FILTER_BICUBIC) return SHD_OK;
   if (desc.cubic == SHD_CUBIC_B_SPLINE) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                    "sampler.cubic: %u is not SHD_CUBIC_B_SPLINE, the only one that can be drawn from",
+                    "sampler.cubic: %u is not SHD_CUBIC_B_SPLINE, the only one that can be sampled",
                     enum_bits(desc.cubic));
 }
 
@@ -58,8 +58,8 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
   SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_EXACT, SHD_PROFILE_OIIO));
-  SHD_TRY(check_expectation(desc.stochastic_filter));
-  return check_drawn_cubic(desc);
+  SHD_TRY(check_stochastic_filter(desc.stochastic_filter));
+  return check_stochastic_cubic(desc);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests for values that are neither infinite nor NaN.
+// Tests for infinite values and NaN.
 
 #if defined(SHD_SIMD_FINITE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_SIMD_FINITE_INL_H_
@@ -32,6 +32,12 @@ HWY_INLINE hn::Mask<D> IsFinite(D d, const Vec3V<V>& v) {
 template <class D, class V>
 HWY_INLINE V FiniteOrZero(D d, V x) {
   return hn::IfThenElseZero(IsFinite(d, x), x);
+}
+
+/// x where it is not NaN, else 0.
+template <class V>
+HWY_INLINE V ZeroIfNaN(V x) {
+  return hn::IfThenElseZero(hn::Eq(x, x), x);
 }
 
 }  // namespace shd::simd::HWY_NAMESPACE

@@ -3,8 +3,8 @@
 
 #include <hwy/base.h>
 
-/// The larger pieces of a kernel: inlined, but for builds with a sanitizer, whose bookkeeping for a whole kernel in
-/// one function takes the compiler many minutes.
+/// Marks the larger pieces of a kernel. They are inlined, except in builds with a sanitizer: there the compiler takes
+/// many minutes for a whole kernel in one function.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SHD_KERNEL_PART HWY_NOINLINE
 #else

@@ -14,7 +14,7 @@ void fill(float* column, size_t count, float value) {
   for (size_t i = 0; i < count; ++i) column[i] = value;
 }
 
-/// Those of the profile where it places the probes.
+/// Weights of probes. Profiles that place the probes bring their own.
 shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
   if (desc.filter != SHD_FILTER_ANISOTROPIC || desc.profile == SHD_PROFILE_EXACT) return desc.probe_weights;
   return desc.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;

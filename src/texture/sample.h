@@ -38,8 +38,8 @@ namespace shd::texture {
 /// lod_min), 1, 2). With the area of that ellipse below 10.4 max_anisotropy + 8 and a row more along its edge it holds
 /// at most 16 (max_anisotropy + 1) texels, and at least two.
 ///
-/// Profiles (profile.h): levels of detail within 4e-6 of theirs, 3e-6 max_anisotropy for anisotropic, and the places of
-/// probes likewise; weights and fractions that they round to 8 bits are rounded to nearest.
+/// Profiles (profile.h): levels of detail and places of probes within 4e-6 of theirs, 3e-6 max_anisotropy for
+/// anisotropic; weights and fractions that they round to 8 bits are rounded to nearest.
 ///
 /// Runs the filter that sampler.filter names, on the calling thread; its magnification does not count, and it is not
 /// SHD_FILTER_EXACT. Lookups go to `recording` in place of the columns where that is not null. Returns how many of them

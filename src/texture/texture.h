@@ -10,7 +10,7 @@
 ///             input bits; a lane depends on its own inputs only.
 ///
 /// A filter turns lookups into a stream of quads and texels; a format fetches, decodes and blends a stream. Neither
-/// knows of the other, so code grows as filters plus formats.
+/// depends on the other, so code grows as filters plus formats.
 ///
 /// sample.h -> kernels.cpp -> filter -> footprint -> stream.h -> format -> store
 ///
@@ -83,7 +83,7 @@ constexpr uint32_t kMaxLayers = 2048;
 
 constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
 
-/// Texels of every level of every layer in one block, but for a base level that is borrowed.
+/// Texels of every level of every layer in one block, except a base level that is borrowed.
 struct Texture {
   shd_format format;                     // as stored: of one, two or four channels
   shd_format given_format;               // of the texels that it was made from
@@ -132,7 +132,7 @@ struct Sampler {
   bool rounded_weights;  // those of bilinear lookups, to 8 bits
 };
 
-/// The same without width and blur.
+/// A copy of the sampler without width and blur.
 inline Sampler unwidened(const Sampler& sampler) {
   Sampler plain = sampler;
   plain.width_x = plain.width_y = 1.0f;
@@ -143,7 +143,7 @@ inline Sampler unwidened(const Sampler& sampler) {
 /// Whether a filter has derivatives: those that are continuous trees of blends.
 bool has_gradient(shd_filter filter);
 
-/// Of a checked desc.
+/// The sampler of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
 constexpr size_t kFloatColumns = 7, kIntegerColumns = 2;
@@ -205,7 +205,7 @@ inline Texels part_of(const Texels& out, size_t first) {
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
 /// Writes texels, of the format that the texture has or was made from, at (x, y) of the base of a layer, unless that is
-/// borrowed and they have been written, and rebuilds what depends on them, but for levels that the caller gave: the
+/// borrowed and they have been written, and rebuilds what depends on them, except levels that the caller gave: the
 /// bits are those of a texture built from the changed base. Throws std::bad_alloc before anything is written.
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
             Texture* texture);

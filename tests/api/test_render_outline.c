@@ -19,10 +19,10 @@ static double inside_line(const double *a, const double *b, double width, double
 static double inside_quad(const double box[4], double width, double x, double y)
 {
     const double corner[4][2] = {{box[0], box[3]}, {box[2], box[3]}, {box[2], box[1]}, {box[0], box[1]}};
-    double most = inside_line(corner[0], corner[2], width, x, y);
+    double maximum = inside_line(corner[0], corner[2], width, x, y);
     int i;
-    for (i = 0; i < 4; ++i) most = fmax(most, inside_line(corner[i], corner[(i + 1) % 4], width, x, y));
-    return most;
+    for (i = 0; i < 4; ++i) maximum = fmax(maximum, inside_line(corner[i], corner[(i + 1) % 4], width, x, y));
+    return maximum;
 }
 
 /* A red quad over pixels [x0, x1] x [y0, y1] at a depth from left to right. */

@@ -35,7 +35,7 @@ static const struct frame_case k_frames[] = {
     {"sixteen/one_pixel", SHD_SCENE_GLASS, 16, 1, 1, 1, 203, 151, 100, 90, {0, 0, 0, 0}, {0, 0, 0, 0}, 0},
     {"five/viewport", SHD_SCENE_GLASS, 5, 1, 90, 60, 0, 0, 0, 0, {13, 7, 61, 50}, {0, 0, 0, 0}, 0},
     {"five/scissor", SHD_SCENE_GLASS, 5, 1, 90, 60, 0, 0, 0, 0, {0, 0, 0, 0}, {21, 11, 33, 29}, 0},
-    {"five/scissor_keep", SHD_SCENE_SMALL, 5, 4, 90, 60, 0, 0, 0, 0, {0, 0, 0, 0}, {21, 11, 33, 29}, 1},
+    {"five/scissor_load", SHD_SCENE_SMALL, 5, 4, 90, 60, 0, 0, 0, 0, {0, 0, 0, 0}, {21, 11, 33, 29}, 1},
     {"five/all_regions", SHD_SCENE_GLASS, 5, 2, 90, 60, 203, 151, 40, 30, {20, 10, 160, 130}, {50, 20, 60, 50}, 0},
     {"five/nothing_left", SHD_SCENE_SMALL, 5, 1, 40, 30, 203, 151, 40, 30, {0, 0, 0, 0}, {190, 140, 5, 5}, 0},
 };

@@ -136,11 +136,11 @@ static void expect_sane_outlines(const char *what, struct frame *f)
 static const shd_frequency k_frequencies[] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};
 
 #define BIG 3e38f
-enum fate { DROPPED_NONFINITE, DROPPED_OUTSIDE, DROPPED_CULLED, DROPPED_EMPTY, DRAWN };
+enum outcome { DROPPED_NONFINITE, DROPPED_OUTSIDE, DROPPED_CULLED, DROPPED_EMPTY, DRAWN };
 struct triangle_case {
     const char *name;
     float p[9];
-    enum fate fate;
+    enum outcome outcome;
 };
 static const struct triangle_case k_triangles[] = {
     {"nan/x0", {NAN, 0, 0.5f, 1, 0, 0.5f, 0, 1, 0.5f}, DROPPED_NONFINITE},
@@ -181,15 +181,15 @@ static void test_triangle(void **state)
         shd_assert_ok(shd_render(f.context, &f.desc));
         expect_sane(c->name, &f);
         assert_int_equal(f.stats.triangles, 1);
-        assert_int_equal(f.stats.nonfinite, c->fate == DROPPED_NONFINITE);
-        assert_int_equal(f.stats.outside, c->fate == DROPPED_OUTSIDE);
-        assert_int_equal(f.stats.culled, c->fate == DROPPED_CULLED);
-        assert_int_equal(f.stats.empty, c->fate == DROPPED_EMPTY);
-        assert_int_equal(f.stats.rasterised, c->fate == DRAWN);
-        if (c->fate == DRAWN) assert_true(f.stats.fragments > 0);
-        if (c->fate != DRAWN) assert_int_equal(f.stats.fragments, 0);
+        assert_int_equal(f.stats.nonfinite, c->outcome == DROPPED_NONFINITE);
+        assert_int_equal(f.stats.outside, c->outcome == DROPPED_OUTSIDE);
+        assert_int_equal(f.stats.culled, c->outcome == DROPPED_CULLED);
+        assert_int_equal(f.stats.empty, c->outcome == DROPPED_EMPTY);
+        assert_int_equal(f.stats.rasterised, c->outcome == DRAWN);
+        if (c->outcome == DRAWN) assert_true(f.stats.fragments > 0);
+        if (c->outcome != DRAWN) assert_int_equal(f.stats.fragments, 0);
         expect_sane_outlines(c->name, &f);
-        if (c->fate == DROPPED_NONFINITE) assert_int_equal(f.stats.nonfinite, 1);
+        if (c->outcome == DROPPED_NONFINITE) assert_int_equal(f.stats.nonfinite, 1);
         close_frame(&f);
     }
 }

@@ -52,12 +52,12 @@ static void edit_anisotropy_1e9(shd_sampler_desc *d) { d->max_anisotropy = 1e9f;
 static void edit_probe_weights(shd_sampler_desc *d) { d->probe_weights = (shd_probe_weights)2; }
 static void edit_cubic(shd_sampler_desc *d) { d->cubic = (shd_cubic)3; }
 static void edit_box(shd_sampler_desc *d) { d->box = (shd_box)-1; }
-static void edit_drawn_cubic(shd_sampler_desc *d)
+static void edit_stochastic_cubic(shd_sampler_desc *d)
 {
     d->filter = SHD_FILTER_STOCHASTIC;
     d->stochastic_filter = SHD_FILTER_BICUBIC;
 }
-static void edit_expectation(shd_sampler_desc *d) { d->stochastic_filter = SHD_FILTER_RIPMAP; }
+static void edit_stochastic_ripmap(shd_sampler_desc *d) { d->stochastic_filter = SHD_FILTER_RIPMAP; }
 static void edit_profile(shd_sampler_desc *d) { d->profile = SHD_PROFILE_OIIO; }
 static void edit_profile_unknown(shd_sampler_desc *d) { d->profile = (shd_profile)4; }
 static void edit_profile_negative(shd_sampler_desc *d) { d->profile = (shd_profile)-1; }
@@ -104,9 +104,9 @@ static const struct create_case k_create[] = {
     {"create/probe_weights_unknown", edit_probe_weights, SHD_ERROR_INVALID_ARGUMENT, "sampler.probe_weights: 2"},
     {"create/cubic_unknown", edit_cubic, SHD_ERROR_INVALID_ARGUMENT, "sampler.cubic: 3 is not in 0..2"},
     {"create/box_unknown", edit_box, SHD_ERROR_INVALID_ARGUMENT, "sampler.box: 4294967295"},
-    {"create/expectation_catmull_rom", edit_drawn_cubic, SHD_ERROR_INVALID_ARGUMENT,
+    {"create/stochastic_catmull_rom", edit_stochastic_cubic, SHD_ERROR_INVALID_ARGUMENT,
      "sampler.cubic: 0 is not SHD_CUBIC_B_SPLINE"},
-    {"create/expectation_ripmap", edit_expectation, SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: 6"},
+    {"create/stochastic_ripmap", edit_stochastic_ripmap, SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: 6"},
     {"create/profile_oiio", edit_profile, SHD_OK, ""},
     {"create/profile_unknown", edit_profile_unknown, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4 is not in 0..3"},
     {"create/profile_negative", edit_profile_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4294967295"},

@@ -30,7 +30,7 @@ float finish(CodeScale scale, float value) {
   return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
 }
 
-/// Channel of a stored texel as the blends of its format see it, or the result it stands for.
+/// Channel of a stored texel as the blends of its format read it, or as a result.
 float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
   float value;
   uint16_t code;

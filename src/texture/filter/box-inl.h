@@ -66,10 +66,10 @@ HWY_INLINE Boxes<D> SquareBoxes(D d, hn::Vec<D> lod, const BoxRange& range) {
   return {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d), half, half};
 }
 
-/// Of the parallelogram of the derivatives; `most` parts at most, as many as the longer side has the length of the
-/// shorter one or of a texel.
+/// Boxes along the parallelogram of the derivatives. The number of parts is the length of the longer side over that of
+/// the shorter side or of a texel, rounded up, and at most `max_parts`.
 template <class D>
-SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, float height, float most,
+SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, float height, float max_parts,
                                  const BoxRange& range) {
   using V = hn::Vec<D>;
   const V one = hn::Set(d, 1.0f), longest = hn::Set(d, kLongestBox);
@@ -80,7 +80,7 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   const V xu = texels(j.dudx, width), xv = texels(j.dvdx, height);
   const V yu = texels(j.dudy, width), yv = texels(j.dvdy, height);
   Boxes<D> b;
-  if (most < 2.0f) {
+  if (max_parts < 2.0f) {
     b.count = one;
     b.side_u = b.side_v = hn::Zero(d);
     b.half_u = HalfSide(d, hn::Abs(xu) + hn::Abs(yu), range);
@@ -93,7 +93,7 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   b.side_v = hn::IfThenElse(along_x, xv, yv);
   const V other_u = hn::IfThenElse(along_x, yu, xu), other_v = hn::IfThenElse(along_x, yv, xv);
   const V ratio = hn::Sqrt(hn::Max(xx, yy) / hn::Max(hn::Min(xx, yy), one));
-  b.count = hn::Min(hn::Max(hn::Ceil(ratio), one), hn::Set(d, most));
+  b.count = hn::Min(hn::Max(hn::Ceil(ratio), one), hn::Set(d, max_parts));
   b.half_u = HalfSide(d, hn::Abs(b.side_u) / b.count + hn::Abs(other_u), range);
   b.half_v = HalfSide(d, hn::Abs(b.side_v) / b.count + hn::Abs(other_v), range);
   return b;

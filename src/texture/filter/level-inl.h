@@ -113,7 +113,7 @@ struct Quad {
   LinearTaps<D> x, y;
   Ints<D> top, bottom;  // first texels of the rows
 
-  /// Of column i and row j.
+  /// Index of the texel in column i and row j.
   HWY_INLINE Ints<D> index(size_t i, size_t j) const { return (j ? bottom : top) + (i ? x.i1 : x.i0); }
   HWY_INLINE MaskOf<D> in(size_t i, size_t j) const { return hn::And(i ? x.in1 : x.in0, j ? y.in1 : y.in0); }
 };

@@ -16,8 +16,8 @@ LodRange free_range(const Sampler& sampler) {
   return {sampler.lod_min, sampler.lod_max};
 }
 
-/// The levels of detail that tell magnification from minification: of the longer axis, but that of the probes where a
-/// profile places them.
+/// The levels of detail that decide between magnification and minification: those of the longer axis, or of the probes
+/// where a profile places them.
 size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
                     float* out) {
   const bool by_probes = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.profile != SHD_PROFILE_EXACT;

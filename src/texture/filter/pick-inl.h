@@ -57,7 +57,7 @@ HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisS
   return pick;
 }
 
-/// Of the levels floor(lod) and the next, one by the fraction.
+/// Picks level floor(lod) or the next one, with the fraction of lod as the probability of the next.
 template <class D>
 HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> lod, hn::Vec<D> x) {
   const auto floor = hn::Floor(lod);

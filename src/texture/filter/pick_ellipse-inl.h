@@ -65,7 +65,7 @@ class EllipseLines {
     line.offset = line.start - middle;
     return line;
   }
-  /// Of texel k of a line; 0 beyond the last and outside the ellipse.
+  /// Weight of texel k of a line; 0 beyond the last and outside the ellipse.
   HWY_INLINE V weight(D d, const Line& line, float k) const {
     const V one = hn::Set(d, 1.0f), at = hn::Set(d, k);
     const V offset = line.offset + at;

@@ -42,7 +42,9 @@ HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& b
   return Rng<D>(d, hn::Load(hn::RebindToUnsigned<D>(), block.random + i), sampler.seed);
 }
 
-struct PickBilinear : OnBaseLevel {
+/// A texel of the base level by the weights of a bilinear or bicubic filter.
+template <bool kCubic>
+struct PickOnBase : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
   using Block = RandomBlock<PointBlock>;
 
@@ -55,22 +57,20 @@ struct PickBilinear : OnBaseLevel {
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     const Level<D> base = level(d, block, i);
     Rng<D> rng = RngOf(d, sampler, block, i);
-    const Pick<D> x = PickLinear(d, sampler.wrap_u, hn::Load(d, block.u + i), base.across, rng.next(d));
-    const Pick<D> y = PickLinear(d, sampler.wrap_v, hn::Load(d, block.v + i), base.down, rng.next(d));
+    const Pick<D> x = pick(d, sampler.wrap_u, block.u + i, base.across, rng.next(d));
+    const Pick<D> y = pick(d, sampler.wrap_v, block.v + i, base.down, rng.next(d));
     emit_pick(d, base, x, y, sink);
   }
-};
 
-struct PickBicubic : PickBilinear {
-  using PickBilinear::PickBilinear;
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
-    const Level<D> base = level(d, block, i);
-    Rng<D> rng = RngOf(d, sampler, block, i);
-    const Pick<D> x = PickCubic(d, sampler.wrap_u, hn::Load(d, block.u + i), base.across, rng.next(d));
-    const Pick<D> y = PickCubic(d, sampler.wrap_v, hn::Load(d, block.v + i), base.down, rng.next(d));
-    emit_pick(d, base, x, y, sink);
+ private:
+  template <class D>
+  static HWY_INLINE Pick<D> pick(D d, shd_wrap wrap, const float* at, const AxisSize<D>& size, hn::Vec<D> random) {
+    const hn::Vec<D> reduced = hn::Load(d, at);
+    if constexpr (kCubic) {
+      return PickCubic(d, wrap, reduced, size, random);
+    } else {
+      return PickLinear(d, wrap, reduced, size, random);
+    }
   }
 };
 
@@ -168,8 +168,8 @@ struct PickEllipse {
 
 size_t RunStochastic(const FilterCall& call) {
   switch (call.sampler.stochastic_filter) {
-    case SHD_FILTER_BILINEAR: return Run<PickBilinear>(call);
-    case SHD_FILTER_BICUBIC: return Run<PickBicubic>(call);
+    case SHD_FILTER_BILINEAR: return Run<PickOnBase<false>>(call);
+    case SHD_FILTER_BICUBIC: return Run<PickOnBase<true>>(call);
     case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic>(call);
     case SHD_FILTER_EWA: return Run<PickEllipse>(call);
     default: return Run<PickTrilinear>(call);

@@ -97,7 +97,7 @@ struct BoxSums {
   static HWY_INLINE V rising_column(Raw outer0, Raw inner0, Raw inner1, Raw outer1, const BoxSpan& v) {
     return weighted(real(inner0 - outer0), real(inner1 - inner0), real(outer1 - inner1), v);
   }
-  /// Of a box whose ends are in order in the texture itself.
+  /// Sum over a box that lies in the texture, its ends in rising order.
   HWY_INLINE V rising(const BoxSpan& u, const BoxSpan& v) const {
     const Row<Raw> outer0 = rising_row(row(v.outer[0]), u), inner0 = rising_row(row(v.inner[0]), u);
     const Row<Raw> inner1 = rising_row(row(v.inner[1]), u), outer1 = rising_row(row(v.outer[1]), u);
@@ -123,7 +123,7 @@ struct BoxSums {
     const Row<V> rows = differences(outer0, inner0, inner1, outer1, whole, v);
     return weighted(rows.first, rows.middle, rows.last, v);
   }
-  /// Of any box.
+  /// Sum over any box.
   HWY_NOINLINE V wrapped(const BoxSpan& u, const BoxSpan& v) const {
     const Row<V> outer0 = wrapped_row(row(v.outer[0]), u), inner0 = wrapped_row(row(v.inner[0]), u);
     const Row<V> inner1 = wrapped_row(row(v.inner[1]), u), outer1 = wrapped_row(row(v.outer[1]), u);
@@ -217,7 +217,7 @@ struct SummedArea {
     const Real d;
     const hn::Rebind<float, Real> df;
     const double inside = totals.inside[lane], area = totals.area[lane];
-    const auto most = hn::Set(d, 0x1.fffffep127);
+    const auto max_float = hn::Set(d, 0x1.fffffep127);
     float value[kChannels];
     for (size_t c = 0; c < kChannels; c += hn::Lanes(d)) {
       const auto whole = hn::Set(d, inside) * hn::LoadU(d, scale.one + c);
@@ -228,7 +228,7 @@ struct SummedArea {
         if (!(inside > 0)) mean = border;
         mean = mean + (border - mean) * hn::Set(d, (area - inside) / area);
       }
-      mean = hn::Min(hn::Max(mean, hn::Neg(most)), most);
+      mean = hn::Min(hn::Max(mean, hn::Neg(max_float)), max_float);
       hn::StoreU(hn::DemoteTo(df, mean), df, value + c);
     }
     for (size_t c = 0; c < kChannels; ++c) {

@@ -21,7 +21,7 @@ struct ExactFootprint {
 /// Most cells that a lookup visits: 16 / tolerance^2, but 2^10..2^24.
 double exact_cell_limit(float tolerance);
 
-/// Of element i.
+/// Footprint of lookup i.
 ExactFootprint exact_footprint(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i);
 
 }  // namespace shd::texture

@@ -83,7 +83,7 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   j->dvdy = hn::IfThenElse(finite, hn::Sqrt(rest) * up, j->dvdy);
 }
 
-/// Of one vector of lookups; finite.
+/// Footprints of one vector of lookups; every field is finite.
 template <class D>
 struct Footprint {
   hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; the bits of LambdaOf in -15..31

@@ -10,7 +10,7 @@ struct LodRange {
   float low, high;  // low <= high
 };
 
-/// Those of a sampler, within the levels of a texture.
+/// Range of a sampler, limited to the levels of a texture.
 inline LodRange lod_range(uint32_t level_count, const Sampler& sampler) {
   const auto last = static_cast<float>(level_count - 1);
   return {sampler.lod_min < last ? sampler.lod_min : last, sampler.lod_max < last ? sampler.lod_max : last};

@@ -70,8 +70,8 @@ struct Moments {
   double one, x, y, xy;
 };
 
-/// Of a polygon, by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996), about its
-/// first corner, so that small and thin ones do not cancel, and then about the origin.
+/// Moments of a polygon by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996). They
+/// are summed about its first corner, where small and thin polygons do not cancel, and then moved to the origin.
 inline Moments moments(const Polygon& polygon) {
   if (polygon.count < 3) return {0, 0, 0, 0};
   const Vec2 about = polygon.corner[0];

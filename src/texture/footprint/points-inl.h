@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/finite-inl.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/footprint-inl.h"
 #include "texture/store/wrap-inl.h"
@@ -18,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
 
@@ -25,7 +28,7 @@ using BatchTag = hn::CappedTag<float, kMaxLanes>;
 template <class D>
 struct Points {
   hn::Vec<D> u, v;
-  Derivatives<D> derivatives;  // of what is absent: 0
+  Derivatives<D> derivatives;  // 0 where the lookups have none
   hn::Vec<D> lod;              // not NaN
   MaskOf<D> finite;            // lanes whose inputs were all finite
 };
@@ -33,15 +36,6 @@ struct Points {
 template <class D>
 HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
   return column ? hn::LoadU(d, column + i) : hn::Zero(d);
-}
-
-template <class D, class V>
-HWY_INLINE V ZeroIfNotFinite(D d, V value) {
-  return hn::IfThenElseZero(hn::Eq(value - value, hn::Zero(d)), value);
-}
-template <class V>
-HWY_INLINE V ZeroIfNaN(V value) {
-  return hn::IfThenElseZero(hn::Eq(value, value), value);
 }
 
 /// First texel of each lane's layer; the last layer for those beyond.
@@ -71,8 +65,8 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   const auto along_y = (j.dudy - j.dudy) + (j.dvdy - j.dvdy);
   p.finite = hn::Eq((point + (p.lod - p.lod)) + (along_x + along_y), hn::Zero(d));
   if (HWY_UNLIKELY(!hn::AllTrue(d, p.finite))) {
-    p.u = ZeroIfNotFinite(d, p.u);
-    p.v = ZeroIfNotFinite(d, p.v);
+    p.u = FiniteOrZero(d, p.u);
+    p.v = FiniteOrZero(d, p.v);
     p.lod = ZeroIfNaN(p.lod);
     j.dudx = ZeroIfNaN(j.dudx);
     j.dvdx = ZeroIfNaN(j.dvdx);

@@ -2,9 +2,9 @@
 // What each profile makes of a footprint. A profile has
 //
 //   Lambda(d, derivatives)    level of detail of a lookup without anisotropy, before bias and clamps
-//   ProbesOf(d, derivatives)  where an anisotropic lookup reads, and its level of detail, likewise
-//   NearestLevel(d, lod)      of a clamped level of detail: one whose nearest level is the profile's
-//   kLevelSteps               fractions of a level that it tells apart, 0 = all
+//   ProbesOf(d, derivatives)  probes and level of detail of an anisotropic lookup, before bias and clamps
+//   NearestLevel(d, lod)      a level of detail whose nearest level is the one that the profile reads at `lod`
+//   kLevelSteps               steps in a level that fractions are rounded to, 0 = they are not rounded
 
 #if defined(SHD_TEXTURE_PROFILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_PROFILE_INL_H_
@@ -121,7 +121,8 @@ struct VulkanProfile {
 
 /// "Direct3D 11.3 Functional Specification", 7.18.10 (level of detail) and 7.18.11 (anisotropy). Its transform of the
 /// derivatives to the axes of the implicit ellipse gives the axes of FootprintOf(); parallel derivatives, which it
-/// leaves as they are, have a footprint without area. Where the probes lie it does not say: as in VulkanProfile.
+/// leaves as they are, have a footprint without area. It does not specify the places of the probes: they are those of
+/// VulkanProfile.
 struct D3d11Profile {
   static constexpr float kLevelSteps = 256;  // at least 8 bits
   const Texture& texture;
@@ -132,7 +133,7 @@ struct D3d11Profile {
     hn::Vec<D> length, lambda;
   };
 
-  /// Of the axes, or of the derivatives where they are parallel.
+  /// The longer axis of the ellipse, or the longer derivative where the derivatives are parallel.
   template <class D>
   SHD_KERNEL_PART Major<D> MajorOf(D d, const Derivatives<D>& j, const Footprint<D>& f) const {
     const hn::RebindToSigned<D> di;
@@ -193,8 +194,8 @@ struct OiioProfile {
     return {ZeroIfNaN(j.dudx * wu), ZeroIfNaN(j.dvdx * wv), ZeroIfNaN(j.dudy * wu), ZeroIfNaN(j.dvdy * wv)};
   }
 
-  /// Of a filter of a width in units of the texture: between the first level m where it is at most a texel of the
-  /// smaller side and the one before, 2 * width in texels - 1 of the way to m.
+  /// Level of detail of a filter whose width is in units of the texture. Level m is the first one where the width is at
+  /// most a texel of the smaller side: the result is 2 * width in texels - 1 of the way from level m - 1 to m.
   template <class D, class V>
   SHD_KERNEL_PART V LambdaOfWidth(D d, V width) const {
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);

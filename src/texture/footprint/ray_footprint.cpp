@@ -8,36 +8,25 @@
 namespace shd::texture {
 namespace {
 
-Triple operator+(const Triple& a, const Triple& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-Triple operator-(const Triple& a, const Triple& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Triple operator*(double s, const Triple& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-double dot(const Triple& a, const Triple& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Triple cross(const Triple& a, const Triple& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Triple normalized(const Triple& a) {
+using data::Vec3d;
+
+/// a / |a|, by the reciprocal of the length. Not finite where `a` is 0, so that the footprint then is 0, unlike with
+/// data::normalized().
+Vec3d unit_of(const Vec3d& a) {
   return (1.0 / std::sqrt(dot(a, a))) * a;
 }
 
-/// Whether a float can hold it.
+/// Whether the value is in the range of float.
 bool is_representable(double value) {
   return std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
 /// A vector in the surface as a combination of dp/du and dp/dv, by the normal equations.
-Step in_surface(const Surface& surface, const Triple& change) {
+Step in_surface(const Surface& surface, const Vec3d& change) {
   const double uu = dot(surface.dpdu, surface.dpdu), uv = dot(surface.dpdu, surface.dpdv);
   const double vv = dot(surface.dpdv, surface.dpdv);
   const double u = dot(surface.dpdu, change), v = dot(surface.dpdv, change);
-  const Triple normal = cross(surface.dpdu, surface.dpdv);
+  const Vec3d normal = cross(surface.dpdu, surface.dpdv);
   const double area = dot(normal, normal);  // uu vv - uv^2 without its cancellation
   const double du = (vv * u - uv * v) / area, dv = (uu * v - uv * u) / area;
   if (!is_representable(du) || !is_representable(dv)) return {0.0f, 0.0f};
@@ -46,23 +35,23 @@ Step in_surface(const Surface& surface, const Triple& change) {
 
 }  // namespace
 
-Step step_of_differential(const Surface& surface, const Triple& direction, double distance, const Triple& origin,
-                          const Triple& direction_step) {
-  const Triple normal = cross(surface.dpdu, surface.dpdv);
-  const Triple moved = origin + distance * direction_step;
+Step step_of_differential(const Surface& surface, const Vec3d& direction, double distance, const Vec3d& origin,
+                          const Vec3d& direction_step) {
+  const Vec3d normal = cross(surface.dpdu, surface.dpdv);
+  const Vec3d moved = origin + distance * direction_step;
   const double back = dot(moved, normal) / dot(direction, normal);
   return in_surface(surface, moved - back * direction);
 }
 
-ConeSteps steps_of_cone(const Surface& surface, const Triple& direction, double width) {
-  constexpr double kLeastCosine = 0x1p-10;
-  const Triple normal = normalized(cross(surface.dpdu, surface.dpdv)), ray = normalized(direction);
+ConeSteps steps_of_cone(const Surface& surface, const Vec3d& direction, double width) {
+  constexpr double kMinCosine = 0x1p-10;
+  const Vec3d normal = unit_of(cross(surface.dpdu, surface.dpdv)), ray = unit_of(direction);
   const double cosine = dot(ray, normal);
-  const Triple projected = ray - cosine * normal;
+  const Vec3d projected = ray - cosine * normal;
   const double sine = dot(projected, projected);
   // A cone that meets the surface head on cuts out a circle: any direction will do.
-  const Triple along = normalized(sine > 0.0 ? projected : surface.dpdu);
-  const double slant = std::fabs(cosine) > kLeastCosine ? std::fabs(cosine) : kLeastCosine;
+  const Vec3d along = unit_of(sine > 0.0 ? projected : surface.dpdu);
+  const double slant = std::fabs(cosine) > kMinCosine ? std::fabs(cosine) : kMinCosine;
   // A ray that is not finite has no cosine: let it give no footprint.
   const double length = cosine == cosine ? width / slant : cosine;
   return {in_surface(surface, length * along), in_surface(surface, width * cross(normal, along))};

@@ -75,7 +75,7 @@ struct Blend {
     return hn::IfThenElse(in, F::template finish<C>(d, value), hn::Set(d, sampler.border[C]));
   }
 
-  /// s in [0, 1] but for the lobes of cubic kernels.
+  /// s is in [0, 1], except in the lobes of cubic kernels.
   template <class D>
   HWY_INLINE Value<D> blend(D d, Value<D> a, Value<D> b, hn::Vec<D> s) const {
     if constexpr (kBorder || F::kFloat) return Mix(d, a, b, s);

@@ -14,6 +14,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/gather-inl.h"
 #include "texture/store/wrap-inl.h"
 #include "texture/stream.h"
 
@@ -34,7 +35,7 @@ HWY_INLINE Ints<D> GatherBytes(D, const uint8_t* texels, Ints<D> offset) {
   return hn::GatherOffset(di, reinterpret_cast<const int32_t*>(texels), offset);
 }
 
-/// What the texels at indices are indexed from: all in one block, or null where some are borrowed and some are not.
+/// Base address of the texels at the indices; null where some of them are borrowed and some are not.
 template <class D>
 HWY_INLINE const uint8_t* TexelsOf(D, const TexelSource& source, Ints<D> index) {
   if (HWY_LIKELY(!source.borrowed)) return source.origin;
@@ -60,20 +61,6 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
 }
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-/// Words at index and index + 1.
-template <class D>
-HWY_INLINE void GatherWordPairs(D, const uint8_t* texels, Ints<D> index, Ints<D>* left, Ints<D>* right) {
-  const hn::RebindToSigned<D> di;
-  const hn::Half<decltype(di)> half;
-  const hn::Repartition<int64_t, decltype(di)> wide;
-  const auto offset = hn::ShiftLeft<2>(index);
-  const auto* base = reinterpret_cast<const int64_t*>(texels);
-  const auto low = hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::LowerHalf(half, offset)));
-  const auto high = hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::UpperHalf(half, offset)));
-  *left = hn::ConcatEven(di, hn::BitCast(di, high), hn::BitCast(di, low));
-  *right = hn::ConcatOdd(di, hn::BitCast(di, high), hn::BitCast(di, low));
-}
-
 /// Words at first + index, index in 0..2 * lanes - 1, where `low` and `high` are the words from first on.
 template <class D>
 HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
@@ -104,8 +91,10 @@ HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D
 template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   if (kStride == 4 && LoadRow(d, texels, index, left, right)) return;
-  const auto at = hn::Load(hn::RebindToSigned<D>(), index);
-  GatherWordPairs(d, texels, kStride == 4 ? at : at + at, left, right);
+  const hn::RebindToSigned<D> di;
+  const auto at = hn::Load(di, index);
+  const auto* words = reinterpret_cast<const int32_t*>(texels);
+  simd::HWY_NAMESPACE::GatherPairs(di, words, kStride == 4 ? at : at + at, left, right);
 }
 #else
 /// The two words from an index on, which counts `kStride` bytes, by one load of 8 bytes a lane.

@@ -49,7 +49,7 @@ struct OneWord {
       default: return GatherWords(d, texels, index);
     }
   }
-  /// Of one or two channels, both texels lie in one word.
+  /// With one or two channels, both texels lie in one word.
   template <class D>
   static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
                                     Texel<D>* right) {

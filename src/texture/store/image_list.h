@@ -20,7 +20,7 @@ inline const shd_image* element_of(const shd_image* images, size_t i) {
   return reinterpret_cast<const shd_image*>(reinterpret_cast<const uint8_t*>(images) + i * struct_size_of(images));
 }
 
-/// The same as this version knows it, checked before, with its row stride filled in.
+/// Image i of a checked list in the layout of this version, with its row stride filled in.
 inline shd_image image_at(const shd_image* images, size_t i) {
   shd_image image = shd_image_default();
   const shd_image* given = element_of(images, i);

@@ -8,7 +8,7 @@
 // a level texel i covers [i w, (i + 1) w), a base texel x [x w', (x + 1) w'), where w and w' are the sizes of base and
 // level.
 //
-// The same goes for a rectangle of the base, given the unrounded averages of the rest of its layer: a change of
+// A rectangle of the base is updated alike, given the unrounded averages of the rest of its layer: a change of
 // 64 x 64 texels costs a few tiles a round. Levels after an uneven step read all of the base that their texels cover.
 //
 // Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
@@ -52,7 +52,7 @@ void halve(double* plane, uint32_t width, uint32_t height) {
   }
 }
 
-/// The same from two stored rows (equal where the height is 1).
+/// Sums of 2 x 2 texels from two stored rows (one row twice where the height is 1).
 template <class Codec>
 void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
   const size_t right = width > 1 ? Codec::kSize : 0;

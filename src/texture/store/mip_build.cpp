@@ -127,8 +127,8 @@ void filter_level(const core::Context& context, const shd_image& source, const s
                   const shd_image& level, float* alpha) {
   const image::FormatInfo format = image::format_info(source.format);
   const bool light = desc.semantic == SHD_SEMANTIC_COLOR || desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE;
-  const bool codes = format.component == image::Component::kSrgb8 && !light;
-  const image::Component component = codes ? image::Component::kUnorm8 : format.component;
+  const bool as_unorm = format.component == image::Component::kSrgb8 && !light;
+  const image::Component component = as_unorm ? image::Component::kUnorm8 : format.component;
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
   const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
   const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;

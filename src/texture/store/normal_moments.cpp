@@ -15,7 +15,7 @@ void find_slopes(const double* n, double* slope) {
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   slope[0] = slope[1] = 0.0;
   if (!(length > 0.0) || std::isinf(length)) return;
-  const double z = n[2] > kLeastNormalZ * length ? n[2] : kLeastNormalZ * length;
+  const double z = n[2] > kMinNormalZ * length ? n[2] : kMinNormalZ * length;
   slope[0] = n[0] / z;
   slope[1] = n[1] / z;
 }

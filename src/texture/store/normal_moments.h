@@ -7,8 +7,8 @@
 
 namespace shd::texture {
 
-/// Least z of a normal of length 1 that its slopes are taken with.
-constexpr double kLeastNormalZ = 1.0 / 32.0;
+/// Lower bound of the z of a unit normal that its slopes are divided by.
+constexpr double kMinNormalZ = 1.0 / 32.0;
 
 /// Slopes of normals, and their squares, as shd_normal_moments has them. Of images of one size, with their row strides
 /// set: normals of three or four channels, `out` of four of binary16 or binary32. Throws std::bad_alloc.

@@ -52,7 +52,7 @@ class Row {
  public:
   static constexpr size_t kChannels = Codec::kChannels;
 
-  /// Of texels over `columns` of the base; `scratch` has room for two rows of it.
+  /// A row of the texels over `columns` of the base; `scratch` has room for two rows of the base.
   Row(Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y, double* scratch)
       : texture_(texture),
         columns_(columns),

@@ -64,7 +64,7 @@ inline bool has_border(const Sampler& sampler) {
 inline const uint8_t* texel_at(const Texture& texture, size_t index) {
   return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
 }
-/// Of a texel that is not borrowed, where it is written.
+/// Address to write a texel to; the texel is not borrowed.
 inline uint8_t* texel_at(Texture& texture, size_t index) {
   return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texel coordinates and wrapping, one axis at a time (Vulkan 1.3 specification, "Texel Coordinate Systems" and
+// Texel coordinates and wrapping, each axis on its own (Vulkan 1.3 specification, "Texel Coordinate Systems" and
 // "Wrapping Operation"). Ranges are reduced as floats, so that no finite coordinate leaves the range of an int.
 
 #if defined(SHD_TEXTURE_WRAP_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Assembly: every triangle has one fate, culling follows the winding, and what is kept is fit for the raster stage.
+// Assembly: every triangle has one outcome, culling follows the winding, and what is kept is fit for the raster stage.
 #include "support/check.h"
 
 #include <algorithm>
@@ -164,13 +164,13 @@ void test_parts(void**) {
   assert_true(hash == shd_hash(SHD_HASH_START, g->out.data(), kept * sizeof(ScreenTriangle)));
 }
 
-struct fate_case {
+struct outcome_case {
   const char* name;
   float v[3][3];
   shd_cull cull;
   const char* outcome;
 };
-const fate_case k_fates[] = {
+const outcome_case k_outcomes[] = {
     {"outcome/clockwise_with_y_down_is_back", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_BACK, "culled"},
     {"outcome/clockwise_kept_by_front", {{10, 10, 0}, {50, 10, 0}, {10, 50, 0}}, SHD_CULL_FRONT, "rasterised"},
     {"outcome/counter_clockwise_is_front", {{10, 10, 0}, {10, 50, 0}, {50, 10, 0}}, SHD_CULL_FRONT, "culled"},
@@ -196,8 +196,8 @@ const fate_case k_fates[] = {
     {"outcome/nan_and_outside", {{-10, 10, 0}, {-50, NAN, 0}, {-10, 50, 0}}, SHD_CULL_NONE, "nonfinite"},
 };
 
-void test_fate(void** state) {
-  const auto* c = static_cast<const fate_case*>(*state);
+void test_outcome(void** state) {
+  const auto* c = static_cast<const outcome_case*>(*state);
   for (uint32_t k = 0; k < 3; ++k) {
     set_vertex(k, c->v[k][0], c->v[k][1], c->v[k][2]);
     g->mesh.indices[k] = k;
@@ -225,6 +225,7 @@ int main() {
   size_t n = 0;
   for (const soup_case& c : k_soups) tests[n++] = {c.name, test_soup, nullptr, nullptr, const_cast<soup_case*>(&c)};
   tests[n++] = {"parts", test_parts, nullptr, nullptr, nullptr};
-  for (const fate_case& c : k_fates) tests[n++] = {c.name, test_fate, nullptr, nullptr, const_cast<fate_case*>(&c)};
+  for (const outcome_case& c : k_outcomes)
+    tests[n++] = {c.name, test_outcome, nullptr, nullptr, const_cast<outcome_case*>(&c)};
   return _cmocka_run_group_tests("unit.geometry.assemble", tests, n, set_up, tear_down);
 }

@@ -280,7 +280,7 @@ void test_whole(void** state) {
 /// Needles and points whose edges run along the planes, where rounding decides on which side a vertex falls.
 void test_needles(void**) {
   Random random = {31};
-  int most = 0;
+  int maximum = 0;
   for (int n = 0; n < 20000; ++n) {
     float v[3][4];
     for (float* p : v) {
@@ -296,10 +296,10 @@ void test_needles(void**) {
     }
     for (size_t k = 0; k < 3; ++k) set_vertex(k, v[k]);
     ScreenVertex out[kMaxClipped];
-    most = std::max(most, clip(0, 1, 2, out));
+    maximum = std::max(maximum, clip(0, 1, 2, out));
   }
-  print_message("  most vertices: %d\n", most);
-  assert_true(most <= 10);
+  print_message("  most vertices: %d\n", maximum);
+  assert_true(maximum <= 10);
 }
 
 }  // namespace

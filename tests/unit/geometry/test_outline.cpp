@@ -264,7 +264,7 @@ void make_soup(Random* random, double wide) {
   }
 }
 
-/// Every triangle has one fate; facing decides as for solid ones; pieces are fit for the raster stage.
+/// Every triangle has one outcome; facing decides as for solid ones; pieces are fit for the raster stage.
 void test_soup(void**) {
   Random random = {60};
   uint64_t back = 0, front = 0;

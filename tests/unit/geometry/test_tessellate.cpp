@@ -317,7 +317,7 @@ void test_adaptive_in_pixels(void** state) {
 void test_random_parts(void** state) {
   const Shape& shape = *static_cast<const Shape*>(*state);
   for (uint64_t seed = 1; seed <= 12; ++seed) {
-    const int64_t most = seed < 5 ? 4 : 20;
+    const int64_t maximum = seed < 5 ? 4 : 20;
     shape.make();
     build_mesh(0);
     SplitEdges edges = split_edges(g_context->allocator, g_work.mesh, EdgeFactor(uniform(1)));
@@ -329,7 +329,7 @@ void test_random_parts(void** state) {
     for (size_t e = 0; e < edges.edge.size(); ++e) {
       SplitEdge& edge = edges.edge[e];
       shd::tests::Random of_edge{bits(edge.start) + bits(edge.end)};
-      edge.segments = static_cast<uint32_t>(of_edge.whole(1, most));
+      edge.segments = static_cast<uint32_t>(of_edge.whole(1, maximum));
       edge.first = edges.vertex_count;
       edges.vertex_count += edge.segments - 1;
     }

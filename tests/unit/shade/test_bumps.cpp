@@ -123,8 +123,8 @@ const ShapeCase k_shapes[] = {
     {"shape/metallic_roughness/both", SHD_MODEL_METALLIC_ROUGHNESS, true, true, false, true},
 };
 
-long double held(long double x, long double most, long double for_nan) {
-  return std::isnan(x) ? for_nan : x < 0 ? 0 : x > most ? most : x;
+long double held(long double x, long double maximum, long double for_nan) {
+  return std::isnan(x) ? for_nan : x < 0 ? 0 : x > maximum ? maximum : x;
 }
 
 /// Columns of any value, in and out of range, and what comes of them.

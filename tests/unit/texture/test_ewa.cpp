@@ -175,7 +175,7 @@ void test_derivatives(void**) {
 void test_taps(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R8, 256, 128, true);
   Random random{3};
-  uint32_t most = 0;
+  uint32_t maximum = 0;
   for (const float limit : {1.0f, 2.0f, 16.0f, 64.0f}) {
     for (int n = 0; n < 4000; ++n) {
       shd_sampler_desc desc = ewa_desc(0);
@@ -191,10 +191,10 @@ void test_taps(void**) {
       shd::texture::explain(*context(), *texture, sampler, lookup, &explanation);
       assert_true(static_cast<float>(explanation.tap_count) <= 16 * (limit + 1));
       assert_true(explanation.tap_count >= 2);
-      if (limit == 64.0f && explanation.tap_count > most) most = explanation.tap_count;
+      if (limit == 64.0f && explanation.tap_count > maximum) maximum = explanation.tap_count;
     }
   }
-  assert_true(most > 512);
+  assert_true(maximum > 512);
   free_texture(texture);
 }
 

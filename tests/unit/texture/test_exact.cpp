@@ -200,11 +200,11 @@ void test_hostile(void**) {
         for (int c = 0; c < 4; ++c) desc.border[c] = static_cast<float>(ref::decode(format, texels, c));
         run(*texture, make_sampler(desc), any_target(), t_batch.lookups(pair % 2 == 0, pair % 2 == 1), &t_batch);
         for (int c = 0; c < 4; ++c) {
-          const double most = constant ? 0 : magnitude(format) * 1.000001;
+          const double maximum = constant ? 0 : magnitude(format) * 1.000001;
           const double around = constant ? static_cast<double>(desc.border[c]) : 0;
           for (size_t i = 0; i < kMaxPoints; ++i) {
             if (!constant && c >= ref::layout(format).channels) break;
-            shd_assert_close("hostile", i, static_cast<double>(t_batch.out[c][i]), around, most, 0);
+            shd_assert_close("hostile", i, static_cast<double>(t_batch.out[c][i]), around, maximum, 0);
           }
         }
       }

@@ -104,8 +104,8 @@ const Size k_sizes[] = {{1, 1}, {1, 7}, {5, 3}, {64, 64}, {128, 32}, {1023, 511}
 const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGB8_SRGB, SHD_FORMAT_RG16, SHD_FORMAT_RGB16F,
                                 SHD_FORMAT_R32F};
 
-void compare_with_oracle(const Chain& chain, const shd_mip_desc& desc, uint32_t most) {
-  for (uint32_t l = 0; l < chain.count && l < most; ++l) {
+void compare_with_oracle(const Chain& chain, const shd_mip_desc& desc, uint32_t max_levels) {
+  for (uint32_t l = 0; l < chain.count && l < max_levels; ++l) {
     const shd_image& level = chain.levels[l];
     const shd_image& source = desc.source == SHD_MIP_FROM_BASE || l == 0 ? chain.base : chain.levels[l - 1];
     for (size_t c = 0; c < channels_of(source); ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stochastic filtering: means of many draws against what they are expected to be, by Hoeffding's inequality
-// ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single draws promise.
+// Stochastic filtering: means of many samples against what they are expected to be, by Hoeffding's inequality
+// ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single samples promise.
 #include "points.h"
 
 #include "ref/ewa_ref.h"
@@ -38,9 +38,9 @@ const stochastic_case k_cases[] = {
     {"ewa/1023x511", SHD_FILTER_EWA, 1023, 511},
     {"ewa/4096x1", SHD_FILTER_EWA, 4096, 1},
 };
-constexpr shd_filter kExpectations[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
-                                        SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA};
-constexpr size_t kRounds = 8;  // of kMaxPoints draws
+constexpr shd_filter kStochasticFilters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
+                                             SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA};
+constexpr size_t kRounds = 8;  // of kMaxPoints samples
 
 Batch t_batch, t_first;
 uint32_t t_random[kMaxPoints];
@@ -66,7 +66,7 @@ struct Place {
   float aspect, angle;
 };
 
-Lookups drawn(const Batch& batch, bool footprints) {
+Lookups randomized(const Batch& batch, bool footprints) {
   Lookups lookups = batch.lookups(footprints, !footprints);
   lookups.random = t_random;
   return lookups;
@@ -80,8 +80,8 @@ ref::Jacobian jacobian(const Place& at, float w, float h) {
           -other * sin(angle) / static_cast<double>(w), other * cos(angle) / static_cast<double>(h)};
 }
 
-/// Draws at one place with the random words first, first + 1, ...
-void make_draws(const Place& at, const ref::Jacobian& j, uint32_t first) {
+/// Samples at one place with the random words first, first + 1, ...
+void make_samples(const Place& at, const ref::Jacobian& j, uint32_t first) {
   t_batch.count = kMaxPoints;
   for (size_t i = 0; i < kMaxPoints; ++i) {
     t_batch.u[i] = at.u;
@@ -94,8 +94,8 @@ void make_draws(const Place& at, const ref::Jacobian& j, uint32_t first) {
     t_random[i] = first + static_cast<uint32_t>(i);
   }
 }
-void make_draws(float u, float v, float lod, uint32_t first) {
-  make_draws({u, v, lod, 1, 0}, {0, 0, 0, 0}, first);
+void make_samples(float u, float v, float lod, uint32_t first) {
+  make_samples({u, v, lod, 1, 0}, {0, 0, 0, 0}, first);
 }
 
 /// The footprint in base texels.
@@ -128,7 +128,7 @@ double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j
   return ref::anisotropic(image, e, static_cast<int>(ceil(ratio - 0.125)), u, v, channel);
 }
 
-/// What the mean of n draws from a range is off by with a probability of 1e-12 at most.
+/// Error that the mean of n samples from a range exceeds with a probability of at most 1e-12.
 double hoeffding(double range, double n) {
   return range * sqrt(log(2e12) / (2 * n));
 }
@@ -143,8 +143,8 @@ void check_mean(const stochastic_case& c, const Texture& texture, const shd_samp
   if (ellipses && is_between_levels(image, j)) return;
   double sum[4] = {0, 0, 0, 0};
   for (size_t round = 0; round < kRounds; ++round) {
-    make_draws(at, j, static_cast<uint32_t>(round * kMaxPoints));
-    run(texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, footprints), &t_batch);
+    make_samples(at, j, static_cast<uint32_t>(round * kMaxPoints));
+    run(texture, sampler, hwy::SupportedAndGeneratedTargets()[0], randomized(t_batch, footprints), &t_batch);
     for (int k = 0; k < 4; ++k) {
       for (size_t i = 0; i < kMaxPoints; ++i) sum[k] += static_cast<double>(t_batch.out[k][i]);
     }
@@ -179,19 +179,19 @@ void test_mean(void** state) {
   }
 }
 
-/// Every tap on its own: the share of the draws that are a texel, 2^20 of them, is its weight.
+/// Every tap on its own: the share of the samples that are a texel, 2^20 of them, is its weight.
 void test_weights(void**) {
-  constexpr uint32_t kDraws = 1u << 20;
-  for (const shd_filter stochastic_filter : kExpectations) {
+  constexpr uint32_t kSamples = 1u << 20;
+  for (const shd_filter stochastic_filter : kStochasticFilters) {
     uint8_t texels[36];
     for (uint8_t i = 0; i < 36; ++i) texels[i] = i;
     Texture* texture = make_texture(SHD_FORMAT_R8, 6, 6, texels, false);
     static uint32_t hits[36];
     memset(hits, 0, sizeof hits);
     const Sampler sampler = make_sampler(make_desc(stochastic_filter, 0));
-    for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
-      make_draws(0.45f, 0.62f, 0, first);
-      run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, false), &t_batch);
+    for (uint32_t first = 0; first < kSamples; first += kMaxPoints) {
+      make_samples(0.45f, 0.62f, 0, first);
+      run(*texture, sampler, hwy::SupportedAndGeneratedTargets()[0], randomized(t_batch, false), &t_batch);
       for (size_t i = 0; i < kMaxPoints; ++i) ++hits[lroundf(t_batch.out[0][i] * 255)];
     }
     const auto weight = [&](double x, int i) {
@@ -201,8 +201,8 @@ void test_weights(void**) {
     };
     for (int i = 0; i < 36; ++i) {
       const double want = weight(static_cast<double>(0.45f), i % 6) * weight(static_cast<double>(0.62f), i / 6);
-      shd_assert_close("share", static_cast<size_t>(i), hits[i] / static_cast<double>(kDraws), want,
-                       hoeffding(1, kDraws) + 1e-5, 0);
+      shd_assert_close("share", static_cast<size_t>(i), hits[i] / static_cast<double>(kSamples), want,
+                       hoeffding(1, kSamples) + 1e-5, 0);
       if (want == 0) assert_int_equal(hits[i], 0);
     }
     free_texture(texture);
@@ -219,10 +219,10 @@ const ellipse_case k_ellipses[] = {
     {"ellipse/beside_bilinear", {0.47f, 0.53f, 0.4f, 2, 1}},
 };
 
-/// Every texel of an ellipse on its own: the share of 2^20 draws against the oracle on a picture of that texel alone.
+/// Every texel of an ellipse on its own: the share of 2^20 samples against the oracle on a picture of that texel alone.
 void test_ellipse(void** state) {
   const auto& c = *static_cast<const ellipse_case*>(*state);
-  constexpr uint32_t kDraws = 1u << 20, kEdge = 16, kCount = kEdge * kEdge;
+  constexpr uint32_t kSamples = 1u << 20, kEdge = 16, kCount = kEdge * kEdge;
   uint8_t texels[kCount];
   for (uint32_t i = 0; i < kCount; ++i) texels[i] = static_cast<uint8_t>(i);
   Texture* texture = make_texture(SHD_FORMAT_R8, kEdge, kEdge, texels, false);
@@ -230,9 +230,9 @@ void test_ellipse(void** state) {
   const ref::Jacobian j = jacobian(c.at, kEdge, kEdge);
   static uint32_t hits[kCount];
   memset(hits, 0, sizeof hits);
-  for (uint32_t first = 0; first < kDraws; first += kMaxPoints) {
-    make_draws(c.at, j, first);
-    run(*texture, make_sampler(desc), hwy::SupportedAndGeneratedTargets()[0], drawn(t_batch, true), &t_batch);
+  for (uint32_t first = 0; first < kSamples; first += kMaxPoints) {
+    make_samples(c.at, j, first);
+    run(*texture, make_sampler(desc), hwy::SupportedAndGeneratedTargets()[0], randomized(t_batch, true), &t_batch);
     for (size_t i = 0; i < kMaxPoints; ++i) ++hits[lroundf(t_batch.out[0][i] * 255)];
   }
   ref::Level levels[shd::texture::kMaxLevels];
@@ -241,24 +241,24 @@ void test_ellipse(void** state) {
     memset(shd::texture::row_of(*texture, 0, 0, 0), 0, kCount);
     shd::texture::row_of(*texture, 0, 0, 0)[i] = 255;
     const double want = expected(image, c.at, j, 0);
-    shd_assert_close(c.name, i, hits[i] / static_cast<double>(kDraws), want, hoeffding(1, kDraws) + 1e-4, 0);
+    shd_assert_close(c.name, i, hits[i] / static_cast<double>(kSamples), want, hoeffding(1, kSamples) + 1e-4, 0);
     if (want == 0) assert_int_equal(hits[i], 0);
   }
   free_texture(texture);
 }
 
-/// A texel beside the ellipse is never drawn, however the lanes of a vector differ.
+/// A texel beside the ellipse is never picked, however the lanes of a vector differ.
 void test_outside(void**) {
   float texels[256];
   for (size_t i = 0; i < 256; ++i) texels[i] = i % 16 >= 6 && i % 16 <= 8 ? 1.0f : NAN;
   Texture* texture = make_texture(SHD_FORMAT_R32F, 16, 16, reinterpret_cast<uint8_t*>(texels), false);
   for_each_target([&](int64_t target) {
-    make_draws({7.5f / 16, 0.5f, 0, 1, 0}, {1.0 / 16, 0, 0, 8.0 / 16}, 0);  // 2.6 texels wide
+    make_samples({7.5f / 16, 0.5f, 0, 1, 0}, {1.0 / 16, 0, 0, 8.0 / 16}, 0);  // 2.6 texels wide
     for (size_t i = 0; i < kMaxPoints; ++i) {
       t_batch.dvdy[i] = static_cast<float>(i % 13) / 16;
       if (i % 5 == 0) t_batch.dudx[i] = 0;
     }
-    run(*texture, make_sampler(make_desc(SHD_FILTER_EWA, 0)), target, drawn(t_batch, true), &t_batch);
+    run(*texture, make_sampler(make_desc(SHD_FILTER_EWA, 0)), target, randomized(t_batch, true), &t_batch);
     for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 1.0f);
   });
   free_texture(texture);
@@ -271,7 +271,7 @@ void test_targets_and_tails(void**) {
   for (size_t i = 0; i < kMaxPoints; ++i) t_random[i] = static_cast<uint32_t>(i * 7);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 64, 32, true);
-    for (const shd_filter stochastic_filter : kExpectations) {
+    for (const shd_filter stochastic_filter : kStochasticFilters) {
       for (const bool given : {false, true}) {
         const Sampler sampler = make_sampler(make_desc(stochastic_filter, 7));
         const auto lookups = [&](const Batch& batch) {
@@ -299,17 +299,17 @@ void test_targets_and_tails(void**) {
   }
 }
 
-/// Another seed draws other texels; so do other coordinates without random words.
+/// Another seed picks other texels; so do other coordinates without random words.
 void test_seeds(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R16, 64, 64, true);
-  for (const shd_filter stochastic_filter : kExpectations) {
+  for (const shd_filter stochastic_filter : kStochasticFilters) {
     shd_sampler_desc desc = make_desc(stochastic_filter, 0);
-    make_draws(0.503f, 0.503f, 0.5f, 0);
+    make_samples(0.503f, 0.503f, 0.5f, 0);
     t_first.count = kMaxPoints;
     for_each_target([&](int64_t target) {
-      run(*texture, make_sampler(desc), target, drawn(t_batch, false), &t_first);
+      run(*texture, make_sampler(desc), target, randomized(t_batch, false), &t_first);
       desc.seed = 1;
-      run(*texture, make_sampler(desc), target, drawn(t_batch, false), &t_batch);
+      run(*texture, make_sampler(desc), target, randomized(t_batch, false), &t_batch);
       desc.seed = 0;
       size_t different = 0, changes = 0;
       for (size_t i = 0; i < kMaxPoints; ++i) different += t_batch.out[0][i] != t_first.out[0][i];
@@ -325,15 +325,15 @@ void test_seeds(void**) {
   free_texture(texture);
 }
 
-/// A texel of weight 0 is never drawn: at texel centres NaN next door does not show.
+/// A texel of weight 0 is never picked: at texel centres NaN next door does not show.
 void test_weight_zero(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i == 20 ? 5.0f : NAN;
   Texture* texture = make_texture(SHD_FORMAT_R32F, 64, 1, reinterpret_cast<uint8_t*>(texels), false);
   for (const shd_filter stochastic_filter : {SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR, SHD_FILTER_EWA}) {
     for_each_target([&](int64_t target) {
-      make_draws(20.5f / 64, 0.5f, 0, 0);
-      run(*texture, make_sampler(make_desc(stochastic_filter, 0)), target, drawn(t_batch, false), &t_batch);
+      make_samples(20.5f / 64, 0.5f, 0, 0);
+      run(*texture, make_sampler(make_desc(stochastic_filter, 0)), target, randomized(t_batch, false), &t_batch);
       for (size_t i = 0; i < kMaxPoints; ++i) assert_true(t_batch.out[0][i] == 5.0f);
     });
   }
@@ -346,7 +346,7 @@ void test_constant(void**) {
   memset(texels, 77, sizeof texels);
   Texture* texture = make_texture(SHD_FORMAT_R8, 33, 9, texels, true);
   make_points(&t_batch);
-  for (const shd_filter stochastic_filter : kExpectations) {
+  for (const shd_filter stochastic_filter : kStochasticFilters) {
     for (uint32_t pair = 0; pair < 25; ++pair) {
       shd_sampler_desc desc = make_desc(stochastic_filter, pair);
       if (desc.wrap_u == SHD_WRAP_BORDER || desc.wrap_v == SHD_WRAP_BORDER) continue;

@@ -48,9 +48,9 @@ size_t choices(const ref::Jacobian& j, const shd_sampler_desc& s, bool lod, ref:
     sides[n] = swapped ? ref::Jacobian{j.uy, j.vy, j.ux, j.vx} : j;
     counts[n] = 1;
     if (lod || s.box == SHD_BOX_BOUNDING) return 1;
-    const double ratio = ref::box_ratio(sides[n]), most = floor(static_cast<double>(s.max_anisotropy));
-    const int low = static_cast<int>(fmin(fmax(ceil(ratio * (1 - 1e-6)), 1), most));
-    const int high = static_cast<int>(fmin(fmax(ceil(ratio * (1 + 1e-6)), 1), most));
+    const double ratio = ref::box_ratio(sides[n]), maximum = floor(static_cast<double>(s.max_anisotropy));
+    const int low = static_cast<int>(fmin(fmax(ceil(ratio * (1 - 1e-6)), 1), maximum));
+    const int high = static_cast<int>(fmin(fmax(ceil(ratio * (1 + 1e-6)), 1), maximum));
     counts[n++] = low;
     if (high == low) continue;
     sides[n] = sides[n - 1];
@@ -227,10 +227,10 @@ void test_hostile(void**) {
         run_everywhere(*texture, desc, t_batch.lookups(pair % 2 == 0, pair % 2 == 1), &t_batch);
         for (int c = 0; c < 4; ++c) {
           const bool missing = c >= ref::layout(format).channels;
-          const double most = constant || missing ? 0 : magnitude(format) * 1.00001;
+          const double maximum = constant || missing ? 0 : magnitude(format) * 1.00001;
           const double around = constant || missing ? static_cast<double>(desc.border[c]) : 0;
           for (size_t i = 0; i < kMaxPoints; ++i) {
-            shd_assert_close("hostile", i, static_cast<double>(t_batch.out[c][i]), around, most, 0);
+            shd_assert_close("hostile", i, static_cast<double>(t_batch.out[c][i]), around, maximum, 0);
           }
         }
       }
