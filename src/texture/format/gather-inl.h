@@ -76,7 +76,8 @@ template <class D>
 HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
   const size_t lanes = hn::Lanes(di);
-  const int32_t first = index[0] < index[lanes - 1] ? index[0] : index[lanes - 1];
+  const int32_t begin = index[0], end = index[lanes - 1], first = begin < end ? begin : end;
+  if (begin + end - 2 * first >= static_cast<int32_t>(2 * lanes)) return false;
   const auto from_first = hn::Load(di, index) - hn::Set(di, first), next = from_first + hn::Set(di, 1);
   const auto outside = hn::AndNot(hn::Set(di, static_cast<int32_t>(2 * lanes - 1)), from_first | next);
   if (!hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)))) return false;
