@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What filters emit and formats consume: a stream of elements, one vector of lookups each. A filter knows nothing of
-/// formats, a format nothing of filters.
+/// What filters emit and formats consume: a stream of elements, one vector of lookups each. Filters do not depend on
+/// formats, nor formats on filters.
 ///
 /// The elements of one vector of lookups follow each other; each is a quad (2 x 2 neighbouring texels of one level,
 /// with the fractions of their bilinear blend), a row (four texels side by side, with the shares of their running
@@ -9,7 +9,7 @@
 ///
 ///   kStart     average = value
 ///   kBlend     average = average + share (value - average)
-///   kReplace   the same, but a lane whose share is kWhole starts with the value
+///   kReplace   as kBlend, but a lane whose share is kWhole starts with the value
 ///   kMerge     first average = first + share (second - first); has no texels
 ///
 /// The first average is the result. So every filter is a tree of blends of at most two levels, and texels that are

@@ -2,7 +2,7 @@
 // How a filter runs over a batch: blocks, their shapes, the stream. A Filter has
 //
 //   Block                                  what it needs of each lookup (block.h)
-//   static size_t find(call, in, &block)   fills it; returns how many lookups were not finite
+//   static size_t find(texture, sampler, in, &block)  fills it; returns how many lookups were not finite
 //   static bool is_scattered(texture, block)  whether prefetching pays (prefetch.h)
 //   emit(d, block, i, sink)                the elements of the vector of lookups at i, the last one finished
 

@@ -8,7 +8,7 @@
 /// less the layer's first one (Hensley et al., "Fast Summed-Area Table Generation and its Applications", 2005, take
 /// off the mean), so that a constant texture is a table of zeros: whole numbers below 2^53, hence exact, for
 /// unorm; within 2^-51 of the sum of the magnitudes for sRGB and floats.
-/// Texels that are not finite count as 0 or, where there is an origin, as that; a second table counts how many of them a
+/// Texels that are not finite count as 0 or, where there is an origin, as the origin. A second table counts how many a
 /// rectangle has.
 #pragma once
 
