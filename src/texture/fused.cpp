@@ -31,6 +31,8 @@ class FusedSink {
     element_.has_rates = false;
   }
 
+  HWY_INLINE bool has_rates() const { return false; }
+
   /// Lookups from `first` on follow.
   void begin(size_t first) { to_.done = first; }
 
@@ -43,7 +45,6 @@ class FusedSink {
     WriteTexel(d, index, in, false, 0, &element_);
     consume(d, op);
   }
-  HWY_INLINE bool has_rates() const { return false; }
   HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const Share<D>& share) {
     WriteShare(d, share, 0, &element_);
     texel(d, op, index, in);
@@ -92,11 +93,24 @@ size_t RunFused(const FilterCall& call) {
   return nonfinite;
 }
 
+/// Fused over streamed, RGBA8 2048 x 2048, floor, one thread of a Sapphire Rapids Xeon. Measured and left out: trilinear
+/// 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
+struct FusedPair {
+  shd_filter filter;
+  image::Component component;
+  RunFilter run;
+};
+constexpr FusedPair kFusedPairs[] = {
+    {SHD_FILTER_NEAREST, image::Component::kUnorm8, RunFused<Nearest, Unorm8>},  // 1.20 on AVX-512, 1.0 on AVX2, SSE4
+    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},          // 1.18, 1.26 on AVX2, 1.14 on SSE4
+};
+
 }  // namespace
 
 RunFilter FusedOf(shd_filter filter, image::Component component) {
-  if (component == image::Component::kUnorm8 && filter == SHD_FILTER_NEAREST) return RunFused<Nearest, Unorm8>;
-  if (component == image::Component::kUnorm8 && filter == SHD_FILTER_EWA) return RunFused<Ewa, Unorm8>;
+  for (const FusedPair& pair : kFusedPairs) {
+    if (pair.filter == filter && pair.component == component) return pair.run;
+  }
   return nullptr;
 }
 
