@@ -97,7 +97,7 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
-  if (bits < SHD_FORMAT_R8 || bits > SHD_FORMAT_RGB32F) {
+  if (!image::is_format(bits)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.format: %u is not a format", bits);
   }
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));

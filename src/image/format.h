@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <shd/image.h>
 
@@ -49,6 +50,11 @@ constexpr FormatInfo format_info(shd_format format) {
     case SHD_FORMAT_RGBA32F: return format_info(4, Component::kFloat32);
     default: return {0, 0, 0, Component::kUnorm8};
   }
+}
+
+/// Whether the bits of a caller's enum name a format.
+constexpr bool is_format(uint32_t bits) {
+  return bits <= SHD_FORMAT_MAX_ENUM && format_info(static_cast<shd_format>(bits)).channels != 0;
 }
 
 }  // namespace shd::image

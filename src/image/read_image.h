@@ -22,7 +22,7 @@ shd_result read_image(Fail fail, Takes takes, const char* name, const shd_image*
   const shd_result read = core::read_desc_bytes(fail, name, in, sizeof *out, out, sizeof *out);
   if (read != SHD_OK) return read;
   const uint32_t format = core::enum_bits(out->format);
-  if (format < SHD_FORMAT_R8 || format > SHD_FORMAT_RGB32F || !takes(out->format)) {
+  if (!is_format(format) || !takes(out->format)) {
     return fail(kInvalid, "%s.format: %u is not a format", name, format);
   }
   if (out->width < 1 || out->width > kMaxSide) {

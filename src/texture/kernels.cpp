@@ -29,8 +29,8 @@ RunFilter FilterOf(shd_filter filter) {
 
 FormatKernels FormatOf(image::Component component) {
   switch (component) {
-#define SHD_TEXTURE_CASE(name, kernels) \
-  case name: return kernels();
+#define SHD_TEXTURE_CASE(name, codec, kernels) \
+  case image::Component::name: return kernels();
     SHD_TEXTURE_FORMATS(SHD_TEXTURE_CASE)
 #undef SHD_TEXTURE_CASE
   }
@@ -59,6 +59,14 @@ HWY_EXPORT(RunBatch);
 size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out, Recording* recording) {
   return SHD_DISPATCH(RunBatch, simd)(texture, sampler, lookups, out, recording);
+}
+
+shd_filter last_filter() {
+  shd_filter last = SHD_FILTER_EXACT;
+#define SHD_TEXTURE_LATER(name, run, gradient) last = name > last ? name : last;
+  SHD_TEXTURE_FILTERS(SHD_TEXTURE_LATER)
+#undef SHD_TEXTURE_LATER
+  return last;
 }
 
 bool has_gradient(shd_filter filter) {

@@ -55,7 +55,7 @@
 /// | filter/summed_area.cpp, box-inl.h      | boxes of a summed-area table                                      |
 /// | filter/exact.cpp                       | the integral over the footprint, in doubles                       |
 /// | filter/magnify.h                       | another filter where the footprint is no longer than a texel      |
-/// | format/formats-inl.h                   | the list of formats: a row each                                   |
+/// | format/formats.h, formats-inl.h        | the list of formats: a row each                                   |
 /// | format/consume-inl.h                   | the consumer of a stream                                          |
 /// | format/blend-inl.h, gradient-inl.h     | what it computes: values, derivatives                             |
 /// | format/unorm8, srgb8, unorm16, float16, float32 | a format each (.cpp, some -inl.h)                        |
@@ -139,6 +139,9 @@ inline Sampler unwidened(const Sampler& sampler) {
   plain.blur_u = plain.blur_v = 0.0f;
   return plain;
 }
+
+/// The largest value of shd_filter that names a filter.
+shd_filter last_filter();
 
 /// Whether a filter has derivatives: those that are continuous trees of blends.
 bool has_gradient(shd_filter filter);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "image/half.h"
-#include "image/srgb.h"
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
@@ -18,12 +16,9 @@ namespace shd::texture {
 namespace {
 
 CodeScale scale_of(image::Component component, size_t channel) {
-  switch (component) {
-    case image::Component::kUnorm8: return kScale8;
-    case image::Component::kUnorm16: return kScale16;
-    case image::Component::kSrgb8: return channel == 3 ? kScale8 : CodeScale{1.0f, 0.0f};
-    default: return {1.0f, 0.0f};
-  }
+  CodeScale scale = {1.0f, 0.0f};
+  visit_codec(component, 4, [&](auto codec) { scale = codec.scale(channel); });
+  return scale;
 }
 
 float finish(CodeScale scale, float value) {
@@ -32,24 +27,10 @@ float finish(CodeScale scale, float value) {
 
 /// Channel of a stored texel as the blends of its format read it, or as a result.
 float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
-  float value;
-  uint16_t code;
-  switch (texture.component) {
-    case image::Component::kUnorm8: value = texel[channel]; break;
-    case image::Component::kSrgb8:
-      value = channel == 3 ? static_cast<float>(texel[3]) : image::kSrgb8ToLinear[texel[channel]];
-      break;
-    case image::Component::kUnorm16:
-      std::memcpy(&code, texel + 2 * channel, sizeof code);
-      value = code;
-      break;
-    case image::Component::kFloat16:
-      std::memcpy(&code, texel + 2 * channel, sizeof code);
-      value = image::half_to_float(code);
-      break;
-    default: std::memcpy(&value, texel + 4 * channel, sizeof value); break;
-  }
-  return finished ? finish(scale_of(texture.component, channel), value) : value;
+  double value[4] = {};
+  visit_stored(texture.component, texture.channels, [&](auto codec) { codec.load(texel, value); });
+  const auto number = static_cast<float>(value[channel]);
+  return finished ? finish(scale_of(texture.component, channel), number) : number;
 }
 
 /// Where a texel of one layer lies.

@@ -16,16 +16,6 @@
 namespace shd::texture {
 namespace {
 
-/// Codes of a channel that make 1.
-double code_of_one(image::Component component, size_t channel) {
-  switch (component) {
-    case image::Component::kUnorm8: return 255;
-    case image::Component::kUnorm16: return 65535;
-    case image::Component::kSrgb8: return channel == 3 ? 255 : 1;
-    default: return 1;
-  }
-}
-
 /// Weighted mean of values, as deviations from the first one: equal values give that value. Those that are not finite
 /// add up on their own.
 struct Mean {
@@ -54,7 +44,7 @@ class Integral {
     width_ = level_size(texture.width, footprint.level);
     height_ = level_size(texture.height, footprint.level);
     for (size_t c = 0; c < Codec::kChannels; ++c) {
-      border_[c] = static_cast<double>(sampler.border[c]) * code_of_one(texture.component, c);
+      border_[c] = static_cast<double>(sampler.border[c]) * one_of(texture.component, c);
     }
   }
 
@@ -78,9 +68,7 @@ class Integral {
     }
   }
 
-  float channel(size_t c) const {
-    return static_cast<float>(mean_[c].over(weight_) / code_of_one(texture_.component, c));
-  }
+  float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
   /// Null for the border.

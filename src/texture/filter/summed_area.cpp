@@ -5,6 +5,7 @@
 #include "texture/store/summed_area.h"
 
 #include "texture/filter/prefetch.h"
+#include "texture/store/texel_codec.h"
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -150,7 +151,7 @@ struct BoxScale {
 
   BoxScale(const Texture& texture, const Sampler& sampler) {
     for (size_t c = 0; c < kChannels; ++c) {
-      one[c] = sum_of_one(texture, c);
+      one[c] = one_of(texture.component, c);
       border[c] = static_cast<double>(sampler.border[c]);
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The formats: a row for each component type, with the function that names its consumers.
+// The functions of one target that name the consumers of each format.
 
 #if defined(SHD_TEXTURE_FORMATS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FORMATS_INL_H_
@@ -10,21 +10,13 @@
 
 #include <hwy/highway.h>
 
+#include "texture/format/formats.h"
 #include "texture/stream.h"
-
-#ifndef SHD_TEXTURE_FORMATS
-#define SHD_TEXTURE_FORMATS(ROW)                  \
-  ROW(image::Component::kUnorm8, Unorm8Kernels)   \
-  ROW(image::Component::kSrgb8, Srgb8Kernels)     \
-  ROW(image::Component::kUnorm16, Unorm16Kernels) \
-  ROW(image::Component::kFloat16, Float16Kernels) \
-  ROW(image::Component::kFloat32, Float32Kernels)
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-#define SHD_TEXTURE_DECLARE_FORMAT(component, kernels) FormatKernels kernels();
+#define SHD_TEXTURE_DECLARE_FORMAT(component, codec, kernels) FormatKernels kernels();
 SHD_TEXTURE_FORMATS(SHD_TEXTURE_DECLARE_FORMAT)
 #undef SHD_TEXTURE_DECLARE_FORMAT
 

@@ -240,14 +240,16 @@ uint32_t square_steps(const Texture& texture) {
   return steps;
 }
 
-bool has_integer_sums(image::Component component) {
-  return component == image::Component::kUnorm8 || component == image::Component::kSrgb8 ||
-         component == image::Component::kUnorm16;
+/// Whether the averages of a texture are made of exact integer sums.
+bool has_exact_sums(const Texture& texture) {
+  bool exact = false;
+  visit_stored(texture.component, texture.channels, [&](auto codec) { exact = Sums<decltype(codec)>::kExact; });
+  return exact;
 }
 
 /// Steps of the round that begins at level `from` of `even`.
 uint32_t round_steps(const Texture& texture, uint32_t from, uint32_t even) {
-  const uint32_t square = from == 0 && has_integer_sums(texture.component) ? square_steps(texture) : 0;
+  const uint32_t square = from == 0 && has_exact_sums(texture) ? square_steps(texture) : 0;
   if (square > 0) return square;
   return even - from < kTileSteps ? even - from : kTileSteps;
 }
@@ -281,16 +283,6 @@ void build_layer(const core::Context& context, Texture& texture, uint32_t layer,
   }
 }
 
-template <template <size_t> class Codec>
-void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
-                    double* sums) {
-  switch (texture.channels) {
-    case 1: return build_layer<Codec<1>>(context, texture, layer, region, sums);
-    case 2: return build_layer<Codec<2>>(context, texture, layer, region, sums);
-    default: return build_layer<Codec<4>>(context, texture, layer, region, sums);
-  }
-}
-
 }  // namespace
 
 size_t mip_sums_size(const Texture& texture) {
@@ -305,13 +297,8 @@ size_t mip_sums_size(const Texture& texture) {
 
 void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                       double* sums) {
-  switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<Unorm8Codec>(context, *texture, layer, region, sums);
-    case image::Component::kSrgb8: return build_channels<Srgb8Codec>(context, *texture, layer, region, sums);
-    case image::Component::kUnorm16: return build_channels<Unorm16Codec>(context, *texture, layer, region, sums);
-    case image::Component::kFloat16: return build_channels<Float16Codec>(context, *texture, layer, region, sums);
-    default: return build_channels<Float32Codec>(context, *texture, layer, region, sums);
-  }
+  visit_stored(texture->component, texture->channels,
+               [&](auto codec) { build_layer<decltype(codec)>(context, *texture, layer, region, sums); });
 }
 
 }  // namespace shd::texture

@@ -12,27 +12,13 @@
 namespace shd::texture {
 namespace {
 
-/// Largest stored value of a channel in the units of Codec::load; the least is 0, or its negative if signed.
-struct Limit {
-  double maximum;
-  bool is_signed;
-
-  Limit(image::Component component, size_t channel) {
-    is_signed = component == image::Component::kFloat16 || component == image::Component::kFloat32;
-    switch (component) {
-      case image::Component::kUnorm8: maximum = 255; break;
-      case image::Component::kSrgb8: maximum = channel == 3 ? 255 : 1; break;
-      case image::Component::kUnorm16: maximum = 65535; break;
-      case image::Component::kFloat16: maximum = 65504; break;
-      default: maximum = static_cast<double>(std::numeric_limits<float>::max()); break;
-    }
-  }
-  double clamp(double value) const {
-    if (std::isnan(value) || (is_signed && std::isinf(value))) return is_signed ? value : 0;
-    const double minimum = is_signed ? -maximum : 0;
-    return value < minimum ? minimum : value > maximum ? maximum : value;
-  }
-};
+/// The nearest number that a codec stores in a channel.
+template <class Codec>
+double clamp_stored(size_t channel, double value) {
+  if (std::isnan(value) || (Codec::kFloat && std::isinf(value))) return Codec::kFloat ? value : 0;
+  const double maximum = Codec::largest(channel), minimum = Codec::kFloat ? -maximum : 0;
+  return value < minimum ? minimum : value > maximum ? maximum : value;
+}
 
 template <class Codec>
 struct Filter {
@@ -41,39 +27,37 @@ struct Filter {
   const shd_image& level;
   const AxisWeights& across;
   const AxisWeights& down;
-  image::Component component;
   bool normal, lengths;
   float* alpha;
 
   /// Texels of a source row as numbers; normals as vectors.
   void decode(const uint8_t* row, double* to) const {
-    const Limit limit(component, 0);
     for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
       Codec::load(row, to);
       if constexpr (kChannels >= 3) {
-        if (normal) decode_normal(limit, to);
+        if (normal) decode_normal(to);
       }
     }
   }
 
-  void decode_normal(const Limit& limit, double* texel) const {
+  void decode_normal(double* texel) const {
     double length = 1;
-    if (kChannels == 4 && lengths) length = limit.is_signed ? texel[3] : texel[3] / limit.maximum;
+    if (kChannels == 4 && lengths) length = texel[3] / Codec::one(3);
     for (size_t c = 0; c < 3; ++c) {
-      if (!limit.is_signed) texel[c] = 2 * texel[c] / limit.maximum - 1;
+      if (!Codec::kFloat) texel[c] = 2 * texel[c] / Codec::one(c) - 1;
       texel[c] *= length;
     }
   }
 
-  void encode_normal(const Limit& limit, double* texel) const {
+  void encode_normal(double* texel) const {
     double length = std::sqrt(texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2]);
     const double unit[] = {0, 0, 1};
     for (size_t c = 0; c < 3; ++c) {
       texel[c] = length > 0 ? texel[c] / length : unit[c];
-      if (!limit.is_signed) texel[c] = (texel[c] + 1) / 2 * limit.maximum;
+      if (!Codec::kFloat) texel[c] = (texel[c] + 1) / 2 * Codec::one(c);
     }
     if (length > 1) length = 1;
-    if (kChannels == 4) texel[3] = limit.is_signed ? length : length * limit.maximum;
+    if (kChannels == 4) texel[3] = length * Codec::one(3);
   }
 
   /// Level row y; `row` and `column` hold one decoded source row each.
@@ -97,15 +81,12 @@ struct Filter {
     }
     for (size_t c = 0; c < kChannels; ++c) sum[c] /= across.total * down.total;
     if constexpr (kChannels >= 3) {
-      if (normal) encode_normal(Limit(component, 0), sum);
+      if (normal) encode_normal(sum);
     }
-    for (size_t c = 0; c < kChannels; ++c) sum[c] = Limit(component, c).clamp(sum[c]);
+    for (size_t c = 0; c < kChannels; ++c) sum[c] = clamp_stored<Codec>(c, sum[c]);
     Codec::store(sum, texel);
     if constexpr (kChannels == 4) {
-      const Limit limit(component, 3);
-      if (alpha) {
-        alpha[size_t{y} * level.width + x] = static_cast<float>(limit.is_signed ? sum[3] : sum[3] / limit.maximum);
-      }
+      if (alpha) alpha[size_t{y} * level.width + x] = static_cast<float>(sum[3] / Codec::one(3));
     }
   }
 };
@@ -134,7 +115,7 @@ void filter_level(const core::Context& context, const shd_image& source, const s
   const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;
   visit_codec(component, format.channels, [&](auto codec) {
     using Codec = decltype(codec);
-    filter_code<Codec>(context, {source, level, across, down, component, normal, lengths, alpha});
+    filter_code<Codec>(context, {source, level, across, down, normal, lengths, alpha});
   });
 }
 

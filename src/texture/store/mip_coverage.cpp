@@ -26,18 +26,16 @@ struct Cut {
   double pass, fail;
 
   Cut(image::Component component, double cutoff) {
-    scale = component == image::Component::kUnorm16 ? 65535 : 255;
+    scale = one_of(component, 3);
     pass = std::ceil(cutoff * scale);
     fail = pass - 1;
     const auto value = static_cast<float>(cutoff);
     if (component == image::Component::kFloat32) {
-      scale = 1;
       pass = cutoff;
       uint32_t bits;
       std::memcpy(&bits, &value, sizeof bits);
       fail = static_cast<double>(from_bits(bits - 1));
     } else if (component == image::Component::kFloat16) {
-      scale = 1;
       uint16_t half = image::float_to_half(value);
       if (static_cast<double>(image::half_to_float(half)) < cutoff) ++half;
       pass = static_cast<double>(image::half_to_float(half));

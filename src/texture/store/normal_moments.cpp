@@ -20,13 +20,13 @@ void find_slopes(const double* n, double* slope) {
   slope[1] = n[1] / z;
 }
 
-/// One row of texels. `maximum`: the code of 1, 0 for floats.
+/// One row of texels.
 template <class In, class Out>
-void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width, double maximum) {
+void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width) {
   for (uint32_t x = 0; x < width; ++x, normal += In::kSize, out += Out::kSize) {
     double n[4], moment[4] = {};
     In::load(normal, n);
-    for (int c = 0; c < 3 && maximum > 0.0; ++c) n[c] = 2 * n[c] / maximum - 1;
+    for (size_t c = 0; c < 3 && !In::kFloat; ++c) n[c] = 2 * n[c] / In::one(c) - 1;
     find_slopes(n, moment);
     Out::store(moment, out);
     Out::load(out, moment);  // what is squared is what is stored: without rounding there is no variance
@@ -36,19 +36,11 @@ void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width, double max
   }
 }
 
-double code_of_one(image::Component component) {
-  switch (component) {
-    case image::Component::kUnorm8: return 255;
-    case image::Component::kUnorm16: return 65535;
-    default: return 0;
-  }
-}
-
 template <class In, class Out>
-void convert(const core::Context& context, const shd_image& normals, const shd_image& out, double maximum) {
+void convert(const core::Context& context, const shd_image& normals, const shd_image& out) {
   core::parallel_for(context, out.height, [&](uint32_t y, uint32_t) {
     convert_row<In, Out>(static_cast<const uint8_t*>(normals.pixels) + y * normals.row_stride,
-                         static_cast<uint8_t*>(out.pixels) + y * out.row_stride, out.width, maximum);
+                         static_cast<uint8_t*>(out.pixels) + y * out.row_stride, out.width);
   });
 }
 
@@ -62,9 +54,9 @@ void write_moments(const core::Context& context, const shd_image& normals, const
     using In = decltype(codec);
     if constexpr (In::kChannels >= 3) {
       if (out.format == SHD_FORMAT_RGBA16F) {
-        convert<In, Float16Codec<4>>(context, normals, out, code_of_one(component));
+        convert<In, Float16Codec<4>>(context, normals, out);
       } else {
-        convert<In, Float32Codec<4>>(context, normals, out, code_of_one(component));
+        convert<In, Float32Codec<4>>(context, normals, out);
       }
     }
   });

@@ -133,16 +133,6 @@ void build_layer(const core::Context& context, Texture& texture, uint32_t layer,
   }
 }
 
-template <template <size_t> class Codec>
-void build_channels(const core::Context& context, Texture& texture, uint32_t layer, const Region& region,
-                    double* scratch) {
-  switch (texture.channels) {
-    case 1: return build_layer<Codec<1>>(context, texture, layer, region, scratch);
-    case 2: return build_layer<Codec<2>>(context, texture, layer, region, scratch);
-    default: return build_layer<Codec<4>>(context, texture, layer, region, scratch);
-  }
-}
-
 }  // namespace
 
 size_t ripmap_scratch_size(const core::Context& context, const Texture& texture) {
@@ -152,13 +142,8 @@ size_t ripmap_scratch_size(const core::Context& context, const Texture& texture)
 
 void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                          double* scratch) {
-  switch (texture->component) {
-    case image::Component::kUnorm8: return build_channels<Unorm8Codec>(context, *texture, layer, region, scratch);
-    case image::Component::kSrgb8: return build_channels<Srgb8Codec>(context, *texture, layer, region, scratch);
-    case image::Component::kUnorm16: return build_channels<Unorm16Codec>(context, *texture, layer, region, scratch);
-    case image::Component::kFloat16: return build_channels<Float16Codec>(context, *texture, layer, region, scratch);
-    default: return build_channels<Float32Codec>(context, *texture, layer, region, scratch);
-  }
+  visit_stored(texture->component, texture->channels,
+               [&](auto codec) { build_layer<decltype(codec)>(context, *texture, layer, region, scratch); });
 }
 
 }  // namespace shd::texture

@@ -116,7 +116,7 @@ void build_sums(const core::Context& context, Texture& texture, uint32_t layer) 
   double origin[kChannels];
   load_origin<Codec>(texture, layer, origin);
   for (size_t c = 0; c < kChannels; ++c) {
-    texture.sum_origins[layer * kChannels + c] = origin[c] / sum_of_one(texture, c);
+    texture.sum_origins[layer * kChannels + c] = origin[c] / Codec::one(c);
   }
   auto* first = reinterpret_cast<Entry*>(texture.sums.data()) + layer * sum_count(texture);
   Table<Entry, kChannels>(texture, first).build(context, [&](uint32_t x, uint32_t y, Entry* value) {
@@ -126,13 +126,9 @@ void build_sums(const core::Context& context, Texture& texture, uint32_t layer) 
   });
 }
 
-bool may_be_nonfinite(const Texture& texture) {
-  return texture.component == image::Component::kFloat16 || texture.component == image::Component::kFloat32;
-}
-
 template <class Codec>
 bool has_nonfinite(const core::Context& context, const Texture& texture, uint32_t layer) {
-  if (!may_be_nonfinite(texture)) return false;
+  if (!Codec::kFloat) return false;
   std::atomic<bool> found{false};
   core::parallel_for(context, texture.height, [&](uint32_t y, uint32_t) {
     bool in_row = false;
@@ -202,7 +198,7 @@ void build_summed_area(const core::Context& context, Texture* texture) {
 }
 
 size_t spare_sums_size(const Texture& texture) {
-  return may_be_nonfinite(texture) && texture.nonfinite_sums.size() == 0 ? sum_count(texture) * texture.layers : 0;
+  return is_float(texture.component) && texture.nonfinite_sums.size() == 0 ? sum_count(texture) * texture.layers : 0;
 }
 
 void update_summed_area(const core::Context& context, uint32_t layer, core::Array<uint32_t>* spare, Texture* texture) {

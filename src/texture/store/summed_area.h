@@ -22,16 +22,6 @@ inline bool has_integer_sums(const Texture& texture) {
                                                                                                            << 24;
 }
 
-/// The number that makes 1 in the table: 255 or 65535 codes, or 1.
-inline double sum_of_one(const Texture& texture, size_t channel) {
-  switch (texture.component) {
-    case image::Component::kUnorm8: return 255;
-    case image::Component::kUnorm16: return 65535;
-    case image::Component::kSrgb8: return channel == 3 ? 255 : 1;
-    default: return 1;
-  }
-}
-
 /// Entries of one layer, all channels.
 inline size_t sum_count(const Texture& texture) {
   return (size_t{texture.width} + 1) * (size_t{texture.height} + 1) * texture.channels;

@@ -6,6 +6,10 @@
 ///   add    puts `count` texels onto a sum
 ///   store  rounds an average once: unorm and binary16 to nearest even, binary32 to nearest, sRGB (through a float)
 ///          to the nearest code
+///   scale  of a channel: times a stored number, the value it stands for
+///   one    of a channel: the stored number that stands for 1
+///   largest  of a channel: the largest finite stored number; the least is 0, or -largest if kFloat
+///   kFloat whether numbers have a sign and may be infinite or NaN
 #pragma once
 
 #include <cmath>
@@ -17,6 +21,7 @@
 #include "image/format.h"
 #include "image/half.h"
 #include "image/srgb.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 
@@ -26,6 +31,22 @@ struct CodeScale {
 };
 constexpr CodeScale kScale8 = {0x1.01p-8f, 0x1.0101p-24f};
 constexpr CodeScale kScale16 = {0x1p-16f, 0x1.0001p-32f};
+
+/// Channels whose stored number c means c / kMaximum.
+template <uint32_t kMaximum>
+struct Codes {
+  static constexpr bool kFloat = false;
+  static constexpr CodeScale scale(size_t) { return kMaximum == 255 ? kScale8 : kScale16; }
+  static constexpr double one(size_t) { return kMaximum; }
+  static constexpr double largest(size_t) { return kMaximum; }
+};
+
+/// Channels whose stored number is the value.
+struct Floats {
+  static constexpr bool kFloat = true;
+  static constexpr CodeScale scale(size_t) { return {1.0f, 0.0f}; }
+  static constexpr double one(size_t) { return 1; }
+};
 
 /// Nearest code of a value in the range of codes, ties to even.
 template <class T>
@@ -56,7 +77,7 @@ inline double canonical(double value) {
 }
 
 template <size_t kCount>
-struct Unorm8Codec {
+struct Unorm8Codec : Codes<255> {
   static constexpr size_t kChannels = kCount, kSize = kCount;
   static void load(const uint8_t* texel, double* value) {
     for (size_t c = 0; c < kChannels; ++c) value[c] = texel[c];
@@ -87,6 +108,10 @@ void add_each(const uint8_t* texel, size_t count, double* sum) {
 template <size_t kCount>
 struct Srgb8Codec {
   static constexpr size_t kChannels = kCount, kSize = kCount;
+  static constexpr bool kFloat = false;
+  static constexpr CodeScale scale(size_t c) { return c == 3 ? kScale8 : CodeScale{1.0f, 0.0f}; }
+  static constexpr double one(size_t c) { return c == 3 ? 255 : 1; }
+  static constexpr double largest(size_t c) { return one(c); }
   static void load(const uint8_t* texel, double* value) {
     for (size_t c = 0; c < kChannels; ++c) {
       value[c] = c == 3 ? texel[c] : static_cast<double>(image::kSrgb8ToLinear[texel[c]]);
@@ -101,7 +126,7 @@ struct Srgb8Codec {
 };
 
 template <size_t kCount>
-struct Unorm16Codec {
+struct Unorm16Codec : Codes<65535> {
   static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
   static void load(const uint8_t* texel, double* value) {
     uint16_t codes[kChannels];
@@ -117,8 +142,9 @@ struct Unorm16Codec {
 };
 
 template <size_t kCount>
-struct Float16Codec {
+struct Float16Codec : Floats {
   static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
+  static constexpr double largest(size_t) { return 65504; }
   static void load(const uint8_t* texel, double* value) {
     uint16_t halves[kChannels];
     std::memcpy(halves, texel, sizeof halves);
@@ -133,8 +159,9 @@ struct Float16Codec {
 };
 
 template <size_t kCount>
-struct Float32Codec {
+struct Float32Codec : Floats {
   static constexpr size_t kChannels = kCount, kSize = 4 * kCount;
+  static constexpr double largest(size_t) { return static_cast<double>(std::numeric_limits<float>::max()); }
   static void load(const uint8_t* texel, double* value) {
     float floats[kChannels];
     std::memcpy(floats, texel, sizeof floats);
@@ -162,12 +189,33 @@ void visit_channels(size_t channels, Body&& body) {
 template <class Body>
 void visit_codec(image::Component component, size_t channels, Body&& body) {
   switch (component) {
-    case image::Component::kUnorm8: return visit_channels<Unorm8Codec>(channels, body);
-    case image::Component::kSrgb8: return visit_channels<Srgb8Codec>(channels, body);
-    case image::Component::kUnorm16: return visit_channels<Unorm16Codec>(channels, body);
-    case image::Component::kFloat16: return visit_channels<Float16Codec>(channels, body);
-    default: return visit_channels<Float32Codec>(channels, body);
+#define SHD_TEXTURE_CASE(name, Codec, kernels) \
+  case image::Component::name: return visit_channels<Codec>(channels, body);
+    SHD_TEXTURE_FORMATS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
   }
+}
+
+/// Calls body(Codec<channels>()) with a number of channels that textures store: 1, 2 or 4.
+template <class Body>
+void visit_stored(image::Component component, size_t channels, Body&& body) {
+  visit_codec(component, channels, [&](auto codec) {
+    if constexpr (decltype(codec)::kChannels != 3) body(codec);
+  });
+}
+
+/// The stored number of a channel that stands for 1.
+inline double one_of(image::Component component, size_t channel) {
+  double one = 1;
+  visit_codec(component, 4, [&](auto codec) { one = codec.one(channel); });
+  return one;
+}
+
+/// Whether stored numbers may be infinite or NaN.
+inline bool is_float(image::Component component) {
+  bool floats = false;
+  visit_codec(component, 4, [&](auto codec) { floats = codec.kFloat; });
+  return floats;
 }
 
 }  // namespace shd::texture

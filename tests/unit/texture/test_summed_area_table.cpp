@@ -4,6 +4,7 @@
 #include "summed_area_fixture.h"
 
 #include "texture/store/summed_area.h"
+#include "texture/store/texel_codec.h"
 
 namespace {
 
@@ -32,7 +33,7 @@ void test_entries(void** state) {
         long double row[4] = {};
         for (uint32_t x = 1; x <= size.width; ++x) {
           for (size_t c = 0; c < texture->channels; ++c) {
-            const double one = shd::texture::sum_of_one(*texture, c);
+            const double one = shd::texture::one_of(texture->component, c);
             const double origin = texture->sum_origins[layer * texture->channels + c];
             const double value = values[((y - 1) * size_t{size.width} + x - 1) * 4 + c];
             const double term = unorm ? round(value * one) - round(origin * one) : (value - origin) * one;
