@@ -52,7 +52,7 @@ template <size_t kCapacity>
 struct Elements {
   static constexpr size_t kColumn = kCapacity + 16;  // columns a power of two apart would alias in the cache
 
-  bool has_rates;                           // whether rates are written: derivatives are wanted
+  bool has_rates;                         // whether rates are written: derivatives are wanted
   alignas(64) int32_t index[4][kColumn];  // texels; ~index on the border
   alignas(64) float s[kColumn];           // quad: fraction along u; row: share of the second texel
   alignas(64) float t[kColumn];           // quad: fraction along v; row: share of the third texel
