@@ -54,7 +54,7 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
   for (size_t k = 0; k < hn::Lanes(di); ++k) {
     const auto i = static_cast<uint32_t>(word[k]);
     const uint8_t* texel =
-        (i < source.borrowed_texels ? source.borrowed : source.origin) + i * source.texel_size + byte;
+        (i < source.borrowed_texels ? source.borrowed : source.origin) + size_t{i} * source.texel_size + byte;
     std::memcpy(&word[k], texel, sizeof word[k]);
   }
   return hn::Load(di, word);
@@ -77,7 +77,7 @@ HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D
   const hn::RebindToSigned<D> di;
   const size_t lanes = hn::Lanes(di);
   const int32_t begin = index[0], end = index[lanes - 1], first = begin < end ? begin : end;
-  if (begin + end - 2 * first >= static_cast<int32_t>(2 * lanes)) return false;
+  if ((begin < end ? end - begin : begin - end) >= static_cast<int32_t>(2 * lanes)) return false;
   const auto from_first = hn::Load(di, index) - hn::Set(di, first), next = from_first + hn::Set(di, 1);
   const auto outside = hn::AndNot(hn::Set(di, static_cast<int32_t>(2 * lanes - 1)), from_first | next);
   if (!hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)))) return false;
