@@ -49,19 +49,17 @@ static shd_result render(shd_context *context, const struct scene *scene, shd_sh
     size_t i;
     shd_result result;
     fd.width = WIDTH, fd.height = HEIGHT, fd.samples = 4;
-    camera.aspect = (float)WIDTH / HEIGHT;
     camera.eye[0] = 4.0f, camera.eye[1] = 3.0f, camera.eye[2] = 1.6f;
     camera.target[1] = 0.4f;
     if ((result = shd_framebuffer_create(context, &fd, &framebuffer)) != SHD_OK) return result;
-    if ((result = shd_view_from_camera(&camera, &rd.view)) == SHD_OK) {
-        rd.framebuffer = framebuffer;
-        rd.draws = scene->draws;
-        rd.draw_count = SCENE_DRAWS;
-        rd.lights = (const shd_light *const *)scene->lights;
-        rd.light_count = SCENE_LIGHTS;
-        rd.shadows = (const shd_shadow *const *)shadows; /* one for each light, or NULL */
-        result = shd_render(context, &rd);
-    }
+    rd.framebuffer = framebuffer;
+    rd.camera = &camera; /* its aspect is that of the picture */
+    rd.draws = scene->draws;
+    rd.draw_count = SCENE_DRAWS;
+    rd.lights = (const shd_light *const *)scene->lights;
+    rd.light_count = SCENE_LIGHTS;
+    rd.shadows = (const shd_shadow *const *)shadows; /* one for each light, or NULL */
+    result = shd_render(context, &rd);
     image.format = SHD_FORMAT_RGBA8_SRGB;
     image.width = WIDTH, image.height = HEIGHT;
     image.pixels = pixels[tile / COLUMNS * HEIGHT][tile % COLUMNS * WIDTH];

@@ -55,7 +55,7 @@ Surface
   --keep-roughness K    what its mip levels do about bumps that they lose: none, toksvig, lean (default none)
 
 Shape
-  --shape S             teapot, sphere, plane, instead of a model
+  --shape S             teapot, sphere, plane, box, torus, instead of a model
   --tessellation N      divisions of each of the teapot's 32 patches, of other shapes' sides (default 16)
   --floor               a floor under the model
   --height FILE         heights 0..1 on everything, for the following

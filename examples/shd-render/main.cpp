@@ -14,7 +14,6 @@
 #include "scene.h"
 #include "shadows.h"
 #include "shapes.h"
-#include "teapot.h"
 
 namespace {
 
@@ -94,9 +93,7 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
 
 Model make_model(const Options& options) {
   if (!options.model.empty()) return import_model(options.model);
-  if (options.shape == Shape::kSphere) return make_sphere(options.tessellation);
-  if (options.shape == Shape::kPlane) return make_plane(options.tessellation);
-  return make_teapot(options.tessellation);
+  return make_shape(options.shape, options.tessellation);
 }
 
 void run(const Options& options) {

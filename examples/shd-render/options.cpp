@@ -72,7 +72,11 @@ constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
                                           {"headlight", LightPreset::kHeadlight},
                                           {"course", LightPreset::kCourse},
                                           {"none", LightPreset::kNone}};
-constexpr Name<Shape> kShapes[] = {{"teapot", Shape::kTeapot}, {"sphere", Shape::kSphere}, {"plane", Shape::kPlane}};
+constexpr Name<shd_shape> kShapes[] = {{"teapot", SHD_SHAPE_TEAPOT},
+                                       {"sphere", SHD_SHAPE_SPHERE},
+                                       {"plane", SHD_SHAPE_PLANE},
+                                       {"box", SHD_SHAPE_BOX},
+                                       {"torus", SHD_SHAPE_TORUS}};
 constexpr Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
 constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},

@@ -17,7 +17,6 @@ struct LightOption {
 };
 
 enum class LightPreset { kStudio, kHeadlight, kCourse, kNone };
-enum class Shape { kTeapot, kSphere, kPlane };
 
 /// What mip levels of normal maps do about the bumps that they no longer show.
 enum class KeepRoughness { kNone, kToksvig, kLean };
@@ -26,7 +25,7 @@ enum class KeepRoughness { kNone, kToksvig, kLean };
 struct Options {
   bool help = false;
   std::string model;  // empty = `shape`
-  Shape shape = Shape::kTeapot;
+  shd_shape shape = SHD_SHAPE_TEAPOT;
   std::string output = "out.png";
   uint32_t width = 960, height = 640, samples = 1;
   float azimuth = 30.0f, elevation = 20.0f;  // [deg]

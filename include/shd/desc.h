@@ -43,6 +43,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_SHADOW_RENDER = 22,     /**< shd_shadow_render_desc */
     SHD_DESC_SHADOW_LOOKUPS = 23,    /**< shd_shadow_lookups */
     SHD_DESC_TESSELLATION = 24,      /**< shd_tessellation_desc */
+    SHD_DESC_SHAPE = 25,             /**< shd_shape_desc */
+    SHD_DESC_SHAPE_COLUMNS = 26,     /**< shd_shape_columns */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -267,6 +267,11 @@ typedef struct shd_render_desc {
      * of the light is multiplied by the shadow's visibility at its position, with its shading normal; NULL = none.
      */
     const struct shd_shadow *const *shadows;
+    /**
+     * In place of `view`, which then does not count; an aspect of 0, the default, is that of the viewport, or of the
+     * picture without one. NULL = `view`.
+     */
+    const shd_camera *camera;
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

@@ -56,9 +56,11 @@
 #include <shd/result.h>
 #include <shd/sampler.h>
 #include <shd/shadow.h>
+#include <shd/shapes.h>
 #include <shd/slot.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
+#include <shd/transform.h>
 #include <shd/vertices.h>
 #include <shd/view.h>
 #include <shd/wrap.h>

@@ -27,7 +27,7 @@ typedef struct shd_view {
 typedef struct shd_camera {
     uint32_t struct_size; /**< set by shd_camera_default() */
     float fov_y;          /**< vertical field of view [rad], (0, pi); default 0.8 */
-    float aspect;         /**< width / height, > 0; default 1 */
+    float aspect;         /**< width / height, > 0; 0 = that of the picture, or 1 where there is none; default 0 */
     float near_plane;     /**< distance, > 0; default 0.1 */
     float far_plane;      /**< distance, > near_plane; default 100 */
     float eye[3];         /**< world space; default (0, 0, 3) */
@@ -42,7 +42,6 @@ static inline shd_camera shd_camera_default(void)
     shd_camera camera = SHD_ZERO_INIT;
     camera.struct_size = (uint32_t)sizeof camera;
     camera.fov_y = 0.8f;
-    camera.aspect = 1.0f;
     camera.near_plane = 0.1f;
     camera.far_plane = 100.0f;
     camera.eye[2] = 3.0f;
@@ -51,7 +50,8 @@ static inline shd_camera shd_camera_default(void)
 }
 
 /**
- * Matrices of a camera; the same bits on every machine.
+ * Matrices of a camera; the same bits on every machine. An aspect of 0 counts as 1 here: no picture is known. Frames
+ * that take the camera itself (shd_render_desc.camera) have one.
  * @param out_view  all zero on failure
  * @since 0.1
  */

@@ -129,6 +129,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_SHADOW_RENDER: return write_defaults(shd_shadow_render_desc_default(), ptr, size);
     case SHD_DESC_SHADOW_LOOKUPS: return write_defaults(shd_shadow_lookups_default(), ptr, size);
     case SHD_DESC_TESSELLATION: return write_defaults(shd_tessellation_desc_default(), ptr, size);
+    case SHD_DESC_SHAPE: return write_defaults(shd_shape_desc_default(), ptr, size);
+    case SHD_DESC_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

@@ -7,6 +7,7 @@
 
 #include <shd/shadow.h>
 
+#include "abi/camera.h"
 #include "abi/desc.h"
 #include "abi/draws.h"
 #include "abi/guard.h"
@@ -74,6 +75,20 @@ shd_result read_window(const shd_render_desc& desc, frame::Frame* frame) {
   return SHD_OK;
 }
 
+/// The desc's camera with the aspect of the viewport, or its view.
+shd_result read_view(const shd_render_desc& desc, frame::Frame* frame) {
+  if (desc.camera) {
+    const float aspect = static_cast<float>(frame->viewport.width) / static_cast<float>(frame->viewport.height);
+    return read_camera(desc.camera, aspect, &frame->view);
+  }
+  SHD_TRY(check_finite("render.view.world_to_view", desc.view.world_to_view, 16));
+  SHD_TRY(check_finite("render.view.view_to_clip", desc.view.view_to_clip, 16));
+  SHD_TRY(check_finite("render.view.eye", desc.view.eye, 3));
+  SHD_TRY(check_range("render.view.reserved", static_cast<double>(desc.view.reserved), 0.0, 0.0));
+  frame->view = desc.view;
+  return SHD_OK;
+}
+
 shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_count("render.load", desc.load, 0, 1));
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
@@ -83,10 +98,6 @@ shd_result check_render_desc(const shd_render_desc& desc) {
   SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
   SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
-  SHD_TRY(check_finite("render.view.world_to_view", desc.view.world_to_view, 16));
-  SHD_TRY(check_finite("render.view.view_to_clip", desc.view.view_to_clip, 16));
-  SHD_TRY(check_finite("render.view.eye", desc.view.eye, 3));
-  SHD_TRY(check_range("render.view.reserved", static_cast<double>(desc.view.reserved), 0.0, 0.0));
   SHD_TRY(check_count("render.draw_count", desc.draw_count, 0, kMaxItems));
   SHD_TRY(check_count("render.light_count", desc.light_count, 0, kMaxItems));
   if (desc.draw_count) SHD_TRY(check_not_null("render.draws", desc.draws));
@@ -115,6 +126,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame::Frame frame = {};
   SHD_TRY(read_handle("render.framebuffer", desc.framebuffer, core::ObjectType::kFramebuffer, &frame.framebuffer));
   SHD_TRY(read_window(desc, &frame));
+  SHD_TRY(read_view(desc, &frame));
   core::Buffer<frame::Draw> draws(context.allocator);
   draws.reserve(desc.draw_count);
   SHD_TRY(read_draws("render", desc.draws, desc.draw_count, &draws));
@@ -129,7 +141,6 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   for (size_t i = 0; i < shadows.size(); ++i) {
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
-  frame.view = desc.view;
   frame.load = desc.load != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;

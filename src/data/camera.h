@@ -30,18 +30,4 @@ inline bool look_at(const float eye[3], const float target[3], const float up[3]
   return true;
 }
 
-/// View-to-clip matrix [16], column-major: NDC y up, depth 0 at the near plane and 1 at the far plane.
-/// fov_y in (0, pi) [rad], aspect = width / height. Computed in double and rounded once.
-/// After the perspective projection of the Vulkan specification's clip space with y up.
-inline void perspective(float fov_y, float aspect, float near_plane, float far_plane, float out[16]) {
-  const double focal = 1.0 / tan(0.5 * fov_y);
-  const double range = double{near_plane} - double{far_plane};
-  for (int i = 0; i < 16; ++i) out[i] = 0.0f;
-  out[0] = static_cast<float>(focal / aspect);
-  out[5] = static_cast<float>(focal);
-  out[10] = static_cast<float>(far_plane / range);
-  out[11] = -1.0f;
-  out[14] = static_cast<float>(double{near_plane} * far_plane / range);
-}
-
 }  // namespace shd::data

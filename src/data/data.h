@@ -4,13 +4,14 @@
 ///
 /// Input and output: nothing of its own; the types that stages hand to each other.
 ///
-/// | file     | what                                                              |
-/// |----------|-------------------------------------------------------------------|
-/// | column.h | reading and writing the caller's strided columns                  |
-/// | vec3.h   | 3-vectors of floats and doubles, for setup code                   |
-/// | matrix.h | products of 4 x 4 matrices                                        |
-/// | trig.h   | angles, tangents and cosines in double, same bits everywhere      |
-/// | camera.h | look-at and perspective matrices, same bits everywhere            |
+/// | file        | what                                                           |
+/// |-------------|----------------------------------------------------------------|
+/// | column.h    | reading and writing the caller's strided columns               |
+/// | vec3.h      | 3-vectors of floats and doubles, for setup code                |
+/// | matrix.h    | products of 4 x 4 matrices                                     |
+/// | trig.h      | angles, tangents, sines and cosines, same bits everywhere      |
+/// | camera.h    | look-at matrices, same bits everywhere                         |
+/// | transform.h | projections, placements and inverses, same bits everywhere     |
 #pragma once
 
 #include <cstddef>

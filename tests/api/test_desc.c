@@ -45,6 +45,8 @@ DEFAULTS(shd_shadow_desc, shd_shadow_desc)
 DEFAULTS(shd_shadow_render_desc, shd_shadow_render_desc)
 DEFAULTS(shd_shadow_lookups, shd_shadow_lookups)
 DEFAULTS(shd_tessellation_desc, shd_tessellation_desc)
+DEFAULTS(shd_shape_desc, shd_shape_desc)
+DEFAULTS(shd_shape_columns, shd_shape_columns)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -71,6 +73,8 @@ static const struct kind_case k_kinds[] = {
     {"shadow_render", SHD_DESC_SHADOW_RENDER, sizeof(shd_shadow_render_desc), defaults_shd_shadow_render_desc},
     {"shadow_lookups", SHD_DESC_SHADOW_LOOKUPS, sizeof(shd_shadow_lookups), defaults_shd_shadow_lookups},
     {"tessellation", SHD_DESC_TESSELLATION, sizeof(shd_tessellation_desc), defaults_shd_tessellation_desc},
+    {"shape", SHD_DESC_SHAPE, sizeof(shd_shape_desc), defaults_shd_shape_desc},
+    {"shape_columns", SHD_DESC_SHAPE_COLUMNS, sizeof(shd_shape_columns), defaults_shd_shape_columns},
 };
 
 static void test_kind(void **state)
@@ -122,7 +126,7 @@ static void test_unknown_kinds(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[32];
+    struct CMUnitTest tests[40];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};

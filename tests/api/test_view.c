@@ -23,6 +23,8 @@ static void edit_fov_nan(shd_camera *c) { c->fov_y = (float)NAN; }
 static void edit_fov_denormal(shd_camera *c) { c->fov_y = 1e-45f; }
 static void edit_fov_narrow(shd_camera *c) { c->fov_y = 1e-6f; }
 static void edit_aspect_0(shd_camera *c) { c->aspect = 0; }
+static void edit_aspect_negative(shd_camera *c) { c->aspect = -1; }
+static void edit_aspect_nan(shd_camera *c) { c->aspect = (float)NAN; }
 static void edit_aspect_inf(shd_camera *c) { c->aspect = INFINITY; }
 static void edit_aspect_tiny(shd_camera *c) { c->aspect = 1e-42f; }
 static void edit_near_0(shd_camera *c) { c->near_plane = 0; }
@@ -94,7 +96,9 @@ static const struct camera_case k_cameras[] = {
     {"camera/fov_pi", edit_fov_pi, BAD, "camera.fov_y: 3.14159 is not below pi"},
     {"camera/fov_nan", edit_fov_nan, BAD, "camera.fov_y: "},
     {"camera/fov_denormal", edit_fov_denormal, BAD, "camera: its view_to_clip"},
-    {"camera/aspect_0", edit_aspect_0, BAD, "camera.aspect: 0"},
+    {"camera/aspect_0", edit_aspect_0, SHD_OK, ""},
+    {"camera/aspect_negative", edit_aspect_negative, BAD, "camera.aspect: -1 is not above 0"},
+    {"camera/aspect_nan", edit_aspect_nan, BAD, "camera.aspect: "},
     {"camera/aspect_inf", edit_aspect_inf, BAD, "camera.aspect: inf"},
     {"camera/aspect_denormal", edit_aspect_tiny, BAD, "camera: its view_to_clip"},
     {"camera/near_0", edit_near_0, BAD, "camera.near_plane: 0"},
@@ -172,7 +176,8 @@ static void check_projection(const char *name, const shd_camera *camera, const s
     int i;
     for (i = 0; i < 2; ++i) {
         const double distance = i ? camera->far_plane : camera->near_plane;
-        const double corner[4] = {distance * tangent * camera->aspect, distance * tangent, -distance, 1};
+        const double corner[4] = {distance * tangent * (camera->aspect != 0 ? camera->aspect : 1), distance * tangent,
+                                  -distance, 1};
         double clip[4];
         transform(view->view_to_clip, corner, clip);
         shd_assert_close(name, (size_t)(30 + 4 * i), clip[0] / clip[3], 1, 3e-7, 0);

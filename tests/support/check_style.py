@@ -12,7 +12,7 @@ import re
 import sys
 
 # The data flow. An include may point to the same stage or to one before it; abi sees all.
-STAGES = ["core", "data", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
+STAGES = ["core", "data", "shapes", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
           "frame", "extension", "color", "io", "abi"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "examples", "bindings"]

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Angles, tangents and cosines in double against long double arithmetic of the C library.
+#include <initializer_list>
+
 #include "support/check.h"
 
 #include "data/trig.h"
@@ -63,6 +65,35 @@ void test_cos(void**) {
   }
 }
 
+void test_sin(void**) {
+  for (size_t i = 0; i <= 200000; ++i) {
+    const double x = 0.5 * kPi * static_cast<double>(i) / 200000.0;
+    const auto error =
+        static_cast<double>(fabsl(static_cast<long double>(shd::data::sin(x)) - sinl(static_cast<long double>(x))));
+    if (!(error <= 1e-15)) fail_msg("sin(%.17g) is off by %g", x, error);
+  }
+}
+
+void test_circle(void**) {
+  constexpr long double kTurn = 6.28318530717958647692528676655900577L;
+  for (const uint32_t n : {1u, 2u, 3u, 4u, 7u, 8u, 12u, 100u, 1023u, 4096u, 8192u}) {
+    for (uint32_t i = 0; i <= n; ++i) {
+      const shd::data::CirclePoint p = shd::data::circle_point(i, n), mirrored = shd::data::circle_point(n - i, n);
+      const long double angle = kTurn * i / n;
+      shd_assert_close("cosine", i, p.cosine, static_cast<double>(cosl(angle)), 1e-15, 0);
+      shd_assert_close("sine", i, p.sine, static_cast<double>(sinl(angle)), 1e-15, 0);
+      assert_true(p.cosine == mirrored.cosine && p.sine == -mirrored.sine);
+      assert_false((p.cosine == 0 && std::signbit(p.cosine)) || (p.sine == 0 && std::signbit(p.sine)));
+      if (n % 4 == 0 && i <= n / 4) {
+        const shd::data::CirclePoint other = shd::data::circle_point(n / 4 - i, n);
+        assert_true(p.cosine == other.sine && p.sine == other.cosine);
+      }
+    }
+  }
+  assert_true(shd::data::circle_point(1, 4).cosine == 0 && shd::data::circle_point(1, 4).sine == 1);
+  assert_true(shd::data::circle_point(2, 4).cosine == -1 && shd::data::circle_point(4, 4).cosine == 1);
+}
+
 void test_tan_edges(void**) {
   assert_true(shd::data::tan(0.0) == 0.0);
   assert_true(shd::data::tan(1e-300) == 1e-300);
@@ -79,6 +110,8 @@ int main() {
       {"angle/edges", test_angle_edges, nullptr, nullptr, nullptr},
       {"tan/sweep", test_tan, nullptr, nullptr, nullptr},
       {"cos/sweep", test_cos, nullptr, nullptr, nullptr},
+      {"sin/sweep", test_sin, nullptr, nullptr, nullptr},
+      {"circle", test_circle, nullptr, nullptr, nullptr},
       {"tan/edges", test_tan_edges, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests_name("unit.data.trig", tests, nullptr, nullptr);

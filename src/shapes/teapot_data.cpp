@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "teapot_data.h"
+#include "shapes/teapot_data.h"
 
+namespace shd::shapes {
 // clang-format off
 const double kTeapotPoints[kTeapotPointCount][3] = {
     {1.4, 0, 2.4}, {1.4, -0.784, 2.4}, {0.784, -1.4, 2.4}, {0, -1.4, 2.4}, {1.3375, 0, 2.53125},
@@ -104,3 +105,5 @@ const uint16_t kTeapotPatches[kTeapotPatchCount][16] = {
     {270, 270, 270, 270, 300, 305, 306, 279, 297, 303, 304, 275, 294, 301, 302, 271},
 };
 // clang-format on
+
+}  // namespace shd::shapes

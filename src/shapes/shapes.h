@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: shapes, vertices and triangles of common shapes.
+///
+/// Input:      a checked shd_shape_desc without zeros in the segments that the shape names.
+/// Output:     columns of vertices and indices, as shd/shapes.h has them.
+/// Invariants: nothing is allocated. Computed in double and rounded once; vertices at one place have the same bits.
+///             The number of vertices and triangles written is that of counts_of().
+///
+/// | file            | what                                                |
+/// |-----------------|-----------------------------------------------------|
+/// | sink.h          | the columns, each of which may be absent            |
+/// | grid.h          | rows and columns of quadrilaterals as triangles     |
+/// | sphere.cpp      | spheres by longitude and latitude                   |
+/// | box.cpp         | boxes of six grids                                  |
+/// | plane.cpp       | rectangles                                          |
+/// | torus.cpp       | tori                                                |
+/// | teapot.cpp      | the Utah teapot; its control points: teapot_data.h  |
+#pragma once
+
+#include <cstdint>
+
+#include <shd/shapes.h>
+
+#include "shapes/sink.h"
+
+namespace shd::shapes {
+
+/// Vertices and triangles of a shape.
+struct Counts {
+  uint64_t vertices, triangles;
+};
+
+Counts count_sphere(const shd_shape_desc& desc);
+Counts count_box(const shd_shape_desc& desc);
+Counts count_plane(const shd_shape_desc& desc);
+Counts count_torus(const shd_shape_desc& desc);
+Counts count_teapot(const shd_shape_desc& desc);
+
+void fill_sphere(const shd_shape_desc& desc, Sink& out);
+void fill_box(const shd_shape_desc& desc, Sink& out);
+void fill_plane(const shd_shape_desc& desc, Sink& out);
+void fill_torus(const shd_shape_desc& desc, Sink& out);
+void fill_teapot(const shd_shape_desc& desc, Sink& out);
+
+}  // namespace shd::shapes
