@@ -29,12 +29,11 @@ static shd_result render(struct frame *f)
     shd_result result;
 
     fd.width = WIDTH, fd.height = HEIGHT;
-    camera.aspect = (float)WIDTH / HEIGHT;
     camera.eye[0] = 2.0f, camera.eye[1] = 1.8f, camera.eye[2] = 4.0f;
     camera.target[1] = 0.7f;
     if ((result = shd_framebuffer_create(f->context, &fd, &f->framebuffer)) != SHD_OK) return result;
-    if ((result = shd_view_from_camera(&camera, &rd.view)) != SHD_OK) return result;
 
+    rd.camera = &camera; /* its aspect is that of the picture */
     rd.framebuffer = f->framebuffer;
     rd.draws = f->scene.draws;
     rd.draw_count = SCENE_DRAWS;
@@ -59,28 +58,28 @@ static int check(const shd_framebuffer *framebuffer)
            alpha.f32[floor] == 1.0f && depth.f32[floor] < depth.f32[ball] && depth.f32[ball] < 1.0f;
 }
 
+/* Scene-linear, and what a display shows: the sRGB curve alone, or a view of libshd_color. */
 static shd_result save(const struct frame *f)
 {
-    static uint8_t pixels[HEIGHT][WIDTH][4];
-    shd_image image = shd_image_default();
-    shd_result result;
-    image.format = SHD_FORMAT_RGBA8_SRGB;
-    image.width = WIDTH, image.height = HEIGHT;
-    image.pixels = pixels;
-#ifdef EXAMPLE_HAS_COLOR
-    {
-        shd_color *color = NULL;
-        if ((result = shd_color_create(f->context, NULL, &color)) != SHD_OK) return result;
-        result = shd_color_apply_display(color, f->framebuffer, "sRGB", "ACES 1.0 SDR-video", &image);
-        shd_color_release(color);
-    }
-#else
-    result = shd_framebuffer_read_color(f->framebuffer, &image);
-#endif
+    shd_result result = SHD_OK;
 #ifdef EXAMPLE_HAS_IO
-    if (result == SHD_OK) result = shd_framebuffer_save(f->framebuffer, "frame.exr", NULL);
-    if (result == SHD_OK) result = shd_image_save(&image, "frame.png", NULL);
+    shd_save_desc desc = shd_save_desc_default();
+    desc.dither = SHD_DITHER_ORDERED;
+#ifdef EXAMPLE_HAS_COLOR
+    shd_color_view view = {NULL, "sRGB", "ACES 1.0 SDR-video"};
+    shd_color *color = NULL;
+    if ((result = shd_color_create(f->context, NULL, &color)) != SHD_OK) return result;
+    view.color = color;
+    desc.display.apply = shd_color_apply_view, desc.display.user_data = &view;
+#endif
+    result = shd_framebuffer_save(f->framebuffer, "frame.exr", NULL);
+    if (result == SHD_OK) result = shd_framebuffer_save(f->framebuffer, "frame.png", &desc);
     if (result == SHD_OK) printf("frame.exr and frame.png written\n");
+#ifdef EXAMPLE_HAS_COLOR
+    shd_color_release(color);
+#endif
+#else
+    (void)f;
 #endif
     return result;
 }

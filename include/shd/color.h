@@ -113,6 +113,22 @@ SHD_API void shd_color_release(shd_color *color);
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display(const shd_color *color, const shd_framebuffer *framebuffer,
                                                          const char *display, const char *view, const shd_image *out);
 
+/** A display and one of its views, as user_data of a shd_display that saves through them. */
+typedef struct shd_color_view {
+    const shd_color *color; /**< required; borrowed for the call that takes the shd_display */
+    const char *display;    /**< NULL = the config's default */
+    const char *view;       /**< NULL = the display's default */
+} shd_color_view;
+
+/**
+ * shd_color_apply_display as a shd_display.apply, so that one call saves what a display shows:
+ * `save.display.apply = shd_color_apply_view, save.display.user_data = &view`.
+ * @param color_view  a shd_color_view
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_color_apply_view(void *color_view, const shd_framebuffer *framebuffer,
+                                                      const shd_image *out);
+
 /**
  * Bring an image onto a display, as shd_color_apply_display does with a framebuffer.
  * @param in          RGBA16F or RGBA32F image, premultiplied by alpha

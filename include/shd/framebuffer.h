@@ -176,6 +176,17 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_frameb
  */
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer, const shd_image *out);
 
+/** What makes linear colour fit for a display: a transform of libshd_color, or a function of the caller's. */
+typedef struct shd_display {
+    /**
+     * Fills every pixel of `out`, a packed RGBA32F image of the framebuffer's size, with display colour: encoded,
+     * straight alpha, 0..1. Runs on the thread of the call that takes the shd_display; must not throw or longjmp. What
+     * it returns other than SHD_OK, with its text from shd_report_error(), is the call's result. NULL = none.
+     */
+    shd_result (*apply)(void *user_data, const shd_framebuffer *framebuffer, const shd_image *out);
+    void *user_data; /**< borrowed for the call */
+} shd_display;
+
 SHD_END_DECLS
 
 #endif /* SHD_FRAMEBUFFER_H */

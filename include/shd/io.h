@@ -167,6 +167,17 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
 SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const char *path, const shd_load_desc *desc,
                                                   shd_texture **out_texture);
 
+/** How colour is rounded to the codes of an integer format. */
+typedef enum shd_dither {
+    SHD_DITHER_NONE = 0, /**< to the nearest */
+    /**
+     * Up or down by a fixed pattern of the pixel's place, so that areas keep their mean and gradients show no bands.
+     * Values that are codes stay. r, g and b of a pixel share a threshold; alpha is rounded to the nearest.
+     */
+    SHD_DITHER_ORDERED = 1,
+    SHD_DITHER_MAX_ENUM = 0x7fffffff
+} shd_dither;
+
 /** Options of a save. */
 typedef struct shd_save_desc {
     uint32_t struct_size;           /**< set by shd_save_desc_default() */
@@ -174,7 +185,12 @@ typedef struct shd_save_desc {
                                          0 = 8, 16 and 32; images keep theirs */
     shd_color_encoding color_space; /**< framebuffers: AUTO or SRGB in 8 and 16 bits; LINEAR and DATA skip the curve.
                                          Images: what PNG and EXR are tagged with; AUTO = by pixel format */
-    uint32_t reserved;              /**< 0 */
+    shd_dither dither;              /**< of a framebuffer's colour in 8 and 16 bits; default none */
+    /**
+     * In 8 and 16 bits of a framebuffer, takes the place of the sRGB curve; see shd_color_apply_view() in shd/color.h.
+     * Default none.
+     */
+    shd_display display;
     /* ---- end of 0.1; append below ---- */
 } shd_save_desc;
 
@@ -192,7 +208,8 @@ static inline shd_save_desc shd_save_desc_default(void)
  *                 name: Z (0 near .. 1 far), uv.u, uv.v, uv.dudx, uv.dvdx, uv.dudy, uv.dvdy, N.x, N.y, N.z, P.x, P.y,
  *                 P.z, bary.0, bary.1, bary.2, lod (float), triangle, level, draw, overdraw (uint);
  * `.hdr`          r, g, b, linear, premultiplied (negative numbers become 0);
- * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest;
+ * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest,
+ *                 unless `display` and `dither` say otherwise;
  * `.tif` `.tiff`  8 and 16 bits as PNG, 32 bits float as EXR.
  *
  * The file appears whole or not at all: it is written beside its place, flushed to the disk and renamed. What

@@ -13,5 +13,6 @@
 /// | format.h     | how a pixel format is laid out                         |
 /// | read_image.h | checks of a caller's shd_image                         |
 /// | srgb.h       | sRGB to linear and back (IEC 61966-2-1)                |
+/// | dither.h     | thresholds of the ordered dither                       |
 /// | half.h       | IEEE 754 binary16 to binary32 and back, nearest even   |
 #pragma once

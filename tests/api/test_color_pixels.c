@@ -318,6 +318,31 @@ static void test_sources_agree(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
+/** A shd_color_view as a display: the pixels and the refusals of shd_color_apply_display. */
+static void test_view_as_display(void **state)
+{
+    enum { W = 5, H = 3 };
+    float rgba[W * H * 4], a[W * H * 4], b[W * H * 4];
+    shd_image image_a = shd_test_image(SHD_FORMAT_RGBA32F, W, H, a);
+    shd_image image_b = shd_test_image(SHD_FORMAT_RGBA32F, W, H, b);
+    shd_color_view view = {g_color, "sRGB", "Plain"};
+    shd_display display = {shd_color_apply_view, &view};
+    shd_framebuffer *framebuffer;
+    size_t i;
+    (void)state;
+    for (i = 0; i < W * H * 4; ++i) rgba[i] = i % 4 == 3 ? 0.5f : shd_test_value(i);
+    framebuffer = shd_test_framebuffer(g_context, W, H, rgba);
+    shd_assert_ok(shd_color_apply_display(g_color, framebuffer, "sRGB", "Plain", &image_a));
+    shd_assert_ok(display.apply(display.user_data, framebuffer, &image_b));
+    assert_memory_equal(a, b, sizeof a);
+    shd_assert_result("null", display.apply(NULL, framebuffer, &image_b), SHD_ERROR_INVALID_ARGUMENT, "color_view");
+    view.view = "Plainer";
+    shd_assert_result("view", display.apply(&view, framebuffer, &image_b), SHD_ERROR_NOT_FOUND, "Plainer");
+    view.color = NULL;
+    shd_assert_result("color", display.apply(&view, framebuffer, &image_b), SHD_ERROR_INVALID_ARGUMENT, "");
+    shd_framebuffer_release(framebuffer);
+}
+
 #define ADD_ALL(cases, body)                                                              \
     for (i = 0; i < sizeof cases / sizeof cases[0]; ++i) tests[n++] = (struct CMUnitTest) \
         {                                                                                 \
@@ -340,5 +365,6 @@ int main(void)
     ADD("convert/all_halves", test_convert_halves);
     ADD("formats", test_formats);
     ADD("sources_agree", test_sources_agree);
+    ADD("view_as_display", test_view_as_display);
     return _cmocka_run_group_tests("api.color_pixels", tests, n, set_up, tear_down);
 }

@@ -149,9 +149,8 @@ static void test_arguments(void **state)
     desc.bit_depth = 8;
     shd_assert_result("depth", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: 8");
     desc = shd_save_desc_default();
-    desc.reserved = 3;
-    shd_assert_result("reserved", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,
-                      "save.reserved: 3");
+    desc.dither = (shd_dither)3;
+    shd_assert_result("dither", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT, "save.dither: 3");
     desc = shd_save_desc_default();
     desc.color_space = (shd_color_encoding)77;
     shd_assert_result("encoding", shd_image_save(&image, "a.png", &desc), SHD_ERROR_INVALID_ARGUMENT,

@@ -171,6 +171,14 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
   });
 }
 
+shd_result shd_color_apply_view(void* color_view, const shd_framebuffer* framebuffer, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    if (!color_view) refuse(SHD_ERROR_INVALID_ARGUMENT, "color_view: NULL");
+    const auto& view = *static_cast<const shd_color_view*>(color_view);
+    return shd_color_apply_display(view.color, framebuffer, view.display, view.view, out);
+  });
+}
+
 shd_result shd_color_apply_display_image(const shd_color* color, const shd_image* in, const char* from_space,
                                          const char* display, const char* view, const shd_image* out) {
   return guard([&]() -> shd_result {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abi/io/common.h"
+#include "image/dither.h"
 #include "image/half.h"
 #include "image/srgb.h"
 #include "io/oiio.h"
@@ -55,7 +56,9 @@ shd_save_desc read_save_desc(const shd_save_desc* in) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
   }
-  if (desc.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.reserved: %u is not 0", desc.reserved);
+  if (core::enum_bits(desc.dither) > SHD_DITHER_ORDERED) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "save.dither: %u is not a shd_dither", core::enum_bits(desc.dither));
+  }
   return desc;
 }
 
@@ -116,8 +119,10 @@ constexpr struct {
 struct Planes {
   shd_plane_view view[kPlaneCount] = {};
   uint32_t width = 0;
-  bool half = false;  // colour, in EXR
-  bool curve = true;  // sRGB-encode, in integer formats
+  bool half = false;               // colour, in EXR
+  bool curve = true;               // sRGB-encode, in integer formats
+  bool dither = false;             // the same
+  const float* display = nullptr;  // [height][width][4], straight, encoded: what the caller's display made of colour
 };
 
 float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
@@ -127,20 +132,34 @@ float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
   return value;
 }
 
-/// Linear premultiplied colour as straight, in 0..1, encoded if asked.
+/// What a pixel shows, straight and encoded if asked, of any value.
+void shown_color(const Planes& planes, uint32_t x, uint32_t y, double out[4]) {
+  if (planes.display) {
+    const float* pixel = planes.display + 4 * (size_t{y} * planes.width + x);
+    for (int c = 0; c < 4; ++c) out[c] = static_cast<double>(pixel[c]);
+    return;
+  }
+  out[3] = static_cast<double>(plane_value(planes, SHD_PLANE_A, x, y));
+  for (int c = 0; c < 3; ++c) {
+    out[c] = static_cast<double>(plane_value(planes, c, x, y));
+    if (out[3] > 0) out[c] /= out[3];
+  }
+}
+
+/// Colour in the codes of T: clamped to 0..1, encoded if asked, rounded to nearest or dithered.
 template <class T>
 void display_row(const void* user_data, uint32_t y, unsigned char* out) {
   const auto& planes = *static_cast<const Planes*>(user_data);
   constexpr double kMax = T(~T(0));
   for (uint32_t x = 0; x < planes.width; ++x) {
+    const double threshold = planes.dither ? image::dither_threshold(x, y) : 0.5;
+    double color[4];
+    shown_color(planes, x, y, color);
     T rgba[4];
-    const double alpha = static_cast<double>(plane_value(planes, SHD_PLANE_A, x, y));
     for (int c = 0; c < 4; ++c) {
-      double value = c == 3 ? alpha : static_cast<double>(plane_value(planes, c, x, y));
-      if (c < 3 && alpha > 0) value /= alpha;
-      value = value > 0 ? (value < 1 ? value : 1) : 0;  // NaN to 0
-      if (c < 3 && planes.curve) value = image::linear_to_srgb(value);
-      rgba[c] = static_cast<T>(value * kMax + 0.5);
+      double value = color[c] > 0 ? (color[c] < 1 ? color[c] : 1) : 0;  // NaN to 0
+      if (c < 3 && planes.curve && !planes.display) value = image::linear_to_srgb(value);
+      rgba[c] = static_cast<T>(value * kMax + (c < 3 ? threshold : 0.5));
     }
     std::memcpy(out + x * sizeof rgba, rgba, sizeof rgba);
   }
@@ -233,6 +252,20 @@ uint32_t depth_for(const Extension& extension, uint32_t wanted) {
   return wanted;
 }
 
+/// Lets the caller's display make encoded pixels of the framebuffer.
+io::Buffer show(const shd_framebuffer* framebuffer, const shd_display& display, const EncodeJob& job) {
+  shd_image image = shd_image_default();
+  image.format = SHD_FORMAT_RGBA32F;
+  image.width = job.width;
+  image.height = job.height;
+  const size_t size = size_t{16} * job.width * job.height;
+  io::Buffer pixels(memory_of(shd_framebuffer_context(framebuffer)), size);
+  std::memset(pixels.data(), 0, size);
+  image.pixels = pixels.data();
+  require(display.apply(display.user_data, framebuffer, &image));
+  return pixels;
+}
+
 void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, const shd_save_desc& desc) {
   const Extension& extension = extension_of(path);
   const uint32_t depth = depth_for(extension, desc.bit_depth);
@@ -240,6 +273,7 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
   job.writer = extension.writer;
   Planes planes = view_planes(framebuffer, &job);
   job.user_data = &planes;
+  io::Buffer shown;
   if (extension.kind == Kind::kExr) {
     describe_exr(&job, &planes, depth);
   } else if (extension.kind == Kind::kHdr) {
@@ -251,6 +285,9 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
     job.row = float_row<4>;
   } else {
     describe_display(&job, &planes, depth, desc.color_space);
+    planes.dither = desc.dither == SHD_DITHER_ORDERED;
+    if (desc.display.apply) shown = show(framebuffer, desc.display, job);
+    if (shown.size()) planes.display = reinterpret_cast<const float*>(shown.data());
   }
   save(job, path);
 }
@@ -304,6 +341,8 @@ void image_row_rgb(const void* user_data, uint32_t y, unsigned char* out) {
 void save_image(const shd_image& image, const char* path, const shd_save_desc& desc) {
   if (desc.bit_depth != 0)
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.bit_depth: %u is not 0, for an image", desc.bit_depth);
+  if (desc.dither != SHD_DITHER_NONE) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.dither: an image keeps its pixels");
+  if (desc.display.apply) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.display: an image keeps its pixels");
   const Extension& extension = extension_of(path);
   if (!takes(extension.kind, image.format)) {
     refuse(SHD_ERROR_UNSUPPORTED, "image.format: pixels of format %d cannot be stored in %s as they are",
