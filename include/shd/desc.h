@@ -45,6 +45,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_TESSELLATION = 24,      /**< shd_tessellation_desc */
     SHD_DESC_SHAPE = 25,             /**< shd_shape_desc */
     SHD_DESC_SHAPE_COLUMNS = 26,     /**< shd_shape_columns */
+    SHD_DESC_SCENE = 27,             /**< shd_scene_desc, of shd/scene.h */
+    SHD_DESC_SCENE_INFO = 28,        /**< shd_scene_info, of shd/scene.h */
+    SHD_DESC_SCENE_INSTANCE = 29,    /**< shd_scene_instance, of shd/scene.h */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

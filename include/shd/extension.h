@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief For libraries built on shd (libshd_color and libshd_io are two): handles, errors, memory and tasks
+ * @brief For libraries built on shd (libshd_color, libshd_io and libshd_scene are): handles, errors, memory and tasks
  *        with the same guarantees as libshd's own.
  *
  * Thread safety: any thread.

@@ -167,6 +167,14 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
 SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const char *path, const shd_load_desc *desc,
                                                   shd_texture **out_texture);
 
+/**
+ * The same for a file that is in memory.
+ * @param bytes  [size]; borrowed for the call
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_load_memory(shd_context *context, const void *bytes, size_t size,
+                                                         const shd_load_desc *desc, shd_texture **out_texture);
+
 /** How colour is rounded to the codes of an integer format. */
 typedef enum shd_dither {
     SHD_DITHER_NONE = 0, /**< to the nearest */

@@ -8,7 +8,7 @@
  *
  * | shape   | where                                                   | uv                                            |
  * |---------|---------------------------------------------------------|-----------------------------------------------|
- * | sphere  | centre at 0                                             | globe: u from west to east, v from the north   |
+ * | sphere  | centre at 0                                             | globe: u from west to east, v from the north  |
  * |         |                                                         | pole down; (0.5, 0.5) on +Z                   |
  * | box     | centre at 0                                             | (0, 0)..(1, 1) on each side                   |
  * | plane   | y = 0, centre at 0, normal +Y                           | u along +X, v along +Z                        |

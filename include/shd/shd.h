@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief All of libshd. libshd_color and libshd_io have their own headers, shd/color.h and shd/io.h.
+ * @brief All of libshd. libshd_color, libshd_io and libshd_scene have their own headers, shd/color.h, shd/io.h and
+ *        shd/scene.h.
  *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,

@@ -22,4 +22,5 @@
 /// | levels.h         | mip levels that the caller gives                                                  |
 /// | color/           | the C functions of libshd_color                                                   |
 /// | io/              | the C functions of libshd_io; common.h is what its files share                    |
+/// | scene/           | the C functions of libshd_scene                                                   |
 #pragma once

@@ -6,6 +6,7 @@
 #include <shd/color.h>
 #include <shd/desc.h>
 #include <shd/io.h>
+#include <shd/scene.h>
 #include <shd/shd.h>
 
 #include "image/read_image.h"
@@ -131,6 +132,9 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_TESSELLATION: return write_defaults(shd_tessellation_desc_default(), ptr, size);
     case SHD_DESC_SHAPE: return write_defaults(shd_shape_desc_default(), ptr, size);
     case SHD_DESC_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
+    case SHD_DESC_SCENE: return write_defaults(shd_scene_desc_default(), ptr, size);
+    case SHD_DESC_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
+    case SHD_DESC_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

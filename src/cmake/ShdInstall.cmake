@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Install rules: libraries, headers, find_package(shd COMPONENTS color io) and pkg-config files.
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene) and pkg-config files.
 include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)
@@ -53,4 +53,7 @@ if(SHD_WITH_OCIO)
 endif()
 if(SHD_WITH_OIIO)
   shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO" "shd")
+endif()
+if(SHD_WITH_ASSIMP)
+  shd_pkg_config(shd_scene "Model files for shd through assimp" "assimp" "shd_io shd")
 endif()

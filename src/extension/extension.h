@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: extension, what libshd_color and libshd_io share.
+/// Stage contract: extension, what libshd_color, libshd_io and libshd_scene share.
 ///
 /// Input:      descs and images of callers, of which nothing is trusted.
 /// Output:     checked values, or a Failure; results with a text for shd_last_error().
@@ -10,6 +10,6 @@
 /// | file    | what                                                             |
 /// |---------|------------------------------------------------------------------|
 /// | error.h | fail() by way of shd_report_error(), require()                   |
-/// | guard.h | the guard of the C functions of both libraries                   |
+/// | guard.h | the guard of the C functions of these libraries                  |
 /// | desc.h  | descs, images and contexts of callers                            |
 #pragma once

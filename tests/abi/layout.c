@@ -12,6 +12,9 @@
 #ifdef SHD_TEST_IO
 #include <shd/io.h>
 #endif
+#ifdef SHD_TEST_SCENE
+#include <shd/scene.h>
+#endif
 
 #if defined(__LP64__) || defined(_LP64)
 

@@ -4,6 +4,7 @@
 
 #include <shd/color.h>
 #include <shd/io.h>
+#include <shd/scene.h>
 #include <shd/shd.h>
 
 enum { LARGEST = 4096 };
@@ -47,6 +48,9 @@ DEFAULTS(shd_shadow_lookups, shd_shadow_lookups)
 DEFAULTS(shd_tessellation_desc, shd_tessellation_desc)
 DEFAULTS(shd_shape_desc, shd_shape_desc)
 DEFAULTS(shd_shape_columns, shd_shape_columns)
+DEFAULTS(shd_scene_desc, shd_scene_desc)
+DEFAULTS(shd_scene_info, shd_scene_info)
+DEFAULTS(shd_scene_instance, shd_scene_instance)
 
 static const struct kind_case k_kinds[] = {
     {"context", SHD_DESC_CONTEXT, sizeof(shd_context_desc), defaults_shd_context_desc},
@@ -75,6 +79,9 @@ static const struct kind_case k_kinds[] = {
     {"tessellation", SHD_DESC_TESSELLATION, sizeof(shd_tessellation_desc), defaults_shd_tessellation_desc},
     {"shape", SHD_DESC_SHAPE, sizeof(shd_shape_desc), defaults_shd_shape_desc},
     {"shape_columns", SHD_DESC_SHAPE_COLUMNS, sizeof(shd_shape_columns), defaults_shd_shape_columns},
+    {"scene", SHD_DESC_SCENE, sizeof(shd_scene_desc), defaults_shd_scene_desc},
+    {"scene_info", SHD_DESC_SCENE_INFO, sizeof(shd_scene_info), defaults_shd_scene_info},
+    {"scene_instance", SHD_DESC_SCENE_INSTANCE, sizeof(shd_scene_instance), defaults_shd_scene_instance},
 };
 
 static void test_kind(void **state)

@@ -421,6 +421,27 @@ static const struct texture_case k_textures[] = {
 
 static double linear_of(double value) { return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4); }
 
+/* The bytes of the file give the same texture; wrong arguments give none. */
+static void assert_same_from_memory(const char *file, const shd_load_desc *desc, const shd_image *want)
+{
+    const io_bytes bytes = io_read(io_path(file));
+    static float level[PIXELS * 4];
+    shd_image out = *want;
+    shd_texture *texture = NULL;
+    out.pixels = level;
+    shd_assert_ok(shd_texture_load_memory(g_context, bytes.data, bytes.size, desc, &texture));
+    shd_assert_ok(shd_texture_read_level(texture, 0, 0, &out));
+    assert_memory_equal(out.pixels, want->pixels, PIXELS * shd_format_size(out.format));
+    shd_texture_release(texture);
+    shd_assert_result("null", shd_texture_load_memory(g_context, NULL, 4, desc, &texture), SHD_ERROR_INVALID_ARGUMENT,
+                      "bytes: NULL");
+    assert_null(texture);
+    shd_assert_result("cut", shd_texture_load_memory(g_context, bytes.data, 20, desc, &texture), SHD_ERROR_CORRUPT, "");
+    shd_assert_result("out", shd_texture_load_memory(g_context, bytes.data, bytes.size, desc, NULL),
+                      SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
+    free(bytes.data);
+}
+
 static void test_texture(void **state)
 {
     const struct texture_case *c = (const struct texture_case *)*state;
@@ -445,6 +466,7 @@ static void test_texture(void **state)
     out.pixels = level;
     shd_assert_ok(shd_texture_read_level(texture, 0, 0, &out));
     shd_texture_release(texture);
+    assert_same_from_memory(c->file, &desc, &out);
     out.row_stride = WIDTH * shd_format_size(out.format);
     for (i = 0; i < PIXELS; ++i) {
         for (k = 0; k < 4; ++k) {

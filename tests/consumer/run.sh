@@ -42,6 +42,7 @@ with_find_package() {
   local components=()
   [ "$HAS_COLOR" = 0 ] || components+=(color)
   [ "$HAS_IO" = 0 ] || components+=(io)
+  [ "$HAS_SCENE" = 0 ] || components+=(scene)
   install_shd
   build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
     "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
@@ -61,6 +62,7 @@ with_pkg_config() {
       sources+=("$SOURCE/examples/frame_scene.c")
       [ "$HAS_COLOR" = 0 ] || { modules+=(shd_color) && defines+=(-DEXAMPLE_HAS_COLOR); }
       [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
+      [ "$HAS_SCENE" = 0 ] || modules+=(shd_scene)
     fi
     read -ra flags <<<"$(pkg-config --cflags --libs "${modules[@]}")"
     "$CC" "${warnings[@]}" "${defines[@]}" "${sources[@]}" -o "$WORK/$example" "${flags[@]}" -lm -pthread

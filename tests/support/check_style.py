@@ -13,7 +13,7 @@ import sys
 
 # The data flow. An include may point to the same stage or to one before it; abi sees all.
 STAGES = ["core", "data", "shapes", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
-          "frame", "extension", "color", "io", "abi"]
+          "frame", "extension", "color", "io", "scene", "abi", "tool"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "examples", "bindings"]
 DATA_FOLDERS = {"golden", "corpus"}
@@ -21,6 +21,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio.cpp"},
     "OpenImageIO/": {"src/io/oiio.cpp"},
+    "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
+                "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},
 }
 FORBIDDEN_CALLS = re.compile(
     r"\b(MulAdd|MulSub|NegMulAdd|NegMulSub|MulAddSub|ApproximateReciprocal\w*|fma|fmaf|ffast-math)\b")
@@ -57,7 +59,8 @@ def check_includes(root):
 
 
 def check_third_party(root):
-    """Headers of OpenColorIO and OpenImageIO stay in one file each; the benchmarks' peers have their own folder."""
+    """Headers of OpenColorIO, OpenImageIO and assimp stay in the files that are named. Peers of the benchmarks have their
+    own folder."""
     for path in sources(root, ["src", "include"], {".cpp", ".h"}):
         for number, line in numbered_lines(root, path):
             match = INCLUDE.match(line)

@@ -111,6 +111,19 @@ io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& 
   }
 }
 
+/// A file in the caller's memory.
+io::Bitmap load_copy(shd_context* context, const void* bytes, size_t size, const LoadRequest& request) {
+  if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
+  if (size > request.options.limits.file_bytes) {
+    refuse(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
+           static_cast<unsigned long long>(request.options.limits.file_bytes));
+  }
+  io::accept(static_cast<const unsigned char*>(bytes), size, request.options);
+  const io::Buffer copy(memory_of(context), size);
+  std::memcpy(copy.data(), bytes, size);
+  return load_bytes(context, request, copy.data(), size);
+}
+
 /// Texels of a bitmap whose numbers no texture format means, linear.
 io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
   const io::Transfer transfer = io::transfer_of(bitmap.color_space);
@@ -124,6 +137,17 @@ io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
   io::Buffer texels(memory, pixels * 16);
   io::linearise(transfer, bitmap.format, bitmap.pixels.data(), pixels, reinterpret_cast<float*>(texels.data()));
   return texels;
+}
+
+shd_result make_texture(shd_context* context, const io::Bitmap& bitmap, uint32_t tables, shd_texture** out_texture) {
+  const io::Buffer linear = linear_texels(bitmap, memory_of(context));
+  shd_texture_desc texture = shd_texture_desc_default();
+  texture.format = linear.size() ? SHD_FORMAT_RGBA32F : bitmap.format;
+  texture.width = bitmap.width;
+  texture.height = bitmap.height;
+  texture.texels = linear.size() ? linear.data() : bitmap.pixels.data();
+  texture.tables = tables;
+  return shd_texture_create(context, &texture, out_texture);
 }
 
 }  // namespace
@@ -146,16 +170,7 @@ shd_result shd_bitmap_load_memory(shd_context* context, const void* bytes, size_
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
-    if (!bytes) return fail(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
-    const LoadRequest request = read_load_desc(desc);
-    if (size > request.options.limits.file_bytes) {
-      return fail(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
-                  static_cast<unsigned long long>(request.options.limits.file_bytes));
-    }
-    io::accept(static_cast<const unsigned char*>(bytes), size, request.options);
-    const io::Buffer copy(memory_of(context), size);
-    std::memcpy(copy.data(), bytes, size);
-    *out_bitmap = make_bitmap(context, load_bytes(context, request, copy.data(), size));
+    *out_bitmap = make_bitmap(context, load_copy(context, bytes, size, read_load_desc(desc)));
     return SHD_OK;
   });
 }
@@ -203,15 +218,18 @@ shd_result shd_texture_load(shd_context* context, const char* path, const shd_lo
     *out_texture = nullptr;
     require_context(context);
     const LoadRequest request = read_load_desc(desc);
-    const io::Bitmap bitmap = load_path(context, path, request);
-    const io::Buffer linear = linear_texels(bitmap, memory_of(context));
-    shd_texture_desc texture = shd_texture_desc_default();
-    texture.format = linear.size() ? SHD_FORMAT_RGBA32F : bitmap.format;
-    texture.width = bitmap.width;
-    texture.height = bitmap.height;
-    texture.texels = linear.size() ? linear.data() : bitmap.pixels.data();
-    texture.tables = request.desc.tables;
-    return shd_texture_create(context, &texture, out_texture);
+    return make_texture(context, load_path(context, path, request), request.desc.tables, out_texture);
+  });
+}
+
+shd_result shd_texture_load_memory(shd_context* context, const void* bytes, size_t size, const shd_load_desc* desc,
+                                   shd_texture** out_texture) {
+  return guard([&]() -> shd_result {
+    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
+    *out_texture = nullptr;
+    require_context(context);
+    const LoadRequest request = read_load_desc(desc);
+    return make_texture(context, load_copy(context, bytes, size, request), request.desc.tables, out_texture);
   });
 }
 

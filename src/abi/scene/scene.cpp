@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+#include <shd/scene.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "extension/desc.h"
+#include "extension/guard.h"
+#include "scene/import.h"
+#include "scene/objects.h"
+
+namespace {
+
+using namespace shd;
+using namespace shd::extension;
+
+constexpr uint32_t kSceneType = 0x53434e45;  // 'SCNE'
+constexpr uint64_t kMaxInstances = uint64_t{1} << 20;
+
+using Body = scene::Objects;
+
+shd_object* object_of(const shd_scene* handle) {
+  return reinterpret_cast<shd_object*>(const_cast<shd_scene*>(handle));
+}
+
+const Body* body_of(const shd_scene* handle) {
+  return static_cast<const Body*>(shd_object_body(object_of(handle), kSceneType));
+}
+
+/// The body of a live handle; throws Failure.
+const Body& require_body(const shd_scene* handle) {
+  if (!handle) refuse(SHD_ERROR_INVALID_ARGUMENT, "scene: NULL");
+  const Body* body = body_of(handle);
+  if (!body) throw Failure(SHD_ERROR_INVALID_ARGUMENT, shd_last_error());
+  return *body;
+}
+
+/// A load desc, read and checked.
+struct Request {
+  scene::ObjectOptions options;
+  scene::Limits limits;
+};
+
+void set_budget(uint64_t value, uint64_t* limit) {
+  if (value) *limit = value;
+}
+
+void read_limits(const shd_scene_desc& desc, scene::Limits* limits) {
+  set_budget(desc.max_file_bytes, &limits->file_bytes);
+  set_budget(desc.max_vertices, &limits->vertices);
+  set_budget(desc.max_triangles, &limits->triangles);
+  set_budget(desc.max_nodes, &limits->nodes);
+  set_budget(desc.max_instances, &limits->instances);
+  set_budget(desc.max_texture_bytes, &limits->texture_bytes);
+  if (limits->instances > kMaxInstances) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.max_instances: %llu is not in 0..%llu",
+           static_cast<unsigned long long>(limits->instances), static_cast<unsigned long long>(kMaxInstances));
+  }
+  if (desc.time_limit == 0) return;
+  if (!(desc.time_limit > 0) || !std::isfinite(desc.time_limit)) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.time_limit: %g is not positive", desc.time_limit);
+  }
+  limits->seconds = desc.time_limit;
+}
+
+/// Checks the parts of a desc that other functions read later, so that a mistake shows before the file is read.
+void check_parts(shd_context* context, const scene::ObjectOptions& options) {
+  scene::Sampler sampler;
+  require(shd_sampler_create(context, &options.sampler, sampler.out()));
+  constexpr uint32_t kKnown = SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY;
+  if (options.mesh_flags & ~kKnown) {
+    refuse(SHD_ERROR_UNSUPPORTED, "scene.mesh_flags: bits 0x%x are not known", options.mesh_flags & ~kKnown);
+  }
+}
+
+Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
+  shd_scene_desc desc = shd_scene_desc_default();
+  read_desc("scene", in, &desc);
+  if (desc.flags & ~uint32_t{SHD_SCENE_REQUIRE_TEXTURES}) {
+    refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known",
+           desc.flags & ~uint32_t{SHD_SCENE_REQUIRE_TEXTURES});
+  }
+  if (desc.reserved) refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.reserved: %u is not 0", desc.reserved);
+  Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false}, {}};
+  read_desc("scene.sampler", desc.sampler, &request.options.sampler);
+  read_desc("scene.texture", desc.texture, &request.options.load);
+  if (!desc.sampler) request.options.sampler.filter = SHD_FILTER_TRILINEAR;
+  request.options.load.color_space = SHD_COLOR_ENCODING_AUTO;
+  request.options.all_textures_required = (desc.flags & SHD_SCENE_REQUIRE_TEXTURES) != 0;
+  read_limits(desc, &request.limits);
+  check_parts(context, request.options);
+  return request;
+}
+
+std::unique_ptr<Body> load(shd_context* context, const char* path, const Request& request) {
+  const scene::Deadline deadline(request.limits.seconds);
+  auto body = std::make_unique<Body>();
+  scene::make_objects(context, scene::import_file(path, request.limits, deadline), request.options, request.limits,
+                      deadline, body.get());
+  for (std::string& warning : body->warnings) {
+    core::make_printable(warning.data(), warning.size());
+    shd_context_log(context, SHD_LOG_WARNING, warning.c_str());
+  }
+  return body;
+}
+
+const std::vector<std::string>* names_of(const Body& body, shd_scene_part part) {
+  switch (core::enum_bits(part)) {
+    case SHD_SCENE_PART_MESH: return &body.mesh_names;
+    case SHD_SCENE_PART_MATERIAL: return &body.material_names;
+    case SHD_SCENE_PART_TEXTURE: return &body.texture_names;
+    case SHD_SCENE_PART_LIGHT: return &body.light_names;
+    case SHD_SCENE_PART_CAMERA: return &body.camera_names;
+    default: return nullptr;
+  }
+}
+
+/// The handle of row `index`, or null.
+template <class Owner>
+auto handle_of(const shd_scene* handle, const std::vector<Owner> Body::*rows, uint32_t index) {
+  const Body* body = body_of(handle);
+  return body && index < (body->*rows).size() ? (body->*rows)[index].get() : nullptr;
+}
+
+/// Throws Failure unless the caller's struct is there and as large as that of any version.
+template <class Out>
+void check_out(const char* name, const Out* out) {
+  if (!out) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
+  if (out->struct_size >= sizeof *out) return;
+  refuse(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name,
+         out->struct_size, sizeof *out);
+}
+
+/// Writes a struct to the caller's, which keeps its size.
+template <class Out>
+void write_out(const Out& from, Out* out) {
+  const uint32_t size = out->struct_size;
+  std::memcpy(static_cast<void*>(out), &from, sizeof from);
+  out->struct_size = size;
+}
+
+/// Row `index` to the caller's struct.
+template <class Out>
+shd_result read_row(const shd_scene* handle, const std::vector<Out> Body::*rows, const char* part, uint32_t index,
+                    const char* name, Out* out) {
+  return guard([&]() -> shd_result {
+    check_out(name, out);
+    const Body& body = require_body(handle);
+    if (index >= (body.*rows).size()) {
+      refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu %s", index, (body.*rows).size(), part);
+    }
+    write_out((body.*rows)[index], out);
+    return SHD_OK;
+  });
+}
+
+shd_scene_info info_of(const Body& body) {
+  shd_scene_info info = shd_scene_info_default();
+  info.mesh_count = static_cast<uint32_t>(body.meshes.size());
+  info.material_count = static_cast<uint32_t>(body.materials.size());
+  info.texture_count = static_cast<uint32_t>(body.found_textures.size());
+  info.light_count = static_cast<uint32_t>(body.lights.size());
+  info.camera_count = static_cast<uint32_t>(body.cameras.size());
+  info.instance_count = static_cast<uint32_t>(body.instances.size());
+  info.warning_count = static_cast<uint32_t>(body.warnings.size());
+  info.vertex_count = body.vertex_count;
+  info.triangle_count = body.triangle_count;
+  for (int c = 0; c < 3; ++c) {
+    info.bounds_min[c] = static_cast<float>(body.bounds.low[c]);
+    info.bounds_max[c] = static_cast<float>(body.bounds.high[c]);
+  }
+  return info;
+}
+
+}  // namespace
+
+extern "C" {
+
+shd_result shd_scene_load(shd_context* context, const char* path, const shd_scene_desc* desc, shd_scene** out_scene) {
+  return guard([&]() -> shd_result {
+    if (!out_scene) refuse(SHD_ERROR_INVALID_ARGUMENT, "out_scene: NULL");
+    *out_scene = nullptr;
+    require_context(context);
+    if (!path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: NULL");
+    if (!*path) refuse(SHD_ERROR_INVALID_ARGUMENT, "path: empty");
+    std::unique_ptr<Body> body = load(context, path, read_scene_desc(context, desc));
+    const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
+    shd_object* object = nullptr;
+    require(shd_object_create(context, kSceneType, body.get(), destroy, &object));
+    (void)body.release();
+    *out_scene = reinterpret_cast<shd_scene*>(object);
+    return SHD_OK;
+  });
+}
+
+void shd_scene_retain(shd_scene* scene) {
+  shd_object_retain(object_of(scene), kSceneType);
+}
+
+void shd_scene_release(shd_scene* scene) {
+  shd_object_release(object_of(scene), kSceneType);
+}
+
+shd_result shd_scene_get_info(const shd_scene* scene, shd_scene_info* out_info) {
+  return guard([&]() -> shd_result {
+    check_out("info", out_info);
+    write_out(shd_scene_info(), out_info);
+    write_out(info_of(require_body(scene)), out_info);
+    return SHD_OK;
+  });
+}
+
+const char* shd_scene_warning(const shd_scene* scene, uint32_t index) {
+  const Body* body = body_of(scene);
+  return body && index < body->warnings.size() ? body->warnings[index].c_str() : nullptr;
+}
+
+const char* shd_scene_name(const shd_scene* scene, shd_scene_part part, uint32_t index) {
+  const Body* body = body_of(scene);
+  const std::vector<std::string>* names = body ? names_of(*body, part) : nullptr;
+  return names && index < names->size() ? (*names)[index].c_str() : nullptr;
+}
+
+shd_mesh* shd_scene_mesh(const shd_scene* scene, uint32_t index) {
+  return handle_of(scene, &Body::meshes, index);
+}
+
+shd_material* shd_scene_material(const shd_scene* scene, uint32_t index) {
+  return handle_of(scene, &Body::materials, index);
+}
+
+shd_texture* shd_scene_texture(const shd_scene* scene, uint32_t index) {
+  const Body* body = body_of(scene);
+  return body && index < body->found_textures.size() ? body->found_textures[index] : nullptr;
+}
+
+shd_light* shd_scene_light(const shd_scene* scene, uint32_t index) {
+  return handle_of(scene, &Body::lights, index);
+}
+
+shd_result shd_scene_get_material_desc(const shd_scene* scene, uint32_t index, shd_material_desc* out_desc) {
+  return read_row(scene, &Body::material_descs, "materials", index, "desc", out_desc);
+}
+
+shd_result shd_scene_get_light_desc(const shd_scene* scene, uint32_t index, shd_light_desc* out_desc) {
+  return read_row(scene, &Body::light_descs, "lights", index, "desc", out_desc);
+}
+
+shd_result shd_scene_get_camera(const shd_scene* scene, uint32_t index, shd_camera* out_camera) {
+  return read_row(scene, &Body::cameras, "cameras", index, "camera", out_camera);
+}
+
+shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_scene_instance* out_instance) {
+  return guard([&]() -> shd_result {
+    check_out("instance", out_instance);
+    const Body& body = require_body(scene);
+    if (index >= body.instances.size()) {
+      refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu instances", index, body.instances.size());
+    }
+    const scene::Instance& from = body.instances[index];
+    shd_scene_instance instance = shd_scene_instance_default();
+    instance.mesh = static_cast<uint32_t>(from.geometry);
+    instance.material = static_cast<uint32_t>(from.surface);
+    std::memcpy(instance.object_to_world, from.object_to_world.data(), sizeof instance.object_to_world);
+    write_out(instance, out_instance);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_scene_fill_render(const shd_scene* scene, shd_render_desc* in_out_render) {
+  return guard([&]() -> shd_result {
+    check_out("render", in_out_render);
+    const Body& body = require_body(scene);
+    in_out_render->draws = body.draws.data();
+    in_out_render->draw_count = body.draws.size();
+    in_out_render->lights = body.light_list.data();
+    in_out_render->light_count = body.light_list.size();
+    return SHD_OK;
+  });
+}
+
+}  // extern "C"

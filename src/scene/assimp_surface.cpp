@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/commonMetaData.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <shd/sampler.h>
+
+#include "scene/assimp_parts.h"
+#include "scene/find_file.h"
+
+namespace shd::scene {
+namespace {
+
+/// What the materials of one scene share.
+struct Materials {
+  const aiScene& scene;
+  std::string folder;  // of the model, for its textures
+  bool gltf2 = false;
+  bool texture_replaces_color = false;                     // Collada: a texture stands in place of the colour
+  std::map<std::pair<std::string, bool>, int> texture_of;  // name in the model, and whether it is data
+  Model& model;
+};
+
+// assimp stores texels of uncompressed embedded textures as b, g, r, a.
+void copy_texels(const aiTexture& from, TextureSource& to) {
+  to.width = from.mWidth;
+  to.height = from.mHeight;
+  to.rgba.resize(size_t{4} * to.width * to.height);
+  for (size_t i = 0; i < to.rgba.size() / 4; ++i) {
+    const aiTexel& texel = from.pcData[i];
+    const unsigned char rgba[4] = {texel.r, texel.g, texel.b, texel.a};
+    for (size_t c = 0; c < 4; ++c) to.rgba[4 * i + c] = rgba[c];
+  }
+}
+
+int add_texture(Materials& materials, const std::string& name, bool data) {
+  const auto known = materials.texture_of.find({name, data});
+  if (known != materials.texture_of.end()) return known->second;
+  TextureSource source;
+  source.data = data;
+  if (const aiTexture* embedded = materials.scene.GetEmbeddedTexture(name.c_str())) {
+    source.path = "embedded texture " + text_of(name.c_str());
+    if (embedded->mHeight == 0) {  // a whole image file of mWidth bytes
+      const auto* bytes = reinterpret_cast<const unsigned char*>(embedded->pcData);
+      source.file.assign(bytes, bytes + embedded->mWidth);
+    } else {
+      copy_texels(*embedded, source);
+    }
+  } else {
+    source.path = find_file(materials.folder, name);
+  }
+  materials.model.textures.push_back(std::move(source));
+  const int index = static_cast<int>(materials.model.textures.size()) - 1;
+  materials.texture_of[{name, data}] = index;
+  return index;
+}
+
+int wrap_of(aiTextureMapMode mode) {
+  switch (mode) {
+    case aiTextureMapMode_Clamp: return SHD_WRAP_CLAMP;
+    case aiTextureMapMode_Mirror: return SHD_WRAP_MIRROR;
+    case aiTextureMapMode_Decal: return SHD_WRAP_BORDER;
+    default: return SHD_WRAP_REPEAT;
+  }
+}
+
+/// A colour of the material within the range shd takes. False if the material has none.
+bool read_color(const aiMaterial& material, const char* key, unsigned type, unsigned index, std::array<float, 3>& out) {
+  aiColor4D color;
+  if (material.Get(key, type, index, color) != AI_SUCCESS) return false;
+  const float channels[3] = {color.r, color.g, color.b};
+  for (size_t c = 0; c < 3; ++c) out[c] = channels[c] >= 0.0f && channels[c] <= 1e6f ? channels[c] : 0.0f;
+  return true;
+}
+
+/// A number of the material within low..high. False, and `out` as it was, if the material has none.
+bool read_number(const aiMaterial& material, const char* key, unsigned type, unsigned index, float low, float high,
+                 float& out) {
+  float number = 0.0f;
+  if (material.Get(key, type, index, number) != AI_SUCCESS || !(number >= low && number <= high)) return false;
+  out = number;
+  return true;
+}
+
+/// KHR_texture_transform as a slot has it: assimp turns glTF's offset, rotation and scale about the upper left corner
+/// into its own about the middle of a texture whose v grows upwards; this undoes it.
+std::array<float, 6> uv_transform_of(const aiUVTransform& t) {
+  const float sx = t.mScaling.x, sy = t.mScaling.y, c = std::cos(-t.mRotation), s = std::sin(-t.mRotation);
+  const float x = t.mTranslation.x - 0.5f * sx * (1.0f - c + s);
+  const float y = 0.5f * sy * (s + c - 1.0f) + 1.0f - sy - t.mTranslation.y;
+  return {sx * c, sy * s, x, -sx * s, sy * c, y};
+}
+
+/// The first texture of a type, if there is one that `map` has not yet.
+void read_map(Materials& materials, const aiMaterial& material, aiTextureType type, bool data, Map& map) {
+  aiString path;
+  unsigned uv_set = 0;
+  aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+  if (map.texture >= 0 ||
+      material.GetTexture(type, 0, &path, nullptr, &uv_set, nullptr, nullptr, modes) != AI_SUCCESS) {
+    return;
+  }
+  if (uv_set > 1) {
+    materials.model.warnings.push_back("texture \"" + text_of(path.C_Str()) +
+                                       "\": its texture coordinates are not among the first two sets");
+    return;
+  }
+  map.texture = add_texture(materials, path.C_Str(), data);
+  map.uv_set = uv_set;
+  map.wrap_u = wrap_of(modes[0]);
+  map.wrap_v = wrap_of(modes[1]);
+  aiUVTransform transform;
+  if (materials.gltf2 && material.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == AI_SUCCESS) {
+    map.uv_transform = uv_transform_of(transform);
+  }
+  for (float& c : map.uv_transform) c = std::isfinite(c) ? c : 0.0f;
+}
+
+void read_metallic_roughness(Materials& materials, const aiMaterial& material, Surface& surface) {
+  surface.metallic_roughness = true;
+  read_number(material, AI_MATKEY_METALLIC_FACTOR, 0.0f, 1.0f, surface.metallic);
+  Map& roughness = surface.maps[SHD_SLOT_ROUGHNESS];
+  read_map(materials, material, aiTextureType_UNKNOWN, true, roughness);  // where assimp keeps glTF's
+  roughness.channel = 1;
+  surface.maps[SHD_SLOT_METALLIC] = roughness;
+  surface.maps[SHD_SLOT_METALLIC].channel = 2;
+  read_map(materials, material, aiTextureType_NORMALS, true, surface.maps[SHD_SLOT_NORMAL]);
+  read_map(materials, material, aiTextureType_LIGHTMAP, true, surface.maps[SHD_SLOT_OCCLUSION]);
+  read_map(materials, material, aiTextureType_EMISSIVE, false, surface.maps[SHD_SLOT_EMISSION]);
+  read_color(material, AI_MATKEY_COLOR_EMISSIVE, surface.emission);
+  read_number(material, AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), -1e3f, 1e3f, surface.normal_scale);
+  read_number(material, AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), 0.0f, 1.0f,
+              surface.occlusion_strength);
+}
+
+void read_alpha(const aiMaterial& material, Surface& surface) {
+  aiString mode;
+  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS) return;
+  surface.alpha = mode == aiString("BLEND") ? Alpha::kBlend : mode == aiString("MASK") ? Alpha::kMask : Alpha::kOpaque;
+  read_number(material, AI_MATKEY_GLTF_ALPHACUTOFF, 0.0f, 1.0f, surface.alpha_cutoff);
+  aiColor4D color;
+  if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS && color.a >= 0.0f && color.a <= 1.0f) {
+    surface.opacity = color.a;
+  }
+}
+
+/// What materials that are not of metallic-roughness have besides colour.
+void read_classic(Materials& materials, const aiMaterial& material, Surface& surface) {
+  read_map(materials, material, aiTextureType_SPECULAR, false, surface.maps[SHD_SLOT_SPECULAR]);
+  read_map(materials, material, aiTextureType_SHININESS, true, surface.maps[SHD_SLOT_EXPONENT]);
+  read_map(materials, material, aiTextureType_OPACITY, true, surface.maps[SHD_SLOT_OPACITY]);
+  read_map(materials, material, aiTextureType_NORMALS, true, surface.maps[SHD_SLOT_NORMAL]);
+  read_map(materials, material, aiTextureType_HEIGHT, true, surface.maps[SHD_SLOT_HEIGHT]);
+  read_map(materials, material, aiTextureType_AMBIENT_OCCLUSION, true, surface.maps[SHD_SLOT_OCCLUSION]);
+  read_map(materials, material, aiTextureType_EMISSIVE, false, surface.maps[SHD_SLOT_EMISSION]);
+  read_color(material, AI_MATKEY_COLOR_EMISSIVE, surface.emission);
+  const bool black = surface.emission == std::array<float, 3>{0, 0, 0};
+  if (surface.maps[SHD_SLOT_EMISSION].texture >= 0 && black) surface.emission = {1, 1, 1};
+  // Files in which 0 means opaque are common: it counts as 1.
+  float opacity = 1.0f;
+  if (read_number(material, AI_MATKEY_OPACITY, 0.0f, 1.0f, opacity) && opacity > 0.0f) surface.opacity = opacity;
+  if (surface.opacity < 1.0f || surface.maps[SHD_SLOT_OPACITY].texture >= 0) surface.alpha = Alpha::kBlend;
+}
+
+Surface surface_of(Materials& materials, const aiMaterial& material) {
+  Surface surface;
+  aiString name;
+  if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) surface.name = text_of(name.C_Str());
+  if (!read_color(material, AI_MATKEY_BASE_COLOR, surface.diffuse)) {
+    read_color(material, AI_MATKEY_COLOR_DIFFUSE, surface.diffuse);
+  }
+  if (read_number(material, AI_MATKEY_SHININESS, 1.0f, 1e6f, surface.exponent)) {
+    read_color(material, AI_MATKEY_COLOR_SPECULAR, surface.specular);
+  }
+  Map& diffuse = surface.maps[SHD_SLOT_DIFFUSE];
+  read_map(materials, material, aiTextureType_BASE_COLOR, false, diffuse);
+  read_map(materials, material, aiTextureType_DIFFUSE, false, diffuse);
+  const bool black = surface.diffuse == std::array<float, 3>{0, 0, 0};
+  if (diffuse.texture >= 0 && (materials.texture_replaces_color || black)) surface.diffuse = {1, 1, 1};
+  if (read_number(material, AI_MATKEY_ROUGHNESS_FACTOR, 0.0f, 1.0f, surface.roughness)) {
+    read_metallic_roughness(materials, material, surface);
+  } else {
+    read_classic(materials, material, surface);
+  }
+  read_alpha(material, surface);
+  int two_sided = 0;
+  surface.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
+  return surface;
+}
+
+std::string format_of(const aiScene& scene) {
+  aiString format;
+  if (scene.mMetaData) scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format);
+  return format.C_Str();
+}
+
+}  // namespace
+
+bool is_gltf2(const aiScene& scene) {
+  return format_of(scene).find("glTF2") != std::string::npos;
+}
+
+void add_surfaces(const aiScene& scene, const std::string& path, Model& model) {
+  const size_t slash = path.find_last_of('/');
+  Materials materials{scene,
+                      slash == std::string::npos ? "." : path.substr(0, slash + 1),
+                      is_gltf2(scene),
+                      format_of(scene).find("Collada") != std::string::npos,
+                      {},
+                      model};
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    model.surfaces.push_back(surface_of(materials, *scene.mMaterials[i]));
+  }
+}
+
+}  // namespace shd::scene

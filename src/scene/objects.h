@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shd/io.h>
+
+#include "scene/bounds.h"
+#include "scene/limits.h"
+#include "scene/model.h"
+#include "scene/owned.h"
+
+namespace shd::scene {
+
+/// How objects are made.
+struct ObjectOptions {
+  shd_sampler_desc sampler;  // wraps come from the model
+  shd_load_desc load;        // of textures
+  uint32_t mesh_flags;
+  bool all_textures_required;
+};
+
+/// A model as handles, and what they were made from. Members point at each other: objects stay where they are made.
+struct Objects {
+  std::vector<Texture> textures;  // of the model, in its order; empty where one could not be read
+  std::vector<shd_texture*> found_textures;
+  std::vector<std::string> texture_names;  // of the found ones
+  std::vector<Sampler> samplers;
+  std::vector<shd_material_desc> material_descs;
+  std::vector<Material> materials;
+  std::vector<std::string> material_names;
+  std::vector<Mesh> meshes;
+  std::vector<std::string> mesh_names;
+  std::vector<shd_light_desc> light_descs;
+  std::vector<Light> lights;
+  std::vector<const shd_light*> light_list;
+  std::vector<std::string> light_names;
+  std::vector<shd_camera> cameras;
+  std::vector<std::string> camera_names;
+  std::vector<Instance> instances;
+  std::vector<shd_draw> draws;  // of the instances
+  std::vector<std::string> warnings;
+  uint64_t vertex_count = 0, triangle_count = 0;  // of the meshes
+  Bounds bounds;
+};
+
+/// Throws Failure; what was made so far is released then.
+void make_objects(shd_context* context, Model&& model, const ObjectOptions& options, const Limits& limits,
+                  const Deadline& deadline, Objects* out);
+
+}  // namespace shd::scene
