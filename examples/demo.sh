@@ -32,7 +32,7 @@ cmake -S . -B build/demo -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=O
 cmake --build build/demo --target shd-render
 
 models=/usr/share/assimp/models
-render=build/demo/examples/shd-render/shd-render
+render=build/demo/src/tool/shd-render
 mkdir -p out
 
 # picture NAME MODEL OPTIONS...: renders MODEL, or the checkered teapot where that is not installed

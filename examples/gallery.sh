@@ -45,7 +45,7 @@ transforms=$models/glTF2/textureTransform/TextureTransformTest.gltf
 bark=$models/OBJ/drkwood2.jpg
 stones=$models/IRRMesh/crackedground_1-6.jpg
 earth=/usr/share/xplanet/images/earth.jpg
-render=$build/examples/shd-render/shd-render
+render=$build/src/tool/shd-render
 out=out/gallery
 mkdir -p "$out"
 rm -f "$out"/*.png

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "tool/lights.h"
+
+#include <cmath>
+
+#include "tool/failure.h"
+#include "tool/materials.h"
+#include "tool/textures.h"
+
+namespace {
+
+constexpr float kDegree = 3.14159265f / 180.0f;
+
+void add_light(shd_context* context, const shd_light_desc& desc, std::vector<StageLight>& out, bool casts = true) {
+  StageLight light;
+  check(shd_light_create(context, &desc, light.light.out()), "light");
+  light.casts = casts;
+  light.kind = desc.kind;
+  out.push_back(std::move(light));
+}
+
+/// What the lights of one frame share.
+struct Stage {
+  shd_context* context;
+  const Options& options;
+  const Bounds& bounds;
+  const Camera& camera;
+  float exposure;
+};
+
+/// Light from `from` in the camera's frame: right, up, back.
+void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
+  const Camera& camera = stage.camera;
+  shd_light_desc desc = shd_light_desc_default();
+  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  for (size_t c = 0; c < 3; ++c) {
+    desc.direction[c] = -(from[0] * camera.right[c] + from[1] * camera.up[c] + from[2] * camera.back[c]);
+    desc.intensity[c] = stage.exposure * color[c];
+  }
+  add_light(stage.context, desc, out);
+}
+
+struct PresetLight {
+  float from[3], color[3];
+};
+
+// Warm key from the upper left, cool fill from the right, white rim from behind.
+constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
+                                   {{0.9f, 0.1f, 0.5f}, {0.3f, 0.34f, 0.42f}},
+                                   {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
+constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
+
+/// The two points of graphics courses, which stand around a model of radius 3.
+void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
+  shd_light_desc descs[8];
+  size_t count = 8;
+  check(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs), "course lights");
+  const float unit = stage.bounds.radius / 3.0f;
+  for (size_t i = 0; i < count && i < 8; ++i) {
+    shd_light_desc& desc = descs[i];
+    if (desc.kind == SHD_LIGHT_AMBIENT) continue;
+    for (size_t c = 0; c < 3; ++c) {
+      desc.position[c] = stage.bounds.center[c] + unit * desc.position[c];
+      desc.intensity[c] *= stage.exposure * unit * unit;
+    }
+    add_light(stage.context, desc, out);
+  }
+}
+
+void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie,
+                      std::vector<StageLight>& out) {
+  const Bounds& bounds = stage.bounds;
+  const float falloff = option.kind == SHD_LIGHT_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
+  shd_light_desc desc = shd_light_desc_default();
+  desc.kind = option.kind;
+  for (size_t c = 0; c < 3; ++c) {
+    if (option.kind != SHD_LIGHT_POINT) desc.direction[c] = -option.place[c];
+    desc.position[c] = bounds.center[c] + bounds.radius * option.place[c];
+    desc.intensity[c] = stage.exposure * falloff * option.color[c];
+  }
+  if (option.kind == SHD_LIGHT_SPOT) {
+    desc.inner_angle = stage.options.inner_cone * kDegree;
+    desc.outer_angle = stage.options.cone * kDegree;
+    desc.texture = cookie;
+  }
+  add_light(stage.context, desc, out);
+}
+
+/// Small lights on a spiral around the model, from the floor to its top, in all colours.
+void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
+  const auto count = static_cast<float>(stage.options.lamps);
+  const Bounds& bounds = stage.bounds;
+  for (uint32_t i = 0; i < stage.options.lamps; ++i) {
+    const float part = (static_cast<float>(i) + 0.5f) / count, turn = 2.39996f * static_cast<float>(i);
+    const float away = bounds.radius * (0.25f + 2.5f * std::sqrt(part));
+    shd_light_desc desc = shd_light_desc_default();
+    desc.position[0] = bounds.center[0] + away * std::cos(turn);
+    desc.position[1] = bounds.bottom + 0.12f * bounds.radius;
+    desc.position[2] = bounds.center[2] + away * std::sin(turn);
+    desc.range = 0.9f * bounds.radius;
+    for (size_t c = 0; c < 3; ++c) {
+      const float wave = 0.5f + 0.5f * std::cos(1.7f * turn + 2.0944f * static_cast<float>(c));
+      desc.intensity[c] = stage.exposure * 0.06f * bounds.radius * bounds.radius * wave * wave;
+    }
+    add_light(stage.context, desc, out, false);
+  }
+}
+
+Texture make_cookie(shd_context* context, const std::string& name) {
+  if (name.empty()) return Texture();
+  return name == "window" ? make_window(context) : load_texture(context, name, false);
+}
+
+/// Those of the model's file, as strong as it says.
+void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<StageLight>& out) {
+  shd_scene_info info = shd_scene_info_default();
+  if (!scene || shd_scene_get_info(scene, &info) != SHD_OK || info.light_count == 0) {
+    throw Failure(kExitInput, "--lights file: the model has no lights");
+  }
+  for (uint32_t i = 0; i < info.light_count; ++i) {
+    shd_light_desc desc = shd_light_desc_default();
+    check(shd_scene_get_light_desc(scene, i, &desc), "light");
+    for (float& c : desc.intensity) c *= stage.options.exposure;
+    add_light(stage.context, desc, out, desc.kind != SHD_LIGHT_AMBIENT);
+  }
+}
+
+}  // namespace
+
+std::vector<StageLight> make_lights(shd_context* context, const Options& options, const Model& scene,
+                                    const Bounds& bounds, const Camera& camera) {
+  const shd_model model = model_of(options, scene);
+  // Models that keep energy reflect E / pi where the others reflect E.
+  const bool over_pi = model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED;
+  const Stage stage{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
+  std::vector<StageLight> lights;
+  if (options.preset == LightPreset::kStudio) {
+    for (const PresetLight& light : kStudio) add_view_light(stage, light.from, light.color, lights);
+  } else if (options.preset == LightPreset::kHeadlight) {
+    for (const PresetLight& light : kHeadlight) add_view_light(stage, light.from, light.color, lights);
+  } else if (options.preset == LightPreset::kCourse) {
+    add_course_lights(stage, lights);
+  }
+  if (options.preset == LightPreset::kFile) add_file_lights(stage, scene.scene.get(), lights);
+  const Texture cookie = make_cookie(context, options.cookie);
+  for (const LightOption& option : options.lights) add_option_light(stage, option, cookie.get(), lights);
+  add_lamps(stage, lights);
+  shd_light_desc ambient = shd_light_desc_default();
+  ambient.kind = SHD_LIGHT_AMBIENT;
+  for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = options.ambient[c];
+  add_light(context, ambient, lights, false);
+  return lights;
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+/// shd-render: pictures of a 3D model.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+#include <unistd.h>
+
+#include "tool/camera.h"
+#include "tool/draws.h"
+#include "tool/failure.h"
+#include "tool/lights.h"
+#include "tool/output.h"
+#include "tool/progress.h"
+#include "tool/shadows.h"
+
+namespace {
+
+Context make_context(const Options& options) {
+  shd_context_desc desc = shd_context_desc_default();
+  desc.worker_count = options.threads;
+  desc.simd = options.simd;
+  Context context;
+  check(shd_context_create(&desc, context.out()), "context");
+  return context;
+}
+
+Framebuffer make_framebuffer(shd_context* context, const Options& options) {
+  shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+  desc.width = options.width;
+  desc.height = options.height;
+  desc.samples = options.samples;
+  desc.aovs = options.aovs;
+  Framebuffer framebuffer;
+  check(shd_framebuffer_create(context, &desc, framebuffer.out()), "framebuffer");
+  return framebuffer;
+}
+
+unsigned long long wide(uint64_t value) {
+  return static_cast<unsigned long long>(value);
+}
+
+void print_stats(shd_context* context, const shd_render_stats& stats, double seconds) {
+  std::fprintf(stderr, "%llu triangles, %llu rasterised, %llu fragments in %.1f ms on %s with %u workers\n",
+               wide(stats.triangles), wide(stats.rasterised), wide(stats.fragments), 1e3 * seconds,
+               shd_simd_target(context), shd_context_worker_count(context));
+  std::fprintf(stderr, "vertices %.1f ms, assembly %.1f ms, binning %.1f ms, tiles %.1f ms; %.1f MiB of scratch\n",
+               1e3 * stats.vertex_seconds, 1e3 * stats.assembly_seconds, 1e3 * stats.binning_seconds,
+               1e3 * stats.tile_seconds, static_cast<double>(stats.scratch_bytes) / 1048576.0);
+  if (stats.order_conflicts || stats.splits) {
+    std::fprintf(stderr, "%llu pairs in the wrong order, %llu cuts\n", wide(stats.order_conflicts), wide(stats.splits));
+  }
+}
+
+/// What a picture is made of, besides the camera.
+struct Stage {
+  shd_context* context;
+  const Options& options;
+  const Model& model;
+  const Bounds& bounds;
+  const Paint& paint;
+};
+
+void render(const Stage& stage, float turn, const shd_progress& progress, shd_framebuffer* framebuffer) {
+  const Options& options = stage.options;
+  const Camera camera = make_camera(options, stage.model, stage.bounds, turn);
+  const Draws draws = make_draws(stage.context, options, stage.model, stage.paint, camera);
+  const std::vector<StageLight> lights = make_lights(stage.context, options, stage.model, stage.bounds, camera);
+  const std::vector<Shadow> shadows = make_shadows(stage.context, options, stage.bounds, draws, lights);
+  std::vector<const shd_light*> light_list;
+  for (const StageLight& light : lights) light_list.push_back(light.light.get());
+  std::vector<const shd_shadow*> shadow_list;
+  for (const Shadow& shadow : shadows) shadow_list.push_back(shadow.get());
+  shd_render_stats stats{};
+  shd_render_desc desc = shd_render_desc_default();
+  desc.framebuffer = framebuffer;
+  desc.view = camera.view;
+  desc.draws = draws.draws.data();
+  desc.draw_count = draws.draws.size();
+  desc.lights = light_list.data();
+  desc.light_count = light_list.size();
+  if (!shadow_list.empty()) desc.shadows = shadow_list.data();
+  if (options.stats) desc.stats = &stats;
+  desc.visibility = options.visibility;
+  desc.supersampling = options.supersampling;
+  for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
+  desc.progress = progress;
+  const auto start = std::chrono::steady_clock::now();
+  check(shd_render(stage.context, &desc), "render");
+  if (!options.stats) return;
+  print_stats(stage.context, stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+void run(const Options& options) {
+  check_output_name(options);
+  const Context context = make_context(options);
+  Model model = make_model(context.get(), options);
+  const Bounds bounds = bounds_of(model);
+  make_camera(options, model, bounds, 0.0f);  // refuses before textures are read
+  if (options.floor) add_floor(context.get(), options, bounds, model);
+  const Paint paint = make_paint(context.get(), options, model);
+  const Framebuffer framebuffer = make_framebuffer(context.get(), options);
+  const Stage stage = {context.get(), options, model, bounds, paint};
+  const uint32_t pictures = std::max(options.turntable, 1u);
+  Progress progress(options.progress || isatty(STDERR_FILENO), pictures);
+  for (uint32_t i = 0; i < pictures; ++i) {
+    const float turn = 360.0f * static_cast<float>(i) / static_cast<float>(pictures);
+    render(stage, turn, progress.of_picture(i), framebuffer.get());
+    save_picture(context.get(), framebuffer.get(), options, picture_name(options, i));
+  }
+  progress.finish();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Options options = parse_options(argc, argv);
+    if (options.help) {
+      std::fputs(help_text(), stdout);
+    } else {
+      run(options);
+    }
+    return kExitOk;
+  } catch (const Failure& failure) {
+    std::fprintf(stderr, "shd-render: %s\n", failure.what());
+    return failure.code;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "shd-render: %s\n", error.what());
+    return kExitFailed;
+  }
+}

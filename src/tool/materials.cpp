@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "tool/materials.h"
+
+#include <algorithm>
+
+#include "tool/failure.h"
+#include "tool/textures.h"
+
+namespace {
+
+shd_sampler* make_sampler(shd_context* context, const Options& options, std::vector<Sampler>& out) {
+  shd_sampler_desc desc = shd_sampler_desc_default();
+  desc.filter = options.filter;
+  desc.wrap_u = desc.wrap_v = SHD_WRAP_REPEAT;
+  Sampler sampler;
+  check(shd_sampler_create(context, &desc, sampler.out()), "sampler");
+  out.push_back(std::move(sampler));
+  return out.back().get();
+}
+
+/// Textures of the command line, by slot; null = the surface's own.
+struct Replacements {
+  shd_texture* texture[SHD_SLOT_COUNT] = {};
+  bool drops_others = false;  // the surface's own textures go
+};
+
+/// The one place that knows how a material desc holds its slots.
+void set_slots(shd_material_desc& desc, const Options& options, const Replacements& replacements,
+               shd_sampler* sampler) {
+  const shd_slot constant = shd_material_desc_default().slot[0];
+  for (int target = 0; target < SHD_SLOT_COUNT; ++target) {
+    shd_slot& slot = desc.slot[target];
+    if (replacements.drops_others) slot = constant;
+    if (replacements.texture[target]) {
+      slot = constant;
+      slot.source = SHD_SOURCE_TEXTURE;
+      slot.texture = replacements.texture[target];
+      slot.sampler = sampler;
+    }
+    const bool scaled = slot.source == SHD_SOURCE_TEXTURE && target != SHD_SLOT_MATCAP;
+    for (size_t i = 0; i < 6 && scaled; ++i) slot.uv_transform[i] *= options.uv_scale;
+  }
+  // Ambient light meets the diffuse colour; metallic-roughness has that from the model.
+  const bool metallic = desc.model == SHD_MODEL_METALLIC_ROUGHNESS;
+  for (size_t c = 0; c < 3; ++c) desc.ambient[c] = metallic ? 1.0f : desc.diffuse[c];
+  desc.slot[SHD_SLOT_AMBIENT] = metallic ? constant : desc.slot[SHD_SLOT_DIFFUSE];
+}
+
+void set_lobe(shd_material_desc& desc, const Options& options) {
+  desc.exponent = options.exponent.value_or(desc.exponent);
+  desc.metallic = options.metallic.value_or(desc.metallic);
+  desc.roughness = options.roughness.value_or(desc.roughness);
+  for (float& c : desc.specular) c = options.specular.value_or(c);
+}
+
+/// What the options put in the place of the surface's own coefficients and maps.
+Replacements set_extras(shd_material_desc& desc, const Options& options, const Extras& extras) {
+  Replacements replacements;
+  replacements.drops_others = !options.texture.empty();
+  replacements.texture[SHD_SLOT_DIFFUSE] = extras.diffuse.get();
+  replacements.texture[SHD_SLOT_NORMAL] = extras.normal.get();
+  replacements.texture[SHD_SLOT_HEIGHT] = extras.height.get();
+  replacements.texture[SHD_SLOT_MATCAP] = extras.matcap.get();
+  for (size_t c = 0; c < 3; ++c) {
+    if (options.diffuse) desc.diffuse[c] = (*options.diffuse)[c];
+    if (extras.diffuse.get()) desc.diffuse[c] = 1.0f;
+  }
+  if (extras.normal.get() && options.keep == KeepRoughness::kToksvig) desc.normal_encoding = SHD_NORMAL_TOKSVIG;
+  if (extras.normal.get() && options.keep == KeepRoughness::kLean) desc.normal_encoding = SHD_NORMAL_MOMENTS;
+  if (extras.height.get()) {
+    desc.bump = options.bump_form;
+    desc.bump_scale = options.bump_scale;
+    desc.parallax_depth = options.parallax;
+  }
+  return replacements;
+}
+
+Texture load_extra(shd_context* context, const Options& options, const std::string& path, bool data) {
+  if (path.empty() || path == "none") return Texture();
+  const uint32_t tables = tables_of(options.filter);
+  return path == "checker" ? make_checker(context, tables) : load_texture(context, path, data, tables);
+}
+
+}  // namespace
+
+Extras make_extras(shd_context* context, const Options& options) {
+  Extras extras;
+  extras.diffuse = load_extra(context, options, options.texture, false);
+  extras.height = load_extra(context, options, options.height_map, true);
+  if (!options.normal_map.empty()) extras.normal = load_normal_map(context, options);
+  if (options.reflectance == SHD_MODEL_MATCAP) extras.matcap = make_matcap(context);
+  return extras;
+}
+
+shd_model model_of(const Options& options, const Model& model) {
+  if (options.reflectance) return *options.reflectance;
+  const auto is_metallic = [](const Surface& surface) { return surface.desc.model == SHD_MODEL_METALLIC_ROUGHNESS; };
+  const bool metallic = std::any_of(model.surfaces.begin(), model.surfaces.end(), is_metallic);
+  return metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
+}
+
+Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,
+                       const Extras& extras, std::vector<Sampler>& samplers) {
+  shd_material_desc desc = surface.desc;
+  desc.model = model;
+  set_lobe(desc, options);
+  Replacements replacements;
+  if (!surface.is_floor) replacements = set_extras(desc, options, extras);
+  set_slots(desc, options, replacements, make_sampler(context, options, samplers));
+  Material material;
+  check(shd_material_create(context, &desc, material.out()), "material \"" + surface.name + "\"");
+  return material;
+}

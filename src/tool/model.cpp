@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "tool/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tool/failure.h"
+#include "tool/shapes.h"
+#include "tool/textures.h"
+
+namespace {
+
+struct Box {
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+
+void grow(Box& box, const float* m, const float* p) {
+  double world[3];
+  for (int row = 0; row < 3; ++row) {
+    world[row] = double(m[row]) * p[0] + double(m[4 + row]) * p[1] + double(m[8 + row]) * p[2] + m[12 + row];
+    if (!std::isfinite(world[row])) return;
+  }
+  for (int c = 0; c < 3; ++c) {
+    box.low[c] = std::min(box.low[c], world[c]);
+    box.high[c] = std::max(box.high[c], world[c]);
+  }
+}
+
+Scene load_scene(shd_context* context, const Options& options) {
+  shd_sampler_desc sampler = shd_sampler_desc_default();
+  sampler.filter = options.filter;
+  shd_load_desc texture = shd_load_desc_default();
+  texture.tables = tables_of(options.filter);
+  shd_scene_desc desc = shd_scene_desc_default();
+  desc.sampler = &sampler;
+  desc.texture = &texture;
+  if (options.line_width > 0.0f) desc.mesh_flags |= SHD_MESH_ADJACENCY;
+  Scene scene;
+  if (shd_scene_load(context, options.model.c_str(), &desc, scene.out()) != SHD_OK) {
+    throw Failure(kExitInput, shd_last_error());
+  }
+  return scene;
+}
+
+void read_geometry(Geometry& geometry) {
+  shd_mesh_info info;
+  check(shd_mesh_get_info(geometry.mesh, &info), "mesh");
+  geometry.position.resize(size_t{3} * info.vertex_count);
+  geometry.indices.resize(size_t{3} * info.triangle_count);
+  shd_f32_out columns[3];
+  for (size_t c = 0; c < 3; ++c) columns[c] = {geometry.position.data() + c, 3 * sizeof(float)};
+  const shd_u32_out indices = {geometry.indices.data(), 0};
+  check(shd_mesh_read_positions(geometry.mesh, columns), "mesh");
+  check(shd_mesh_read_indices(geometry.mesh, &indices), "mesh");
+}
+
+void add_scene_parts(Model& model, const shd_scene_info& info) {
+  for (uint32_t i = 0; i < info.mesh_count; ++i) {
+    model.geometries.emplace_back();
+    model.geometries.back().mesh = shd_scene_mesh(model.scene.get(), i);
+    read_geometry(model.geometries.back());
+  }
+  for (uint32_t i = 0; i < info.material_count; ++i) {
+    Surface surface = {shd_scene_name(model.scene.get(), SHD_SCENE_PART_MATERIAL, i), shd_material_desc_default()};
+    check(shd_scene_get_material_desc(model.scene.get(), i, &surface.desc), "material");
+    model.surfaces.push_back(surface);
+  }
+  for (uint32_t i = 0; i < info.instance_count; ++i) {
+    shd_scene_instance from = shd_scene_instance_default();
+    check(shd_scene_get_instance(model.scene.get(), i, &from), "instance");
+    Instance instance;
+    instance.geometry = from.mesh;
+    instance.surface = from.material;
+    std::copy(from.object_to_world, from.object_to_world + 16, instance.object_to_world.begin());
+    model.instances.push_back(instance);
+  }
+}
+
+Model import_model(shd_context* context, const Options& options) {
+  Model model;
+  model.scene = load_scene(context, options);
+  shd_scene_info info = shd_scene_info_default();
+  check(shd_scene_get_info(model.scene.get(), &info), "scene");
+  for (uint32_t i = 0; i < info.warning_count && options.texture.empty(); ++i) {
+    std::fprintf(stderr, "shd-render: %s\n", shd_scene_warning(model.scene.get(), i));
+  }
+  add_scene_parts(model, info);
+  return model;
+}
+
+void add_shape(shd_context* context, const Options& options, shd_shape shape, uint32_t steps, const Surface& surface,
+               const Instance& place, Model& model) {
+  Instance instance = place;
+  instance.geometry = model.geometries.size();
+  instance.surface = model.surfaces.size();
+  model.geometries.emplace_back();
+  Geometry& geometry = model.geometries.back();
+  geometry.own = make_shape(context, shape, steps, options.line_width > 0.0f ? SHD_MESH_ADJACENCY : SHD_MESH_NONE);
+  geometry.mesh = geometry.own.get();
+  read_geometry(geometry);
+  model.surfaces.push_back(surface);
+  model.instances.push_back(instance);
+}
+
+Surface make_surface(const char* name, const std::array<float, 3>& diffuse, float specular) {
+  Surface surface = {name, shd_material_desc_default()};
+  for (size_t c = 0; c < 3; ++c) {
+    surface.desc.diffuse[c] = diffuse[c];
+    surface.desc.specular[c] = specular;
+  }
+  surface.desc.exponent = 40.0f;
+  surface.desc.roughness = std::sqrt(std::sqrt(2.0f / 42.0f));  // as wide a lobe
+  surface.desc.model = SHD_MODEL_BLINN_PHONG;
+  return surface;
+}
+
+}  // namespace
+
+Model make_model(shd_context* context, const Options& options) {
+  if (!options.model.empty()) return import_model(context, options);
+  Model model;
+  add_shape(context, options, options.shape, static_cast<uint32_t>(options.tessellation),
+            make_surface("ceramic", {0.62f, 0.6f, 0.56f}, 0.25f), Instance{}, model);
+  return model;
+}
+
+void add_floor(shd_context* context, const Options& options, const Bounds& bounds, Model& model) {
+  Instance instance;
+  for (size_t c = 0; c < 3; ++c) instance.object_to_world[5 * c] = 4.0f * bounds.radius;
+  for (size_t c = 0; c < 3; ++c) instance.object_to_world[12 + c] = bounds.center[c];
+  instance.object_to_world[13] = bounds.bottom;
+  Surface surface = make_surface("floor", {0.5f, 0.5f, 0.5f}, 0.0f);
+  surface.is_floor = true;
+  add_shape(context, options, SHD_SHAPE_PLANE, 1, surface, instance, model);
+}
+
+Bounds bounds_of(const Model& model) {
+  Box box;
+  for (const Instance& instance : model.instances) {
+    const Geometry& geometry = model.geometries[instance.geometry];
+    for (const uint32_t vertex : geometry.indices) {
+      grow(box, instance.object_to_world.data(), &geometry.position[size_t{3} * vertex]);
+    }
+  }
+  Bounds bounds;
+  if (box.low[0] > box.high[0]) return bounds;
+  double diagonal = 0.0;
+  for (size_t c = 0; c < 3; ++c) {
+    bounds.center[c] = static_cast<float>(0.5 * (box.low[c] + box.high[c]));
+    diagonal += (box.high[c] - box.low[c]) * (box.high[c] - box.low[c]);
+  }
+  bounds.bottom = static_cast<float>(box.low[1]);
+  bounds.radius = std::max(static_cast<float>(0.5 * std::sqrt(diagonal)), 1e-6f);
+  return bounds;
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tool/handles.h"
+#include "tool/options.h"
+
+/// What is to be drawn: the scene of a file, or a shape, and perhaps a floor.
+
+/// A mesh, and what of it cameras are placed by.
+struct Geometry {
+  Mesh own;  // of shapes; empty for those of the scene
+  shd_mesh* mesh = nullptr;
+  std::vector<float> position;    // [vertex][3]
+  std::vector<uint32_t> indices;  // [triangle][3]
+};
+
+/// What a material is made from, before the options change it.
+struct Surface {
+  std::string name;
+  shd_material_desc desc;
+  bool is_floor = false;  // which keeps what it is, whatever the options ask of the model
+};
+
+/// A geometry placed in the world.
+struct Instance {
+  size_t geometry = 0, surface = 0;
+  std::array<float, 16> object_to_world = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // column-major
+};
+
+struct Model {
+  Scene scene;  // of a file; empty for shapes
+  std::vector<Geometry> geometries;
+  std::vector<Surface> surfaces;
+  std::vector<Instance> instances;
+};
+
+/// A sphere around everything, world space, and the height of the lowest vertex.
+struct Bounds {
+  std::array<float, 3> center = {0, 0, 0};
+  float radius = 1.0f;
+  float bottom = -1.0f;
+};
+
+/// The file or shape of the options. What is wrong with parts of a file is reported on stderr. Throws Failure.
+Model make_model(shd_context* context, const Options& options);
+
+/// Adds a square floor under the model, four radii to each side.
+void add_floor(shd_context* context, const Options& options, const Bounds& bounds, Model& model);
+
+/// Sphere around the box of all placed vertices that triangles use; non-finite ones are left out.
+Bounds bounds_of(const Model& model);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <shd/shd.h>
+
+/// A light of the command line. Positions are in radii of the model around its centre; directions point to the light;
+/// spots shine at the centre.
+struct LightOption {
+  shd_light_kind kind = SHD_LIGHT_POINT;
+  std::array<float, 3> place = {0, 0, 0};
+  std::array<float, 3> color = {1, 1, 1};
+};
+
+enum class LightPreset { kStudio, kHeadlight, kCourse, kFile, kNone };
+
+/// What mip levels of normal maps do about the bumps that they no longer show.
+enum class KeepRoughness { kNone, kToksvig, kLean };
+
+/// The command line, checked.
+struct Options {
+  bool help = false;
+  std::string model;  // empty = `shape`
+  shd_shape shape = SHD_SHAPE_TEAPOT;
+  std::string output = "out.png";
+  uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
+  shd_visibility visibility = SHD_VISIBILITY_DEPTH;
+  float azimuth = 30.0f, elevation = 20.0f;  // [deg]
+  float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
+  float fov = 35.0f;                         // vertical [deg]
+  std::optional<uint32_t> camera;            // of the file, instead of these
+  uint32_t turntable = 0;                    // pictures once around; 0 = one picture
+  shd_filter filter = SHD_FILTER_TRILINEAR;
+  std::optional<shd_model> reflectance;  // absent = what the model's materials are made for
+  shd_frequency frequency = SHD_FREQUENCY_PHONG;
+  std::vector<LightOption> lights;
+  std::optional<LightPreset> preset;  // absent = studio, or none when lights are given
+  std::array<float, 3> ambient = {0.15f, 0.15f, 0.15f};
+  float exposure = 1.0f;                   // factor on all lights
+  float inner_cone = 15.0f, cone = 25.0f;  // of spots, half angles [deg]
+  std::string cookie;                      // that spots project; "window" = built in
+  uint32_t lamps = 0;                      // small coloured lights around the model
+  std::optional<shd_shadow_filter> shadows;
+  float softness = 0.05f;       // of shadows [radii of the model]
+  uint32_t shadow_size = 1024;  // texels a side of each map
+  bool floor = false;
+  std::optional<float> exponent, specular, metallic, roughness;
+  std::optional<std::array<float, 3>> diffuse;
+  std::string texture;  // replaces the model's; "checker" = built in
+  std::string normal_map, height_map;
+  KeepRoughness keep = KeepRoughness::kNone;
+  shd_bump bump_form = SHD_BUMP_NONE;
+  float bump_scale = 1.0f, parallax = 0.0f;       // [world units]
+  float displacement = 0.0f, edge_length = 4.0f;  // [world units], of triangles then [pixels]
+  float uv_scale = 1.0f;                          // of all textures
+  float line_width = 0.0f, crease = 60.0f;        // of edges drawn [pixels], and how sharp [deg]; width 0 = none
+  int tessellation = 16;
+  bool color = true;
+  std::string display = "sRGB", view = "ACES 1.0 SDR-video";
+  std::array<float, 4> background = {0, 0, 0, 0};  // linear, straight alpha
+  uint32_t aovs = SHD_AOV_NONE;
+  bool dither = false;
+  uint32_t threads = 0;
+  shd_simd simd = SHD_SIMD_BEST;
+  bool progress = false, stats = false;
+};
+
+/// Throws Failure (kExitUsage) that names the option and what it takes.
+Options parse_options(int argc, const char* const* argv);
+
+/// Text of `--help`.
+const char* help_text();

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <cstdint>
+
+#include <shd/render.h>
+
+/// How far all pictures are and how long they will take, on stderr, once that is long enough for somebody to wonder.
+class Progress {
+ public:
+  /// Without `wanted` nothing is written.
+  Progress(bool wanted, uint32_t pictures) : wanted_(wanted), pictures_(pictures) {}
+  ~Progress() { finish(); }
+  /// For shd_render_desc.progress of picture number `picture`, from 0.
+  shd_progress of_picture(uint32_t picture);
+  /// Ends the line. The destructor does, too.
+  void finish();
+
+ private:
+  static int32_t report(void* user_data, float fraction);
+  using Clock = std::chrono::steady_clock;
+
+  bool wanted_;
+  uint32_t pictures_, picture_ = 0;
+  int shown_ = -1;
+  Clock::time_point start_ = Clock::now();
+};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "tool/shapes.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "tool/failure.h"
+
+Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags) {
+  shd_shape_desc desc = shd_shape_desc_default();
+  desc.shape = shape;
+  for (uint32_t& segments : desc.segments) segments = steps;
+  if (shape == SHD_SHAPE_SPHERE) desc.segments[0] = 4 * steps, desc.segments[1] = 2 * steps;
+  if (shape == SHD_SHAPE_TORUS) desc.segments[0] = 4 * steps, desc.segments[1] = 2 * steps + 1;
+  if (shape == SHD_SHAPE_TEAPOT) desc.segments[0] = std::max(steps, 2u);
+  shd_shape_columns columns = shd_shape_columns_default();
+  check(shd_shape_count(&desc, &columns.vertex_count, &columns.index_count), "shape");
+  std::vector<float> vertices(size_t{8} * columns.vertex_count);
+  std::vector<uint32_t> indices(columns.index_count);
+  shd_mesh_desc mesh = shd_mesh_desc_default();
+  for (size_t c = 0; c < 8; ++c) {
+    const shd_f32_out column = {vertices.data() + c, 8 * sizeof(float)};
+    (c < 3 ? columns.position[c] : c < 6 ? columns.normal[c - 3] : columns.uv[c - 6]) = column;
+    (c < 3 ? mesh.position[c] : c < 6 ? mesh.normal[c - 3] : mesh.uv[c - 6]) = {column.data, column.stride};
+  }
+  columns.indices.data = indices.data();
+  check(shd_shape_fill(&desc, &columns), "shape");
+  mesh.vertex_count = columns.vertex_count;
+  mesh.indices.data = indices.data();
+  mesh.index_count = indices.size();
+  mesh.flags = mesh_flags | SHD_MESH_TANGENTS;
+  Mesh made;
+  check(shd_mesh_create(context, &mesh, made.out()), "mesh");
+  return made;
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "tool/handles.h"
+
+/// A shape of shd/shapes.h with tangents: the teapot with `steps` parts on each side of a patch, a sphere of 4 steps
+/// around and 2 steps down, a torus of 4 steps around and 2 steps + 1 around its tube, others of `steps` in each
+/// direction.
+Mesh make_shape(shd_context* context, shd_shape shape, uint32_t steps, uint32_t mesh_flags);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "tool/handles.h"
+#include "tool/options.h"
+
+/// Tables that lookups with a filter read.
+uint32_t tables_of(shd_filter filter);
+
+/// Loads a texture with its mipmap or other tables. Throws Failure (kExitInput) when it cannot be read.
+Texture load_texture(shd_context* context, const std::string& path, bool data, uint32_t tables = SHD_TABLE_MIPMAP);
+
+/// Loads a normal map so that its levels keep the roughness of the bumps that they no longer show. Throws Failure
+/// as above.
+Texture load_normal_map(shd_context* context, const Options& options);
+
+/// A built-in pattern: squares in two colours with a mark in the corner where (u, v) = (0, 0).
+Texture make_checker(shd_context* context, uint32_t tables);
+
+/// A window of four panes, for a light to project.
+Texture make_window(shd_context* context);
+
+/// A sphere lit as in a studio, to be looked up by the normal in view space.
+Texture make_matcap(shd_context* context);

@@ -1,0 +1,199 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Does shd-render do what its help says? Usage: check_shd_render.sh SHD-RENDER FOLDER
+set -euo pipefail
+render=$1
+folder=$2
+assets=/usr/share/assimp/models
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+failed=0
+
+# expect CODE TEXT ARGUMENTS...: exit code, and a piece of what is said
+expect() {
+  local code=$1 text=$2 got=0
+  shift 2
+  "$render" "$@" >said.txt 2>&1 || got=$?
+  if [ "$got" != "$code" ] || ! { [ -z "$text" ] || grep -qF -- "$text" said.txt; }; then
+    echo "shd-render $*: exit code $got, wanted $code and \"$text\"; said:"
+    cat said.txt
+    failed=1
+  fi
+}
+
+# written FILE SIGNATURE: the file begins with these bytes, in hexadecimal
+written() {
+  if [ "$(head -c 4 "$1" | od -An -tx1 | tr -d ' \n')" != "$2" ]; then
+    echo "$1 is missing or not what its name says"
+    failed=1
+  fi
+}
+
+# Pictures of the same bits, or of others: pairs of lists of options, with -- between them.
+small=(--size 48x32 --tessellation 4 --no-color)
+compare() {
+  local wanted=$1 first=()
+  shift
+  while [ "$1" != -- ]; do first+=("$1") && shift; done
+  shift
+  expect 0 "" "${small[@]}" "${first[@]}" -o first.png
+  expect 0 "" "${small[@]}" "$@" -o second.png
+  if cmp -s first.png second.png; then got=same; else got=other; fi
+  if [ "$got" != "$wanted" ]; then
+    echo "the pictures of ${first[*]} and $* are the $got"
+    failed=1
+  fi
+}
+same() { compare same "$@"; }
+other() { compare other "$@"; }
+
+expect 0 "Exit codes" --help
+expect 0 "" --size 96x64 --tessellation 4 -o teapot.png
+written teapot.png 89504e47
+expect 0 "triangles" --stats --size 96x64 --aov --texture checker --model lambert --frequency flat -o teapot.exr
+written teapot.exr 762f3101
+expect 0 "" --size 64x64 --no-color --background 0.2,0.3,0.4 --light 2,2,2:8,8,8 --sun 0,1,0 --frequency gouraud \
+  --filter nearest --orbit -90,90,3 -o top.png
+expect 0 "" --size 64x64 --threads 1 --simd baseline --no-color -o one.png
+expect 0 "" --size 64x64 --threads 5 --no-color -o many.png
+cmp one.png many.png || failed=1
+
+# What options do, told by pairs of pictures.
+models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)
+for i in "${!models[@]}"; do
+  expect 0 "" "${small[@]}" --texture checker --model "${models[i]}" -o "${models[i]}.png"
+  for ((k = 0; k < i; ++k)); do
+    if cmp -s "${models[k]}.png" "${models[i]}.png"; then
+      echo "the models ${models[k]} and ${models[i]} look the same"
+      failed=1
+    fi
+  done
+done
+same --model combined -- --model blinn-phong  # with the same colour for ambient light
+for model in unlit matcap normal uv barycentrics; do same --model $model -- --model $model --lights none --ambient 0; done
+same --sun 1,1,1:1,1,1 --exposure 1 --ambient 0 -- --sun 1,1,1:2,2,2 --ambient 0
+same --model toon --specular 0 -- --model toon --specular 0 --exponent 5
+other --model ggx --metallic 0 -- --model ggx --metallic 1
+other --model ggx --roughness 0.2 -- --model ggx --roughness 0.8
+other --frequency phong -- --frequency gouraud
+other --frequency phong -- --frequency flat
+other --samples 1 -- --samples 8
+other -- --floor
+other --floor --spot 0,3,1:9,9,9 -- --floor --spot 0,3,1:9,9,9 --cookie window
+other --floor --spot 0,3,1:9,9,9 -- --floor --light 0,3,1:9,9,9
+other --floor --lamps 8 -- --floor --lamps 64
+other --lights course -- --lights studio
+same --lamps 64 --threads 1 --simd baseline -- --lamps 64 --threads 3
+same --texture checker --uv-scale 1 -- --texture checker
+other --texture checker --uv-scale 2 -- --texture checker
+same --shape sphere -- --shape sphere --height checker
+same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0
+for form in gradient texel; do other --shape sphere -- --shape sphere --height checker --bump $form --bump-scale 0.2; done
+other --shape plane --texture checker -- --shape plane --texture checker --height checker --parallax 0.2
+expect 0 "" --size 64x64 --no-color --shape sphere --model normal -o normals.png
+other --shape sphere -- --shape sphere --normal-map normals.png
+other --shape plane --normal-map normals.png --uv-scale 30 -- \
+  --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
+
+other --shape plane --normal-map normals.png --uv-scale 30 -- \
+  --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness lean
+for filter in hard pcf variance summed-area pcss; do
+  other --floor --sun 1,1,0.5:1,1,1 -- --floor --sun 1,1,0.5:1,1,1 --shadows $filter
+  other --floor --spot 1,3,1:9,9,9 -- --floor --spot 1,3,1:9,9,9 --shadows $filter
+  same --floor --lamps 9 -- --floor --lamps 9 --shadows $filter
+done
+other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
+other -- --lines 1
+other --lines 1 -- --lines 3
+same --model normal -- --model normal --height checker --displace 0
+other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
+
+shapes=(teapot sphere plane box torus)
+for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
+other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
+same --shape plane -- --shape plane --supersampling 1
+for filter in nearest bilinear bicubic nearest-mip bilinear-mip ripmap summed-area anisotropic ewa stochastic exact; do
+  other --shape plane --texture checker --uv-scale 4 --orbit 30,10 -- \
+    --shape plane --texture checker --uv-scale 4 --orbit 30,10 --filter $filter
+done
+expect 0 "" "${small[@]}" --shape box --visibility painter -o painted.png
+same --shape box -- --shape box --visibility newell
+other --dither -- --exposure 0
+expect 0 "tiles " --stats --size 32x32 -o stats.png
+expect 0 "" --size 32x32 --aovs position,overdraw -o planes.exr
+expect 0 "" --size 32x32 --aovs all -o all.exr
+[ "$(wc -c <all.exr)" -gt "$(wc -c <planes.exr)" ] || failed=1
+expect 0 "s left" --progress --turntable 3 --size 512x512 --samples 16 --supersampling 8 -o slow.png
+expect 0 "" "${small[@]}" --turntable 4 -o turn.png
+cmp -s turn-0001.png turn-0002.png && { echo "the turntable does not turn" && failed=1; }
+expect 0 "" "${small[@]}" -o still.png
+cmp turn-0001.png still.png || failed=1
+
+expect 2 "a whole number 1..9999" --turntable 2.5
+expect 2 "1..16" --supersampling 17
+expect 2 "one of depth" --visibility scanline
+expect 2 "one of uv" --aovs uv,albedo
+expect 2 "--turntable turns no --camera" --turntable 4 --camera 0
+expect 2 "does not end in .exr" --aovs uv -o picture.png
+expect 3 "no such camera" --camera 0
+expect 3 "has no lights" --lights file
+expect 2 "--colour is not an option" --colour
+expect 2 "--colour is not an option" --colour red
+expect 2 "--size needs a value" --size
+expect 2 "WIDTHxHEIGHT" --size 0x10
+expect 2 "WIDTHxHEIGHT" --size 10x10x10
+expect 2 "one of lambert" --model shiny
+expect 2 "1, 2, 4, 8 or 16" --samples 3
+expect 2 "INNER,OUTER" --cone 30,20
+expect 2 "X,Y,Z" --spot 0,0,0
+expect 2 "one of teapot" --shape cube
+expect 2 "one of hard" --shadows none
+expect 2 "16..8192" --shadow-size 8
+expect 3 "no-such-normals.png" --normal-map no-such-normals.png
+expect 3 "no-such-heights.png" --height no-such-heights.png
+expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
+expect 2 "one of nearest bilinear trilinear" --filter best
+expect 2 "one model at a time" a.obj b.obj
+expect 2 "X,Y,Z" --sun 0,0,0
+expect 2 "X,Y,Z" --light 1,2,nan
+expect 2 "does not end in" -o picture.gif
+expect 2 "does not end in .exr" --aov -o picture.png
+expect 3 "no-such-model.obj" no-such-model.obj
+expect 3 "no-such-texture.png" --texture no-such-texture.png
+expect 4 "no-such-folder" --size 8x8 -o no-such-folder/picture.png
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >line.obj
+expect 3 "line.obj" line.obj
+printf 'mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n' >tri.obj
+printf 'newmtl m\nKd 1 1 1\nmap_Kd C:\\art\\Missing.png\n' >tri.mtl
+expect 0 "its material is plain" --size 8x8 tri.obj
+mkdir -p Textures
+cp teapot.png Textures/Skin.PNG
+printf 'newmtl m\nKd 1 1 1\nmap_Kd TEXTURES\\skin.png\n' >tri.mtl
+expect 0 "" --size 8x8 tri.obj
+[ ! -s said.txt ] || { cat said.txt; failed=1; }
+
+for model in Collada/duck.dae OBJ/spider.obj glTF2/BoxTextured-glTF-Binary/BoxTextured.glb \
+  glTF/CesiumMilkTruck/CesiumMilkTruck.gltf glTF2/ClearCoat-glTF/ClearCoatTest.gltf \
+  glTF2/textureTransform/TextureTransformTest.gltf; do
+  [ ! -f "$assets/$model" ] || expect 0 "" --size 96x64 -o model.png "$assets/$model"
+done
+
+# Cameras and lights of a file.
+room=$assets/glTF2/cameras/Cameras.gltf
+if [ -f "$room" ]; then
+  expect 0 "" --size 48x32 --no-color --camera 0 -o camera.png "$room"
+  expect 0 "" --size 48x32 --no-color -o orbit.png "$room"
+  cmp -s camera.png orbit.png && { echo "--camera changes nothing" && failed=1; }
+  expect 3 "no such camera" --camera 77 "$room"
+fi
+printf '%s' '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":
+{"lights":[{"type":"directional","intensity":2}]}},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"name":
+"sun","extensions":{"KHR_lights_punctual":{"light":0}}}],"materials":[{}],"meshes":[{"primitives":[{"attributes":
+{"POSITION":0},"material":0}]}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+"min":[0,0,0],"max":[1,1,0]}]}' >lit.gltf
+expect 0 "" --size 48x32 --no-color --lights file -o lit.png lit.gltf
+expect 0 "" --size 48x32 --no-color --lights none -o dark.png lit.gltf
+cmp -s lit.png dark.png && { echo "--lights file changes nothing" && failed=1; }
+exit $failed
