@@ -17,12 +17,9 @@ struct Field {
   char text[48];
 };
 
-/// Rounds a matrix; `from` and `out` may be the same floats.
-template <class T>
-shd_result round_matrix(const char* what, const T* from, float* out) {
+shd_result check_matrix(const char* what, const float* matrix) {
   for (int i = 0; i < 16; ++i) {
-    out[i] = static_cast<float>(from[i]);
-    if (!std::isfinite(out[i])) {
+    if (!std::isfinite(matrix[i])) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "camera: its %s exceeds the range of float", what);
     }
   }
@@ -72,12 +69,10 @@ shd_result read_camera(const shd_camera* camera, float picture_aspect, shd_view*
   if (read.aspect != 0.0f) SHD_TRY(check_positive("camera", "aspect", read.aspect));
   shd_view view = {};
   SHD_TRY(make_look_at("camera", read.eye, read.target, read.up, view.world_to_view));
-  SHD_TRY(round_matrix("world_to_view (eye, target)", view.world_to_view, view.world_to_view));
   const float aspect = read.aspect != 0.0f ? read.aspect : picture_aspect;
-  double projection[16];
-  data::perspective(static_cast<double>(read.fov_y), static_cast<double>(aspect), static_cast<double>(read.near_plane),
-                    static_cast<double>(read.far_plane), false, projection);
-  SHD_TRY(round_matrix("view_to_clip (fov_y, aspect, near_plane, far_plane)", projection, view.view_to_clip));
+  data::perspective(read.fov_y, aspect, read.near_plane, read.far_plane, view.view_to_clip);
+  SHD_TRY(check_matrix("world_to_view (eye, target)", view.world_to_view));
+  SHD_TRY(check_matrix("view_to_clip (fov_y, aspect, near_plane, far_plane)", view.view_to_clip));
   for (int axis = 0; axis < 3; ++axis) view.eye[axis] = read.eye[axis];
   *out = view;
   return SHD_OK;

@@ -117,6 +117,12 @@ void perspective(double fov_y, double aspect, double near_plane, double far_plan
   }
 }
 
+void perspective(float fov_y, float aspect, float near_plane, float far_plane, float out[16]) {
+  double matrix[16];
+  perspective(double{fov_y}, double{aspect}, double{near_plane}, double{far_plane}, false, matrix);
+  for (int i = 0; i < 16; ++i) out[i] = static_cast<float>(matrix[i]);
+}
+
 void orthographic(const float rectangle[4], double near_plane, double far_plane, bool reversed, double out[16]) {
   for (int i = 0; i < 16; ++i) out[i] = 0.0;
   for (int axis = 0; axis < 2; ++axis) {

@@ -10,7 +10,7 @@
 #include "ref/edges_ref.h"
 
 static shd_context *g_context;
-static shd_shape g_shape;
+static shd_test_shape g_shape;
 
 enum { k_max_edges = 3 * SHD_SHAPE_TRIANGLES };
 static shd_ref_edge g_want[k_max_edges];
@@ -51,27 +51,27 @@ static size_t count_of(const shd_mesh *mesh, uint32_t kinds, float x, float y, f
 
 /* ---- against the oracle ---- */
 
-static void make_cube(void) { shd_shape_cube(&g_shape, 1); }
-static void make_cube_of_cells(void) { shd_shape_cube(&g_shape, 3); }
-static void make_sphere(void) { shd_shape_sphere(&g_shape, 5); }
-static void make_grid(void) { shd_shape_grid(&g_shape, 7, 4); }
-static void make_book_of_2(void) { shd_shape_book(&g_shape, 2); }
-static void make_book_of_5(void) { shd_shape_book(&g_shape, 5); }
-static void make_moebius(void) { shd_shape_moebius(&g_shape, 24); }
-static void make_lattice(void) { shd_shape_lattice(&g_shape, 60, 3); }
-static void make_dense_lattice(void) { shd_shape_lattice(&g_shape, 300, 4); }
+static void make_cube(void) { shd_test_shape_cube(&g_shape, 1); }
+static void make_cube_of_cells(void) { shd_test_shape_cube(&g_shape, 3); }
+static void make_sphere(void) { shd_test_shape_sphere(&g_shape, 5); }
+static void make_grid(void) { shd_test_shape_grid(&g_shape, 7, 4); }
+static void make_book_of_2(void) { shd_test_shape_book(&g_shape, 2); }
+static void make_book_of_5(void) { shd_test_shape_book(&g_shape, 5); }
+static void make_moebius(void) { shd_test_shape_moebius(&g_shape, 24); }
+static void make_lattice(void) { shd_test_shape_lattice(&g_shape, 60, 3); }
+static void make_dense_lattice(void) { shd_test_shape_lattice(&g_shape, 300, 4); }
 static void make_twice(void)
 {
-    shd_shape_cube(&g_shape, 1);
-    shd_shape_cube(&g_shape, 1);
+    shd_test_shape_cube(&g_shape, 1);
+    shd_test_shape_cube(&g_shape, 1);
 }
 static void make_two_sided(void)
 {
-    (void)shd_shape_vertex(&g_shape, 0, 0, 0);
-    (void)shd_shape_vertex(&g_shape, 1, 0, 0);
-    (void)shd_shape_vertex(&g_shape, 0, 1, 0);
-    shd_shape_triangle(&g_shape, 0, 1, 2);
-    shd_shape_triangle(&g_shape, 2, 1, 0);
+    (void)shd_test_shape_vertex(&g_shape, 0, 0, 0);
+    (void)shd_test_shape_vertex(&g_shape, 1, 0, 0);
+    (void)shd_test_shape_vertex(&g_shape, 0, 1, 0);
+    shd_test_shape_triangle(&g_shape, 0, 1, 2);
+    shd_test_shape_triangle(&g_shape, 2, 1, 0);
 }
 /* A cone of 16 triangles whose tip is as many vertices, with triangles that have shrunk to edges at tip and rim. */
 static void make_degenerate(void)
@@ -79,31 +79,31 @@ static void make_degenerate(void)
     uint32_t i;
     for (i = 0; i < 16; ++i) {
         const double a = 6.283185307179586 * i / 16, b = 6.283185307179586 * ((i + 1) % 16) / 16;
-        const uint32_t tip = shd_shape_vertex(&g_shape, 0, 0, 1);
-        const uint32_t p = shd_shape_vertex(&g_shape, (float)cos(a), (float)sin(a), 0);
-        const uint32_t q = shd_shape_vertex(&g_shape, (float)cos(b), (float)sin(b), 0);
-        shd_shape_triangle(&g_shape, tip, p, q);
-        shd_shape_triangle(&g_shape, tip, tip, q);
-        shd_shape_triangle(&g_shape, p, q, q);
-        shd_shape_triangle(&g_shape, i ? tip - 3 : tip, q, tip);
-        shd_shape_triangle(&g_shape, p, p, p);
+        const uint32_t tip = shd_test_shape_vertex(&g_shape, 0, 0, 1);
+        const uint32_t p = shd_test_shape_vertex(&g_shape, (float)cos(a), (float)sin(a), 0);
+        const uint32_t q = shd_test_shape_vertex(&g_shape, (float)cos(b), (float)sin(b), 0);
+        shd_test_shape_triangle(&g_shape, tip, p, q);
+        shd_test_shape_triangle(&g_shape, tip, tip, q);
+        shd_test_shape_triangle(&g_shape, p, q, q);
+        shd_test_shape_triangle(&g_shape, i ? tip - 3 : tip, q, tip);
+        shd_test_shape_triangle(&g_shape, p, p, p);
     }
 }
 static void make_tiny(void)
 {
     uint32_t i;
-    shd_shape_sphere(&g_shape, 2);
+    shd_test_shape_sphere(&g_shape, 2);
     for (i = 0; i < 3 * g_shape.vertices; ++i) g_shape.position[i] *= 1e-41f;
 }
 static void make_huge(void)
 {
     uint32_t i;
-    shd_shape_sphere(&g_shape, 2);
+    shd_test_shape_sphere(&g_shape, 2);
     for (i = 0; i < 3 * g_shape.vertices; ++i) g_shape.position[i] *= 3e38f;
 }
 static void make_nonfinite(void)
 {
-    shd_shape_sphere(&g_shape, 3);
+    shd_test_shape_sphere(&g_shape, 3);
     g_shape.position[3 * 5] = (float)NAN;
     g_shape.position[3 * 20 + 1] = (float)INFINITY;
     g_shape.position[3 * 21 + 1] = (float)INFINITY;
@@ -171,7 +171,7 @@ static void test_oracle(void **state)
     memset(&g_shape, 0, sizeof g_shape);
     c->make();
     of.triangles = g_shape.triangles;
-    mesh = shd_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY | SHD_MESH_KEEP_NONFINITE);
+    mesh = shd_test_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY | SHD_MESH_KEEP_NONFINITE);
     for (i = 0; i < (g_shape.triangles > 200 ? 6 : 25); ++i) {
         const float x = c->scale * next_random(&seed), y = c->scale * next_random(&seed);
         shd_edges_desc desc = seen_from(x, y, c->scale * next_random(&seed), i % 3 ? 1.0f : 0.0f);
@@ -188,7 +188,7 @@ static shd_mesh *make(void (*shape)(void))
 {
     memset(&g_shape, 0, sizeof g_shape);
     shape();
-    return shd_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
+    return shd_test_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
 }
 
 /* Twelve creases; the silhouette has 6 of them from before a corner or an edge, 4 from before a side. */
@@ -313,11 +313,11 @@ static void test_empty(void **state)
     shd_mesh *mesh;
     (void)state;
     memset(&g_shape, 0, sizeof g_shape);
-    mesh = shd_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
+    mesh = shd_test_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
     assert_int_equal(count_of(mesh, SHD_EDGE_ALL, 0, 0, 1, 0), 0);
     shd_mesh_release(mesh);
-    (void)shd_shape_vertex(&g_shape, 0, 0, 0);
-    mesh = shd_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
+    (void)shd_test_shape_vertex(&g_shape, 0, 0, 0);
+    mesh = shd_test_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
     assert_int_equal(count_of(mesh, SHD_EDGE_ALL, 0, 0, 1, 0), 0);
     shd_mesh_release(mesh);
 }
@@ -455,7 +455,7 @@ static void test_bad_arguments(void **state)
     shd_mesh_info info;
     size_t count = 9;
     (void)state;
-    plain = shd_shape_mesh(g_context, &g_shape, 0);
+    plain = shd_test_shape_mesh(g_context, &g_shape, 0);
     shd_assert_result("plain", shd_mesh_find_edges(plain, &desc, 20, &out, &count), SHD_ERROR_INVALID_ARGUMENT,
                       "mesh: made without SHD_MESH_ADJACENCY");
     shd_assert_result("mesh", shd_mesh_find_edges(NULL, &desc, 20, &out, &count), SHD_ERROR_INVALID_ARGUMENT,

@@ -7,7 +7,7 @@
 
 enum { EDGE = 128, MAX_EDGES = 3 * SHD_SHAPE_TRIANGLES };
 
-static shd_shape g_shape;
+static shd_test_shape g_shape;
 
 static shd_draw *add_draw(shd_frame *f, shd_mesh *mesh, const shd_material_desc *material)
 {
@@ -28,13 +28,13 @@ static shd_draw *add_lines(shd_frame *f, shd_mesh *mesh)
     return draw;
 }
 
-static void start_shape(void (*make)(shd_shape *s, uint32_t n), uint32_t n)
+static void start_shape(void (*make)(shd_test_shape *s, uint32_t n), uint32_t n)
 {
     memset(&g_shape, 0, sizeof g_shape);
     make(&g_shape, n);
 }
 
-static shd_mesh *make_mesh(const shd_frame *f) { return shd_shape_mesh(f->context, &g_shape, SHD_MESH_ADJACENCY); }
+static shd_mesh *make_mesh(const shd_frame *f) { return shd_test_shape_mesh(f->context, &g_shape, SHD_MESH_ADJACENCY); }
 
 static void look_from(shd_frame *f, float x, float y, float z)
 {
@@ -59,7 +59,7 @@ static void test_square(void **state)
     shd_draw *draw;
     shd_frame f;
     shd_frame_open(&f, EDGE, EDGE);
-    start_shape(shd_shape_cube, 1);
+    start_shape(shd_test_shape_cube, 1);
     draw = add_lines(&f, make_mesh(&f));
     draw->fill_width = 2;
     draw->cull = cull;
@@ -85,27 +85,54 @@ static void test_square(void **state)
 
 struct edges_case {
     const char *name;
-    void (*make)(shd_shape *s, uint32_t n);
+    void (*make)(shd_test_shape *s, uint32_t n);
     uint32_t n, kinds;
     float crease_cosine, width, scale[3], at[3];
     int is_orthographic;
     uint32_t samples;
 };
 static const struct edges_case k_edges[] = {
-    {"edges/cube", shd_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 1, {0.7f, 0.7f, 0.7f}, {0, 0, 0}, 0, 1},
-    {"edges/cube_wide", shd_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 5, {0.5f, 0.8f, -0.3f}, {0.1f, 0, -0.2f}, 0, 4},
-    {"edges/cube_silhouette", shd_shape_cube, 2, SHD_EDGE_SILHOUETTE, 0, 2, {0.7f, 0.6f, 0.5f}, {0, 0.1f, 0}, 0, 1},
-    {"edges/cube_orthographic", shd_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 1, {0.7f, 0.6f, 0.5f}, {0, 0.1f, 0}, 1, 1},
-    {"edges/sphere", shd_shape_sphere, 6, SHD_EDGE_SILHOUETTE, 0, 2, {1, 1, 1}, {0, 0, 0}, 0, 1},
-    {"edges/sphere_mirrored", shd_shape_sphere, 6, SHD_EDGE_SILHOUETTE, 0, 2, {-1, 0.8f, 1.2f}, {0.1f, 0, 0}, 0, 2},
-    {"edges/sphere_orthographic", shd_shape_sphere, 6, SHD_EDGE_SILHOUETTE, 0, 1, {0.9f, 0.8f, 1}, {0, 0, 0}, 1, 1},
-    {"edges/sphere_creases", shd_shape_sphere, 4, SHD_EDGE_CREASE, 0.96f, 1, {0.9f, 0.9f, 0.9f}, {0, 0, 0}, 0, 1},
-    {"edges/sphere_around_the_eye", shd_shape_sphere, 4, SHD_EDGE_ALL, 0.96f, 1, {9, 9, 9}, {0, 0, 0}, 0, 1},
-    {"edges/moebius", shd_shape_moebius, 20, SHD_EDGE_ALL, 0.5f, 1.5f, {0.8f, 0.8f, 0.8f}, {0, 0, 0}, 0, 4},
-    {"edges/book", shd_shape_book, 4, SHD_EDGE_ALL, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
-    {"edges/book_spine", shd_shape_book, 4, SHD_EDGE_NONMANIFOLD, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
-    {"edges/book_borders", shd_shape_book, 4, SHD_EDGE_BORDER, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
-    {"edges/none", shd_shape_cube, 1, SHD_EDGE_NONE, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
+    {"edges/cube", shd_test_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 1, {0.7f, 0.7f, 0.7f}, {0, 0, 0}, 0, 1},
+    {"edges/cube_wide", shd_test_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 5, {0.5f, 0.8f, -0.3f}, {0.1f, 0, -0.2f}, 0, 4},
+    {"edges/cube_silhouette",
+     shd_test_shape_cube,
+     2,
+     SHD_EDGE_SILHOUETTE,
+     0,
+     2,
+     {0.7f, 0.6f, 0.5f},
+     {0, 0.1f, 0},
+     0,
+     1},
+    {"edges/cube_orthographic", shd_test_shape_cube, 1, SHD_EDGE_ALL, 0.5f, 1, {0.7f, 0.6f, 0.5f}, {0, 0.1f, 0}, 1, 1},
+    {"edges/sphere", shd_test_shape_sphere, 6, SHD_EDGE_SILHOUETTE, 0, 2, {1, 1, 1}, {0, 0, 0}, 0, 1},
+    {"edges/sphere_mirrored",
+     shd_test_shape_sphere,
+     6,
+     SHD_EDGE_SILHOUETTE,
+     0,
+     2,
+     {-1, 0.8f, 1.2f},
+     {0.1f, 0, 0},
+     0,
+     2},
+    {"edges/sphere_orthographic",
+     shd_test_shape_sphere,
+     6,
+     SHD_EDGE_SILHOUETTE,
+     0,
+     1,
+     {0.9f, 0.8f, 1},
+     {0, 0, 0},
+     1,
+     1},
+    {"edges/sphere_creases", shd_test_shape_sphere, 4, SHD_EDGE_CREASE, 0.96f, 1, {0.9f, 0.9f, 0.9f}, {0, 0, 0}, 0, 1},
+    {"edges/sphere_around_the_eye", shd_test_shape_sphere, 4, SHD_EDGE_ALL, 0.96f, 1, {9, 9, 9}, {0, 0, 0}, 0, 1},
+    {"edges/moebius", shd_test_shape_moebius, 20, SHD_EDGE_ALL, 0.5f, 1.5f, {0.8f, 0.8f, 0.8f}, {0, 0, 0}, 0, 4},
+    {"edges/book", shd_test_shape_book, 4, SHD_EDGE_ALL, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
+    {"edges/book_spine", shd_test_shape_book, 4, SHD_EDGE_NONMANIFOLD, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
+    {"edges/book_borders", shd_test_shape_book, 4, SHD_EDGE_BORDER, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
+    {"edges/none", shd_test_shape_cube, 1, SHD_EDGE_NONE, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
 };
 
 /* The same edges as triangles that have shrunk to them. */
@@ -121,7 +148,7 @@ static shd_mesh *edges_as_triangles(const shd_frame *f, const shd_mesh *mesh, co
         g_shape.indices[3 * i + 1] = g_shape.indices[3 * i + 2] = vertex[1][i];
     }
     g_shape.triangles = (uint32_t)count;
-    return shd_shape_mesh(f->context, &g_shape, 0);
+    return shd_test_shape_mesh(f->context, &g_shape, 0);
 }
 
 static void make_orthographic(shd_view *view)
@@ -202,7 +229,7 @@ static void test_hidden(void **state)
     shd_frame f;
     shd_frame_open(&f, EDGE, EDGE);
     look_from(&f, eye[0], eye[1], eye[2]);
-    start_shape(shd_shape_cube, 3);
+    start_shape(shd_test_shape_cube, 3);
     solid = add_draw(&f, make_mesh(&f), &unused);
     solid->material = NULL;
     solid->depth_bias = 1e-5f;
@@ -242,7 +269,7 @@ static void test_instances(void **state)
     (void)state;
     shd_frame_open(&f, EDGE, EDGE);
     look_from(&f, 0.3f, 0.4f, 4);
-    start_shape(shd_shape_sphere, 5);
+    start_shape(shd_test_shape_sphere, 5);
     draw = add_lines(&f, make_mesh(&f));
     for (i = 0; i < 2; ++i) {
         memcpy(matrices[i], draw->object_to_world, sizeof matrices[i]);
@@ -285,7 +312,7 @@ static void test_vertex_program(void **state)
     (void)state;
     shd_frame_open(&f, EDGE, EDGE);
     look_from(&f, 1, 2, 3);
-    start_shape(shd_shape_sphere, 5);
+    start_shape(shd_test_shape_sphere, 5);
     add_lines(&f, make_mesh(&f))->edges = SHD_EDGE_SILHOUETTE;
     shd_frame_ambient(&f);
     shd_frame_render(&f);
@@ -308,7 +335,7 @@ static void test_singular(void **state)
     shd_frame f;
     (void)state;
     shd_frame_open(&f, EDGE, EDGE);
-    start_shape(shd_shape_sphere, 4);
+    start_shape(shd_test_shape_sphere, 4);
     draw = add_lines(&f, make_mesh(&f));
     draw->edges = SHD_EDGE_SILHOUETTE;
     draw->object_to_world[10] = 0; /* the sphere as a disc: its silhouette is the rim */
@@ -380,7 +407,7 @@ static void test_bad(void **state)
     const struct bad_case *c = (const struct bad_case *)*state;
     shd_frame f;
     shd_frame_open(&f, EDGE, EDGE);
-    start_shape(shd_shape_cube, 1);
+    start_shape(shd_test_shape_cube, 1);
     c->edit(add_lines(&f, make_mesh(&f)));
     shd_assert_result(c->name, shd_render(f.context, &f.desc), c->result, c->message);
     shd_frame_close(&f);
@@ -391,8 +418,8 @@ static void test_without_adjacency(void **state)
     shd_frame f;
     (void)state;
     shd_frame_open(&f, EDGE, EDGE);
-    start_shape(shd_shape_cube, 1);
-    add_lines(&f, shd_shape_mesh(f.context, &g_shape, 0))->edges = 0;
+    start_shape(shd_test_shape_cube, 1);
+    add_lines(&f, shd_test_shape_mesh(f.context, &g_shape, 0))->edges = 0;
     shd_assert_result("mesh", shd_render(f.context, &f.desc), SHD_ERROR_INVALID_ARGUMENT,
                       "render.draws[0]: draw.mesh: made without SHD_MESH_ADJACENCY");
     f.draw[0].fill = SHD_FILL_WIREFRAME;

@@ -9,13 +9,13 @@
 
 enum { SHD_SHAPE_VERTICES = 2000, SHD_SHAPE_TRIANGLES = 4000 };
 
-typedef struct shd_shape {
+typedef struct shd_test_shape {
     float position[3 * SHD_SHAPE_VERTICES];
     uint32_t indices[3 * SHD_SHAPE_TRIANGLES];
     uint32_t vertices, triangles;
-} shd_shape;
+} shd_test_shape;
 
-static inline uint32_t shd_shape_vertex(shd_shape *s, float x, float y, float z)
+static inline uint32_t shd_test_shape_vertex(shd_test_shape *s, float x, float y, float z)
 {
     float *p = s->position + 3 * (size_t)s->vertices;
     p[0] = x;
@@ -24,7 +24,7 @@ static inline uint32_t shd_shape_vertex(shd_shape *s, float x, float y, float z)
     return s->vertices++;
 }
 
-static inline void shd_shape_triangle(shd_shape *s, uint32_t a, uint32_t b, uint32_t c)
+static inline void shd_test_shape_triangle(shd_test_shape *s, uint32_t a, uint32_t b, uint32_t c)
 {
     uint32_t *t = s->indices + 3 * (size_t)s->triangles++;
     t[0] = a;
@@ -33,7 +33,7 @@ static inline void shd_shape_triangle(shd_shape *s, uint32_t a, uint32_t b, uint
 }
 
 /** The cube [-1, 1]^3 of n x n cells a side; its sides share no vertices. */
-static inline void shd_shape_cube(shd_shape *s, uint32_t n)
+static inline void shd_test_shape_cube(shd_test_shape *s, uint32_t n)
 {
     uint32_t face, x, y;
     for (face = 0; face < 6; ++face) {
@@ -45,24 +45,24 @@ static inline void shd_shape_cube(shd_shape *s, uint32_t n)
                 p[face % 3] = side;
                 p[(face + 1) % 3] = side * ((float)(2 * x) - (float)n) / (float)n;
                 p[(face + 2) % 3] = ((float)(2 * y) - (float)n) / (float)n;
-                (void)shd_shape_vertex(s, p[0], p[1], p[2]);
+                (void)shd_test_shape_vertex(s, p[0], p[1], p[2]);
             }
         }
         for (y = 0; y < n; ++y) {
             for (x = 0; x < n; ++x) {
                 const uint32_t a = first + y * (n + 1) + x;
-                shd_shape_triangle(s, a, a + 1, a + n + 2);
-                shd_shape_triangle(s, a, a + n + 2, a + n + 1);
+                shd_test_shape_triangle(s, a, a + 1, a + n + 2);
+                shd_test_shape_triangle(s, a, a + n + 2, a + n + 1);
             }
         }
     }
 }
 
 /** The unit sphere of that cube. Its sides still meet: opposite numbers have opposite bits. */
-static inline void shd_shape_sphere(shd_shape *s, uint32_t n)
+static inline void shd_test_shape_sphere(shd_test_shape *s, uint32_t n)
 {
     uint32_t i, first = s->vertices;
-    shd_shape_cube(s, n);
+    shd_test_shape_cube(s, n);
     for (i = first; i < s->vertices; ++i) {
         float *p = s->position + 3 * (size_t)i;
         const float length = sqrtf(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -73,34 +73,34 @@ static inline void shd_shape_sphere(shd_shape *s, uint32_t n)
 }
 
 /** n x m cells of the plane z = 0, with the vertices of each its own. */
-static inline void shd_shape_grid(shd_shape *s, uint32_t n, uint32_t m)
+static inline void shd_test_shape_grid(shd_test_shape *s, uint32_t n, uint32_t m)
 {
     uint32_t x, y;
     for (y = 0; y < m; ++y) {
         for (x = 0; x < n; ++x) {
-            const uint32_t a = shd_shape_vertex(s, (float)x, (float)y, 0);
-            (void)shd_shape_vertex(s, (float)x + 1, (float)y, x % 2 ? 0.0f : -0.0f);
-            (void)shd_shape_vertex(s, (float)x + 1, (float)y + 1, 0);
-            (void)shd_shape_vertex(s, (float)x, (float)y + 1, -0.0f);
-            shd_shape_triangle(s, a, a + 1, a + 2);
-            shd_shape_triangle(s, a, a + 2, a + 3);
+            const uint32_t a = shd_test_shape_vertex(s, (float)x, (float)y, 0);
+            (void)shd_test_shape_vertex(s, (float)x + 1, (float)y, x % 2 ? 0.0f : -0.0f);
+            (void)shd_test_shape_vertex(s, (float)x + 1, (float)y + 1, 0);
+            (void)shd_test_shape_vertex(s, (float)x, (float)y + 1, -0.0f);
+            shd_test_shape_triangle(s, a, a + 1, a + 2);
+            shd_test_shape_triangle(s, a, a + 2, a + 3);
         }
     }
 }
 
 /** A book: `pages` triangles that share the edge from (0, 0, 0) to (0, 1, 0). */
-static inline void shd_shape_book(shd_shape *s, uint32_t pages)
+static inline void shd_test_shape_book(shd_test_shape *s, uint32_t pages)
 {
-    const uint32_t a = shd_shape_vertex(s, 0, 0, 0), b = shd_shape_vertex(s, 0, 1, 0);
+    const uint32_t a = shd_test_shape_vertex(s, 0, 0, 0), b = shd_test_shape_vertex(s, 0, 1, 0);
     uint32_t i;
     for (i = 0; i < pages; ++i) {
-        const uint32_t c = shd_shape_vertex(s, 1, 0.5f, (float)i - 0.5f);
-        shd_shape_triangle(s, i % 2 ? a : b, i % 2 ? b : a, c);
+        const uint32_t c = shd_test_shape_vertex(s, 1, 0.5f, (float)i - 0.5f);
+        shd_test_shape_triangle(s, i % 2 ? a : b, i % 2 ? b : a, c);
     }
 }
 
 /** A Moebius strip of n cells around the z axis. */
-static inline void shd_shape_moebius(shd_shape *s, uint32_t n)
+static inline void shd_test_shape_moebius(shd_test_shape *s, uint32_t n)
 {
     uint32_t i;
     const uint32_t first = s->vertices;
@@ -108,19 +108,19 @@ static inline void shd_shape_moebius(shd_shape *s, uint32_t n)
         const double angle = 6.283185307179586 * i / n;
         const float x = (float)cos(angle), y = (float)sin(angle);
         const float across = 0.4f * (float)cos(angle / 2), up = 0.4f * (float)sin(angle / 2);
-        (void)shd_shape_vertex(s, x * (1 + across), y * (1 + across), up);
-        (void)shd_shape_vertex(s, x * (1 - across), y * (1 - across), -up);
+        (void)shd_test_shape_vertex(s, x * (1 + across), y * (1 + across), up);
+        (void)shd_test_shape_vertex(s, x * (1 - across), y * (1 - across), -up);
     }
     for (i = 0; i < n; ++i) {
         const uint32_t a = first + 2 * i, turned = i + 1 == n;
         const uint32_t c = turned ? first + 1 : a + 2, d = turned ? first : a + 3;
-        shd_shape_triangle(s, a, a + 1, d);
-        shd_shape_triangle(s, a, d, c);
+        shd_test_shape_triangle(s, a, a + 1, d);
+        shd_test_shape_triangle(s, a, d, c);
     }
 }
 
 /** Triangles between random points of a lattice so small that most edges meet others and many have no area. */
-static inline void shd_shape_lattice(shd_shape *s, uint32_t triangles, uint32_t seed)
+static inline void shd_test_shape_lattice(shd_test_shape *s, uint32_t triangles, uint32_t seed)
 {
     uint32_t i, c;
     for (i = 0; i < 3 * triangles; ++i) {
@@ -131,13 +131,13 @@ static inline void shd_shape_lattice(shd_shape *s, uint32_t triangles, uint32_t 
             if (p[c] == 0 && (seed >> 27 & 1)) p[c] = -0.0f;
             if (triangles > 100) p[c] = floorf(p[c]);
         }
-        s->indices[3 * (size_t)s->triangles + i] = shd_shape_vertex(s, p[0], p[1], p[2]);
+        s->indices[3 * (size_t)s->triangles + i] = shd_test_shape_vertex(s, p[0], p[1], p[2]);
     }
     s->triangles += triangles;
 }
 
 /** A mesh of a shape. */
-static inline shd_mesh *shd_shape_mesh(shd_context *context, const shd_shape *s, uint32_t flags)
+static inline shd_mesh *shd_test_shape_mesh(shd_context *context, const shd_test_shape *s, uint32_t flags)
 {
     shd_mesh_desc desc = shd_mesh_desc_default();
     shd_mesh *mesh = NULL;

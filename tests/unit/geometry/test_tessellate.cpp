@@ -8,6 +8,7 @@
 
 #include "core/context.h"
 #include "data/camera.h"
+#include "data/transform.h"
 #include "geometry/cut.h"
 #include "geometry/row_pattern.h"
 #include "geometry/split_edges.h"
