@@ -10,8 +10,8 @@
  * Files are untrusted. Sizes, counts and time have budgets. Indices out of range, positions that are not finite and
  * matrices that are not finite cost the triangles or instances that have them; a texture that cannot be read costs the
  * slot that names it. Each is a warning of the scene. The model may name other files, which are read if they are
- * regular: its materials, buffers and textures, by any path. assimp itself can still crash, or run out of stack, on a
- * hostile file: load models of strangers in a process of their own.
+ * regular: its materials, buffers and textures, by any path. assimp itself can still crash, run out of stack or never
+ * end on a hostile file: load models of strangers in a process of their own.
  *
  * Memory:        assimp and the tables of a scene use malloc; handles use the context's allocator.
  * Lifetime:      reference counted; load returns an owned reference.
