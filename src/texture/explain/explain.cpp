@@ -9,7 +9,7 @@
 #include "texture/footprint/lod.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 

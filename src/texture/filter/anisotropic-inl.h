@@ -23,8 +23,8 @@ struct Anisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = ProbeBlock;
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* block) {
-    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* block) {
+    FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
 
   template <class D, class Sink>
@@ -49,8 +49,8 @@ struct Anisotropic : OnMipLevels {
         total = total + weight;
         share = weight / total;
       }
-      sink.quad(d, how, QuadAt(d, sampler, levels.high, u, v), share);
-      if (levels.blended) sink.quad(d, how | kSecond, QuadAt(d, sampler, levels.low, u, v), share);
+      sink.quad(d, how, levels.high, u, v, share);
+      if (levels.blended) sink.quad(d, how | kSecond, levels.low, u, v, share);
       how = kBlend;
     }
     if (levels.blended) sink.merge(d, levels.fraction);

@@ -13,8 +13,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/ellipse-inl.h"
-#include "texture/filter/sink-inl.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -138,7 +137,7 @@ struct EllipseWalk {
   template <class Sink>
   HWY_INLINE void emit_quad(D d, Sink& sink) {
     const V share = hn::IfThenElse(ellipse.is_quad, hn::Set(d, kWhole), ellipse.bilinear);
-    sink.quad(d, how(true), QuadAt(d, sampler, ellipse.level, ellipse.u, ellipse.v), share);
+    sink.quad(d, how(true), ellipse.level, ellipse.u, ellipse.v, share);
   }
 
   /// `starts`: the average of some lane begins.
@@ -176,8 +175,8 @@ struct Ewa {
 
   Ewa(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
-    return FindEllipses(texture, sampler, in, block);
+  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
+    FindEllipses(texture, sampler, in, block);
   }
   static bool is_scattered(const Texture& texture, const EllipseBlock& block) {
     return texture::is_scattered(texture, block, block.level);

@@ -5,7 +5,7 @@
 #include "texture/store/summed_area.h"
 
 #include "texture/filter/prefetch.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -16,6 +16,7 @@
 #include "texture/filter/box-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -280,22 +281,19 @@ struct SummedArea {
   }
 };
 
-size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& in, BoxBlock* out) {
+void FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& in, BoxBlock* out) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const float max_parts =
       sampler.box == SHD_BOX_ORIENTED ? static_cast<float>(static_cast<int>(sampler.max_anisotropy)) : 1.0f;
   const BoxRange range = box_range(sampler);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
-    const auto boxes =
-        lod_given ? SquareBoxes(d, p.lod, range) : BoxesOf(d, p.derivatives, width, height, max_parts, range);
+  ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
+    const auto boxes = lod_given ? SquareBoxes(d, lod, range) : BoxesOf(d, j, width, height, max_parts, range);
     hn::Store(boxes.count, d, out->parts + to);
     hn::Store(boxes.side_u, d, out->side_u + to);
     hn::Store(boxes.side_v, d, out->side_v + to);
     hn::Store(boxes.half_u, d, out->half_u + to);
     hn::Store(boxes.half_v, d, out->half_v + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 
@@ -307,8 +305,9 @@ size_t SummedAreaOf(const FilterCall& call) {
   BoxBlock block;
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = part_of(call.in, first, call.in.count - first < kBlock ? call.in.count - first : kBlock);
-    nonfinite += FindBoxes(call.texture, call.sampler, in, &block);
+    const Lookups in = block_of(call.in, first);
+    nonfinite += FindPoints(call.texture, call.sampler, in, &block);
+    FindBoxes(call.texture, call.sampler, in, &block);
     filter.scattered = is_scattered(call.texture, block, nullptr);
     const Texels out = part_of(call.out, first);
     for (size_t i = 0; i < in.count; i += hn::Lanes(d)) filter.run(d, block, i, out);

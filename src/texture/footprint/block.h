@@ -16,12 +16,18 @@ namespace shd::texture {
 /// Lookups in a block: its columns stay in the first-level cache.
 constexpr size_t kBlock = 256;
 
+/// The block of lookups from `first` on.
+inline Lookups block_of(const Lookups& in, size_t first) {
+  return part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+}
+
 /// Most lanes of a vector of lookups.
 constexpr size_t kMaxLanes = 16;
 
 /// Where the lookups lie.
 struct PointBlock {
   size_t count;                             // 1..kBlock
+  bool finite;                              // whether all inputs of all lookups are
   alignas(64) float u[kBlock], v[kBlock];   // finite; reduced by ReduceCoordinate() of their wraps
   alignas(64) int32_t first_texel[kBlock];  // of the layer; written if there is more than one layer
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a block of lookups, one function for each kind of block. They are functions of their target, compiled
-// once for all filters; each returns how many lookups had something that is not finite.
+// What fills blocks of lookups: first where they lie, then the shape of their footprints, one function for each kind of
+// block. They are functions of their target, compiled once for all filters.
 
 #if defined(SHD_TEXTURE_SHAPES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_SHAPES_INL_H_
@@ -16,23 +16,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
+/// Where lookups lie: every filter finds this first. Returns how many lookups have an input that is not finite.
 size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out);
 
 /// Levels of detail of the longer axis, clamped to a range; by the sampler's profile.
-size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                const Lookups& in, LodBlock* out);
+void FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+              const Lookups& in, LodBlock* out);
 
 /// Probes along the longer axis, on the level of the shorter one; by the sampler's profile.
-size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                  const Lookups& in, ProbeBlock* out);
+void FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                const Lookups& in, ProbeBlock* out);
 
-size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out);
+void FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out);
 
 /// FindLods() and FindProbes() of the profiles that are not SHD_PROFILE_EXACT.
-size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                        const Lookups& in, LodBlock* out);
-size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                          const Lookups& in, ProbeBlock* out);
+void FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                      const Lookups& in, LodBlock* out);
+void FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                        const Lookups& in, ProbeBlock* out);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

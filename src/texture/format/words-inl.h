@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 #include "texture/format/gather-inl.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/codec.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -11,7 +11,7 @@
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/executor.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 namespace {

@@ -4,7 +4,7 @@
 #include "summed_area_fixture.h"
 
 #include "texture/store/summed_area.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace {
 
