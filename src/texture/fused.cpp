@@ -45,7 +45,7 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   HWY_INLINE void finish() {
     const D d;
     consumer_.wanted.for_each(
-        [&](auto c) { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
+        [&](auto c) SHD_INLINE_LAMBDA { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
     to_.done += hn::Lanes(d);
   }
 
@@ -59,23 +59,22 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
 /// A RunFilter. Lookups that are scattered over a large texture are streamed, as streams prefetch.
 template <class Filter, class F>
 size_t RunFused(const FilterCall& call) {
-  const BatchTag d;
   const Filter filter(call.texture, call.sampler);
+  const InputColumns columns(call.in);
   typename Filter::Block block;
   FusedSink<F, BatchTag> fused(call);
   StreamSink stream(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     const Lookups in = block_of(call.in, first);
-    nonfinite += FindPoints(call.texture, call.sampler, in, &block);
-    Filter::find(call.texture, call.sampler, in, &block);
+    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
     if (Filter::is_scattered(call.texture, block)) {
       stream.begin(first, true);
-      for (size_t i = 0; i < block.count; i += hn::Lanes(d)) filter.emit(d, block, i, stream);
+      EmitBlock(filter, block, columns, first, stream);
       stream.flush();
     } else {
       fused.begin(first);
-      for (size_t i = 0; i < block.count; i += hn::Lanes(d)) filter.emit(d, block, i, fused);
+      EmitBlock(filter, block, columns, first, fused);
     }
   }
   return nonfinite;

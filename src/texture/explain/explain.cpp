@@ -7,9 +7,9 @@
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
+#include "texture/format/formats.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
-#include "texture/format/formats.h"
 
 namespace shd::texture {
 

@@ -23,8 +23,8 @@ struct Anisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = ProbeBlock;
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* block) {
-    FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* block) {
+    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
 
   template <class D, class Sink>

@@ -28,7 +28,9 @@ struct OnBaseLevel {
 
   OnBaseLevel(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static void find(const Texture&, const Sampler&, const Lookups&, PointBlock*) {}
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* block) {
+    return FindPoints(texture, sampler, in, block);
+  }
   static bool is_scattered(const Texture& texture, const PointBlock& block) {
     return texture::is_scattered(texture, block, nullptr);
   }
@@ -48,8 +50,8 @@ struct OnMipLevels {
 
   OnMipLevels(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
-    FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
+    return FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
   static bool is_scattered(const Texture& texture, const LodBlock& block) {
     return texture::is_scattered(texture, block, block.lod);

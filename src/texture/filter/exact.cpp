@@ -8,8 +8,8 @@
 
 #include "texture/footprint/block.h"
 #include "texture/footprint/exact_footprint.h"
-#include "texture/store/storage.h"
 #include "texture/format/formats.h"
+#include "texture/store/storage.h"
 #include "texture/store/wrap.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -67,14 +67,15 @@ struct Ripmap {
 
   Ripmap(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, AxisLodBlock* out) {
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, AxisLodBlock* out) {
     const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
     const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
     const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
     const bool lod_given = in.lod != nullptr;
-    ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-      const auto lambda_u = lod_given ? lod : AxisLambda(d, j.dudx, j.dudy, width);
-      const auto lambda_v = lod_given ? lod : AxisLambda(d, j.dvdx, j.dvdy, height);
+    return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+      const auto& j = p.derivatives;
+      const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
+      const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
       hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
       hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
     });

@@ -3,7 +3,7 @@
 // has
 //
 //   Block                                     what it needs of each lookup (block.h)
-//   static void find(texture, sampler, in, &block)  fills what FindPoints() has not filled
+//   static size_t find(texture, sampler, in, &block)  fills it; returns how many lookups were not finite
 //   static bool is_scattered(texture, block)  whether prefetching pays (prefetch.h)
 //   emit(d, block, i, sink)                   the elements of the vector of lookups at i; sink.finish() ends them
 
@@ -227,20 +227,31 @@ class StreamSink : public Emitter<StreamSink> {
   Consumption first_, second_;
 };
 
+/// Emits the block of lookups from `first` on, while the columns of the next one are on their way from memory.
+template <class Filter, class Sink>
+HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& block, const InputColumns& columns,
+                          size_t first, Sink& sink) {
+  constexpr size_t kLine = 16;  // lookups in a line of a column
+  const BatchTag d;
+  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    if (i % kLine == 0) columns.prefetch(first + kBlock + i);
+    filter.emit(d, block, i, sink);
+  }
+}
+
 /// A RunFilter.
 template <class Filter>
 HWY_NOINLINE size_t Run(const FilterCall& call) {
-  const BatchTag d;
   const Filter filter(call.texture, call.sampler);
+  const InputColumns columns(call.in);
   typename Filter::Block block;
   StreamSink sink(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     const Lookups in = block_of(call.in, first);
-    nonfinite += FindPoints(call.texture, call.sampler, in, &block);
-    Filter::find(call.texture, call.sampler, in, &block);
+    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
     sink.begin(first, Filter::is_scattered(call.texture, block));
-    for (size_t i = 0; i < block.count; i += hn::Lanes(d)) filter.emit(d, block, i, sink);
+    EmitBlock(filter, block, columns, first, sink);
     sink.flush();
   }
   return nonfinite;

@@ -48,8 +48,9 @@ struct PickOnBase : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
   using Block = RandomBlock<PointBlock>;
 
-  static void find(const Texture&, const Sampler&, const Lookups& in, Block* block) {
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
     FindRandom(in, block);
+    return FindPoints(texture, sampler, in, block);
   }
 
   template <class D, class Sink>
@@ -77,9 +78,9 @@ struct PickTrilinear : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<LodBlock>;
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
     FindRandom(in, block);
-    OnMipLevels::find(texture, sampler, in, block);
+    return OnMipLevels::find(texture, sampler, in, block);
   }
 
   template <class D, class Sink>
@@ -98,9 +99,9 @@ struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
     FindRandom(in, block);
-    FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
+    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
 
   template <class D, class Sink>
@@ -145,9 +146,9 @@ struct PickEllipse {
 
   PickEllipse(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static void find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
+  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
     FindRandom(in, block);
-    FindEllipses(texture, sampler, in, block);
+    return FindEllipses(texture, sampler, in, block);
   }
   static bool is_scattered(const Texture& texture, const Block& block) {
     return texture::is_scattered(texture, block, block.level);

@@ -16,7 +16,6 @@
 #include "texture/filter/box-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/footprint/points-inl.h"
-#include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -281,14 +280,15 @@ struct SummedArea {
   }
 };
 
-void FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& in, BoxBlock* out) {
+size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& in, BoxBlock* out) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const float max_parts =
       sampler.box == SHD_BOX_ORIENTED ? static_cast<float>(static_cast<int>(sampler.max_anisotropy)) : 1.0f;
   const BoxRange range = box_range(sampler);
   const bool lod_given = in.lod != nullptr;
-  ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-    const auto boxes = lod_given ? SquareBoxes(d, lod, range) : BoxesOf(d, j, width, height, max_parts, range);
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto boxes =
+        lod_given ? SquareBoxes(d, p.lod, range) : BoxesOf(d, p.derivatives, width, height, max_parts, range);
     hn::Store(boxes.count, d, out->parts + to);
     hn::Store(boxes.side_u, d, out->side_u + to);
     hn::Store(boxes.side_v, d, out->side_v + to);
@@ -306,8 +306,7 @@ size_t SummedAreaOf(const FilterCall& call) {
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     const Lookups in = block_of(call.in, first);
-    nonfinite += FindPoints(call.texture, call.sampler, in, &block);
-    FindBoxes(call.texture, call.sampler, in, &block);
+    nonfinite += FindBoxes(call.texture, call.sampler, in, &block);
     filter.scattered = is_scattered(call.texture, block, nullptr);
     const Texels out = part_of(call.out, first);
     for (size_t i = 0; i < in.count; i += hn::Lanes(d)) filter.run(d, block, i, out);

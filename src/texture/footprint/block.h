@@ -27,7 +27,6 @@ constexpr size_t kMaxLanes = 16;
 /// Where the lookups lie.
 struct PointBlock {
   size_t count;                             // 1..kBlock
-  bool finite;                              // whether all inputs of all lookups are
   alignas(64) float u[kBlock], v[kBlock];   // finite; reduced by ReduceCoordinate() of their wraps
   alignas(64) int32_t first_texel[kBlock];  // of the layer; written if there is more than one layer
 };

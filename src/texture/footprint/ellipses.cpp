@@ -48,12 +48,12 @@ HWY_INLINE Axes2<D> AxesOnLevel(D d, const Footprint<D>& f, const Sampler& sampl
   return {area * (a * a) + texel, area * (b * b) + texel, level};
 }
 
-void FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out) {
+size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const LodRange range = lod_range(texture, sampler);
   const bool lod_given = in.lod != nullptr;
-  ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-    const auto f = lod_given ? RoundFootprint(d, lod) : FootprintOf(d, j, width, height);
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto axes = AxesOnLevel(d, f, sampler, range);
     const auto height2 = axes.aa * (f.v * f.v) + axes.bb * (f.u * f.u);
     hn::Store((axes.aa - axes.bb) * (f.u * f.v) / height2, d, out->shear + to);

@@ -18,13 +18,17 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-              const Lookups& in, LodBlock* out) {
+size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out) {
+  return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
+}
+
+size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                const Lookups& in, LodBlock* out) {
   if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
-  ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-    const auto lambda = lod_given ? lod : LambdaOf(d, j, width, height);
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
     hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
   });
 }
@@ -35,12 +39,8 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
   for (size_t first = 0; first < in.count; first += kBlock) {
     const Lookups part = block_of(in, first);
     ProbeBlock block;
-    nonfinite += FindPoints(texture, sampler, part, &block);
-    if (axis == LodAxis::kProbes) {
-      FindProbes(texture, sampler, range, LodRounding::kNone, part, &block);
-    } else {
-      FindLods(texture, sampler, range, LodRounding::kNone, part, &block);
-    }
+    nonfinite += axis == LodAxis::kProbes ? FindProbes(texture, sampler, range, LodRounding::kNone, part, &block)
+                                          : FindLods(texture, sampler, range, LodRounding::kNone, part, &block);
     std::memcpy(out + first, block.lod, part.count * sizeof(float));
   }
   return nonfinite;
@@ -50,8 +50,9 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
 void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup, float (&axes)[4]) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = lookup.lod != nullptr;
-  ForEachFootprint(sampler, lookup, false, [&](auto d, const auto& j, auto lod, size_t) {
-    const auto f = lod_given ? RoundFootprint(d, lod) : FootprintOf(d, j, width, height);
+  PointBlock point;
+  FillBlock(texture, sampler, lookup, &point, [&](auto d, const auto& p, size_t) {
+    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto shorter = f.length * f.roundness;
     axes[0] = hn::GetLane(f.length * f.u);
     axes[1] = hn::GetLane(f.length * f.v);

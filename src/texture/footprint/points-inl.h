@@ -24,22 +24,18 @@ using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
 
+/// One vector of lookups, made finite: NaN and infinite coordinates and NaN derivatives are 0.
+template <class D>
+struct Points {
+  hn::Vec<D> u, v;
+  Derivatives<D> derivatives;  // 0 where the lookups have none
+  hn::Vec<D> lod;              // not NaN
+  MaskOf<D> finite;            // lanes whose inputs were all finite
+};
+
 template <class D>
 HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
   return column ? hn::LoadU(d, column + i) : hn::Zero(d);
-}
-
-/// 0 for finite x, else NaN.
-template <class V>
-HWY_INLINE V ZeroIfFinite(V x) {
-  return x - x;
-}
-
-/// Derivatives at i; 0 where there are none, or where a level of detail replaces them.
-template <class D>
-HWY_INLINE Derivatives<D> LoadDerivatives(D d, const Lookups& in, size_t i) {
-  if (in.lod) return {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  return {LoadOrZero(d, in.dudx, i), LoadOrZero(d, in.dvdx, i), LoadOrZero(d, in.dudy, i), LoadOrZero(d, in.dvdy, i)};
 }
 
 /// First texel of each lane's layer; the last layer for layers beyond it.
@@ -50,6 +46,34 @@ HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, 
   if (!in.layer) return hn::Zero(di);
   const auto layer = hn::Min(hn::LoadU(du, in.layer + i), hn::Set(du, texture.layers - 1));
   return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layer_texels));
+}
+
+template <class D>
+SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+  Points<D> p;
+  p.u = hn::LoadU(d, in.u + i);
+  p.v = hn::LoadU(d, in.v + i);
+  p.lod = LoadOrZero(d, in.lod, i);
+  Derivatives<D>& j = p.derivatives;
+  j.dudx = LoadOrZero(d, in.lod ? nullptr : in.dudx, i);
+  j.dvdx = LoadOrZero(d, in.lod ? nullptr : in.dvdx, i);
+  j.dudy = LoadOrZero(d, in.lod ? nullptr : in.dudy, i);
+  j.dvdy = LoadOrZero(d, in.lod ? nullptr : in.dvdy, i);
+  // x - x is 0 for finite x and NaN for others.
+  const auto point = (p.u - p.u) + (p.v - p.v);
+  const auto along_x = (j.dudx - j.dudx) + (j.dvdx - j.dvdx);
+  const auto along_y = (j.dudy - j.dudy) + (j.dvdy - j.dvdy);
+  p.finite = hn::Eq((point + (p.lod - p.lod)) + (along_x + along_y), hn::Zero(d));
+  if (HWY_UNLIKELY(!hn::AllTrue(d, p.finite))) {
+    p.u = FiniteOrZero(d, p.u);
+    p.v = FiniteOrZero(d, p.v);
+    p.lod = ZeroIfNaN(p.lod);
+    j.dudx = ZeroIfNaN(j.dudx);
+    j.dvdx = ZeroIfNaN(j.dvdx);
+    j.dudy = ZeroIfNaN(j.dudy);
+    j.dvdy = ZeroIfNaN(j.dvdy);
+  }
+  return p;
 }
 
 /// The last lookups of a block, fewer than a vector has lanes, followed by copies of the last one.
@@ -89,21 +113,28 @@ HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   }
 }
 
-/// body(d, derivatives, lod, to) for every vector of a block, with 0 in place of NaN. Width and blur of the sampler are
-/// applied. `finite`: whether all inputs of the block are finite.
+/// Fills a block: where the lookups lie, then what body(d, points, to) writes of their shape. Width and blur of the sampler
+/// are applied to the derivatives of the points. Returns how many lookups were not finite.
 template <class Body>
-HWY_INLINE void ForEachFootprint(const Sampler& sampler, const Lookups& block, bool finite, const Body& body) {
-  const bool widened = !block.lod && widens(sampler);
-  ForEachVector(block, [&](auto d, const Lookups& in, size_t from, size_t to) {
-    auto j = LoadDerivatives(d, in, from);
-    auto lod = LoadOrZero(d, in.lod, from);
-    if (HWY_UNLIKELY(!finite)) {
-      j = {ZeroIfNaN(j.dudx), ZeroIfNaN(j.dvdx), ZeroIfNaN(j.dudy), ZeroIfNaN(j.dvdy)};
-      lod = ZeroIfNaN(lod);
+HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
+                            const Body& body) {
+  const bool widened = !in.lod && widens(sampler);
+  size_t nonfinite = 0;
+  out->count = in.count;
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    auto points = LoadPoints(d, from, i);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
+      nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, in.count - to)));
     }
-    if (HWY_UNLIKELY(widened)) Widen(d, sampler, &j);
-    body(d, j, lod, to);
+    hn::Store(ReduceCoordinate(d, sampler.wrap_u, points.u), d, out->u + to);
+    hn::Store(ReduceCoordinate(d, sampler.wrap_v, points.v), d, out->v + to);
+    if (texture.layers > 1) {
+      hn::Store(LoadFirstTexel(d, texture, from, i), hn::RebindToSigned<decltype(d)>(), out->first_texel + to);
+    }
+    if (HWY_UNLIKELY(widened)) Widen(d, sampler, &points.derivatives);
+    body(d, points, to);
   });
+  return nonfinite;
 }
 
 /// First texel of each lane's layer.

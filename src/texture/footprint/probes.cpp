@@ -23,13 +23,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// gains 0.6 dB at most, and probes that end where the footprint does, not half a width before, lose 5 dB.
 constexpr float kSlack = 0.125f;
 
-void FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                const Lookups& in, ProbeBlock* out) {
+size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                  const Lookups& in, ProbeBlock* out) {
   if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
-  ForEachFootprint(sampler, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-    const auto f = lod_given ? RoundFootprint(d, lod) : FootprintOf(d, j, width, height);
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
     const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
     const auto lambda = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
@@ -46,9 +46,7 @@ void FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& 
 
 /// For any caller.
 size_t ProbesOfFilter(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* out) {
-  const size_t nonfinite = FindPoints(texture, sampler, in, out);
-  FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, out);
-  return nonfinite;
+  return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, out);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

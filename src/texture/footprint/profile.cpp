@@ -34,7 +34,7 @@ HWY_INLINE V Finished(D d, const Profile& profile, const LodRange& range, Finish
 
 /// body(profile, sampler whose width and blur the loop over a block applies).
 template <class Body>
-HWY_INLINE void WithProfile(const Texture& texture, const Sampler& sampler, Finish finish, const Body& body) {
+HWY_INLINE size_t WithProfile(const Texture& texture, const Sampler& sampler, Finish finish, const Body& body) {
   switch (sampler.profile) {
     case SHD_PROFILE_VULKAN: return body(VulkanProfile{texture, sampler}, sampler);
     case SHD_PROFILE_D3D11: return body(D3d11Profile{texture, sampler}, sampler);
@@ -42,27 +42,27 @@ HWY_INLINE void WithProfile(const Texture& texture, const Sampler& sampler, Fini
   }
 }
 
-void FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                      const Lookups& in, LodBlock* out) {
+size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                        const Lookups& in, LodBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    ForEachFootprint(widening, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
-      const auto lambda = lod_given ? lod : profile.Lambda(d, j);
+  return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+      const auto lambda = lod_given ? p.lod : profile.Lambda(d, p.derivatives);
       hn::Store(Finished(d, profile, range, finish, lambda), d, out->lod + to);
     });
   });
 }
 
-void FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                        const Lookups& in, ProbeBlock* out) {
+size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
+                          const Lookups& in, ProbeBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    ForEachFootprint(widening, in, out->finite, [&](auto d, const auto& j, auto lod, size_t to) {
+  return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       using D = decltype(d);
       const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-      const Probes<D> probes = lod_given ? Probes<D>{zero, zero, one, one, lod} : profile.ProbesOf(d, j);
+      const Probes<D> probes = lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
       hn::Store(probes.step_u, d, out->step_u + to);
       hn::Store(probes.step_v, d, out->step_v + to);
       hn::Store(probes.count, d, out->probes + to);

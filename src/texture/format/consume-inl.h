@@ -5,7 +5,7 @@
 //   Texel<D>                  raw bits of one texel per lane
 //   fetch(d, source, index)   texels at indices, which lie aligned in memory; what is behind the channels that the
 //                             texture has is not defined
-//   fetch_pair(...)           texels at indices and the ones behind them
+//   fetch_quad(...)           texels at indices and the ones behind them, in an upper and a lower row of one level
 //   fetch_row(...)            four texels side by side, from indices on
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
 //   finish<C>(d, value)       from the lerp domain to the result
@@ -170,8 +170,9 @@ SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const E
   if (HWY_LIKELY(op & kNeighbours)) {
     Tap<F, D>* tap = four.tap;
     if (HWY_LIKELY(op & kQuad)) {
-      F::fetch_pair(d, source, stream.index[0] + at, &tap[0].texel, &tap[1].texel);
-      F::fetch_pair(d, source, stream.index[2] + at, &tap[2].texel, &tap[3].texel);
+      typename F::template Texel<D> quad[4];
+      F::fetch_quad(d, source, stream.index[0] + at, stream.index[2] + at, quad);
+      for (size_t k = 0; k < 4; ++k) tap[k].texel = quad[k];
     } else {
       typename F::template Texel<D> row[4];
       F::fetch_row(d, source, stream.index[2] + at, row);
@@ -203,7 +204,7 @@ HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Ele
 /// The running average of channel C of a row.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
-  const auto tap = [&](size_t k) { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
+  const auto tap = [&](size_t k) SHD_INLINE_LAMBDA { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
   auto value = b.blend_s(d, tap(0), tap(1), hn::Load(d, stream.s + at), stream.rate_s + at);
   value = b.blend_s(d, value, tap(2), hn::Load(d, stream.t + at), stream.rate_t + at);
   return b.blend_s(d, value, tap(3), hn::Load(d, stream.r + at), stream.rate_r + at);
@@ -252,24 +253,24 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
   if (op & (kQuad | kRow)) {
     const FourTaps<F, D> four = FetchFour<F, kBorder>(d, consumer.source, stream, op, at);
     if (HWY_LIKELY(op & kQuad)) {
-      wanted.for_each([&](auto c) { value[c] = BlendQuad<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendQuad<c>(d, b, four, stream, at); });
     } else {
-      wanted.for_each([&](auto c) { value[c] = BlendRow<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendRow<c>(d, b, four, stream, at); });
     }
   } else if (op & kMerge) {
-    wanted.for_each([&](auto c) { value[c] = averages->value[1][c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = averages->value[1][c]; });
   } else {
     const Tap<F, D> tap = FetchTap<F, kBorder>(d, consumer.source, stream.index[0] + at);
-    wanted.for_each([&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
   }
   if (op & (kHow | kMerge)) {
-    wanted.for_each([&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
   }
   if (op & kLast) {
-    wanted.for_each([&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { b.template store<c>(d, value[c], to->done, *to); });
     to->done += hn::Lanes(d);
   } else {
-    wanted.for_each([&](auto c) { into[c] = value[c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { into[c] = value[c]; });
   }
 }
 

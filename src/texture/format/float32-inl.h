@@ -69,6 +69,12 @@ struct Float32 {
     *right = load(d, source, texels, at, source.texel_size);
   }
   template <class D>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
+    fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    fetch_pair(d, source, lower, &quad[2], &quad[3]);
+  }
+  template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
     const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at));
     for (size_t k = 0; k < 4; ++k) row[k] = load(d, source, texels, at, k * source.texel_size);

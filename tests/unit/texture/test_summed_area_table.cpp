@@ -3,8 +3,8 @@
 // of sums of many or of very large texels.
 #include "summed_area_fixture.h"
 
-#include "texture/store/summed_area.h"
 #include "texture/format/formats.h"
+#include "texture/store/summed_area.h"
 
 namespace {
 
