@@ -17,8 +17,7 @@ void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u
 bool can_read_color(shd_format format);
 
 /// Copies colour to a checked image of the same size, in a format accepted by can_read_color(): interleaved RGBA,
-/// linear
-/// except for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are exactly the nearest to the clamped value.
+/// linear except for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are exactly the nearest to the clamped value.
 void read_color(const Framebuffer& framebuffer, const shd_image& out);
 
 }  // namespace shd::film

@@ -18,10 +18,8 @@ struct TileRenderer {
   film::SampleStore* samples;  // null with one pass or one sample per pixel
 
   /// Draws one tile; draws take effect in order. Opaque draws are written to the visibility buffer, which is shaded
-  /// before
-  /// a draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle. Order-independent
-  /// blends
-  /// come last. Throws Failure and std::bad_alloc.
+  /// before a draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle.
+  /// Order-independent blends come last. Throws Failure and std::bad_alloc.
   void render(uint32_t index, Worker* worker) const;
 };
 

@@ -8,8 +8,7 @@
 namespace shd::frame {
 
 /// Sorts the triangles of a scene into the order of painting of the frame's visibility method: draws that blend in
-/// order
-/// first, far to near, then the other draws. Counts conflicts if frame.counts_conflicts. Throws Failure and
+/// order first, far to near, then the other draws. Counts conflicts if frame.counts_conflicts. Throws Failure and
 /// std::bad_alloc.
 void order_triangles(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 

@@ -13,9 +13,8 @@ namespace shd::geometry {
 constexpr int kMaxClipped = 42;
 
 /// Clips a triangle at W >= kMinW, 0 <= Z <= W and the guard band, and snaps the rest to the pixel grid. Vertices
-/// inside
-/// keep their ScreenVertex. A new vertex depends on its edge alone, not on the triangle, so that neighbours which share
-/// a clipped edge still meet. Sutherland and Hodgman, "Reentrant Polygon Clipping" (1974).
+/// inside keep their ScreenVertex. A new vertex depends on its edge alone, not on the triangle, so that neighbours
+/// which share a clipped edge still meet. Sutherland and Hodgman, "Reentrant Polygon Clipping" (1974).
 /// @param row     the three vertices
 /// @param out     [kMaxClipped], in the triangle's winding
 /// @return number of vertices, 0 if nothing is left, otherwise 3..kMaxClipped

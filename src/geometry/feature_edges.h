@@ -9,8 +9,7 @@
 namespace shd::geometry {
 
 /// Selection of the edges of a mesh that are drawn as lines, after Gooch, Gooch, Shirley and Cohen, "A
-/// Non-Photorealistic
-/// Lighting Model for Automatic Technical Illustration" (1998), 4.1.
+/// Non-Photorealistic Lighting Model for Automatic Technical Illustration" (1998), 4.1.
 struct EdgeQuery {
   uint32_t kinds;  // shd_edge_kind bits
   double crease_cosine;

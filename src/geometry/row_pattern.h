@@ -7,9 +7,8 @@
 namespace shd::geometry {
 
 /// Subdivision of a triangle into rows, from an apex to the base, which is the side with the fewest parts. Row r joins
-/// a
-/// place on the left side to a place on the right side and has its own number of parts. Row 0 is the apex, the last row
-/// is the base. For sides with equal numbers of parts the result is the regular grid.
+/// a place on the left side to a place on the right side and has its own number of parts. Row 0 is the apex, the last
+/// row is the base. For sides with equal numbers of parts the result is the regular grid.
 class RowPattern {
  public:
   /// @param segments  parts of the three sides; side k goes from corner k to the next

@@ -27,8 +27,7 @@ inline bool is_scattered(const Vertices& vertices) {
 }
 
 /// The vertices of rows [begin, end) of a scattered window, as a mesh without triangles. Rows beyond the last corner
-/// are
-/// 0. Throws std::bad_alloc.
+/// are 0. Throws std::bad_alloc.
 Mesh gather_corners(const core::Allocator& allocator, const Mesh& mesh, const Vertices& vertices, size_t begin,
                     size_t end);
 

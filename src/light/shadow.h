@@ -74,8 +74,7 @@ struct Shadow {
   ShadowMap map;
 };
 
-/// Largest distance, as a part of size, from a point to the texels that a filter reads; PCF and VARIANCE use the
-/// second.
+/// Filters read texels at most size / kMaxRadiusPart from a point; PCF and VARIANCE at most size / kMaxPcfRadiusPart.
 constexpr uint32_t kMaxRadiusPart = 8, kMaxPcfRadiusPart = 4;
 /// Bound to which slopes of surfaces against a face are clamped.
 constexpr float kMaxSlope = 64.0f;

@@ -13,9 +13,9 @@ namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The mean of n x n bilinear comparisons one texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows
-/// with
-/// Depth Maps", 1987). Each of (n + 1) x (n + 1) texels is compared with the plane of the surface at its centre. Texels
-/// of the outermost rows and columns are weighted by their overlap with a square of n x n texels around the point.
+/// with Depth Maps", 1987). Each of (n + 1) x (n + 1) texels is compared with the plane of the surface at its centre.
+/// Texels of the outermost rows and columns are weighted by their overlap with a square of n x n texels around the
+/// point.
 void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const uint32_t taps = shadow.options.taps;

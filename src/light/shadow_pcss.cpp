@@ -13,9 +13,8 @@ namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// n x n taps around a point, one in each cell of a square, in the canonical arrangement of multi-jittered samples
-/// (Chiu,
-/// Shirley and Wang, "Multi-Jittered Sampling", 1994). An edge parallel to the axes of the map crosses the taps one by
-/// one instead of n together.
+/// (Chiu, Shirley and Wang, "Multi-Jittered Sampling", 1994). An edge parallel to the axes of the map crosses the taps
+/// one by one instead of n together.
 template <class D, class V>
 struct TapGrid {
   V step, first;
@@ -68,8 +67,7 @@ struct Comparison {
 };
 
 /// Percentage-closer soft shadows (Fernando, 2005): finds the mean depth of the blockers in the part of the map that
-/// rays
-/// to the light cross, derives the width of the penumbra from it, and averages comparisons over this width.
+/// rays to the light cross, derives the width of the penumbra from it, and averages comparisons over this width.
 void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const ShadowPlacement& placement = map.placement;

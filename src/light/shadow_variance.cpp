@@ -26,8 +26,7 @@ struct Corners {
 };
 
 /// Chebyshev's bound of the bilinear mixture of the distributions of four texels. Texels store a mean and a variance,
-/// not
-/// two moments, so that the variance of the mixture, sum w (v + (m - mean)^2), loses no digits to cancellation.
+/// not two moments, so that the variance of the mixture, sum w (v + (m - mean)^2), loses no digits to cancellation.
 void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const float centre = shadow.options.taps % 2 ? 0.5f : 1.0f;  // centre of a blurred texel

@@ -23,8 +23,7 @@ HWY_INLINE V ClampExponent(D d, V p) {
 }
 
 /// p' with 1 / p' = 1 / p + variance, and the gain (1 + p') / (1 + p), which preserves the reflected light of a lobe
-/// that
-/// is not normalised (Toksvig, "Mipmapping Normal Maps", 2005).
+/// that is not normalised (Toksvig, "Mipmapping Normal Maps", 2005).
 struct ExponentShape {
   enum Column : uint32_t { kExponent, kGain, kColumns };
   static constexpr uint32_t kSlots = 1u << SHD_SLOT_EXPONENT;

@@ -52,8 +52,7 @@ struct ShowInputs {
 };
 
 /// Writes the colour of an unlit model to out, columns of the fragments. Writes nothing past their count, and nothing
-/// at
-/// all for models with lobes and for SHD_MODEL_UNLIT.
+/// at all for models with lobes and for SHD_MODEL_UNLIT.
 void show(const ShowInputs& in, float* const out[3]);
 
 }  // namespace shd::material

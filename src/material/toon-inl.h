@@ -15,8 +15,7 @@ namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Lambert plus the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0,
-/// n.h)^p
-/// replaced by 1 where it is at least 1/2, otherwise by 0.
+/// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
 struct Toon : SpecularBase {
   struct Lighting : SpecularLighting {
     template <class D, class V>

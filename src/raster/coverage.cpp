@@ -47,8 +47,8 @@ class Passes {
 };
 
 /// Compile-time variant of a kernel. Rejected alternatives: a kernel for each of the eight comparisons was five times
-/// the
-/// code and no faster; one kernel for all of them, always clipped, was a quarter of the code but up to a third slower.
+/// the code and no faster; one kernel for all of them, always clipped, was a quarter of the code but up to a third
+/// slower.
 template <Samples kSamples_, Unlike kUnlike_, bool kClipped_>
 struct Variant {
   static constexpr Samples kSamples = kSamples_;

@@ -13,8 +13,7 @@
 namespace shd::raster {
 
 /// Depth-tests triangles into a tile, in order. Where a sample is covered and passes, its slot is replaced, and its
-/// depth
-/// if the state writes depth.
+/// depth if the state writes depth.
 /// @param entries     [count] indices into `triangles`
 /// @param first_slot  slot of entries[0]; entries[i] gets first_slot + i; kNoSlot: only depth is written
 void cover(const core::SimdTarget& simd, const CoverArea& area, const DepthState& state,

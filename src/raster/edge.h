@@ -28,9 +28,8 @@ inline EdgeLine make_edge_line(const geometry::ScreenTriangle& t, int k, int32_t
 }
 
 /// An edge function at one sample of each pixel, in whole pixels: the sample of pixel (i, j) of the tile is on the
-/// inner
-/// side if and only if value + a * i + b * j >= 0. Exact: from pixel to pixel the function changes by 256 a and 256 b,
-/// so that division by 256, rounded down, keeps its sign.
+/// inner side if and only if value + a * i + b * j >= 0. Exact: from pixel to pixel the function changes by 256 a and
+/// 256 b, so that division by 256, rounded down, keeps its sign.
 struct Edge {
   int64_t value, a, b;
 };

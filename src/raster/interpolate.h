@@ -31,8 +31,7 @@ enum Interpolated : uint32_t {
 /// 0; absent attributes are left unchanged. Derivatives are exact derivatives of the quotient, or 0 if they overflow
 /// float. Finite vertices give finite rows. The error is that of the cross products: a pixel position rounded to 2^-24
 /// of its value, divided by the size of the triangle. Largest |error| of a barycentric coordinate measured in a frame
-/// of
-/// 2048^2: 5e-5 for triangles of 1 to 300 pixels, 4e-3 for 0.1 pixel.
+/// of 2048^2: 5e-5 for triangles of 1 to 300 pixels, 4e-3 for 0.1 pixel.
 void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments);
 

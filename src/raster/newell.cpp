@@ -106,8 +106,7 @@ class Newell {
   }
 
   /// The next triangle that must be painted before an open one, or kNoTriangle. Pieces are inserted after the triangle
-  /// that
-  /// they were cut from, in the list of every cell, so that the search reaches all pieces that it has not passed.
+  /// that they were cut from, in the list of every cell, so that the search reaches all pieces that it has not passed.
   uint32_t next_predecessor(Open* o) {
     const SortTriangle& f = triangles_[o->triangle];
     while (o->y <= o->cells.bottom) {

@@ -20,8 +20,7 @@ struct PointSum {
 };
 
 /// The sample positions of a pixel. A single sample lies at the centre; several samples lie at the standard positions
-/// of
-/// Direct3D and Vulkan (Vulkan 1.3 specification, "Multisampling").
+/// of Direct3D and Vulkan (Vulkan 1.3 specification, "Multisampling").
 struct SamplePattern {
   uint32_t count;
   SamplePoint point[kMaxSamples];

@@ -56,8 +56,7 @@ DistanceRange beyond_overlap(const SortTriangle& a, const SortTriangle& b);
 
 /// Whether a may be painted before b. The tests are the five of Newell, Newell and Sancha, "A Solution to the Hidden
 /// Surface Problem" (1972): depths, boxes, a behind the plane of b, b in front of the plane of a, screen overlap. If
-/// all
-/// of them fail, the distances over the overlap decide.
+/// all of them fail, the distances over the overlap decide.
 bool may_precede(const SortTriangle& a, const SortTriangle& b);
 
 /// The pieces of a cut triangle.

@@ -9,8 +9,7 @@
 namespace shd::raster {
 
 /// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the framebuffer. Depth and triangle
-/// of
-/// a tile take 32 KB per sample, and the fragment columns of a tile stay in L2.
+/// of a tile take 32 KB per sample, and the fragment columns of a tile stay in L2.
 constexpr int32_t kTileBits = 6;
 constexpr int32_t kTile = 1 << kTileBits;
 constexpr size_t kTilePixels = size_t{kTile} * kTile;
@@ -23,13 +22,11 @@ constexpr int32_t kBlock = 1 << kBlockBits;
 constexpr int32_t kBlocksPerRow = kTile / kBlock;
 
 /// Direction in which the depths of a tile have changed since its bounds were found: only smaller depths passed, or
-/// only
-/// larger ones.
+/// only larger ones.
 enum class DepthTrend { kUnknown, kFalling, kRising };
 
 /// Hierarchical depth: no depth of a block lies beyond its bound, so that a triangle that cannot pass is rejected
-/// before
-/// its samples are visited. A bound stays valid while depths follow the trend. A bound that rejects nothing is
+/// before its samples are visited. A bound stays valid while depths follow the trend. A bound that rejects nothing is
 /// recomputed.
 struct DepthBounds {
   DepthTrend trend;

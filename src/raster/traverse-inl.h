@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The samples of a tile that a triangle covers, vector by vector. Samples are ordered as in the tile: all samples of
-// one
-// pixel, then all samples of the next.
+// one pixel, then all samples of the next.
 #if defined(SHD_RASTER_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_RASTER_TRAVERSE_INL_H_
 #undef SHD_RASTER_TRAVERSE_INL_H_
@@ -126,8 +125,7 @@ struct EdgeWalk {
 };
 
 /// Calls body(at, inside, z) for every vector with covered samples: `at` is the position of its first sample in the
-/// tile,
-/// z are the depths. Unless Variant::kClipped, the box must be the box of the triangle in the tile.
+/// tile, z are the depths. Unless Variant::kClipped, the box must be the box of the triangle in the tile.
 template <class Variant, class Body>
 HWY_INLINE void ForEachCovered(const TriangleSetup& t, const Body& body) {
   constexpr Samples kSamples = Variant::kSamples;

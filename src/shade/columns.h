@@ -21,7 +21,7 @@ struct LobeShape {
   const float* column[material::kMaxShapeColumns];
 };
 
-/// Largest number of lights with a cookie or a shadow whose factors are stored concurrently.
+/// Largest number of lights with a cookie or a shadow in one LightGroup; their factors are stored.
 constexpr size_t kModulated = 4;
 
 /// Columns for marching the fragments' lines of sight through a height field.

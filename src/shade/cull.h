@@ -11,9 +11,8 @@
 namespace shd::shade {
 
 /// Finds the lights of a table whose range reaches the bounds of the points' positions. Writes their indices in order
-/// and
-/// returns the count. Lights without a range are always kept. A culled light would add 0, so that no bit depends on the
-/// other points of a batch.
+/// and returns the count. Lights without a range are always kept. A culled light would add 0, so that no bit depends on
+/// the other points of a batch.
 /// @param out  [data::padded(lights.count)]
 size_t cull_lights(const core::SimdTarget& simd, const LightTable& lights, const raster::Fragments& points,
                    uint32_t* out);

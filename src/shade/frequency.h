@@ -26,8 +26,7 @@ void set_corner_varyings(const geometry::Vertices& vertices, const shd_interpola
                          const raster::Fragments& points, raster::Varyings* out);
 
 /// Sets the varyings of points from set_centroid(): the mean of the three vertices; FLAT varyings take the values of
-/// the
-/// first vertex.
+/// the first vertex.
 void set_centroid_varyings(const geometry::Vertices& vertices, const shd_interpolation* modes,
                            const raster::Fragments& points, raster::Varyings* out);
 

@@ -22,11 +22,9 @@ struct LightGroup {
 };
 
 /// Computes the lobes of the material's model at every point under `count` lights, summed in the order of the lights.
-/// The
-/// result is the first info_of().lobes of `out`. Lobe 0 is diffuse and includes E. For models that ignore the
-/// irradiance
-/// it is the sum of their weights, equal in all channels. Specular lobes include their normalisation and the gain of
-/// `shape`.
+/// The result is the first info_of().lobes of `out`. Lobe 0 is diffuse and includes E. For models that ignore the
+/// irradiance it is the sum of their weights, equal in all channels. Specular lobes include their normalisation and the
+/// gain of `shape`.
 ///
 /// Compared with the exact formulas, each light adds at most the following error, with E at normal incidence:
 ///   diffuse lobes         2e-6 E (measured 5.6e-7 E)

@@ -58,8 +58,7 @@ TangentFrame tangent_frame_of(const geometry::Vertices& vertices, uint32_t uv_se
 }
 
 /// Whether the back of a triangle faces the eye: the sign of its homogeneous area on the screen, valid also for
-/// vertices
-/// behind the eye.
+/// vertices behind the eye.
 bool is_seen_from_behind(const geometry::Vertices& vertices, float orientation, uint32_t triangle) {
   double v[3][3];
   for (size_t k = 0; k < 3; ++k) {
