@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Structs of callers whose headers may be older or newer than the library. Links to nothing: `fail` is the fail() of
-/// the library, which stores a text for shd_last_error() and returns the code.
+/// Structs of callers whose headers may be older or newer than the library. This header needs no library: `fail` is the
+/// fail() of the library, which stores a text for shd_last_error() and returns the code.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace shd::core {
 
-/// The number behind an enum of the caller, who may have set it to anything. Loading it as an enum is undefined for
-/// numbers beyond the bits of the enumerators, so checks look at this number first.
+/// The number stored in an enum of the caller, which may be any number. Loading it as an enum is undefined for numbers
+/// beyond the bits of the enumerators, so that checks must use this number first.
 template <class Enum>
 uint32_t enum_bits(const Enum& value) {
   static_assert(sizeof value == sizeof(uint32_t));
@@ -22,8 +22,8 @@ uint32_t enum_bits(const Enum& value) {
   return bits;
 }
 
-/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size, of which `minimum`
-/// is the smallest of any version; bytes that this version does not know must be zero.
+/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size. `minimum` is the
+/// smallest struct_size of any version. Bytes beyond the size of this version must be zero.
 template <class Fail>
 shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
   if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {

@@ -18,7 +18,7 @@ namespace shd::io {
 
 namespace {
 
-/// What went wrong on the socket.
+/// Outcome of a transfer on the socket.
 enum class Stream { kDone, kClosed, kLate };
 
 /// Waits until the socket is ready for `events`.
@@ -85,7 +85,8 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   return request;
 }
 
-/// Checks every field of a reply: the process that sent it has read hostile bytes. Returns the size of the pixels.
+/// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
+/// pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;

@@ -27,17 +27,16 @@ struct LightGroup {
 /// gain of `shape`.
 ///
 /// Compared with the exact formulas, each light adds at most the following error, with E at normal incidence:
-///   diffuse lobes         2e-6 E (measured 5.6e-7 E)
-///   max(0, n.h)^p         2e-6 E, plus the change of the power when the cosine is off by d = 2.5e-7 (1 + 2 / |wo +
-///   l|),
-///                         at most p d E: a short wo + l magnifies its own rounding (measured half of that); times
-///                         N (n.l) in the normalised model
-///   max(0, v.r)^p         as max(0, n.h)^p with d = 6e-7 (measured half of that)
-///   metallic-roughness    E and the lobe times 6e-6 + 1e-6 (1 + 2 / |wo + l|) / alpha + 4e-7 / n.l + 4e-7 / n.v, plus
-///                         1e-6 of the sum of both specular lobes, for narrow highlights and grazing angles (measured
-///                         0.4 of that)
-///   E itself              1e-6 I / r^2 with a range; for spots, the change of the cone when its cosine is off by 3e-7
-///   Gooch                 1e-6
+///   diffuse lobes       2e-6 E (measured 5.6e-7 E)
+///   max(0, n.h)^p       2e-6 E, plus the change of the power when the cosine is off by d = 2.5e-7 (1 + 2 / |wo + l|),
+///                       at most p d E: a short wo + l magnifies its own rounding (measured half of that); times
+///                       N (n.l) in the normalised model
+///   max(0, v.r)^p       as max(0, n.h)^p with d = 6e-7 (measured half of that)
+///   metallic-roughness  E and the lobe times 6e-6 + 1e-6 (1 + 2 / |wo + l|) / alpha + 4e-7 / n.l + 4e-7 / n.v, plus
+///                       1e-6 of the sum of both specular lobes, for narrow highlights and grazing angles (measured
+///                       0.4 of that)
+///   E itself            1e-6 I / r^2 with a range; for spots, the change of the cone when its cosine is off by 3e-7
+///   Gooch               1e-6
 /// Where n.l is within 1e-6 of 0, a gated specular lobe may be kept or dropped. Where a cosine is within its rounding
 /// of a step of SHD_MODEL_TOON, either step may be taken.
 void illuminate(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
