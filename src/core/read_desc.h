@@ -32,7 +32,7 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   uint32_t size;
   std::memcpy(&size, in, sizeof size);
   if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
                 minimum);
   }
   constexpr uint32_t kMaxSize = 1u << 16;
@@ -42,7 +42,7 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {
     if (bytes[i] != 0) {
-      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
+      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version reads only %zu bytes", name, i,
                   out_size);
     }
   }

@@ -54,7 +54,7 @@ struct Transform {
   float orientation;  // sign of det: -1 where the matrix mirrors
   float left, top, right, bottom;  // limits of the visible pixels [pixels]
   float clip[16];                  // object space to clip space (x, y, z, w); z and w are Z and W
-  float half[2], centre[2];        // of the viewport [pixels]: X = centre w + half x, Y = centre w - half y
+  float half[2], centre[2];        // viewport [pixels]: X = centre w + half x, Y = centre w - half y
 };
 
 /// The rectangle of the picture that NDC -1..1 maps to [pixels].

@@ -44,7 +44,7 @@ void allocate(const core::Allocator& allocator, VertexColumns* out);
 /// The vertices that a program runs on.
 struct NumberedMesh {
   const Mesh& mesh;
-  const uint32_t* numbers;  // [vertex] number that the program sees; null = 0, 1, 2, ...
+  const uint32_t* numbers;  // [vertex] number passed to the program; null = 0, 1, 2, ...
 };
 
 /// Like transform_vertices, but the program may change every vertex before it is projected. A vertex that the program

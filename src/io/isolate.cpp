@@ -91,7 +91,7 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;
   if (reply.magic != kWorkerMagic || reply.code > SHD_ERROR_INTERNAL) {
-    core::refuse(SHD_ERROR_INTERNAL, "the worker is of another version of shd");
+    core::refuse(SHD_ERROR_INTERNAL, "the worker belongs to another version of shd");
   }
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));

@@ -84,7 +84,7 @@ void open_input(Decoder& d, const MemoryFile& file) {
   if (d.format == SHD_FILE_FORMAT_ANY) {
     d.input.handle = OIIO::ImageInput::open(file.path(), &config);
     if (!d.input.handle) {
-      core::refuse(SHD_ERROR_UNSUPPORTED, "no reader of OpenImageIO takes the file: %s",
+      core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s",
                    printable(d.input.error()).c_str());
     }
     d.spec = d.input.handle->spec();
@@ -94,7 +94,7 @@ void open_input(Decoder& d, const MemoryFile& file) {
       std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
   d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
   if (!d.input.handle)
-    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without it", format_name(d.format));
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");

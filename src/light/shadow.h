@@ -46,7 +46,7 @@ struct ShadowPlacement {
   shd_light_kind kind;
   ShadowProjection projection;
   uint32_t face_count;
-  ShadowAxes axes;     // of a single face; unused for a cube
+  ShadowAxes axes;     // a single face; unused for a cube
   float origin[3];     // world space
   float scale;         // texels per world length, or per unit of the tangent
   float near, far;     // range of depths, near < far; near > 0 unless orthographic
