@@ -14,7 +14,7 @@ import sys
 sys.dont_write_bytecode = True
 import prose
 
-# The data flow. An include may point to the same stage or to one before it; abi sees all.
+# The data flow. An include may point to the same stage or to one before it; abi may include all.
 STAGES = ["core", "data", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
           "frame", "extension", "color", "io", "abi"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}

@@ -7,15 +7,16 @@ import re
 
 # Finished folders and files; comments elsewhere are not checked yet. A folder includes its subfolders, but Markdown is
 # listed file by file.
-FOLDERS = ["bench", "examples", "src/color", "src/core", "src/data", "src/extension", "src/film", "src/frame", "src/geometry", "src/image",
-           "src/io", "src/light", "src/material", "src/raster", "src/shade", "src/simd"]
+FOLDERS = ["bench", "examples", "src/color", "src/core", "src/data", "src/extension", "src/film", "src/frame",
+           "src/geometry", "src/image", "src/io", "src/light", "src/material", "src/raster", "src/shade", "src/simd",
+           "tests/ref", "tests/support"]
 SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".md"}
 MARKS = {".py": "#", ".sh": "#", ".cmake": "#", ".txt": "#"}
 
-# What follows a pronoun that stands alone, where a noun belongs.
-NO_NOUN = (r"(?:of|in|at|on|with|without|that|which|whose|after|before|behind|beyond|below|above|for|to|from|by|when|if|"
-           r"where|while|is|are|was|were|has|have|do|does|can|may|must|will|would|times|plus|and|or|but|as|alone|holds|"
-           r"goes|come|comes|go)\b")
+# Words after a pronoun without a noun.
+NO_NOUN = (r"(?:of|in|at|on|with|without|that|which|whose|after|before|behind|beyond|below|above|for|to|from|by|when|"
+           r"if|where|while|is|are|was|were|has|have|do|does|can|may|must|will|would|times|plus|and|or|but|as|alone|"
+           r"holds|goes|come|comes|go)\b")
 GREATER = r"(?:more|less|better|worse|higher|lower|larger|smaller|longer|shorter|nearer|farther|closer|earlier|later)"
 PERSON = r"(?:callers?|hosts?|users?|readers?|authors?|people|programmers?|maintainers?|reviewers?|who|you|we)"
 
