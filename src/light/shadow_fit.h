@@ -37,7 +37,7 @@ class ShadowFit {
   bool is_cube_;
   Interval across_[2];  // along right and down
   Interval depth_;      // along forward, from the origin of depths; for cubes the maximum norm
-  double largest_ = 0;    // largest magnitude of a coordinate
+  double largest_ = 0;  // largest magnitude of a coordinate
   bool is_limited_ = false, has_planes_ = false;
   double near_ = 0, far_ = 0;
 };
