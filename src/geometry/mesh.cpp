@@ -62,7 +62,7 @@ void copy_positions(const core::Allocator& allocator, const shd_mesh_desc& desc,
   }
 }
 
-/// Normalises the caller's normals; zero normals become (0, 0, 1). Returns the number of zero normals.
+/// Normalises the caller's normals. Zero and non-finite normals become (0, 0, 1); returns their number.
 uint32_t copy_normals(const shd_mesh_desc& desc, Mesh* out) {
   uint32_t normalless = 0;
   for (size_t i = 0; i < desc.vertex_count; ++i) {

@@ -14,8 +14,8 @@ namespace shd::geometry {
 /// - vertices of equal position, normal and uv are one;
 /// - vertices of equal position, normal and uv are merged;
 ///   them, and have uv areas of the same sign;
-/// - the tangent of a group is the sum, over its triangles, of the direction of growing u, projected into the plane of
-///   the normal, normalised and multiplied by the corner's angle in that plane; the handedness is the sign;
+/// - the tangent of a group is a sum over its triangles. A term is the direction of growing u, projected into the plane
+///   of the normal, normalised and multiplied by the corner's angle in that plane. The handedness is the sign;
 /// - triangles without uv area add nothing; they take the sign of the first group that reaches them;
 /// - corners without a group get the first group at their vertex, or the fallback. Their triangles have two corners at
 ///   one position, a non-finite position, or a sign that no group accepts.

@@ -68,8 +68,8 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
                          const PixelBox& visible);
 
 /// Transformed vertices of one draw or of a part of it. The layout is rows of four, not columns: a fragment gathers all
-/// of a vertex, and a row lies in one cache line. u and v fill the rows of positions and normals: see u_of() and
-/// v_of().
+/// of a vertex, and a row lies in one cache line. Texture coordinates u and v fill the rows of positions and normals:
+/// see u_of() and v_of().
 struct Vertices {
   core::Array<ScreenVertex> screen;  // [padded]
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
