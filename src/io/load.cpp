@@ -13,7 +13,7 @@ shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOption
   shd_file_format format = sniff(bytes, size);
   const bool any = (options.formats & SHD_FILE_FORMAT_ANY) != 0;
   if (format == SHD_FILE_FORMAT_NONE) {
-    if (!any) core::refuse(SHD_ERROR_UNSUPPORTED, "the content is not a known image format");
+    if (!any) core::refuse(SHD_ERROR_UNSUPPORTED, "the content is of no known image format");
     return SHD_FILE_FORMAT_ANY;
   }
   if (!any && (options.formats & static_cast<uint32_t>(format)) == 0) {
