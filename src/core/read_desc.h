@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Structs of callers whose headers may be older or newer than the library. Links to nothing: `fail` is the fail() of
-/// the library, which stores a text for shd_last_error() and returns the code.
+/// Structs of callers whose headers may be older or newer than the library. This header needs no library: `fail` is the
+/// fail() of the library, which stores a text for shd_last_error() and returns the code.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace shd::core {
 
-/// The number behind an enum of the caller, who may have set it to anything. Loading it as an enum is undefined for
-/// numbers beyond the bits of the enumerators, so checks look at this number first.
+/// The number stored in an enum of the caller, which may be any number. Loading it as an enum is undefined for numbers
+/// beyond the bits of the enumerators, so that checks must use this number first.
 template <class Enum>
 uint32_t enum_bits(const Enum& value) {
   static_assert(sizeof value == sizeof(uint32_t));
@@ -22,8 +22,8 @@ uint32_t enum_bits(const Enum& value) {
   return bits;
 }
 
-/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size, of which `minimum`
-/// is the smallest of any version; bytes that this version does not know must be zero.
+/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size. `minimum` is the
+/// smallest struct_size of any version. Bytes beyond the size of this version must be zero.
 template <class Fail>
 shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
   if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {
@@ -32,7 +32,7 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   uint32_t size;
   std::memcpy(&size, in, sizeof size);
   if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
                 minimum);
   }
   constexpr uint32_t kMaxSize = 1u << 16;
@@ -42,7 +42,7 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {
     if (bytes[i] != 0) {
-      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
+      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version reads only %zu bytes", name, i,
                   out_size);
     }
   }

@@ -37,7 +37,7 @@ struct ModelRow {
 template <class... Rows>
 struct ModelTable {};
 
-/// Every model but SHD_MODEL_PROGRAM, which has no reflectance of its own. A new model is one file and one row.
+/// Every model except SHD_MODEL_PROGRAM, which has no reflectance of its own. A new model is one file and one row.
 // clang-format off
 using Models = ModelTable<
     ModelRow<SHD_MODEL_LAMBERT, Lambert>,
@@ -61,7 +61,7 @@ HWY_INLINE void VisitRow(shd_model model, const Visit& visit, ModelTable<Rows...
   (void)((Rows::kModel == model ? (visit(typename Rows::Model()), true) : false) || ...);
 }
 
-/// visit(Model()) with the struct of a model.
+/// Calls visit(Model()) with the struct of a model.
 template <class Visit>
 HWY_INLINE void VisitModel(shd_model model, const Visit& visit) {
   VisitRow(model, visit, Models());

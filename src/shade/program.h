@@ -10,7 +10,7 @@
 
 namespace shd::shade {
 
-/// Columns of points as programs and procedures read them.
+/// The columns of points that programs and procedures read.
 shd_fragments make_inputs(const DrawShading& shading, const raster::Fragments& points,
                           const raster::Varyings& varyings);
 

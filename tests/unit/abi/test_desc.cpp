@@ -7,14 +7,14 @@
 namespace shd::tests {
 namespace {
 
-/// The struct as this version knows it.
+/// The struct in the version of the library.
 struct Desc {
   uint32_t struct_size;
   uint32_t first;
   uint32_t appended;
 };
 
-/// The memory of a caller, with room behind its struct.
+/// The memory of a caller, with room after its struct.
 struct Caller {
   Desc desc;
   uint32_t canary[2];
@@ -23,7 +23,7 @@ struct Caller {
 struct WriteCase {
   const char* name;
   uint32_t struct_size;
-  uint32_t appended;  // what is in the caller's struct afterwards
+  uint32_t appended;  // its value in the struct after the call
 };
 constexpr WriteCase kWriteCases[] = {
     {"write_desc/same", sizeof(Desc), 3},
@@ -45,9 +45,9 @@ void test_write(void** state) {
 struct ReadCase {
   const char* name;
   uint32_t struct_size;
-  uint32_t unknown;  // in the bytes that this version does not know
+  uint32_t unknown;  // value of the bytes beyond this version
   shd_result result;
-  uint32_t appended;  // what is read; 9 = the default
+  uint32_t appended;  // value after reading; 9 = the default
 };
 constexpr ReadCase kReadCases[] = {
     {"read_desc/same", sizeof(Desc), 5, SHD_OK, 3},
