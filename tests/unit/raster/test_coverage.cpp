@@ -189,7 +189,7 @@ void check_shape(const shape_case& c, uint32_t samples) {
       clear(&g_tile);
       cover_one(target, t, corner[0], corner[1], &g_tile);
       if (first) {
-        check_triangle(target.name, t, corner[0], corner[1]);
+        if (i % SHD_ORACLE_STRIDE == 0) check_triangle(target.name, t, corner[0], corner[1]);
         copy(g_tile, &g_first);
       }
       if (!are_same(g_tile, g_first)) fail_msg("%s differs, triangle %d", target.name, i);

@@ -22,7 +22,7 @@ void for_each_codec(const Body& body) {
   }
 }
 
-/// Times its scale, the number that stands for 1 is exactly 1, 0 is 0, and no number in between leaves 0..1.
+/// The scale turns one() into exactly 1 and 0 into 0. Numbers between them stay below 1; codes become their quotient.
 void test_scale(void**) {
   for_each_codec([](auto codec) {
     for (size_t c = 0; c < codec.kChannels; ++c) {

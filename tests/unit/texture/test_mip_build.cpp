@@ -129,6 +129,7 @@ void compare_with_oracle(const Chain& chain, const shd_mip_desc& desc, uint32_t 
 void test_oracle(void** state) {
   shd_mip_desc desc = shd_mip_desc_default();
   desc.kernel = static_cast<const Case*>(*state)->kernel;
+  int chains = 0;
   for (const Size& size : k_sizes) {
     const bool large = size.width > 1000;
     for (const shd_format format : k_formats) {
@@ -141,7 +142,7 @@ void test_oracle(void** state) {
           if (large && source != SHD_MIP_FROM_BASE) continue;
           desc.source = source;
           build(chain, desc);
-          compare_with_oracle(*chain, desc, large ? 2 : 16);
+          if (chains++ % SHD_ORACLE_STRIDE == 0) compare_with_oracle(*chain, desc, large ? 2 : 16);
         }
       }
       free_chain(chain);
