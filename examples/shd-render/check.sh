@@ -91,7 +91,7 @@ same --shape sphere -- --shape sphere --height checker
 same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0
 for form in gradient texel; do other --shape sphere -- --shape sphere --height checker --bump $form --bump-scale 0.2; done
 other --shape plane --texture checker -- --shape plane --texture checker --height checker --parallax 0.2
-expect 0 "" --size 64x64 --no-color --shape sphere --model normal -o normals.png
+expect 0 "" --size 64x64 --no-color --shape sphere --show normal -o normals.png
 other --shape sphere -- --shape sphere --normal-map normals.png
 other --shape plane --normal-map normals.png --uv-scale 30 -- \
   --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
@@ -106,7 +106,7 @@ done
 other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
 other -- --lines 1
 other --lines 1 -- --lines 3
-same --model normal -- --model normal --height checker --displace 0
+same --show normal -- --show normal --height checker --displace 0
 other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
 
 expect 2 "--colour is not an option" --colour

@@ -9,7 +9,7 @@
 struct StageLight {
   Light light;
   bool casts = false;
-  shd_light_kind kind = SHD_LIGHT_POINT;
+  shd_light_kind kind = SHD_LIGHT_KIND_POINT;
 };
 
 /// Lights of the preset, which stand around the camera, and of the command line, which stand around the model, as

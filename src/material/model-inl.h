@@ -76,7 +76,7 @@ struct LightingBase {
   static constexpr uint32_t kLobes = 0;
   /// The lobes depend on wo.
   static constexpr bool kNeedsEye = false;
-  /// SHD_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0; lighting without this member set never does.
+  /// SHD_MATERIAL_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0; lighting without this member set never does.
   static constexpr bool kMayBeUngated = false;
   /// Lobe 0 sums every light with weight 1 instead of E: no range, cookie, shadow or side counts.
   static constexpr bool kIgnoresIrradiance = false;

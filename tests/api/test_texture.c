@@ -174,7 +174,7 @@ static void test_null_arguments(void **state)
     shd_context *context = NULL;
     shd_texture_desc desc = desc_4x4();
     shd_texture *texture = (shd_texture *)&desc;
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_image image = shd_image_default();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
@@ -224,7 +224,7 @@ static void test_info(void **state)
 {
     const struct info_case *c = (const struct info_case *)*state;
     shd_texture_desc desc = shd_texture_desc_default();
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_context *context = NULL;
     shd_texture *texture = NULL;
     void *texels = calloc((size_t)c->width * c->height, 16);
@@ -300,7 +300,7 @@ static void test_stale_handle(void **state)
 {
     shd_context *context = NULL;
     shd_texture *texture = NULL;
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_texture_desc desc = desc_4x4();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
