@@ -3,19 +3,19 @@
  * @file
  * @brief Sized structs: how callers and libraries of different versions work together, and defaults through FFI.
  *
- * A struct that may grow begins with `uint32_t struct_size`, the size that the caller's header gives it. Fields are only
- * ever appended.
- *  - In C and C++ call the inline `shd_<noun>_default()`: it compiles the caller's own size in. Bindings that cannot call
- *    inline functions call shd_desc_init().
+ * A struct that may grow begins with `uint32_t struct_size`, the size that the caller's header gives it. Fields are
+ * only ever appended.
+ *  - In C and C++ call the inline `shd_<noun>_default()`: it compiles the caller's own size in. Bindings that cannot
+ *    call inline functions call shd_desc_init().
  *  - Structs that the library reads: fields that a smaller struct lacks have their defaults. Bytes of a larger struct
- *    that the library does not know must be zero, else the call fails with SHD_ERROR_UNSUPPORTED.
- *  - Structs that the library writes: it never writes beyond struct_size. It sets bytes of a larger struct that it does
- *    not know to zero, and leaves struct_size as it is.
+ *    beyond the library's own must be zero, else the call fails with SHD_ERROR_UNSUPPORTED.
+ *  - Structs that the library writes: it never writes beyond struct_size. It clears the bytes of a larger struct beyond
+ *    its own, and does not change struct_size.
  *  - A struct_size that does not reach the last required field of the struct is refused.
  *  - All elements of an array of sized structs have one struct_size, which is the distance between them.
- *  - Padding inside a struct is never given to a field. No sized struct ends with padding.
+ *  - Padding is never given to a field. No sized struct ends with padding, and appended fields bring none.
  *
- * Structs without struct_size are frozen and say so. Structs are passed by pointer. Only inline functions return them.
+ * Structs without struct_size are frozen. Structs are passed by pointer. Only inline functions return structs.
  *
  * Thread safety: any thread.
  *
@@ -76,8 +76,8 @@ typedef enum shd_desc_kind {
  * Write the defaults of a sized struct into the caller's memory and set its struct_size.
  * @param kind  which struct `ptr` points at
  * @param ptr   the caller's struct, aligned for it
- * @param size  size in bytes of the caller's struct. A smaller one than the library's gets the first fields, down to the
- *              last required field; the tail of a larger one becomes zero
+ * @param size  size in bytes of the caller's struct. A smaller one than the library's gets the first fields, down to
+ *              the last required field; the tail of a larger one becomes zero
  * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
  * @since 0.1
  */

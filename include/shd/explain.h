@@ -3,8 +3,8 @@
  * @file
  * @brief The texels that one lookup reads, and the blends that combine them.
  *
- * Every filter of shd except SUMMED_AREA and EXACT is a tree of blends of texels. The explanation is that tree, recorded
- * from the kernel itself. Replaying it in float gives exactly the values of shd_texture_sample():
+ * Every filter of shd except SUMMED_AREA and EXACT is a tree of blends of texels. The explanation is that tree,
+ * recorded from the kernel itself. Replaying it in float gives exactly the values of shd_texture_sample():
  *
  *     node i < tap_count              v[i] = taps[i].value[c]
  *     node tap_count + k              v = s == 0 ? v[a] : v[a] + s * (v[b] - v[a]), with a, b, s of blends[k];

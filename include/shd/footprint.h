@@ -102,8 +102,8 @@ static inline shd_ray_cones shd_ray_cones_default(void)
  * Compute derivatives from ray cones.
  *
  * They are the axes of the ellipse in which the cone meets the surface: along the projected direction (x) and across it
- * (y), each as long as the cone is wide there (Akenine-Moller et al., "Improved Shader and Texture Level of Detail Using
- * Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as 2^-10 rad.
+ * (y), each as long as the cone is wide there (Akenine-Moller et al., "Improved Shader and Texture Level of Detail
+ * Using Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as 2^-10 rad.
  * @param cones  columns, borrowed for the call
  * @param out    columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1

@@ -8,9 +8,9 @@
  *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated.
  *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before
  *    decoding.
- *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and turns
- *    a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap memory of
- *    the decoder: isolate such loads.
+ *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and
+ *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
+ *    memory of the decoder: isolate such loads.
  *
  * libpng writes a line to stderr about damaged compressed data whose checksums are right, and about any damage with
  * SHD_LOAD_PARTIAL; an isolated load is silent. OpenEXR keeps decoding threads after its first file: after a fork the
@@ -112,10 +112,10 @@ typedef struct shd_bitmap shd_bitmap;
 /**
  * Read an image file.
  *
- * Channels become R, G, B, A: the channels of these names, else the first ones. One channel (or one with alpha) is grey,
- * r = g = b; absent alpha is 1. 8-bit integers give RGBA8_SRGB or RGBA8, 16-bit integers RGBA16, half RGBA16F, all others
- * RGBA32F. No transfer curve is applied. An EXR data window is placed into its display window: zero outside, cropped
- * where it is larger. EXIF orientation is not applied. Deep images, subsampled channels and volumes are
+ * Channels become R, G, B, A: the channels of these names, else the first ones. One channel (or one with alpha) is
+ * grey, r = g = b; absent alpha is 1. 8-bit integers give RGBA8_SRGB or RGBA8, 16-bit integers RGBA16, half RGBA16F,
+ * all others RGBA32F. No transfer curve is applied. An EXR data window is placed into its display window: zero outside,
+ * cropped where it is larger. EXIF orientation is not applied. Deep images, subsampled channels and volumes are
  * SHD_ERROR_UNSUPPORTED.
  * @param context     retained
  * @param path        UTF-8 or any bytes the system accepts; a regular file; used literally (no UDIM, no format
@@ -196,10 +196,10 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
 /**
  * Make a texture of an image file.
  *
- * sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F with
- * the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and alpha
- * are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space() does not
- * list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
+ * sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
+ * with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
+ * alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
+ * does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */
@@ -247,8 +247,8 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_save(const shd_framebuffer *fra
 /**
  * Write an image without conversion, in the way of shd_framebuffer_save().
  *
- * PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and RGBA32F; HDR RGBA32F; TIFF all except RGBA16F; TGA and BMP
- * R8, RGBA8 and RGBA8_SRGB. Alpha is tagged as straight, except in EXR.
+ * PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and RGBA32F; HDR RGBA32F; TIFF all except RGBA16F; TGA and
+ * BMP R8, RGBA8 and RGBA8_SRGB. Alpha is tagged as straight, except in EXR.
  * @param image  borrowed for the call
  * @since 0.1
  */

@@ -77,7 +77,7 @@ typedef enum shd_model {
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
-/** Pictures of what the rasteriser computes, in place of the model's radiance L. */
+/** Pictures of what the rasteriser computes, in place of the model's radiance L; the emission is added. */
 typedef enum shd_debug_view {
     SHD_DEBUG_VIEW_NONE = 0,   /**< the model */
     SHD_DEBUG_VIEW_NORMAL = 1, /**< shading normal: (n + 1) / 2 */
@@ -91,8 +91,8 @@ typedef enum shd_debug_view {
  * Encoding of a tangent-space normal in the values of SHD_SLOT_NORMAL.
  *
  * x points along u, z along the normal, and y up in the image, against v, as in glTF 2.0 (down with
- * SHD_MATERIAL_NORMAL_Y_DOWN). Textures of 8 and 16 bits hold (c + 1) / 2 of a component c; float textures, vertices and
- * procedures hold c itself.
+ * SHD_MATERIAL_NORMAL_Y_DOWN). Textures of 8 and 16 bits hold (c + 1) / 2 of a component c; float textures, vertices
+ * and procedures hold c itself.
  */
 typedef enum shd_normal_encoding {
     SHD_NORMAL_ENCODING_XYZ = 0, /**< (x, y, z) */

@@ -102,8 +102,8 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * Copy and check vertices and indices; compute normals if there are none.
  *
  * Refused with the place named: an index >= vertex_count, an index count of triangles that is not a multiple of 3, a
- * position that is not finite (unless SHD_MESH_KEEP_NONFINITE). Normals, uv, tangents and attributes that are not finite
- * count as 0.
+ * position that is not finite (unless SHD_MESH_KEEP_NONFINITE). Normals, uv, tangents and attributes that are not
+ * finite count as 0.
  *
  * @anchor tangents
  * Tangents: the tangent t points to growing u, in the plane of the normal n. The bitangent is handedness * cross(n, t)

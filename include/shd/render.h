@@ -86,11 +86,11 @@ typedef enum shd_fill {
 /**
  * One mesh in the frame. Required: mesh.
  *
- * Lines are rectangles around the edge, square at its ends and as long as the edge (OpenGL 4.6 core specification, 14.5,
- * antialiased lines). Points are squares around the vertices. Both lie on the grid of 8 subpixel bits and cover samples
- * as triangles do, so a width below 1 may fall between samples. Depth varies along a line and is constant across it; a
- * point has the depth of its vertex. depth_bias_slope uses these depths instead of the triangle's. Attributes are those
- * of the triangle at the pixel, limited to its inside; a triangle without area gives their mean.
+ * Lines are rectangles around the edge, square at its ends and as long as the edge (OpenGL 4.6 core specification,
+ * 14.5, antialiased lines). Points are squares around the vertices. Both lie on the grid of 8 subpixel bits and cover
+ * samples as triangles do, so a width below 1 may fall between samples. Depth varies along a line and is constant
+ * across it; a point has the depth of its vertex. depth_bias_slope uses these depths instead of the triangle's.
+ * Attributes are those of the triangle at the pixel, limited to its inside; a triangle without area gives their mean.
  *
  * Culling drops all lines and points of a triangle. A triangle without area is dropped if `cull` is not NONE. Clipping
  * at the near and far plane adds no edges. A vertex beyond them has no point, and an edge without length no line. A
@@ -157,12 +157,12 @@ typedef uint32_t shd_render_flags; /**< shd_render_flag bits */
 /**
  * Choice of the triangle that a sample shows.
  *
- * PAINTER and NEWELL order the triangles of all draws and paint each over the previous ones. Depths are not compared, as
- * with SHD_COMPARE_ALWAYS; the final depth is that of the triangle painted last. Depth decreases with the distance in
- * draws that compare GREATER or GREATER_EQUAL and increases in all others; biases apply. shd_draw_flag works as usual.
- * Opaque draws are shaded after all of them are painted. PREMULTIPLIED, STRAIGHT, ADD and MULTIPLY take effect in the
- * order of painting. WEIGHTED and SORTED come last and test the painted depths. A draw without material leaves its depth
- * and hides nothing.
+ * PAINTER and NEWELL order the triangles of all draws and paint each over the previous ones. Depths are not compared,
+ * as with SHD_COMPARE_ALWAYS; the final depth is that of the triangle painted last. Depth decreases with the distance
+ * in draws that compare GREATER or GREATER_EQUAL and increases in all others; biases apply. shd_draw_flag works as
+ * usual. Opaque draws are shaded after all of them are painted. PREMULTIPLIED, STRAIGHT, ADD and MULTIPLY take effect
+ * in the order of painting. WEIGHTED and SORTED come last and test the painted depths. A draw without material leaves
+ * its depth and hides nothing.
  */
 typedef enum shd_visibility {
     SHD_VISIBILITY_DEPTH = 0, /**< the depth of the sample, by the draw's comparison (Catmull 1974) */
@@ -178,9 +178,9 @@ typedef enum shd_visibility {
      * or below 2^-23.
      *
      * Triangles that overlap cyclically or pass through each other are cut along the plane of one of them. New vertices
-     * lie on the grid of 1/256 pixel. A sample nearer than this to a cut, or to an edge that was cut, may fall on either
-     * side, and windows of a picture may differ there. Pieces keep the attributes and ids of their triangle. Nothing is
-     * cut where a piece would have no area on the grid.
+     * lie on the grid of 1/256 pixel. A sample nearer than this to a cut, or to an edge that was cut, may fall on
+     * either side, and windows of a picture may differ there. Pieces keep the attributes and ids of their triangle.
+     * Nothing is cut where a piece would have no area on the grid.
      *
      * For n triangles there are at most n + 1024 cuts and 1024 n + 2^22 comparisons; order_conflicts counts the
      * remaining errors. Runs on one thread and takes up to 1000 bytes a triangle.
@@ -251,8 +251,8 @@ typedef struct shd_region {
 /**
  * A whole frame, or a window of it; everything is borrowed for the call. Required: framebuffer.
  *
- * Draws are projected to the picture. The framebuffer holds the picture's pixels from (crop_x, crop_y) on, with the bits
- * that they have in the whole picture.
+ * Draws are projected to the picture. The framebuffer holds the picture's pixels from (crop_x, crop_y) on, with the
+ * bits that they have in the whole picture.
  */
 typedef struct shd_render_desc {
     uint32_t struct_size;           /**< set by shd_render_desc_default() */
@@ -281,10 +281,10 @@ typedef struct shd_render_desc {
      * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, up to 65536 pixels a side, with the
      * framebuffer's samples in each of its pixels; crop, viewport and scissor are scaled by n. Colour and targets of a
      * pixel are the plain average of its n x n pixels; depth and the other planes are those of the top left one.
-     * Derivatives (and so footprints of textures) and raster positions in programs are those of the large picture; lines
-     * and points are n times as wide in it. With SHD_RENDER_LOAD each of the n x n pixels starts with the pixel's values.
-     * The large picture is drawn in blocks of up to 1024 x 1024, in memory for one block. Statistics are sums over
-     * blocks, so a triangle counts in each block.
+     * Derivatives (and so footprints of textures) and raster positions in programs are those of the large picture;
+     * lines and points are n times as wide in it. With SHD_RENDER_LOAD each of the n x n pixels starts with the pixel's
+     * values. The large picture is drawn in blocks of up to 1024 x 1024, in memory for one block. Statistics are sums
+     * over blocks, so a triangle counts in each block.
      */
     uint32_t supersampling;
     /**
@@ -293,10 +293,10 @@ typedef struct shd_render_desc {
      * for any number. Draws of SHD_BLEND_WEIGHTED and SHD_BLEND_SORTED form the last pass together. Only with
      * SHD_VISIBILITY_DEPTH: the other methods order all triangles together.
      *
-     * Working memory is at most 512 bytes for each of these triangles, 256 for each draw or instance, 24 for each sample
-     * of the framebuffer and 16 more for each of its targets, and 8 MiB for each worker. Additional memory: 4 bytes for
-     * each tile of 64 x 64 pixels that a triangle touches beyond dozens, 48 for each piece of a clipped triangle, 4 for
-     * each varying of up to three vertices a triangle, and the triangles of the last pass.
+     * Working memory is at most 512 bytes for each of these triangles, 256 for each draw or instance, 24 for each
+     * sample of the framebuffer and 16 more for each of its targets, and 8 MiB for each worker. Additional memory: 4
+     * bytes for each tile of 64 x 64 pixels that a triangle touches beyond dozens, 48 for each piece of a clipped
+     * triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass.
      */
     uint32_t pass_triangles;
     shd_render_stats *stats; /**< statistics, all zero on failure; its struct_size is read; NULL = not wanted */

@@ -136,8 +136,8 @@ typedef enum shd_profile {
      * in texels of it; NEAREST_MIP and BILINEAR_MIP use the coarser level. ANISOTROPIC: axes m >= n of the ellipse in
      * units of the texture, lengthened by blur; where m > a n they become m' = (m + a n) / 2 and n' = m' / a. Levels by
      * w = n. N = floor(2 m / n - 1) probes, at least 1 and at most one per half texel of level 0, at p (m - n),
-     * p = (2 k + 1 - N) / N, k = 0 to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale
-     * the derivatives of u and of v, as swidth and twidth do.
+     * p = (2 k + 1 - N) / N, k = 0 to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y`
+     * scale the derivatives of u and of v, as swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff

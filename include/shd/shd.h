@@ -10,8 +10,8 @@
  *
  * @page names Names
  * Types are `shd_<noun>`, functions `shd_<noun>_<verb>`. Constants of an enum are `SHD_<NOUN>_<VALUE>`; the noun is the
- * name of the enum, without `_flag` or `_target`. The results are the exception: SHD_OK and SHD_ERROR_<VALUE>. Every enum
- * ends with a `_MAX_ENUM`. Words of flags have the type `shd_<noun>_flags`.
+ * name of the enum, without `_flag` or `_target`. The results are the exception: SHD_OK and SHD_ERROR_<VALUE>. Every
+ * enum ends with a `_MAX_ENUM`. Words of flags have the type `shd_<noun>_flags`.
  *
  * @page growth Growth
  * Structs that may grow begin with `struct_size`; shd/desc.h states the rules. All other structs are frozen.

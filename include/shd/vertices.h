@@ -45,8 +45,8 @@ typedef enum shd_interpolation {
  * Neighbouring vertices of one draw, one row each, as packed columns of `count` elements; borrowed for the call.
  *
  * Every vertex of a triangle is processed for each instance of the draw, up to 512 per call: once, or in each pass that
- * needs it where the frame takes several passes (shd_render_desc.pass_triangles). The grouping of vertices and the order
- * of calls are unspecified.
+ * needs it where the frame takes several passes (shd_render_desc.pass_triangles). The grouping of vertices and the
+ * order of calls are unspecified.
  */
 typedef struct shd_vertices {
     uint32_t struct_size;           /**< size of the library's struct */

@@ -82,12 +82,20 @@ shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
 }
 
 shd_result check_apart(const char* a_name, const shd_image& a, const char* b_name, const shd_image& b) {
-  const auto bytes = [](const shd_image& image) {
-    return image.row_stride * (image.height - 1) + image.width * image::format_info(image.format).pixel_size;
-  };
   const auto a_begin = reinterpret_cast<uintptr_t>(a.pixels), b_begin = reinterpret_cast<uintptr_t>(b.pixels);
-  if (a_begin + bytes(a) <= b_begin || b_begin + bytes(b) <= a_begin) return SHD_OK;
-  return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.pixels: overlaps %s.pixels", a_name, b_name);
+  const size_t a_row = a.width * image::format_info(a.format).pixel_size;
+  const size_t b_row = b.width * image::format_info(b.format).pixel_size;
+  for (uint32_t i = 0, j = 0; i < a.height && j < b.height;) {  // images may lie beside each other in a larger one
+    const uintptr_t a_at = a_begin + i * a.row_stride, b_at = b_begin + j * b.row_stride;
+    if (a_at + a_row <= b_at) {
+      ++i;
+    } else if (b_at + b_row <= a_at) {
+      ++j;
+    } else {
+      return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.pixels: overlaps %s.pixels", a_name, b_name);
+    }
+  }
+  return SHD_OK;
 }
 
 namespace {

@@ -5,7 +5,7 @@
     resize_headers.py older|newer --include include --layouts tests/abi --table src/core/desc_size.h --output DIR
 
 `older` takes the last field from each sized struct, and the line that gives it a default; another one where padding
-would be left at the end, which no version has. Fields up to the required one of the table stay. `newer` appends 24 bytes.
+would be left at the end, which no version has. Fields up to the required one of the table stay. `newer` appends 12 or 16 bytes.
 What was done is written to DIR/resized.txt.
 """
 import argparse
@@ -80,7 +80,8 @@ def main():
                 continue
             names = fields_to_drop(struct, required, layouts)
             if arguments.version == "newer":
-                text = text.replace(f"\n}} {struct};", f"\n    uint64_t added[3];\n}} {struct};")
+                count = 3 if layouts[struct][0] % 8 else 4  # appended fields bring no padding
+                text = text.replace(f"\n}} {struct};", f"\n    uint32_t added[{count}];\n}} {struct};")
                 names = ["added"]
             elif names:
                 text = drop(text, struct, names)

@@ -128,6 +128,29 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_bitmap_info},
 };
 
+/* Padding is in no order: both structs get the same bytes there. */
+static void level_padding(const char *name, size_t end, unsigned char *a, unsigned char *b)
+{
+    static const struct {
+        const char *type;
+        size_t offset, size;
+    } k_padding[] = {
+#define SHD_STRUCT(type, size)
+#define SHD_FIELD(type, field, offset, size)
+#define SHD_PADDING(type, offset, size) {#type, offset, size},
+#include "../abi/layout_color.inc"
+#include "../abi/layout_io.inc"
+#include "../abi/layout_shd.inc"
+        {"shd_context_desc", offsetof(shd_context_desc, executor) + offsetof(shd_executor, worker_count) + 4, 4},
+    };
+    size_t i;
+    for (i = 0; i < sizeof k_padding / sizeof k_padding[0]; ++i) {
+        if (strcmp(k_padding[i].type + strlen("shd_"), name) || k_padding[i].offset + k_padding[i].size > end) continue;
+        memset(a + k_padding[i].offset, 0, k_padding[i].size);
+        memset(b + k_padding[i].offset, 0, k_padding[i].size);
+    }
+}
+
 static void test_kind(void **state)
 {
     const struct kind_case *c = (const struct kind_case *)*state;
@@ -143,6 +166,7 @@ static void test_kind(void **state)
     memset(untouched.bytes, 0xa5, LARGEST);
     c->defaults(want.bytes);
     shd_assert_ok(shd_desc_init(c->kind, got.bytes, c->size));
+    level_padding(c->name, c->size, got.bytes, want.bytes);
     assert_memory_equal(got.bytes, want.bytes, LARGEST);
 
     /* A later header's struct: the known part, then zero. */
@@ -150,16 +174,18 @@ static void test_kind(void **state)
     memset(want.bytes + c->size, 0, 16);
     memcpy(want.bytes, &size, sizeof size);
     shd_assert_ok(shd_desc_init(c->kind, got.bytes, size));
+    level_padding(c->name, c->size, got.bytes, want.bytes);
     assert_memory_equal(got.bytes, want.bytes, LARGEST);
 
     /* An older header's struct: the first fields, and nothing behind them. */
-    for (size = (uint32_t)c->required; size < c->size; ++size) {
+    for (size = (uint32_t)c->required; size < c->size; size += 4) {
         memset(got.bytes, 0xa5, LARGEST);
         memset(want.bytes, 0xa5, LARGEST);
         c->defaults(want.bytes);
         memset(want.bytes + size, 0xa5, c->size - size);
         memcpy(want.bytes, &size, sizeof size);
         shd_assert_ok(shd_desc_init(c->kind, got.bytes, size));
+        level_padding(c->name, size, got.bytes, want.bytes);
         assert_memory_equal(got.bytes, want.bytes, LARGEST);
     }
 

@@ -110,7 +110,6 @@ static shd_ray_cones cones(size_t count)
 static shd_derivatives outputs(void)
 {
     shd_derivatives out = shd_derivatives_default();
-    memset(&out, 0, sizeof out);
     out.dudx.data = g.out[0];
     out.dvdx.data = g.out[1];
     out.dudy.data = g.out[2];
@@ -269,7 +268,7 @@ static void edit_empty(shd_ray_differentials *r, shd_ray_cones *i, shd_derivativ
 {
     *r = shd_ray_differentials_default();
     *i = shd_ray_cones_default();
-    memset(o, 0, sizeof *o);
+    *o = shd_derivatives_default();
 }
 static void edit_size(shd_ray_differentials *r, shd_ray_cones *i, shd_derivatives *o)
 {

@@ -181,6 +181,7 @@ static void test_bad_u32_reads(void **state)
     (void)state;
     shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, &none), BAD,
                       "out.data: NULL");
+    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, NULL), BAD, "out: NULL");
     shd_assert_result("stride", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, &odd), BAD,
                       "out.stride: 6");
     shd_assert_result("absent", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_DRAW, &out), SHD_ERROR_NOT_FOUND,
@@ -206,7 +207,6 @@ static void test_bad_reads(void **state)
     shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, &out), BAD, "plane: ");
     shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &none), BAD, "out.data: NULL");
     shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, NULL), BAD, "out: NULL");
-    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, NULL), BAD, "");
     shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &odd), BAD, "out.stride: 2");
     shd_assert_result("overflow", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &huge), BAD, "out: 16 elements");
     shd_assert_result("handle", shd_framebuffer_read_plane(NULL, SHD_PLANE_R, &out), BAD, "framebuffer: NULL");

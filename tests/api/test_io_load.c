@@ -23,7 +23,7 @@ struct desc_case {
     const char *message;
 };
 
-static void edit_size(shd_load_desc *d) { d->struct_size = 12; }
+static void edit_size(shd_load_desc *d) { d->struct_size = 7; }
 static void edit_formats(shd_load_desc *d) { d->formats = 1u << 20; }
 static void edit_flags(shd_load_desc *d) { d->flags = 1u << 9; }
 static void edit_encoding(shd_load_desc *d) { d->color_space = (shd_color_encoding)9; }
@@ -66,7 +66,7 @@ static void edit_worker_folder(shd_load_desc *d)
 
 /* Each loads the 5 x 4 RGBA8 PNG of the corpus. */
 static const struct desc_case k_desc[] = {
-    {"desc/struct_size_small", edit_size, SHD_ERROR_INVALID_ARGUMENT, "load.struct_size: 12"},
+    {"desc/struct_size_small", edit_size, SHD_ERROR_INVALID_ARGUMENT, "load.struct_size: 7"},
     {"desc/formats_unknown", edit_formats, SHD_ERROR_UNSUPPORTED, "load.formats: bits 0x100000"},
     {"desc/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "load.flags: bits 0x200"},
     {"desc/color_space_9", edit_encoding, SHD_ERROR_INVALID_ARGUMENT, "load.color_space: 9"},

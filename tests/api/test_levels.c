@@ -126,7 +126,6 @@ static void test_levels(void **state)
     desc.lod_max = c->high;
     desc.profile = c->profile;
     shd_assert_ok(shd_sampler_create(g_context, &desc, &sampler));
-    memset(&out, 0, sizeof out);
     out.lod.data = g_lod;
     out.lod.stride = 8;
     out.level.data = g_level;
@@ -153,7 +152,6 @@ static void test_arguments(void **state)
     shd_sampler *sampler = NULL;
     shd_levels out = shd_levels_default();
     (void)state;
-    memset(&out, 0, sizeof out);
     shd_assert_ok(shd_sampler_create(g_context, NULL, &sampler));
     shd_assert_result("texture", shd_texture_query_levels(NULL, sampler, &lookups, &out), invalid, "texture: NULL");
     shd_assert_result("sampler", shd_texture_query_levels(g_texture, NULL, &lookups, &out), invalid, "sampler: NULL");

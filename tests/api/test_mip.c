@@ -79,6 +79,8 @@ static void edit_level_width(struct arguments *a) { a->levels[1].width = 3; }
 static void edit_level_height(struct arguments *a) { a->levels[2].height = 2; }
 static void edit_level_null(struct arguments *a) { a->levels[2].pixels = NULL; }
 static void edit_level_stride(struct arguments *a) { a->levels[0].row_stride = 15; }
+static void edit_level_in_base(struct arguments *a) { a->levels[1].pixels = (char *)a->base.pixels + 4; }
+static void edit_level_twice(struct arguments *a) { a->levels[2].pixels = (char *)a->levels[0].pixels + 12; }
 
 static const struct mip_case k_cases[] = {
     {"defaults", edit_nothing, SHD_OK, ""},
@@ -103,6 +105,8 @@ static const struct mip_case k_cases[] = {
     {"level_width", edit_level_width, SHD_ERROR_INVALID_ARGUMENT, "levels[1].width: 3 is not in 2..2"},
     {"level_height", edit_level_height, SHD_ERROR_INVALID_ARGUMENT, "levels[2].height: 2 is not in 1..1"},
     {"level_pixels", edit_level_null, SHD_ERROR_INVALID_ARGUMENT, "levels[2].pixels: NULL"},
+    {"level_in_base", edit_level_in_base, SHD_ERROR_INVALID_ARGUMENT, "levels[1].pixels: overlaps base.pixels"},
+    {"level_twice", edit_level_twice, SHD_ERROR_INVALID_ARGUMENT, "levels[2].pixels: overlaps levels[0].pixels"},
     {"level_stride", edit_level_stride, SHD_ERROR_INVALID_ARGUMENT, "levels[0].row_stride: 15 is below 16"},
 };
 
@@ -128,6 +132,26 @@ static void test_case(void **state)
     } else {
         assert_memory_equal(a.pixels, before, sizeof before);
     }
+    shd_context_release(context);
+}
+
+/* The second level lies right of the first, in rows of one picture: their bytes alternate, and share none. */
+static void test_beside(void **state)
+{
+    struct arguments a;
+    shd_context *context = NULL;
+    const unsigned char *first = (const unsigned char *)a.pixels[1];
+    (void)state;
+    set_up(&a);
+    a.levels[0].row_stride = a.levels[1].row_stride = 4 * (size_t)(a.levels[0].width + a.levels[1].width);
+    a.levels[1].pixels = (char *)a.levels[0].pixels + 4 * a.levels[0].width;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_assert_ok(shd_mip_build(context, &a.base, &a.desc, 2, a.levels));
+    assert_int_equal(first[0], 10);
+    assert_int_equal(first[4 * a.levels[0].width], 10);
+    a.levels[1].pixels = (char *)a.levels[1].pixels - 4;
+    shd_assert_result("one pixel", shd_mip_build(context, &a.base, &a.desc, 2, a.levels), SHD_ERROR_INVALID_ARGUMENT,
+                      "levels[1].pixels: overlaps levels[0].pixels");
     shd_context_release(context);
 }
 
@@ -326,6 +350,7 @@ int main(void)
     for (i = 0; i < sizeof k_textures / sizeof k_textures[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_textures[i].name, test_given_levels, NULL, NULL, (void *)&k_textures[i]};
     }
+    tests[n++] = (struct CMUnitTest){"levels_beside", test_beside, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"allocation_faults", test_allocation_faults, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"given/lookup", test_given_lookup, NULL, NULL, NULL};

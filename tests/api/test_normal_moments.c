@@ -436,6 +436,9 @@ static void test_bad_arguments(void **state)
     moments.pixels = (char *)out + 2;
     shd_assert_result("aligned", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: ");
+    moments.pixels = normals.pixels;
+    shd_assert_result("overlap", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+                      "out.pixels: overlaps normals.pixels");
     moments.pixels = out;
     moments.row_stride = 60;
     shd_assert_result("stride", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,

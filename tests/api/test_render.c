@@ -66,7 +66,7 @@ static void set_later(struct frame *f, size_t draw)
 
 static void edit_nothing(struct frame *f) { (void)f; }
 static void size_zero(struct frame *f) { f->desc.struct_size = 0; }
-static void size_small(struct frame *f) { f->desc.struct_size = (uint32_t)sizeof f->desc - 4; }
+static void size_small(struct frame *f) { f->desc.struct_size = 15; }
 static void size_huge(struct frame *f) { f->desc.struct_size = 0xffffffffu; }
 static void picture_narrow(struct frame *f) { f->desc.picture_width = 99; }
 static void picture_low(struct frame *f) { f->desc.picture_height = 1; }
@@ -201,7 +201,7 @@ struct edit_case {
 static const struct edit_case k_edits[] = {
     {"nothing_wrong", edit_nothing, SHD_OK, ""},
     {"struct_size/0", size_zero, REFUSED, "render.struct_size: 0 is below"},
-    {"struct_size/4_less", size_small, REFUSED, "render.struct_size"},
+    {"struct_size/15", size_small, REFUSED, "render.struct_size: 15 is below 16"},
     {"struct_size/huge", size_huge, REFUSED, "render.struct_size: 4294967295"},
     {"picture_width/below_framebuffer", picture_narrow, REFUSED, "render.picture_width: 99 is not in 100..65536"},
     {"picture_height/below_framebuffer", picture_low, REFUSED, "render.picture_height: 1 is not in 70..65536"},

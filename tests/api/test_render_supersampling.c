@@ -125,6 +125,7 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     scale_lines(s, (float)size);
     fill(framebuffer, size);
     memset(&s->stats, 0xee, sizeof s->stats);
+    s->stats.struct_size = sizeof s->stats;
     shd_assert_ok(shd_render(s->context, &s->desc));
     scale_lines(s, 1.0f / (float)size);
     s->desc.viewport = s->desc.scissor = NULL;

@@ -233,7 +233,7 @@ static const struct refusal {
     {"refused/height_65537", height_65537, "tessellation.height: 65537 is not in 1..65536"},
     {"refused/normals_3", normals_3, "tessellation.normals: 3 is not in 0..2"},
     {"refused/max_triangles_0", max_triangles_0, "tessellation.max_triangles: 0 is not in 1..268435456"},
-    {"refused/max_triangles_size_max", max_triangles_max, "tessellation.max_triangles: 18446744073709551615 is not in"},
+    {"refused/max_triangles_uint32_max", max_triangles_max, "tessellation.max_triangles: 4294967295 is not in"},
     {"refused/amplitude_1e30", amplitude_1e30, "tessellation.amplitude: 1e+30 is not in -1e+12..1e+12"},
     {"refused/amplitude_nan", amplitude_nan, "tessellation.amplitude: nan is not in -1e+12..1e+12"},
     {"refused/amplitude_-inf", amplitude_minus_inf, "tessellation.amplitude: -inf is not in"},

@@ -184,6 +184,8 @@ static void test_null_arguments(void **state)
     shd_assert_result("context", shd_texture_create(NULL, &desc, &texture), SHD_ERROR_INVALID_ARGUMENT,
                       "context: NULL");
     memset(&info, 0xab, sizeof info);
+    shd_assert_result("size", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "out_info.struct_size");
+    info.struct_size = sizeof info;
     shd_assert_result("info", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     assert_int_equal(info.width, 0);
     assert_int_equal(info.byte_size, 0);

@@ -589,6 +589,7 @@ static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *sta
 static inline uint64_t shd_scene_render(shd_scene *s)
 {
     memset(&s->stats, 0xee, sizeof s->stats);
+    s->stats.struct_size = sizeof s->stats;
     shd_assert_ok(shd_render(s->context, &s->desc));
     return shd_hash_stats(shd_hash_framebuffer(s->framebuffer), &s->stats);
 }
