@@ -16,7 +16,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
-packages=(assimp-testmodels ca-certificates ccache clang clang-format cmake g++ gcc git libassimp-dev libbenchmark-dev libcmocka-dev libhwy-dev
+packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake g++ gcc git libassimp-dev libbenchmark-dev libcmocka-dev libhwy-dev
           libopencolorio-dev libopenimageio-dev libtbb-dev ninja-build pkg-config python3)
 jobs=$(nproc)
 # Clones share what they compile, wherever they lie.
