@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade/<model>/lights:<n>/<target>: the kernels of a model alone, lobes and coefficients, over batches of fragments in
-// cache; points that reach all of them, normals and directions at random. Items are fragments.
+// shade/<model>/lights:<n>/<target>: only the kernels of a model, lobes and coefficients, over batches of fragments in
+// cache; point lights that reach all fragments, random normals and directions. Items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr Model kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
                              {"toon", SHD_MODEL_TOON},
                              {"metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS}};
 
-/// One full batch under lights.
+/// One full batch of fragments, and its lights.
 struct Batch {
   material::Material material;
   shade::LightTable lights = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shadow/<filter>/<light>/<target>/<floor or random>/size:<texels>: visibility of 256 Ki points with normals on a floor
-// under 400 posts, row by row or anywhere, from one thread; a map of 256 x 256 texels stays in cache, one of 4096 x
+// under 400 posts, row by row or at random, from one thread. A map of 256 x 256 texels stays in cache, a map of 4096 x
 // 4096 does not. shadow/draw/<light>/size: rendering such a map of 4800 triangles; items are texels.
 #include <random>
 #include <vector>

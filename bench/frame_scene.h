@@ -4,7 +4,7 @@
 #include "bench.h"
 #include "workload.h"
 
-/// The frames that rows of the rasteriser share, in the library's objects.
+/// The frames that rows of the rasteriser share, as objects of the library.
 namespace shd::bench {
 
 /// 8 x 256, 64 x 1,560 and 1,000 x 1,000 triangles.
@@ -13,7 +13,7 @@ const std::vector<Spheres>& sphere_frames();
 /// Texels of every frame, kFrameTextureEdge x kFrameTextureEdge.
 const std::vector<uint8_t>& frame_texels();
 
-/// How a frame of spheres is drawn.
+/// Variant of a frame of spheres.
 struct Variant {
   const char* name;
   uint32_t samples;

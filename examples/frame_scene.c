@@ -36,7 +36,7 @@ static shd_result create_floor(shd_context *context, shd_mesh **out_mesh)
     return create_mesh(context, corners, 4, indices, 6, out_mesh);
 }
 
-/* Radius 0.9, standing on the floor; counter-clockwise seen from outside. */
+/* Radius 0.9, standing on the floor; counter-clockwise as seen from outside. */
 static shd_result create_ball(shd_context *context, shd_mesh **out_mesh)
 {
     static struct vertex vertices[BALL_VERTICES];

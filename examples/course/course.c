@@ -13,7 +13,7 @@
 
 enum { RELIEF = 512 };
 
-/* Centres the model at 0 in the size that fills the picture, turned to be seen from the front left. */
+/* Centres the model at 0, scales it to fill the picture, and turns it so that it is seen from the front left. */
 static void place(const shd_mesh_info *info, float m[16])
 {
     const float turn = -0.6f;
@@ -51,7 +51,7 @@ static shd_result create_mesh(struct course *course, const struct course_model *
     return result;
 }
 
-/* Bumps on a grid: as a height map, or coloured to be looked at. */
+/* Bumps on a grid: as a height map, or as colours. */
 static shd_result create_pattern(struct course *course, int relief)
 {
     static uint8_t pixels[RELIEF][RELIEF][4];
@@ -67,7 +67,7 @@ static shd_result create_pattern(struct course *course, int relief)
             pixels[y][x][3] = 255;
         }
     }
-    desc.format = SHD_FORMAT_RGBA8; /* numbers as they are: see course.h */
+    desc.format = SHD_FORMAT_RGBA8; /* the stored numbers: see course.h */
     desc.width = desc.height = RELIEF;
     desc.texels = pixels;
     desc.tables = SHD_TABLE_MIPMAP;
@@ -80,7 +80,7 @@ static shd_result create_texture(struct course *course, const char *path, int re
     shd_texture_info info = shd_texture_info_default();
 #ifdef EXAMPLE_HAS_IO
     shd_load_desc desc = shd_load_desc_default();
-    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* numbers as they are: see course.h */
+    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* the stored numbers: see course.h */
     result = *path ? shd_texture_load(course->context, path, &desc, &course->texture) : create_pattern(course, relief);
 #else
     (void)path;
@@ -200,7 +200,7 @@ double course_difference(const shd_framebuffer *a, const shd_framebuffer *b)
     return largest;
 }
 
-/* Four samples a pixel for the picture; its numbers are encoded already. */
+/* Saves the picture with four samples per pixel. Its numbers are already encoded. */
 static shd_result save(struct course *course, const struct course_program *program, const char *path)
 {
     const shd_material_desc material = course_material(course, program->fragment);

@@ -15,7 +15,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* What the frame's own planes of normals say. */
+/* Compares with the frame's own planes of normals. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     size_t x, y;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Blinn-Phong with one colour: the model that shd has built in, written as a program. */
+/* Blinn-Phong with one colour: a built-in model of shd, written as a program. */
 #include "course.h"
 #include "shading.h"
 
@@ -16,7 +16,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* shd's own Blinn-Phong in the textbook form gives the same picture. */
+/* The built-in Blinn-Phong model in the textbook form gives the same picture. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     shd_material_desc model = shd_material_desc_default();

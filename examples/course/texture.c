@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Blinn-Phong with k_d from a texture, which the program looks up itself: filtered over each fragment's footprint. */
+/* Blinn-Phong with k_d from a texture, which the program looks up: filtered over the footprint of each fragment. */
 #include "course.h"
 #include "shading.h"
 
@@ -23,7 +23,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* shd's own Blinn-Phong with the texture as its diffuse one gives the same picture. */
+/* The built-in Blinn-Phong model with the texture in its diffuse slot gives the same picture. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, course->texture, course->sampler);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Does shd-render do what its help says? Usage: check.sh SHD-RENDER FOLDER
+# Tests shd-render against its help text. Usage: check.sh SHD-RENDER FOLDER
 set -euo pipefail
 render=$1
 folder=$2
@@ -10,7 +10,7 @@ mkdir -p "$folder"
 cd "$folder"
 failed=0
 
-# expect CODE TEXT ARGUMENTS...: exit code, and a piece of what is said
+# expect CODE TEXT ARGUMENTS...: exit code, and a part of the output
 expect() {
   local code=$1 text=$2 got=0
   shift 2
@@ -30,7 +30,7 @@ written() {
   fi
 }
 
-# Pictures of the same bits, or of others: pairs of lists of options, with -- between them.
+# Compares two pictures, which must be equal or different: two lists of options, separated by --.
 small=(--size 48x32 --tessellation 4 --no-color)
 compare() {
   local wanted=$1 first=()
@@ -59,7 +59,7 @@ expect 0 "" --size 64x64 --threads 1 --simd baseline --no-color -o one.png
 expect 0 "" --size 64x64 --threads 5 --no-color -o many.png
 cmp one.png many.png || failed=1
 
-# What options do, told by pairs of pictures.
+# Effects of options, tested on pairs of pictures.
 models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)
 shows() { case $1 in normal | uv | level | barycentrics) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
 for i in "${!models[@]}"; do

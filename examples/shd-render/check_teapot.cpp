@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Is the teapot whole? Counts edges: every edge belongs to two triangles that agree on the front, except around the
-/// lid, its opening, and the ends of handle and spout.
+/// Checks that the teapot is complete, by counting edges: every edge belongs to two triangles with consistent
+/// orientation, except around the lid, its opening, and the ends of handle and spout.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -17,7 +17,7 @@ Point point_of(const Geometry& g, uint32_t vertex) {
   return {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};  // -0 becomes 0
 }
 
-/// Edges without a partner, and edges that two triangles run along in the same direction.
+/// Numbers of edges without a partner, and of edges along which two triangles run in the same direction.
 struct Edges {
   size_t open = 0, wrong = 0;
 };
@@ -37,7 +37,7 @@ Edges count_edges(const Geometry& g) {
   return edges;
 }
 
-/// Vertices whose normal is not a unit vector on the front of every triangle around them.
+/// Counts vertices whose normal is not a unit vector on the front of every triangle around them.
 size_t count_bad_normals(const Geometry& g) {
   size_t bad = 0;
   for (size_t i = 0; i < g.indices.size(); i += 3) {
@@ -59,7 +59,7 @@ size_t count_bad_normals(const Geometry& g) {
   return bad;
 }
 
-/// Volume under the surface, by the divergence theorem; the openings are small, so it is close to the pot's.
+/// Volume under the surface, by the divergence theorem; close to the volume of the pot, because the openings are small.
 double volume(const Geometry& g) {
   double six = 0.0;
   for (size_t i = 0; i < g.indices.size(); i += 3) {
@@ -78,7 +78,7 @@ int main() {
     const Geometry g = make_teapot(steps).geometries[0];
     const size_t n = static_cast<size_t>(steps);
     const Edges edges = count_edges(g);
-    const size_t bad = steps >= 8 ? count_bad_normals(g) : 0;  // coarser faces turn away from the surface
+    const size_t bad = steps >= 8 ? count_bad_normals(g) : 0;  // coarser faces deviate from the surface
     const double size = volume(g);
     const bool fine = g.indices.size() / 3 == 64 * n * n - 8 * n && edges.open == 16 * n && edges.wrong == 0 &&
                       bad == 0 && size > 10.0 && size < 30.0;

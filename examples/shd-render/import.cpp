@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Everything one import passes along.
+/// State of one import.
 struct Import {
   const aiScene* scene = nullptr;
   std::vector<size_t> geometry_of;  // aiMesh -> Model::geometries, or kNothing
@@ -22,7 +22,7 @@ struct Import {
 };
 
 constexpr size_t kNothing = ~size_t{0};
-constexpr int kMaxDepth = 512;  // of the node tree
+constexpr int kMaxDepth = 512;  // depth of the node tree
 
 bool finite(const aiVector3D& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -36,8 +36,8 @@ Geometry geometry_of(const aiMesh& mesh) {
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     append(geometry.position, finite(mesh.mVertices[i]) ? mesh.mVertices[i] : aiVector3D(0, 0, 0));
     if (mesh.HasNormals()) append(geometry.normal, mesh.mNormals[i]);
-    // assimp's v grows upwards whatever the format stores. Its own aiProcess_FlipUVs runs before the coordinates that
-    // aiProcess_GenUVCoords makes, and leaves those as they are.
+    // assimp's v grows upwards for any file format. Its own aiProcess_FlipUVs runs before aiProcess_GenUVCoords creates
+    // coordinates, and does not flip these.
     for (unsigned set = 0; set < 2; ++set) {
       if (!mesh.HasTextureCoords(set)) continue;
       std::vector<float>& uv = set == 0 ? geometry.uv : geometry.uv1;
@@ -56,7 +56,7 @@ Geometry geometry_of(const aiMesh& mesh) {
   return geometry;
 }
 
-/// Places the meshes of a node and of all below it. assimp's matrices are row-major.
+/// Places the meshes of a node and of all nodes below it. assimp's matrices are row-major.
 void place_node(Import& import, const aiNode& node, const aiMatrix4x4& parent, int depth) {
   const aiMatrix4x4 matrix = parent * node.mTransformation;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -81,11 +81,12 @@ void place_node(Import& import, const aiNode& node, const aiMatrix4x4& parent, i
 
 const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  // Degenerate triangles stay: shd skips them, and assimp's own check would take all of a very small model away.
+  // Degenerate triangles are kept: shd skips them, and assimp's own check would remove all triangles of a tiny model.
   const unsigned steps =
       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices | aiProcess_GenUVCoords;
   const aiScene* scene = importer.ReadFile(path, steps);
-  // Slots transform uv themselves, one texture apart from the other; what assimp has of glTF 2.0 is taken from there.
+  // Slots transform uv themselves, separately for each texture; the transforms that assimp reads from glTF 2.0 are used
+  // there.
   if (scene && !is_gltf2(*scene)) scene = importer.ApplyPostProcessing(aiProcess_TransformUVCoords);
   if (!scene || !scene->mRootNode) throw Failure(kExitInput, path + ": " + importer.GetErrorString());
   return scene;

@@ -9,5 +9,5 @@ struct aiScene;
 /// Whether the scene comes from glTF 2.0.
 bool is_gltf2(const aiScene& scene);
 
-/// The materials of a scene, and the textures that they name, found from the place of the model's file.
+/// Adds the materials of a scene and their textures, which are searched from the folder of the model's file.
 void add_surfaces(const aiScene& scene, const std::string& path, Model& model);

@@ -18,7 +18,7 @@ void add_light(shd_context* context, const shd_light_desc& desc, std::vector<Sta
   out.push_back(std::move(light));
 }
 
-/// What the lights of one frame share.
+/// State that the lights of one frame share.
 struct Stage {
   shd_context* context;
   const Options& options;
@@ -27,7 +27,7 @@ struct Stage {
   float exposure;
 };
 
-/// Light from `from` in the camera's frame: right, up, back.
+/// Adds a light at `from` in the camera's frame: right, up, back.
 void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
   const Camera& camera = stage.camera;
   shd_light_desc desc = shd_light_desc_default();
@@ -43,7 +43,7 @@ struct PresetLight {
   float from[3], color[3];
 };
 
-// Warm key from the upper left, cool fill from the right, white rim from behind.
+// A warm key light from the upper left, a cool fill light from the right, a white rim light from behind.
 constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
                                    {{0.9f, 0.1f, 0.5f}, {0.3f, 0.34f, 0.42f}},
                                    {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
@@ -84,7 +84,7 @@ void add_option_light(const Stage& stage, const LightOption& option, shd_texture
   add_light(stage.context, desc, out);
 }
 
-/// Small lights on a spiral around the model, from the floor to its top, in all colours.
+/// Adds small lights of all colours on a spiral around the model, from the floor to its top.
 void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
   const auto count = static_cast<float>(stage.options.lamps);
   const Bounds& bounds = stage.bounds;
@@ -118,7 +118,7 @@ Texture make_cookie(shd_context* context, const std::string& name) {
 
 std::vector<StageLight> make_lights(shd_context* context, const Options& options, shd_model model, const Bounds& bounds,
                                     const Camera& camera) {
-  // Models that keep energy reflect E / pi where the others reflect E.
+  // Energy-conserving models reflect E / pi where the other models reflect E.
   const bool over_pi = model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED;
   const Stage stage{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
   std::vector<StageLight> lights;

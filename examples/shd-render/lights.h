@@ -5,14 +5,14 @@
 #include "camera.h"
 #include "handles.h"
 
-/// A light and whether `--shadows` gives it one.
+/// A light, and whether `--shadows` renders a shadow for it.
 struct StageLight {
   Light light;
   bool casts = false;
   shd_light_kind kind = SHD_LIGHT_KIND_POINT;
 };
 
-/// Lights of the preset, which stand around the camera, and of the command line, which stand around the model, as
-/// strong as surfaces of that model of reflectance need them.
+/// Makes the lights of the preset, which are placed around the camera, and of the command line, which are placed around
+/// the model. Their strength suits the reflectance model.
 std::vector<StageLight> make_lights(shd_context* context, const Options& options, shd_model model, const Bounds& bounds,
                                     const Camera& camera);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// shd-render: a picture of a 3D model. An example of everything an application does with shd.
+/// shd-render: a picture of a 3D model. An example of everything that an application does with shd.
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -24,7 +24,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Percentages on stderr, once a render has taken long enough for somebody to wonder.
+/// Prints percentages to stderr once a render has taken a while.
 struct Progress {
   Clock::time_point start = Clock::now();
   int shown = -1;

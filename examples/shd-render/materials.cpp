@@ -45,7 +45,7 @@ void share_slot(Slots& slots, shd_slot_target source, shd_slot_target target) {
   slots.push_back(slot);
 }
 
-/// The exponent of a Blinn-Phong lobe as wide as that of GGX, and back: p = 2 / alpha^2 - 2, alpha = roughness^2.
+/// The exponent of a Blinn-Phong lobe as wide as a GGX lobe: p = 2 / alpha^2 - 2, alpha = roughness^2; and its inverse.
 float exponent_of(float roughness) {
   const float alpha = std::max(roughness * roughness, 0.01f);
   return std::max(2.0f / (alpha * alpha) - 2.0f, 0.0f);
@@ -71,7 +71,7 @@ void set_blend(shd_material_desc& desc, const Surface& surface) {
   desc.opacity = surface.opacity;
 }
 
-/// What the options put in the place of the surface's own maps.
+/// Sets the maps of the options, which replace the maps of the surface.
 void set_extras(shd_material_desc& desc, Slots& slots, const Options& options, const Extras& extras,
                 shd_sampler* sampler) {
   const Map plain;
@@ -149,7 +149,7 @@ Material make_material(shd_context* context, const Options& options, shd_model m
   shd_sampler* sampler = make_sampler(context, options, Map{}, samplers);
   if (replaced) set_slot(slots, SHD_SLOT_DIFFUSE, Map{}, extras.diffuse.get(), sampler, options.uv_scale);
   if (!surface.is_floor) set_extras(desc, slots, options, extras, sampler);
-  // Ambient light meets the diffuse colour; metallic-roughness has that from the model.
+  // Ambient light is reflected by the diffuse colour; metallic-roughness includes this itself.
   const bool metallic = model == SHD_MODEL_METALLIC_ROUGHNESS;
   for (size_t c = 0; c < 3; ++c) desc.ambient[c] = metallic ? 1.0f : desc.diffuse[c];
   if (!metallic) share_slot(slots, SHD_SLOT_DIFFUSE, SHD_SLOT_AMBIENT);

@@ -15,7 +15,7 @@ constexpr const char* kSeeHelp = " (shd-render --help)";
   throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + kSeeHelp);
 }
 
-/// `count` numbers between commas; moves `text` behind them. False if there are fewer.
+/// Reads `count` numbers separated by commas and advances `text` behind them. Returns false if there are fewer.
 bool read_numbers(const char*& text, float* out, int count) {
   for (int i = 0; i < count; ++i) {
     if (i > 0 && *text++ != ',') return false;
@@ -141,7 +141,7 @@ LightOption read_light(const std::string& option, const std::string& value, shd_
   return light;
 }
 
-/// One number for all three channels, or three.
+/// Reads one number for all three channels, or three numbers.
 std::array<float, 3> read_color(const std::string& option, const std::string& value) {
   const char* text = value.c_str();
   std::array<float, 3> color{};
@@ -154,7 +154,7 @@ std::array<float, 3> read_color(const std::string& option, const std::string& va
   return color;
 }
 
-/// Options that take no value. False if `name` is not one.
+/// Handles options without a value. Returns false if `name` is not one.
 bool set_switch(const std::string& name, Options& out) {
   if (name == "--help" || name == "-h") return out.help = true;
   if (name == "--teapot") return out.model.clear(), true;
@@ -175,7 +175,7 @@ void set_background(const std::string& name, const std::string& value, Options& 
   out.background = {color[0], color[1], color[2], 1.0f};
 }
 
-/// Options that describe the picture and the machine. False if `name` is not one.
+/// Handles options of the picture and the machine. Returns false if `name` is not one.
 bool set_output_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "-o" || name == "--output") return out.output = value, true;
   if (name == "--size") return read_size(name, value, out), true;
@@ -205,7 +205,7 @@ void read_cone(const std::string& option, const std::string& value, Options& out
   out.cone = angles[1];
 }
 
-/// Options that describe where the eye is and the lights are. False if `name` is not one.
+/// Handles options of the eye and the lights. Returns false if `name` is not one.
 bool set_light_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--orbit") return read_orbit(name, value, out), true;
   if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
@@ -230,7 +230,7 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   return false;
 }
 
-/// Options that describe the surface. False if `name` is not one.
+/// Handles options of the surface. Returns false if `name` is not one.
 bool set_surface_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
   if (name == "--show") return out.debug_view = pick(name, value, kViews), true;
@@ -248,7 +248,7 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   return false;
 }
 
-/// Options that describe the shape, real or seeming. False if `name` is not one.
+/// Handles options of the shape, real or apparent. Returns false if `name` is not one.
 bool set_shape_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--shape") return out.model.clear(), out.shape = pick(name, value, kShapes), true;
   if (name == "--height") return out.height_map = value, true;
@@ -274,7 +274,7 @@ bool set_value(const std::string& name, const std::string& value, Options& out) 
          set_surface_value(name, value, out) || set_shape_value(name, value, out);
 }
 
-/// What is wrong with an option at the end of the line: it lacks its value, or nobody knows it.
+/// The error for an option at the end of the line: its value is missing, or the option is unknown.
 std::string missing_value(const std::string& name) {
   Options scratch;
   bool known = true;

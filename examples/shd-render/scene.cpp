@@ -32,7 +32,7 @@ Mesh make_mesh(shd_context* context, const Options& options, const Geometry& geo
   return mesh;
 }
 
-/// Cuts the mesh of an instance into triangles of few pixels and moves them by the heights.
+/// Tessellates the mesh of an instance into triangles of a few pixels and displaces them by the heights.
 Mesh displace(shd_context* context, const Options& options, const Camera& camera, const Instance& instance,
               const Mesh& mesh, const shd_texture* height) {
   shd_tessellation_desc desc = shd_tessellation_desc_default();
@@ -45,13 +45,13 @@ Mesh displace(shd_context* context, const Options& options, const Camera& camera
   desc.object_to_world = instance.object_to_world.data();
   desc.displacement = height;
   desc.amplitude = options.displacement;
-  desc.lod = 2.0f;  // the mean of some texels: single ones are finer than the triangles
+  desc.lod = 2.0f;  // mean of some texels: single texels are finer than the triangles
   Mesh displaced;
   check(shd_mesh_tessellate(context, mesh.get(), &desc, displaced.out()), "displacement");
   return displaced;
 }
 
-/// Lines on top of the surfaces, which make way for them.
+/// Adds lines on top of the surfaces, whose depth is biased away from them.
 void add_lines(shd_context* context, const Options& options, Scene& scene) {
   shd_material_desc ink = shd_material_desc_default();
   ink.model = SHD_MODEL_UNLIT;

@@ -6,7 +6,7 @@
 #include "lights.h"
 #include "scene.h"
 
-/// Shadows of the lights in their order, empty for those that have none, drawn from the scene. None at all without
-/// `--shadows`.
+/// Renders the shadows of the lights, in their order; entries of lights without a shadow are empty. Returns an empty
+/// list without `--shadows`.
 std::vector<Shadow> make_shadows(shd_context* context, const Options& options, const Bounds& bounds, const Scene& scene,
                                  const std::vector<StageLight>& lights);

@@ -6,8 +6,8 @@
 
 namespace {
 
-/// Rows and columns of squares over vertices that are stored row by row; counter-clockwise where rows go down and
-/// columns to the right.
+/// Adds rows and columns of squares over vertices that are stored row by row. The squares are counter-clockwise if rows
+/// run down and columns run to the right.
 void add_grid(Geometry& out, uint32_t rows, uint32_t columns) {
   for (uint32_t j = 0; j < rows; ++j) {
     for (uint32_t i = 0; i < columns; ++i) {

@@ -5,8 +5,8 @@
 /// A sphere of radius 1 with uv as on a globe: u from west to east, v from north to south.
 Model make_sphere(int steps);
 
-/// A square of side 2 that lies in the plane y = 0, seen from above, in steps x steps parts.
+/// A square of side 2 in the plane y = 0 that faces up, divided into steps x steps parts.
 Model make_plane(int steps);
 
-/// Adds a square floor under the model, four radii to each side.
+/// Adds a square floor under the model that extends four radii to each side.
 void add_floor(Model& model, const Bounds& bounds);

@@ -9,9 +9,9 @@ namespace {
 
 using Vec3 = std::array<double, 3>;
 
-/// A ring of patches that share a texture chart. u runs around, to the right seen from outside; v runs down.
+/// A ring of patches that share a texture chart. u runs around, to the right as seen from outside; v runs down.
 struct Ring {
-  int first, count;        // patches; together they go once around
+  int first, count;        // patches that together form a closed ring
   double u_span;           // repeats of the texture around; whole numbers leave no seam
   double v_first, v_last;  // at the first and last row of control points
 };
@@ -30,7 +30,7 @@ constexpr Ring kRings[] = {
     {28, 4, 4.0, 1.38, 0.9},     // bottom: rows go up, from the middle outwards
 };
 
-/// Bernstein weights and their derivatives at step/steps. Both ends are symmetric in every bit: walking an edge
+/// Bernstein weights and their derivatives at step/steps. Both ends are symmetric in every bit, so that walking an edge
 /// backwards gives the same points.
 struct Weights {
   double value[4], slope[4];
@@ -51,7 +51,7 @@ Vec3 blend(const double* weights, const Vec3& p0, const Vec3& p1, const Vec3& p2
   return sum;
 }
 
-/// The patch with `down` and `around` as weights of rows and columns: point or derivative.
+/// Point or derivative of a patch, with `down` and `around` as weights of rows and columns.
 Vec3 evaluate(int patch, const double* down, const double* around) {
   Vec3 rows[4];
   for (int row = 0; row < 4; ++row) {
@@ -73,7 +73,7 @@ double length(const Vec3& a) {
   return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
-/// Outward unit normal. At the poles of lid and bottom a whole row is one point and the derivative around vanishes;
+/// Outward unit normal. At the poles of lid and bottom a whole row is one point, and the derivative around vanishes;
 /// its limit has the direction of the mixed derivative.
 Vec3 normal_at(int patch, const Weights& down, const Weights& around) {
   const Vec3 along = evaluate(patch, down.slope, around.value);
@@ -93,7 +93,7 @@ void add_vertex(Geometry& out, const Vec3& point, const Vec3& normal, double u, 
   out.uv.push_back(static_cast<float>(v));
 }
 
-/// One triangle, unless two of its corners are the same point, as at a pole.
+/// Adds one triangle, unless two of its corners are the same point, as at a pole.
 void add_triangle(Geometry& out, uint32_t a, uint32_t b, uint32_t c) {
   const auto same = [&](uint32_t i, uint32_t j) {
     const float *p = &out.position[size_t{3} * i], *q = &out.position[size_t{3} * j];

@@ -20,7 +20,7 @@ shd_result create_texture(shd_context* context, shd_format format, uint32_t widt
   return shd_texture_create(context, &desc, out.out());
 }
 
-/// 16-bit channels rounded to 8: textures have no 16-bit integer format, and the sRGB curve stays as it is.
+/// Rounds 16-bit channels to 8 bits, because textures have no 16-bit integer format. The sRGB curve is kept.
 std::vector<unsigned char> narrow(const shd_image& image) {
   std::vector<unsigned char> texels;
   const size_t stride = image.row_stride ? image.row_stride : size_t{8} * image.width;
@@ -39,7 +39,7 @@ shd_load_desc load_desc_of(const TextureSource& source) {
   return desc;
 }
 
-/// A whole image file that the model carries.
+/// Loads a whole image file that is embedded in the model.
 shd_result load_embedded(shd_context* context, const TextureSource& source, Texture& out) {
   Bitmap bitmap;
   shd_image image = shd_image_default();

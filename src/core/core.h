@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: core, what every other folder uses.
+/// Stage contract: core, the base of all other folders.
 ///
 /// Input:      the host's callbacks (allocator, executor, log).
 /// Output:     a Context with checked memory, tasks, handles and errors for every other folder.
-/// Invariants: no global state except the per-thread error text; no static constructors; every byte comes from
-///             the context's allocator; exceptions end in guard.h.
+/// Invariants: no global state except the per-thread error text; no static constructors; every byte is allocated by the
+///             context's allocator; exceptions end in guard.h.
 ///
-/// | file          | what                                                              |
+/// | file          | contents                                                          |
 /// |---------------|-------------------------------------------------------------------|
 /// | failure.h     | Failure, a result as an exception, and refuse(), which throws it  |
 /// | status.h      | fail(), which returns a result, and the per-thread error text     |
@@ -23,6 +23,6 @@
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |
 ///
-/// All up to read_desc.h except status.h link to nothing: libshd_color, libshd_io and its worker process include them
-/// as well.
+/// The headers up to read_desc.h, except status.h, need no library: libshd_color, libshd_io and its worker process
+/// include them as well.
 #pragma once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Structs of callers whose headers may be older or newer than the library. Links to nothing: `fail` is the fail() of
-/// the library, which stores a text for shd_last_error() and returns the code.
+/// Structs of callers whose headers may be older or newer than the library. This header needs no library: `fail` is the
+/// fail() of the library, which stores a text for shd_last_error() and returns the code.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace shd::core {
 
-/// The number behind an enum of the caller, who may have set it to anything. Loading it as an enum is undefined for
-/// numbers beyond the bits of the enumerators, so checks look at this number first.
+/// The number stored in an enum of the caller, which may be any number. Loading it as an enum is undefined for numbers
+/// beyond the bits of the enumerators, so that checks must use this number first.
 template <class Enum>
 uint32_t enum_bits(const Enum& value) {
   static_assert(sizeof value == sizeof(uint32_t));
@@ -37,7 +37,7 @@ shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t
   }
   const uint32_t size = struct_size_of(desc);
   if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
                 minimum);
   }
   constexpr uint32_t kMaxSize = 1u << 16;
@@ -47,7 +47,7 @@ shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t
   return SHD_OK;
 }
 
-/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc that this version does not know must be
+/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc beyond this version's must be
 /// zero.
 template <class Fail>
 shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
@@ -56,7 +56,7 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {
     if (bytes[i] != 0) {
-      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
+      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version reads only %zu bytes", name, i,
                   out_size);
     }
   }
@@ -64,15 +64,15 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   return SHD_OK;
 }
 
-/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes that this version does not know
+/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes beyond this version's
 /// become zero.
 inline void write_element_bytes(const void* from, size_t from_size, void* to, size_t to_size) {
   std::memcpy(to, from, to_size < from_size ? to_size : from_size);
   if (to_size > from_size) std::memset(static_cast<unsigned char*>(to) + from_size, 0, to_size - from_size);
 }
 
-/// Writes a struct of this version into the caller's, whose struct_size was checked. It stays as it is, no byte beyond
-/// it is written, and bytes of it that this version does not know become zero.
+/// Writes a struct of this version into the caller's, whose struct_size was checked. The size stays as it is, no byte
+/// beyond it is written, and bytes beyond this version's become zero.
 inline void write_desc_bytes(const void* from, size_t from_size, void* to) {
   const uint32_t size = struct_size_of(to);
   write_element_bytes(from, from_size, to, size);

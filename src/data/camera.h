@@ -8,9 +8,9 @@
 
 namespace shd::data {
 
-/// World-to-view matrix [16], column-major: the eye at the origin looking along -Z, +Y up. Computed in double
-/// and rounded once. Returns false and writes nothing when eye and target coincide, or when up lies within 1e-6 rad of
-/// the line of sight. Elements beyond the range of float are infinite.
+/// World-to-view matrix [16], column-major: the eye is at the origin and looks along -Z, with +Y up. Computed in double
+/// and rounded once. Returns false and writes nothing if eye and target coincide, or if up lies within 1e-6 rad of the
+/// line of sight. Elements beyond the range of float are infinite.
 inline bool look_at(const float eye[3], const float target[3], const float up[3], float out[16]) {
   const Vec3d origin = {double{eye[0]}, double{eye[1]}, double{eye[2]}};
   const Vec3d back = normalized(origin - Vec3d{double{target[0]}, double{target[1]}, double{target[2]}});
@@ -31,8 +31,8 @@ inline bool look_at(const float eye[3], const float target[3], const float up[3]
 }
 
 /// View-to-clip matrix [16], column-major: NDC y up, depth 0 at the near plane and 1 at the far plane.
-/// fov_y in (0, pi) [rad], aspect = width / height. Computed in double and rounded once.
-/// After the perspective projection of the Vulkan specification's clip space with y up.
+/// fov_y in (0, pi) [rad], aspect = width / height. Computed in double and rounded once. Follows the perspective
+/// projection of the Vulkan specification's clip space with y up.
 inline void perspective(float fov_y, float aspect, float near_plane, float far_plane, float out[16]) {
   const double focal = 1.0 / tan(0.5 * fov_y);
   const double range = double{near_plane} - double{far_plane};

@@ -11,7 +11,7 @@
 
 namespace shd::extension {
 
-/// Copies the caller's desc over the defaults in `out`; `in` null keeps the defaults. Throws Failure.
+/// Copies the caller's desc over the defaults in `out`; a null `in` keeps the defaults. Throws Failure.
 template <class Desc>
 void read_desc(const char* name, const Desc* in, Desc* out) {
   if (in) require(core::read_desc_bytes(fail, name, in, core::DescSize<Desc>::kRequired, out, sizeof(Desc)));

@@ -6,8 +6,8 @@
 namespace shd::frame {
 namespace {
 
-/// A comparison whose early test rejects no fragment that may pass the late one: a NOT_EQUAL draw changes the depths
-/// that its own later fragments are compared with.
+/// The comparison of the early depth test. It must not reject a fragment that may pass the late test: a NOT_EQUAL draw
+/// changes the depths that its own later fragments are compared with.
 shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
 }
@@ -21,7 +21,7 @@ uint32_t covered_by_alpha(float alpha, uint32_t count) {
 
 }  // namespace
 
-/// Samples of a row that alpha and discard leave.
+/// Samples of a row that pass the alpha test, alpha to coverage and discard.
 uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   const shade::Columns& columns = tile_.worker.workspace.columns;
   const material::Material& material = *draw_.material;

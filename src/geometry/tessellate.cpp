@@ -19,7 +19,7 @@ namespace {
 using data::Vec3d;
 using Column = core::Array<float>;
 
-/// Counts triangles, without memory. Throws Failure when there are more than max_triangles.
+/// Counts triangles without allocating. Throws Failure if there are more than max_triangles.
 void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, const EdgeFactor& factor) {
   const bool uniform = desc.mode == SHD_TESSELLATION_MODE_UNIFORM;
   const size_t square = size_t{desc.segments} * desc.segments;
@@ -36,7 +36,7 @@ void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, cons
 
 constexpr size_t kChunk = 8192;  // vertices per task
 
-/// body(begin, end) over vertices on the executor.
+/// Runs body(begin, end) over ranges of vertices on the executor.
 template <class Body>
 void for_vertices(const core::Context& context, size_t begin, size_t end, const Body& body) {
   const size_t tasks = begin < end ? (end - begin + kChunk - 1) / kChunk : 0;
@@ -78,7 +78,7 @@ void make_unit(float* x, float* y, float* z, Vec3d otherwise) {
   *z = static_cast<float>(a.z);
 }
 
-/// Unit normals and tangents of the vertices that are new; those that cancel become (0, 0, 1) and the fallback.
+/// Normalises the normals and tangents of new vertices; zero vectors become (0, 0, 1) and the fallback.
 void normalize_new(const core::Context& context, size_t first_new, Mesh* mesh) {
   for_vertices(context, first_new, mesh->vertex_count, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -12,8 +12,8 @@
 
 namespace shd::image {
 
-/// Checks a caller's image and copies it, with its row stride filled in. `takes(format)` tells whether the caller's
-/// function handles a known format. `fail`: see core/read_desc.h.
+/// Checks a caller's image and copies it, with its row stride filled in. `takes(format)` returns whether the caller's
+/// function supports a known format. `fail`: see core/read_desc.h.
 template <class Fail, class Takes>
 shd_result read_image(Fail fail, Takes takes, const char* name, const shd_image* in, shd_image* out) {
   constexpr shd_result kInvalid = SHD_ERROR_INVALID_ARGUMENT;

@@ -13,12 +13,12 @@ namespace {
 using data::Vec3;
 
 void store(Vec3 from, float to[3]) {
-  to[0] = 0.0f + from.x;  // no -0
+  to[0] = 0.0f + from.x;  // the sum removes -0
   to[1] = 0.0f + from.y;
   to[2] = 0.0f + from.z;
 }
 
-/// Axes around the direction of a light. up is the desc's vector orthogonalised against the direction.
+/// Sets the axes of a light from its direction; up is the desc's vector orthogonalised against the direction.
 void set_axes(const shd_light_desc& desc, Light* light) {
   const Vec3 way = data::normalized(Vec3{desc.direction[0], desc.direction[1], desc.direction[2]});
   const Vec3 back = {0.0f - way.x, 0.0f - way.y, 0.0f - way.z};
@@ -36,7 +36,8 @@ void set_axes(const shd_light_desc& desc, Light* light) {
 
 void set_cone(const shd_light_desc& desc, Light* light) {
   light->cone_start = static_cast<float>(data::cos(desc.outer_angle));
-  // The cosines of the narrowest cones are 5e-7 apart, so the rounding of the start counts; 2^-24 is one step.
+  // The cosines of the narrowest cones differ by only 5e-7, so that the rounding of the start matters; 2^-24 is one
+  // step.
   const double width = data::cos(desc.inner_angle) - double{light->cone_start};
   light->cone_scale = static_cast<float>(1.0 / std::max(width, 0x1p-24));
   light->outer_tangent = static_cast<float>(data::tan(std::min(double{desc.outer_angle}, 1.57)));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxCoordinate = 1e18;
 constexpr double kMinExtent = 1e-26;
-constexpr double kMinNearPart = 1.0 / 256;  // of far, for fitted planes
+constexpr double kMinNearPart = 1.0 / 256;  // minimum of near / far for fitted planes
 constexpr double kRounding = 0x1p-20;       // relative error from positions to depths
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -117,7 +117,7 @@ ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   return placement;
 }
 
-/// A square of texels with quantised size and position, so that the grid stands still while the bounds move.
+/// Places a square of texels whose size and position are quantised, so that the grid stays fixed while the bounds move.
 void ShadowFit::place_directional(const ShadowOptions& options, ShadowPlacement* out) const {
   const double inner =
       0.5 * options.size - filter_radius(options) - 1.0;  // largest distance of the bounds from the middle [texels]

@@ -22,7 +22,7 @@ enum class ModelKey : uint32_t {
 constexpr ModelKey key_of(shd_model model) {
   return static_cast<ModelKey>(model);
 }
-/// Of a view that is not SHD_DEBUG_VIEW_NONE.
+/// The key of a view that is not SHD_DEBUG_VIEW_NONE.
 constexpr ModelKey key_of(shd_debug_view view) {
   return static_cast<ModelKey>(static_cast<uint32_t>(ModelKey::kFirstView) + view - SHD_DEBUG_VIEW_NORMAL);
 }
@@ -39,15 +39,16 @@ constexpr ModelKey model_key(shd_model model, shd_debug_view view) {
 
 /// Largest number of lobes of a model.
 constexpr uint32_t kMaxLobes = 3;
-/// Largest number of values that shape the lobes of a model at a point.
+/// Largest number of shape parameters of the lobes of a model at a point.
 constexpr uint32_t kMaxShapeColumns = 2;
 
-/// Reflected light of each point before the coefficients that scale it: the model's lobes, RGB, summed over the lights.
+/// Reflected light of each point before the coefficients are applied: the lobes of the model, RGB, summed over the
+/// lights.
 struct Lobes {
   float* lobe[kMaxLobes][3];  // columns
 };
 
-/// What the stages around the kernels need to know about a model. model-inl.h explains the fields.
+/// Properties of a model that other stages use. model-inl.h explains the fields.
 struct ModelInfo {
   uint32_t slots;        // bits of the slots that the model reads
   uint32_t lobes;        // 0 = unlit
@@ -59,13 +60,13 @@ struct ModelInfo {
   bool ignores_irradiance;
 };
 
-/// All zero for ModelKey::kProgram.
+/// Properties of a model; all zero for ModelKey::kProgram.
 const ModelInfo& info_of(ModelKey model);
 
-/// The largest value of shd_model that names a model.
+/// The largest value of shd_model that has a model.
 shd_model last_model();
 
-/// Fragments that an unlit model shows.
+/// Inputs of show(): the fragments of an unlit model.
 struct ShowInputs {
   const core::SimdTarget& simd;
   const Material& material;
@@ -74,8 +75,8 @@ struct ShowInputs {
   float* const* uv;  // [6] scratch columns
 };
 
-/// Writes the colour of an unlit model to out, columns of the fragments. Nothing is written past their count, and
-/// nothing at all for models with lobes and for SHD_MODEL_UNLIT.
+/// Writes the colour of an unlit model to out, columns of the fragments. Writes nothing past their count, and nothing
+/// at all for models with lobes and for SHD_MODEL_UNLIT.
 void show(const ShowInputs& in, float* const out[3]);
 
 }  // namespace shd::material

@@ -62,7 +62,7 @@ HWY_INLINE void VisitRow(ModelKey model, const Visit& visit, ModelTable<Rows...>
   (void)((Rows::kModel == model ? (visit(typename Rows::Model()), true) : false) || ...);
 }
 
-/// visit(Model()) with the struct of a model.
+/// Calls visit(Model()) with the struct of a model.
 template <class Visit>
 HWY_INLINE void VisitModel(ModelKey model, const Visit& visit) {
   VisitRow(model, visit, Models());

@@ -29,7 +29,7 @@ HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&su
   }
 }
 
-/// Adds the lobes of one light at a vector of points. `gated`: specular lobes are 0 where n.l <= 0.
+/// Adds the lobes of one light at a vector of points. If `gated`, specular lobes are 0 where n.l <= 0.
 template <class Lighting, class D, class V>
 HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLight& active, size_t i,
                          const simd::HWY_NAMESPACE::Vec3V<V>& p, const material::HWY_NAMESPACE::Point<V>& point,
@@ -42,7 +42,7 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
     for (V& channel : sum[0]) channel = channel + lobe[0];
   } else {
     const auto faces = hn::Gt(in.n_dot_l, hn::Zero(d));
-    // Behind every point of the vector: all terms are +0, and adding them changes no bit.
+    // The light is behind every point of the vector: all terms are +0, and adding them changes no bit.
     if (gated && hn::AllFalse(d, faces)) return;
     Lighting::AddLight(d, material, point, in, shape, lobe);
     for (uint32_t k = 0; k < Lighting::kLobes; ++k) {

@@ -29,7 +29,7 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
     table.x[k] = light.position[0];
     table.y[k] = light.position[1];
     table.z[k] = light.position[2];
-    // The margin exceeds the rounding of distances: beyond, the falloff is 0.
+    // The margin exceeds the rounding of distances. Beyond the range the falloff is 0.
     table.max_squared_distance[k] =
         light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
     table.any_range |= light.range > 0.0f;

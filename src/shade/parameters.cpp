@@ -10,7 +10,7 @@ namespace {
 
 using material::Slot;
 
-/// Adds the columns of a slot to the channels of its texture. False if a channel is taken.
+/// Adds the columns of a slot to the channels of its texture. Returns false if a channel is already in use.
 bool add_outputs(const Slot& slot, uint32_t index, const Columns& columns, texture::Texels* out) {
   const uint32_t channels = material::slot_channels(index);
   if (channels == 1) {
@@ -25,7 +25,7 @@ bool add_outputs(const Slot& slot, uint32_t index, const Columns& columns, textu
   return true;
 }
 
-/// Looks up the textures of slots, once for slots with the same lookups.
+/// Looks up the textures of slots, once for all slots with equal lookups.
 void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, uint32_t slots, Columns* columns) {
   const material::Material& material = *context.shading.material;
   while (slots) {
@@ -40,7 +40,8 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
   }
 }
 
-/// Channels that the mesh lacks are null; for normals a column of 1, because their kernel reads all channels.
+/// Points the channels of a slot to the columns of the mesh. Absent channels are null; for normals they are columns of
+/// 1, because the normal kernel reads all channels.
 void point_to_attributes(const Slot& slot, uint32_t index, const SlotContext& context, const Columns& columns,
                          material::Parameters* out) {
   const geometry::Vertices& vertices = *context.shading.vertices;

@@ -11,7 +11,7 @@
 namespace shd::shade {
 namespace {
 
-/// Runs code of the caller and turns its exceptions into a Failure.
+/// Runs the caller's code and turns its exceptions into a Failure.
 template <class Body>
 void call(const DrawShading& shading, const char* name, const Body& body) {
   try {

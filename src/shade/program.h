@@ -10,13 +10,13 @@
 
 namespace shd::shade {
 
-/// What a program or a procedure reads, and the list of columns that it points to.
+/// The inputs of a program or a procedure, and the list of columns that they point to.
 struct ProgramInputs {
   shd_fragments fragments;
   const float* attribute[SHD_MAX_ATTRIBUTES];
 };
 
-/// Columns of points as programs and procedures read them.
+/// The columns of points that programs and procedures read.
 void make_inputs(const DrawShading& shading, const raster::Fragments& points, const raster::Varyings& varyings,
                  ProgramInputs* out);
 

@@ -11,7 +11,7 @@
 namespace shd::shade {
 namespace {
 
-/// Tilt from differences of the height over one texel of the base along u and v, times the scales.
+/// Sets the tilt to the differences of the height over one texel of level 0 along u and v, times the scales.
 void difference_height(const core::SimdTarget& simd, const material::Slot& slot, const SlotContext& context,
                        const float* height, float scale_u, float scale_v, Columns* columns) {
   const texture::Lookups at = lookups_of(slot, context, columns);
@@ -40,7 +40,7 @@ float* look_up_height(const core::SimdTarget& simd, const material::Slot& slot, 
   return columns->slot[SHD_SLOT_HEIGHT][0];
 }
 
-/// Difference of the height over a texel, downhill along u and uphill along v, because bitangents run against v.
+/// Height difference over a texel: negated along u, not along v, because bitangents run against v.
 void find_texel_tilt(const core::SimdTarget& simd, const SlotContext& context, Columns* columns) {
   const material::Material& material = *context.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
@@ -48,7 +48,7 @@ void find_texel_tilt(const core::SimdTarget& simd, const SlotContext& context, C
   difference_height(simd, slot, context, height, -material.bump_scale, material.bump_scale, columns);
 }
 
-/// Derivatives of bump_scale times the height in the points' own u and v, in world units.
+/// Derivatives of bump_scale times the height by the points' own u and v, in world units.
 void find_gradient(const core::SimdTarget& simd, const SlotContext& context, Columns* columns) {
   const material::Material& material = *context.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];

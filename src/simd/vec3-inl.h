@@ -64,13 +64,13 @@ HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a where the mask is set, else b.
+/// a where the mask is set, otherwise b.
 template <class M, class V>
 HWY_INLINE Vec3V<V> Select(M mask, const Vec3V<V>& a, const Vec3V<V>& b) {
   return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
 }
 
-/// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. For lengths in about 1e-18..1e18.
+/// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. Valid for lengths in about 1e-18..1e18.
 template <class D, class V>
 HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
   const V squared = Dot(a, a);

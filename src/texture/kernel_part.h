@@ -10,3 +10,10 @@
 #else
 #define SHD_KERNEL_PART HWY_INLINE
 #endif
+
+/// Marks lambdas of the hottest loops: gcc 12 leaves those of large functions out of line.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SHD_INLINE_LAMBDA
+#else
+#define SHD_INLINE_LAMBDA __attribute__((always_inline))
+#endif

@@ -41,14 +41,10 @@ namespace shd::texture {
 /// Profiles (profile.h): levels of detail and places of probes within 4e-6 of theirs, 3e-6 max_anisotropy for
 /// anisotropic; weights and fractions that they round to 8 bits are rounded to nearest.
 ///
-/// Runs the filter that sampler.filter names, on the calling thread; its magnification does not count, and it is not
-/// SHD_FILTER_EXACT. Lookups go to `recording` in place of the columns where that is not null. Returns how many of them
-/// were not finite.
+/// Runs the filter that sampler.filter names, on the calling thread; its magnification does not count. Lookups go to
+/// `recording` in place of the columns where that is not null; the filter is_explainable() then. Returns how many of
+/// them were not finite.
 size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out, Recording* recording);
-
-/// run_filter() into the columns, SHD_FILTER_EXACT included.
-size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out);
 
 }  // namespace shd::texture

@@ -52,13 +52,12 @@ template <size_t kCapacity>
 struct Elements {
   static constexpr size_t kColumn = kCapacity + 16;  // columns a power of two apart would alias in the cache
 
-  bool has_rates;                         // whether rates are written: derivatives are wanted
   alignas(64) int32_t index[4][kColumn];  // texels; ~index on the border
   alignas(64) float s[kColumn];           // quad: fraction along u; row: share of the second texel
   alignas(64) float t[kColumn];           // quad: fraction along v; row: share of the third texel
   alignas(64) float r[kColumn];           // row: share of the fourth texel
   alignas(64) float share[kColumn];       // unless kStart
-  // Their change in the coordinate, if has_rates: s and r along u, t of a quad along v, share along both.
+  // Their change in the coordinate, if derivatives are wanted: s and r along u, t of a quad along v, share along both.
   alignas(64) float rate_s[kColumn], rate_t[kColumn], rate_r[kColumn];
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
@@ -117,5 +116,13 @@ struct FilterCall {
 
 /// Filters on the calling thread. Returns how many lookups had something that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);
+
+/// What one target has for a filter and a format.
+struct Kernels {
+  RunFilter run;
+  RunFilter fused;  // values without border, or null (fused.cpp)
+  FormatKernels format;
+  Consume record;
+};
 
 }  // namespace shd::texture

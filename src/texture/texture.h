@@ -12,7 +12,7 @@
 /// A filter turns lookups into a stream of quads and texels; a format fetches, decodes and blends a stream. Neither
 /// depends on the other, so code grows as filters plus formats.
 ///
-/// sample.h -> kernels.cpp -> filter -> footprint -> stream.h -> format -> store
+/// sample.cpp -> filter -> footprint -> stream.h -> format -> store
 ///
 /// | room        | what                                                                                         |
 /// |-------------|----------------------------------------------------------------------------------------------|
@@ -25,7 +25,7 @@
 /// | file                                   | what                                                              |
 /// |----------------------------------------|-------------------------------------------------------------------|
 /// | sample.h, sample.cpp                   | error bounds; channels, magnification, which filter runs          |
-/// | kernels.cpp                            | where filters and formats of one SIMD target meet                 |
+/// | sampler.cpp                            | the sampler of a checked desc                                     |
 /// | stream.h                               | elements of a stream, and what a consumer is                      |
 /// | fused.cpp, fused-inl.h                 | hot pairs of a filter and a format, compiled together             |
 /// | store/storage.h                        | layout of levels; the copy of the base                            |
@@ -33,20 +33,19 @@
 /// | store/mip.cpp, mip_sums.h              | mip levels: exact area averages in linear light, rounded once     |
 /// | store/ripmap.cpp, span.h               | ripmap levels: the same, halved along each axis on its own        |
 /// | store/summed_area.h                    | sums over rectangles at the origin                                |
-/// | store/texel_codec.h                    | texels of each format from and to doubles                         |
 /// | store/mip_build.h, mip_weights.h       | mip levels in the caller's memory: kernels, normals, coverage     |
 /// | store/normal_moments.h                 | slopes of normal maps and their squares                           |
 /// | store/image_list.h, rows.h             | images of the caller's in an array; rows of a level on the executor |
 /// | store/wrap.h, wrap-inl.h               | texel coordinates and wrapping, of one index and of vectors       |
 /// | footprint/block.h                      | blocks: points, levels of detail, probes, ellipses                |
-/// | footprint/points-inl.h                 | the loop over a block; inputs that are not finite                 |
+/// | footprint/points-inl.h                 | fills a block with points; inputs that are not finite             |
 /// | footprint/shapes-inl.h                 | the functions that fill blocks: lods.cpp, probes.cpp, ellipses.cpp |
 /// | footprint/lod.h, lod-inl.h, footprint-inl.h | level of detail and axes of a footprint; width and blur      |
 /// | footprint/profile.h, profile-inl.h     | levels of detail and probes of other texture units                |
 /// | footprint/exact_footprint.h, parallelogram.h | what SHD_FILTER_EXACT integrates over                       |
 /// | footprint/ray_footprint.h              | derivatives from ray differentials and ray cones                  |
 /// | filter/filters-inl.h                   | the list of filters: a row each                                   |
-/// | filter/runner-inl.h, sink-inl.h        | how a filter runs over a batch, and where it emits to             |
+/// | filter/runner-inl.h                    | how a filter runs over a batch, and where it emits to             |
 /// | filter/prefetch.h                      | lines of memory asked for ahead, for lookups that are scattered   |
 /// | filter/bases-inl.h, level-inl.h        | what filters on level 0 or on mip levels share; quads of a level  |
 /// | filter/nearest, bilinear, bicubic, mip, trilinear, ripmap, anisotropic, ewa | a filter each (.cpp, some -inl.h) |
@@ -56,9 +55,10 @@
 /// | filter/exact.cpp                       | the integral over the footprint, in doubles                       |
 /// | filter/magnify.h                       | another filter where the footprint is no longer than a texel      |
 /// | format/formats.h, formats-inl.h        | the list of formats: a row each                                   |
-/// | format/consume-inl.h                   | the consumer of a stream                                          |
-/// | format/blend-inl.h, gradient-inl.h     | what it computes: values, derivatives                             |
-/// | format/unorm8, srgb8, unorm16, float16, float32 | a format each (.cpp, some -inl.h)                        |
+/// | format/consume-inl.h, gradient-inl.h   | the consumer of a stream: of values, of derivatives               |
+/// | format/values.cpp, bordered.cpp, gradient.cpp | the same for every format                                  |
+/// | format/unorm8, srgb8, unorm16, float16, float32 | a format each (-inl.h)                                   |
+/// | format/codec.h                         | texels from and to doubles                                        |
 /// | format/words-inl.h, gather-inl.h       | texels of one or two words; loads of neighbouring texels          |
 /// | explain/explain.h, record.h, record-inl.h | one lookup as its tree of blends                               |
 /// | kernel_part.h                          | inlining of the larger pieces                                     |

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mip levels by separable kernels in doubles, with the C library's functions: the oracle of shd_mip_build.
+// Mip levels by separable kernels in doubles, with the functions of the C library: the oracle of shd_mip_build.
 #pragma once
 
 #include <math.h>
@@ -51,7 +51,7 @@ inline double mip_area(shd_mip_kernel kernel, double low, double high) {
   return sum * (high - low) / (3 * steps);
 }
 
-/// Weights [size][source] of one axis; free() them.
+/// Weights [size][source] of one axis; the caller must free() them.
 inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source, int64_t size) {
   auto* weights = static_cast<double*>(calloc(static_cast<size_t>(source * size), sizeof(double)));
   const double ratio = static_cast<double>(source) / static_cast<double>(size), radius = mip_radius(kernel);
@@ -76,7 +76,7 @@ inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source,
   return weights;
 }
 
-/// Filters [height][width] values into [to_height][to_width]; free() the result.
+/// Filters [height][width] values into [to_height][to_width]; the caller must free() the result.
 inline double* mip_filter(const shd_mip_desc& desc, const double* values, int64_t width, int64_t height,
                           int64_t to_width, int64_t to_height) {
   double* across = mip_weights(desc.kernel, desc.wrap_u, width, to_width);

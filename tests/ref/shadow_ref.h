@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadow lookups the slow way, from the depths themselves: one point at a time, in double.
+// Shadow lookups by direct formulas from the depths, point by point, in double.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace shd::ref {
 
-/// A point on a map as the header of light/shadow.h has it, with the slopes of its surface.
+/// A point on a map as defined in light/shadow.h, with the slopes of its surface.
 struct ShadowPoint {
   bool inside;
   uint32_t face;
@@ -108,7 +108,7 @@ struct ShadowRef {
     const double bleed = static_cast<double>(options.bleed);
     return std::min(std::max((v / (v + d * d) - bleed) / (1 - bleed), 0.0), 1.0);
   }
-  /// Adds a texel's depth and its square; empty ones are far.
+  /// Adds a texel's depth and its square; empty texels have the far depth.
   void add_moments(uint32_t face, int x, int y, double weight, double (&sum)[3]) const {
     const double d = std::min(at(face, x, y), static_cast<double>(placement.far));
     sum[0] += weight;

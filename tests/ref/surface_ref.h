@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals that maps and heights turn, the slow way, in long double.
+// Normals turned by maps and heights, by direct formulas in long double.
 #pragma once
 
 #include "material/material.h"
@@ -7,7 +7,7 @@
 
 namespace shd::ref {
 
-/// A normal in tangent space, and the variance of slopes that its texel lost.
+/// A normal in tangent space, and the variance of slopes removed by filtering its texel.
 struct MappedNormal {
   Vector m;
   long double variance;
@@ -33,12 +33,12 @@ inline MappedNormal decode(const material::Material& material, const long double
   }
 }
 
-/// m through t, w (n x t) and n, of the length that it has.
+/// m in the basis t, w (n x t), n; the length of m is kept.
 inline Vector from_tangent_space(Vector n, Vector t, long double side, Vector m) {
   return m.x * t + (side * m.y) * cross(n, t) + m.z * n;
 }
 
-/// n - grad h on a surface with these derivatives of its points and of h.
+/// n - grad h on a surface with the given derivatives of its points and of h.
 inline Vector bumped(Vector n, Vector dpdu, Vector dpdv, long double dhdu, long double dhdv) {
   const long double area = dot(n, cross(dpdu, dpdv));
   return n - (1 / area) * (dhdu * cross(dpdv, n) + dhdv * cross(n, dpdu));

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """House rules that a compiler does not see, over the tracked sources of the tree.
 
-    check_style.py includes|third_party|arithmetic|spdx|abi_names|abi_structs [--root DIR]
+    check_style.py includes|third_party|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
 
 Each check prints file:line and what is wrong, and exits 1 if anything is.
 """
@@ -11,7 +11,10 @@ import pathlib
 import re
 import sys
 
-# The data flow. An include may point to the same stage or to one before it; abi sees all.
+sys.dont_write_bytecode = True
+import prose
+
+# The data flow. An include may point to the same stage or to one before it; abi may include all.
 STAGES = ["core", "data", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
           "frame", "extension", "color", "io", "abi"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
@@ -177,6 +180,7 @@ CHECKS = {
     "third_party": check_third_party,
     "arithmetic": check_arithmetic,
     "spdx": check_spdx,
+    "prose": prose.check,
 }
 
 

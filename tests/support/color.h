@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the colour tests share: images, framebuffers with given pixels, reference curves. */
+/* Common code of the colour tests: images, framebuffers with given pixels, reference curves. */
 #ifndef SHD_TESTS_SUPPORT_COLOR_H
 #define SHD_TESTS_SUPPORT_COLOR_H
 
@@ -63,7 +63,7 @@ static inline shd_framebuffer *shd_test_framebuffer(shd_context *context, uint32
     return framebuffer;
 }
 
-/** Scattered values in 0..2, the same for the same index. */
+/** Scattered values in 0..2, a function of the index. */
 static inline float shd_test_value(size_t i) { return (float)((i * 2654435761u >> 7) % 4099u) / 2048.0f; }
 
 /** Value of a binary16. */

@@ -12,7 +12,7 @@
 
 enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4, SHD_FRAME_PLANES = SHD_PLANE_TARGET3_A + 1 };
 
-/** What a test renders. shd_frame_render fills `plane`, and `u32` for planes of integers; absent ones are NULL. */
+/** The frame of a test. shd_frame_render fills `plane`, and `u32` for integer planes; absent planes are NULL. */
 typedef struct shd_frame {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -83,7 +83,7 @@ static inline void shd_frame_close(shd_frame *f)
 }
 
 /**
- * Add a draw of `count` vertices, in records of eight floats: position, normal, uv; every three are a triangle.
+ * Adds a draw of `count` vertices, in records of eight floats: position, normal, uv; every three form a triangle.
  */
 static inline shd_draw *shd_frame_draw(shd_frame *f, const float *vertices, uint32_t count,
                                        const shd_material_desc *material)
@@ -110,7 +110,7 @@ static inline void shd_frame_light(shd_frame *f, const shd_light_desc *desc)
     ++f->desc.light_count;
 }
 
-/** Render and read every plane there is. */
+/** Renders, and reads all planes. */
 static inline void shd_frame_render(shd_frame *f)
 {
     int plane;
@@ -136,7 +136,7 @@ static inline void shd_frame_quad(float x0, float y0, float x1, float y1, float 
     for (i = 0; i < 6; ++i) memcpy(out + 8 * i, corner[k_order[i]], sizeof corner[0]);
 }
 
-/** A material that shines by itself, given an ambient light of 1. */
+/** A material that emits its colour, given an ambient light of 1. */
 static inline shd_material_desc shd_frame_plain(float r, float g, float b)
 {
     shd_material_desc desc = shd_material_desc_default();

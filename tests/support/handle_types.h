@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every type of handle behind one signature, for tests that run one script over all of them. A new type is a row
-   of k_types. Call open_rest before using any, close_rest at the end. */
+/* All types of handle behind one signature, for tests that run one script over all of them. A new type is a row of
+   k_types. Call open_rest before using any row, and close_rest at the end. */
 #ifndef SHD_TESTS_SUPPORT_HANDLE_TYPES_H
 #define SHD_TESTS_SUPPORT_HANDLE_TYPES_H
 
@@ -8,7 +8,7 @@
 
 #include <shd/shd.h>
 
-/* What a handle needs beside it to be used: of another context, since objects may come from any. */
+/* Other objects that the use of a handle needs. They belong to another context, because any context is allowed. */
 static struct {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -18,7 +18,7 @@ static struct {
     shd_light *light;
 } g_rest;
 
-/* The types behind one signature. `use` hands the handle to a call that must refuse a bad one. */
+/* The types behind one signature. `use` passes the handle to a call that must refuse a bad one. */
 struct type_row {
     const char *name;
     const char *type;

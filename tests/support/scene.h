@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Small scenes that every test of whole frames shares. Built from exact arithmetic only (no libm but sqrtf), so
-   that their hashes are the same on every machine. Objects are made one step at a time, so that a test can make
-   each step fail. */
+/* Small scenes that all tests of whole frames share. They use only exact arithmetic (no libm except sqrtf), so that
+   their hashes are equal on every machine. Objects are made step by step, so that a test can make each step fail. */
 #ifndef SHD_TESTS_SUPPORT_SCENE_H
 #define SHD_TESTS_SUPPORT_SCENE_H
 
@@ -13,17 +12,17 @@
 #include <shd/extension.h>
 #include <shd/shd.h>
 
-/** Which scene. */
+/** The scenes. */
 typedef enum shd_scene_kind {
     SHD_SCENE_MIXED = 0, /* every model, frequency and filter, clipped at the near plane, NaN; 5k triangles */
     SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel; every plane */
     SHD_SCENE_LIT = 2,   /* lights of every kind on all three frequencies */
-    SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
+    SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples per pixel */
     SHD_SCENE_SMALL =
         4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
     SHD_SCENE_MOVED = 5,   /* as GLASS with one sample, every vertex moved by a program */
     SHD_SCENE_LINES = 6,   /* as GLASS, most draws as lines */
-    SHD_SCENE_SURFACE = 7, /* as MIXED with every model, slot and way to turn normals; lights that end and project */
+    SHD_SCENE_SURFACE = 7, /* as MIXED with every model, slot and normal modification; lights with ranges and cookies */
     SHD_SCENE_KINDS = 8
 } shd_scene_kind;
 
@@ -38,10 +37,10 @@ enum {
         SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS + SHD_SCENE_LIGHTS + 1
 };
 
-/** Objects of a scene and the frame made of them. Zero is an empty one. */
+/** Objects of a scene, and the frame of them. All zero is an empty scene. */
 typedef struct shd_scene {
     shd_scene_kind kind;
-    shd_vertex_fn vertex; /* of every material but those that have another; set before the steps */
+    shd_vertex_fn vertex; /* for every material without its own; set before the steps */
     shd_context *context; /* borrowed */
     shd_texture *texture[SHD_SCENE_TEXTURES];
     shd_sampler *sampler[SHD_SCENE_SAMPLERS];
@@ -61,7 +60,7 @@ static inline float shd_scene_random(uint32_t *state)
     return (float)(*state >> 8) * (1.0f / 16777216.0f);
 }
 
-/** Fails unless memory was there: the test's own, not the library's. */
+/** Allocates memory of the test, not of the library; aborts on failure. */
 static inline void *shd_scene_memory(size_t size)
 {
     void *memory = malloc(size);
@@ -131,7 +130,7 @@ static inline void shd_scene_vertex(shd_scene_geometry *g, float x, float y, flo
     out[4] = v;
 }
 
-/** An (n + 1) x (n + 1) grid of the latest vertices as triangles. */
+/** Triangulates the latest (n + 1) x (n + 1) vertices as a grid. */
 static inline void shd_scene_grid_indices(shd_scene_geometry *g, uint32_t n)
 {
     const uint32_t first = g->vertex_count - (n + 1) * (n + 1);
@@ -145,7 +144,7 @@ static inline void shd_scene_grid_indices(shd_scene_geometry *g, uint32_t n)
     }
 }
 
-/** A unit sphere: a cube of n x n cells a side, its vertices pushed out. */
+/** A unit sphere: a cube of n x n cells per side, with its vertices projected outwards. */
 static inline void shd_scene_sphere(shd_scene_geometry *g, uint32_t n)
 {
     uint32_t face, x, y;
@@ -189,7 +188,7 @@ static inline void shd_scene_plane(shd_scene_geometry *g)
     shd_scene_grid_indices(g, 1);
 }
 
-/** Loose triangles, every third with a vertex that is not finite, some without area. */
+/** Separate triangles, every third with a non-finite vertex, some without area. */
 static inline void shd_scene_broken(shd_scene_geometry *g, uint32_t triangles)
 {
     uint32_t seed = 9, i, k;
@@ -244,7 +243,7 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     return result;
 }
 
-/** A program that moves vertices along their normals and hands on three values. */
+/** A program that moves vertices along their normals and outputs three varyings. */
 static inline void shd_scene_wave(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     size_t i;
@@ -431,7 +430,7 @@ static inline shd_result shd_scene_framebuffer(shd_scene *s)
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
 }
 
-/** One object of the scene: steps 0..SHD_SCENE_STEPS - 1, in order. */
+/** Creates one object of the scene: steps 0..SHD_SCENE_STEPS - 1, in order. */
 static inline shd_result shd_scene_step(shd_scene *s, size_t step)
 {
     if (step < SHD_SCENE_TEXTURES) return shd_scene_texture(s, step);
@@ -446,7 +445,7 @@ static inline shd_result shd_scene_step(shd_scene *s, size_t step)
     return shd_scene_framebuffer(s);
 }
 
-/** Where a draw stands and what it is made of. */
+/** Position and contents of a draw. */
 typedef struct shd_scene_placement {
     unsigned mesh, material;
     float scale[3], at[3];
@@ -469,7 +468,7 @@ static inline void shd_scene_place(shd_scene *s, const shd_scene_placement *p)
     }
 }
 
-/** Draws as lines of every kind, width and depth state. */
+/** Turns draws into lines of every kind, width and depth state. */
 static inline void shd_scene_draw_lines(shd_scene *s, size_t first, size_t step)
 {
     size_t i;
@@ -482,7 +481,7 @@ static inline void shd_scene_draw_lines(shd_scene *s, size_t first, size_t step)
     }
 }
 
-/** The frame, once every step is done. */
+/** Composes the frame after all steps. */
 static inline void shd_scene_compose(shd_scene *s)
 {
     static const shd_scene_placement k_mixed[SHD_SCENE_DRAWS] = {
@@ -530,7 +529,7 @@ static inline void shd_scene_compose(shd_scene *s)
     s->desc.stats = &s->stats;
 }
 
-/** Make a scene that has no reason to fail. */
+/** Makes a scene that must not fail. */
 static inline void shd_scene_open(shd_scene *s, shd_scene_kind kind, shd_context *context)
 {
     size_t step;
@@ -541,7 +540,7 @@ static inline void shd_scene_open(shd_scene *s, shd_scene_kind kind, shd_context
     shd_scene_compose(s);
 }
 
-/** Release every object; those never made are skipped. */
+/** Releases every object; skips objects that were never made. */
 static inline void shd_scene_close(shd_scene *s)
 {
     size_t i;
@@ -554,7 +553,7 @@ static inline void shd_scene_close(shd_scene *s)
     memset(s, 0, sizeof *s);
 }
 
-/** Hash of every plane a framebuffer has; all NaN count as one. */
+/** Hash of all planes of a framebuffer; all NaN are equal. */
 static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
 {
     uint64_t hash = SHD_HASH_START;
@@ -578,14 +577,14 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     return hash;
 }
 
-/** Hash of what the statistics count; time and memory are left out. */
+/** Hash of the counts of the statistics, without time and memory. */
 static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
 {
     const size_t begin = offsetof(shd_render_stats, triangles), end = offsetof(shd_render_stats, hidden_samples);
     return shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
 }
 
-/** Render; hash of the planes and the statistics. */
+/** Renders, and returns the hash of the planes and the statistics. */
 static inline uint64_t shd_scene_render(shd_scene *s)
 {
     memset(&s->stats, 0xee, sizeof s->stats);
@@ -594,7 +593,7 @@ static inline uint64_t shd_scene_render(shd_scene *s)
     return shd_hash_stats(shd_hash_framebuffer(s->framebuffer), &s->stats);
 }
 
-/** The hash that a scene has on one thread with the best SIMD target. */
+/** The hash of a scene on one thread with the best SIMD target. */
 static inline uint64_t shd_scene_reference(shd_scene_kind kind)
 {
     shd_context_desc desc = shd_context_desc_default();

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Shadows of a small scene as a number: the same for every SIMD target and worker count. */
+/* Shadows of a small scene as a number, which is equal for every SIMD target and worker count. */
 #ifndef SHD_TESTS_SUPPORT_SHADOW_HASH_H
 #define SHD_TESTS_SUPPORT_SHADOW_HASH_H
 
 #include "support/shadow_scene.h"
 
-/** Visibility of points in a crossing of boxes, by every filter under every kind of light, with normals and without. */
+/** Visibility of points in a crossing of boxes: every filter, every kind of light, with and without normals. */
 static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
 {
     enum { k_points = 6000 };
@@ -22,7 +22,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
     shd_assert_ok(shd_context_create(desc, &context));
     shd_boxes_open(&boxes, context);
     for (i = 0; i < 3; ++i) shd_boxes_add(&boxes, k_low[i], k_high[i]);
-    boxes.draws[1].object_to_world[4] = 0.3f; /* leans */
+    boxes.draws[1].object_to_world[4] = 0.3f; /* sheared */
     for (i = 0; i < k_points; ++i) {
         for (k = 0; k < 6; ++k) {
             seed = seed * 1664525u + 1013904223u;

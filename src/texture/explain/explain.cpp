@@ -8,9 +8,9 @@
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
+#include "texture/format/formats.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 

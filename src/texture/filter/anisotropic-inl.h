@@ -49,8 +49,8 @@ struct Anisotropic : OnMipLevels {
         total = total + weight;
         share = weight / total;
       }
-      sink.quad(d, how, QuadAt(d, sampler, levels.high, u, v), share);
-      if (levels.blended) sink.quad(d, how | kSecond, QuadAt(d, sampler, levels.low, u, v), share);
+      sink.quad(d, how, levels.high, u, v, share);
+      if (levels.blended) sink.quad(d, how | kSecond, levels.low, u, v, share);
       how = kBlend;
     }
     if (levels.blended) sink.merge(d, levels.fraction);

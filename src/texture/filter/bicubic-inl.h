@@ -10,7 +10,7 @@
 
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/cubic-inl.h"
-#include "texture/filter/sink-inl.h"
+#include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -13,8 +13,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/ellipse-inl.h"
-#include "texture/filter/sink-inl.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -138,7 +137,7 @@ struct EllipseWalk {
   template <class Sink>
   HWY_INLINE void emit_quad(D d, Sink& sink) {
     const V share = hn::IfThenElse(ellipse.is_quad, hn::Set(d, kWhole), ellipse.bilinear);
-    sink.quad(d, how(true), QuadAt(d, sampler, ellipse.level, ellipse.u, ellipse.v), share);
+    sink.quad(d, how(true), ellipse.level, ellipse.u, ellipse.v, share);
   }
 
   /// `starts`: the average of some lane begins.

@@ -8,11 +8,28 @@
 
 #include "texture/footprint/block.h"
 #include "texture/footprint/exact_footprint.h"
-#include "texture/sample.h"
+#include "texture/format/formats.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 #include "texture/store/wrap.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/filter/exact.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/filters-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+size_t RunExact(const FilterCall& call) {
+  return run_exact(call, RunBilinear);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace shd::texture {
 namespace {
 
@@ -112,21 +129,23 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
 
 }  // namespace
 
-size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out) {
-  Sampler bilinear = sampler;
+size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
+  Sampler bilinear = call.sampler;
   bilinear.filter = SHD_FILTER_BILINEAR;
   size_t nonfinite = 0;
-  for (size_t i = 0; i < lookups.count; ++i) {
-    const ExactFootprint footprint = exact_footprint(texture, sampler, lookups, i);
+  for (size_t i = 0; i < call.in.count; ++i) {
+    const ExactFootprint footprint = exact_footprint(call.texture, call.sampler, call.in, i);
+    const Texels out = part_of(call.out, i);
     nonfinite += !footprint.finite;
     if (footprint.point) {
-      run_filter(texture, bilinear, simd, part_of(lookups, i, 1), part_of(out, i), nullptr);
+      const Lookups lookup = part_of(call.in, i, 1);
+      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr});
     } else {
-      integrate(texture, sampler, footprint, part_of(out, i));
+      integrate(call.texture, call.sampler, footprint, out);
     }
   }
   return nonfinite;
 }
 
 }  // namespace shd::texture
+#endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/texture.h"
+#include "texture/stream.h"
 
 namespace shd::texture {
 
-/// SHD_FILTER_EXACT: the integral over the footprint, in doubles. Returns how many lookups were not finite.
-size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out);
+/// SHD_FILTER_EXACT: the integral over the footprint, in doubles; `run_bilinear` of the same target for points. Returns
+/// how many lookups were not finite.
+size_t run_exact(const FilterCall& call, RunFilter run_bilinear);
 
 }  // namespace shd::texture

@@ -107,34 +107,6 @@ HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
   taps->in0 = hn::Or(hn::And(next, taps->in1), hn::AndNot(next, taps->in0));
 }
 
-/// The texels around a point of a level: 2 columns of 2 rows.
-template <class D>
-struct Quad {
-  LinearTaps<D> x, y;
-  Ints<D> top, bottom;  // first texels of the rows
-
-  /// Index of the texel in column i and row j.
-  HWY_INLINE Ints<D> index(size_t i, size_t j) const { return (j ? bottom : top) + (i ? x.i1 : x.i0); }
-  HWY_INLINE MaskOf<D> in(size_t i, size_t j) const { return hn::And(i ? x.in1 : x.in0, j ? y.in1 : y.in0); }
-};
-
-template <class D>
-HWY_INLINE Quad<D> QuadOfTaps(D d, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y) {
-  return {x, y, RowIndex(d, level, y.i0), RowIndex(d, level, y.i1)};
-}
-
-/// At reduced coordinates.
-template <class D>
-HWY_INLINE Quad<D> QuadAt(D d, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
-  LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
-  LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
-  if (HWY_UNLIKELY(sampler.rounded_weights)) {
-    RoundWeights(d, &x);
-    RoundWeights(d, &y);
-  }
-  return QuadOfTaps(d, level, x, y);
-}
-
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

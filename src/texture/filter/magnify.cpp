@@ -62,12 +62,12 @@ void sample_rows(const Texture& texture, const Sampler& sampler, const core::Sim
                  const uint16_t* rows, size_t count, const Texels& out) {
   if (count == 0) return;
   if (count == in.count) {
-    sample_filter(texture, sampler, simd, in, out);
+    run_filter(texture, sampler, simd, in, out, nullptr);
     return;
   }
   Gathered gathered;
   const Lookups some = gathered.load(in, rows, count);
-  sample_filter(texture, sampler, simd, some, gathered.wanted(out));
+  run_filter(texture, sampler, simd, some, gathered.wanted(out), nullptr);
   gathered.scatter(rows, count, out);
 }
 

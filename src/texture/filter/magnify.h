@@ -10,7 +10,7 @@ Sampler magnifier(const Sampler& sampler);
 /// ... and the one of the others.
 Sampler minifier(const Sampler& sampler);
 
-/// sample_filter() with the magnifier or the minifier, chosen for each lookup; the two filters differ.
+/// run_filter() with the magnifier or the minifier, chosen for each lookup; the two filters differ.
 size_t sample_magnified(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 

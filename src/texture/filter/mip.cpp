@@ -41,7 +41,7 @@ struct BilinearMip : OnMipLevels {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    sink.quad(d, kStart, QuadAt(d, sampler, NearestLevel(d, texture, block, i), u, v));
+    sink.quad(d, kStart, NearestLevel(d, texture, block, i), u, v);
     sink.finish();
   }
 };

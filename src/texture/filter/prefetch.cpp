@@ -41,6 +41,15 @@ void prefetch_elements(const TexelSource& source, const Stream& stream, size_t f
   }
 }
 
+InputColumns::InputColumns(const Lookups& in) : count_(in.count) {
+  for (size_t c = 0; c < kFloatColumns; ++c) {
+    if (in.real(c)) column_[columns_++] = reinterpret_cast<const uint32_t*>(in.real(c));
+  }
+  for (size_t c = 0; c < kIntegerColumns; ++c) {
+    if (in.integer(c)) column_[columns_++] = in.integer(c);
+  }
+}
+
 TexelSource::TexelSource(const Texture& texture)
     : origin(texture.origin),
       borrowed(texture.borrowed),

@@ -72,14 +72,12 @@ struct Ripmap {
     const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
     const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
     const bool lod_given = in.lod != nullptr;
-    out->count = in.count;
-    return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       const auto& j = p.derivatives;
       const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
       const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
       hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
       hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   }
   static bool is_scattered(const Texture& texture, const AxisLodBlock& block) {
@@ -107,9 +105,9 @@ struct Ripmap {
     for (int j = 0; j < (rows.blended ? 2 : 1); ++j) {
       const uint32_t average = j == 0 ? 0 : kSecond;
       const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, rows.size[j]);
-      const auto quad = [&](int k) { return QuadOfTaps(d, LevelOf(d, first_texel, columns, k, rows, j), x[k], y); };
-      sink.quad(d, average | kStart, quad(0));
-      if (columns.blended) sink.quad(d, average | kBlend, quad(1), columns.fraction);
+      const auto level = [&](int k) { return LevelOf(d, first_texel, columns, k, rows, j); };
+      sink.quad(d, average | kStart, level(0), x[0], y);
+      if (columns.blended) sink.quad(d, average | kBlend, level(1), x[1], y, columns.fraction);
     }
     if (rows.blended) sink.merge(d, rows.fraction);
     sink.finish();

@@ -29,11 +29,11 @@ struct RandomBlock : Shape {
 
 /// The bits that a lookup was given, or its own.
 template <class Shape>
-void FindRandom(const Sampler& sampler, const Lookups& in, RandomBlock<Shape>* out) {
-  ForEachVector(unwidened(sampler), in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+void FindRandom(const Lookups& in, RandomBlock<Shape>* out) {
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
     const hn::RebindToUnsigned<decltype(d)> du;
-    const auto bits = from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, p.u, p.v);
-    hn::Store(bits, du, out->random + to);
+    const auto u = FiniteOrZero(d, hn::LoadU(d, from.u + i)), v = FiniteOrZero(d, hn::LoadU(d, from.v + i));
+    hn::Store(from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, u, v), du, out->random + to);
   });
 }
 
@@ -49,7 +49,7 @@ struct PickOnBase : OnBaseLevel {
   using Block = RandomBlock<PointBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindPoints(texture, sampler, in, block);
   }
 
@@ -79,7 +79,7 @@ struct PickTrilinear : OnMipLevels {
   using Block = RandomBlock<LodBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return OnMipLevels::find(texture, sampler, in, block);
   }
 
@@ -100,7 +100,7 @@ struct PickAnisotropic : OnMipLevels {
   using Block = RandomBlock<ProbeBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
 
@@ -147,7 +147,7 @@ struct PickEllipse {
   PickEllipse(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindEllipses(texture, sampler, in, block);
   }
   static bool is_scattered(const Texture& texture, const Block& block) {

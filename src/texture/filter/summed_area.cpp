@@ -5,7 +5,7 @@
 #include "texture/store/summed_area.h"
 
 #include "texture/filter/prefetch.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -286,8 +286,7 @@ size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& 
       sampler.box == SHD_BOX_ORIENTED ? static_cast<float>(static_cast<int>(sampler.max_anisotropy)) : 1.0f;
   const BoxRange range = box_range(sampler);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto boxes =
         lod_given ? SquareBoxes(d, p.lod, range) : BoxesOf(d, p.derivatives, width, height, max_parts, range);
     hn::Store(boxes.count, d, out->parts + to);
@@ -295,7 +294,6 @@ size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& 
     hn::Store(boxes.side_v, d, out->side_v + to);
     hn::Store(boxes.half_u, d, out->half_u + to);
     hn::Store(boxes.half_v, d, out->half_v + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 
@@ -307,7 +305,7 @@ size_t SummedAreaOf(const FilterCall& call) {
   BoxBlock block;
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = part_of(call.in, first, call.in.count - first < kBlock ? call.in.count - first : kBlock);
+    const Lookups in = block_of(call.in, first);
     nonfinite += FindBoxes(call.texture, call.sampler, in, &block);
     filter.scattered = is_scattered(call.texture, block, nullptr);
     const Texels out = part_of(call.out, first);

@@ -16,6 +16,11 @@ namespace shd::texture {
 /// Lookups in a block: its columns stay in the first-level cache.
 constexpr size_t kBlock = 256;
 
+/// The block of lookups from `first` on.
+inline Lookups block_of(const Lookups& in, size_t first) {
+  return part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+}
+
 /// Most lanes of a vector of lookups.
 constexpr size_t kMaxLanes = 16;
 

@@ -52,8 +52,7 @@ size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookup
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const LodRange range = lod_range(texture, sampler);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto axes = AxesOnLevel(d, f, sampler, range);
     const auto height2 = axes.aa * (f.v * f.v) + axes.bb * (f.u * f.u);
@@ -66,7 +65,6 @@ size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookup
     const auto length =
         simd::HWY_NAMESPACE::Exp2(d, hn::Min(hn::Max(longer - hn::Set(d, range.low), hn::Zero(d)), two));
     hn::Store(two - hn::Min(length, two), d, out->bilinear + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 

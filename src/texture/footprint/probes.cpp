@@ -28,8 +28,7 @@ size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange
   if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
     const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
@@ -42,7 +41,6 @@ size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange
     hn::Store(probes, d, out->probes + to);
     hn::Store(probes, d, out->reach + to);
     hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 

@@ -46,12 +46,10 @@ size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const Lo
                         const Lookups& in, LodBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
   return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       const auto lambda = lod_given ? p.lod : profile.Lambda(d, p.derivatives);
       hn::Store(Finished(d, profile, range, finish, lambda), d, out->lod + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   });
 }
@@ -60,9 +58,8 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
                           const Lookups& in, ProbeBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
   return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       using D = decltype(d);
       const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
       const Probes<D> probes = lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
@@ -71,7 +68,6 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
       hn::Store(probes.count, d, out->probes + to);
       hn::Store(probes.reach, d, out->reach + to);
       hn::Store(Finished(d, profile, range, finish, probes.lambda), d, out->lod + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a block of lookups, one function for each kind of block. They are functions of their target, compiled
-// once for all filters; each returns how many lookups had something that is not finite.
+// The functions that fill blocks, one for each kind. They are functions of their target, compiled once for all filters;
+// each returns how many lookups had something that is not finite.
 
 #if defined(SHD_TEXTURE_SHAPES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_SHAPES_INL_H_

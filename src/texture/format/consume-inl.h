@@ -5,11 +5,22 @@
 //   Texel<D>                  raw bits of one texel per lane
 //   fetch(d, source, index)   texels at indices, which lie aligned in memory; what is behind the channels that the
 //                             texture has is not defined
-//   fetch_pair(...)           texels at indices and the ones behind them
+//   fetch_quad(...)           texels at indices and the ones behind them, in an upper and a lower row of one level
 //   fetch_row(...)            four texels side by side, from indices on
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
 //   finish<C>(d, value)       from the lerp domain to the result
 //   kFloat                    texels may be infinite, NaN or so far apart that their difference overflows
+//
+// How the texels of a format are blended. Every filter is a tree of blends, so that equal texels give exactly their
+// value. A Blend has
+//
+//   Value<D>         one channel of one vector of lookups
+//   tap<C>           of a texel, or of the border in lanes that are not `in`
+//   blend            a + s (b - a) by a weight that does not depend on the point
+//   blend_s, blend_t the same along u with ds/du = rate, along v with dt/dv = rate
+//   blend_by         the same with rates in u and v
+//   replace          b in some lanes, a in the others
+//   store<C>         finishes and writes; wanted: whether a channel is
 
 #if defined(SHD_TEXTURE_CONSUME_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_CONSUME_INL_H_
@@ -18,17 +29,102 @@
 #define SHD_TEXTURE_CONSUME_INL_H_
 #endif
 
+#include <cstring>
 #include <type_traits>
 
 #include <hwy/highway.h>
 
 #include "texture/footprint/points-inl.h"
-#include "texture/format/blend-inl.h"
-#include "texture/format/gradient-inl.h"
+#include "texture/store/wrap-inl.h"
+#include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// a + s (b - a) for values whose difference cannot overflow: a itself where a == b or s == 0.
+template <class D, class V>
+HWY_INLINE V Lerp(D, V a, V b, V s) {
+  return a + s * (b - a);
+}
+
+/// Lerp for any floats: a value of weight 0 never counts, infinities and NaN of other weights do, and finite values
+/// stay finite, as (1 - s) a + s b takes over where b - a overflows.
+template <class D, class V>
+HWY_INLINE V Mix(D d, V a, V b, V s) {
+  const V difference = b - a;
+  const auto finite = hn::Eq(difference - difference, hn::Zero(d));
+  V mixed = a + s * difference;
+  if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+    const V weighted = (hn::Set(d, 1.0f) - s) * a + s * b;
+    mixed = hn::IfThenElse(finite, mixed, weighted);
+  }
+  return hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a, mixed);
+}
+
+/// Writes up to `count` lanes.
+template <class D>
+HWY_INLINE void StoreFirst(D d, hn::Vec<D> value, size_t count, float* to) {
+  if (HWY_LIKELY(count >= hn::Lanes(d))) return hn::StoreU(value, d, to);
+  alignas(64) float lanes[hn::MaxLanes(D())];
+  hn::Store(value, d, lanes);
+  std::memcpy(to, lanes, count * sizeof(float));
+}
+
+/// Values of format F. With a border, they leave the lerp domain of the format before they meet the border colour,
+/// which may be any finite float.
+template <class F, bool kBorder>
+struct Blend {
+  template <class D>
+  using Value = hn::Vec<D>;
+
+  const Sampler& sampler;
+
+  explicit Blend(const Consumption& consumption) : sampler(consumption.sampler) {}
+
+  template <size_t C, class D>
+  HWY_INLINE Value<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in) const {
+    const hn::Vec<D> value = F::template decode<C>(d, texel);
+    if constexpr (!kBorder) return value;
+    return hn::IfThenElse(in, F::template finish<C>(d, value), hn::Set(d, sampler.border[C]));
+  }
+
+  /// s is in [0, 1], except in the lobes of cubic kernels.
+  template <class D>
+  HWY_INLINE Value<D> blend(D d, Value<D> a, Value<D> b, hn::Vec<D> s) const {
+    if constexpr (kBorder || F::kFloat) return Mix(d, a, b, s);
+    return Lerp(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_s(D d, Value<D> a, Value<D> b, hn::Vec<D> s, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_t(D d, Value<D> a, Value<D> b, hn::Vec<D> t, const float*) const {
+    return blend(d, a, b, t);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_by(D d, Value<D> a, Value<D> b, hn::Vec<D> s, const float*, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, Value<D> a, Value<D> b) const {
+    return hn::IfThenElse(lanes, b, a);
+  }
+
+  /// The result; one NaN for all, whatever the target makes of several.
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {
+    if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
+    if constexpr (kBorder) return value;
+    return F::template finish<C>(d, value);
+  }
+  template <size_t C, class D>
+  HWY_INLINE void store(D d, Value<D> value, size_t i, const Consumption& to) const {
+    StoreFirst(d, finish<C>(d, value), to.count - i, to.out.channel[C] + i);
+  }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
+};
 
 /// Which of the four channels a consumer writes.
 struct WantedChannels {
@@ -74,8 +170,9 @@ SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const E
   if (HWY_LIKELY(op & kNeighbours)) {
     Tap<F, D>* tap = four.tap;
     if (HWY_LIKELY(op & kQuad)) {
-      F::fetch_pair(d, source, stream.index[0] + at, &tap[0].texel, &tap[1].texel);
-      F::fetch_pair(d, source, stream.index[2] + at, &tap[2].texel, &tap[3].texel);
+      typename F::template Texel<D> quad[4];
+      F::fetch_quad(d, source, stream.index[0] + at, stream.index[2] + at, quad);
+      for (size_t k = 0; k < 4; ++k) tap[k].texel = quad[k];
     } else {
       typename F::template Texel<D> row[4];
       F::fetch_row(d, source, stream.index[2] + at, row);
@@ -107,7 +204,7 @@ HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Ele
 /// The running average of channel C of a row.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
-  const auto tap = [&](size_t k) { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
+  const auto tap = [&](size_t k) SHD_INLINE_LAMBDA { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
   auto value = b.blend_s(d, tap(0), tap(1), hn::Load(d, stream.s + at), stream.rate_s + at);
   value = b.blend_s(d, value, tap(2), hn::Load(d, stream.t + at), stream.rate_t + at);
   return b.blend_s(d, value, tap(3), hn::Load(d, stream.r + at), stream.rate_r + at);
@@ -156,24 +253,24 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
   if (op & (kQuad | kRow)) {
     const FourTaps<F, D> four = FetchFour<F, kBorder>(d, consumer.source, stream, op, at);
     if (HWY_LIKELY(op & kQuad)) {
-      wanted.for_each([&](auto c) { value[c] = BlendQuad<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendQuad<c>(d, b, four, stream, at); });
     } else {
-      wanted.for_each([&](auto c) { value[c] = BlendRow<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendRow<c>(d, b, four, stream, at); });
     }
   } else if (op & kMerge) {
-    wanted.for_each([&](auto c) { value[c] = averages->value[1][c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = averages->value[1][c]; });
   } else {
     const Tap<F, D> tap = FetchTap<F, kBorder>(d, consumer.source, stream.index[0] + at);
-    wanted.for_each([&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
   }
   if (op & (kHow | kMerge)) {
-    wanted.for_each([&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
   }
   if (op & kLast) {
-    wanted.for_each([&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { b.template store<c>(d, value[c], to->done, *to); });
     to->done += hn::Lanes(d);
   } else {
-    wanted.for_each([&](auto c) { into[c] = value[c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { into[c] = value[c]; });
   }
 }
 
@@ -191,12 +288,6 @@ void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* 
   }
   consumption->open = !(stream.op[end - 1] & kLast);
   if (consumption->open) std::memcpy(consumption->state, &averages, sizeof averages);
-}
-
-template <class F>
-FormatKernels KernelsOf() {
-  return {ConsumeStream<Blend<F, false>, F, false>, ConsumeStream<Blend<F, true>, F, true>,
-          ConsumeStream<GradientBlend<F>, F, true>};
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -71,31 +71,73 @@ HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
   return hn::IfThenElse(in_low, hn::TableLookupLanes(low, indices), hn::TableLookupLanes(high, indices));
 }
 
-/// Words at index and index + 1, if all lanes lie near each other.
+/// What a window of two vectors of words, from `first` on, has to do with indices.
 template <class D>
-HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+struct RowWindow {
+  Ints<D> left, right;  // index - first, and the one behind it
+  int32_t first;
+  bool fits;  // whether it holds both words of every lane
+};
+
+template <class D>
+HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
   const hn::RebindToSigned<D> di;
-  const size_t lanes = hn::Lanes(di);
-  const int32_t begin = index[0], end = index[lanes - 1], first = begin < end ? begin : end;
-  if ((begin < end ? end - begin : begin - end) >= static_cast<int32_t>(2 * lanes)) return false;
-  const auto from_first = hn::Load(di, index) - hn::Set(di, first), next = from_first + hn::Set(di, 1);
-  const auto outside = hn::AndNot(hn::Set(di, static_cast<int32_t>(2 * lanes - 1)), from_first | next);
-  if (!hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)))) return false;
+  const auto lanes = static_cast<int32_t>(hn::Lanes(di));
+  const int32_t begin = index[0], end = index[lanes - 1];
+  RowWindow<D> window;
+  window.first = begin < end ? begin : end;
+  window.fits = (begin < end ? end - begin : begin - end) < 2 * lanes;
+  if (!window.fits) return window;
+  window.left = hn::Load(di, index) - hn::Set(di, window.first);
+  window.right = window.left + hn::Set(di, 1);
+  const auto outside = hn::AndNot(hn::Set(di, 2 * lanes - 1), window.left | window.right);
+  window.fits = hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)));
+  return window;
+}
+
+/// The words of a window that fits.
+template <class D>
+HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& window, int32_t first, Ints<D>* left,
+                           Ints<D>* right) {
+  const hn::RebindToSigned<D> di;
   const int32_t* words = reinterpret_cast<const int32_t*>(texels) + first;
-  const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + lanes);
-  *left = LookUpRow(d, low, high, from_first);
-  *right = LookUpRow(d, low, high, next);
-  return true;
+  const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + hn::Lanes(di));
+  *left = LookUpRow(d, low, high, window.left);
+  *right = LookUpRow(d, low, high, window.right);
+}
+
+/// The words at index and index + 1, which may not be near each other.
+template <size_t kStride, class D>
+HWY_INLINE void GatherWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+  const hn::RebindToSigned<D> di;
+  const auto at = hn::Load(di, index);
+  simd::HWY_NAMESPACE::GatherPairs(di, reinterpret_cast<const int32_t*>(texels), kStride == 4 ? at : at + at, left,
+                                   right);
 }
 
 /// The two words from an index on, which counts `kStride` bytes.
 template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
-  if (kStride == 4 && LoadRow(d, texels, index, left, right)) return;
+  if constexpr (kStride == 4) {
+    const RowWindow<D> window = WindowOf(d, index);
+    if (window.fits) return LoadWindow(d, texels, window, window.first, left, right);
+  }
+  GatherWordPairs<kStride>(d, texels, index, left, right);
+}
+
+/// The two words from an index on in the upper and in the lower row of quads.
+template <class D>
+HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, const int32_t* lower,
+                              Ints<D> (&word)[4]) {
   const hn::RebindToSigned<D> di;
-  const auto at = hn::Load(di, index);
-  const auto* words = reinterpret_cast<const int32_t*>(texels);
-  simd::HWY_NAMESPACE::GatherPairs(di, words, kStride == 4 ? at : at + at, left, right);
+  const RowWindow<D> window = WindowOf(d, upper);
+  const int32_t down = lower[0] - upper[0];
+  if (window.fits && hn::AllTrue(di, hn::Eq(hn::Load(di, lower) - hn::Load(di, upper), hn::Set(di, down)))) {
+    LoadWindow(d, texels, window, window.first, &word[0], &word[1]);
+    return LoadWindow(d, texels, window, window.first + down, &word[2], &word[3]);
+  }
+  GatherWordPairs<4>(d, texels, upper, &word[0], &word[1]);
+  GatherWordPairs<4>(d, texels, lower, &word[2], &word[3]);
 }
 #else
 /// The two words from an index on, which counts `kStride` bytes, by one load of 8 bytes a lane.
@@ -108,6 +150,13 @@ HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, In
     std::memcpy(pair + 2 * k, texels + kStride * static_cast<uint32_t>(index[k]), 8);
   }
   hn::LoadInterleaved2(di, pair, *left, *right);
+}
+
+template <class D>
+HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, const int32_t* lower,
+                              Ints<D> (&word)[4]) {
+  LoadWordPairs<4>(d, texels, upper, &word[0], &word[1]);
+  LoadWordPairs<4>(d, texels, lower, &word[2], &word[3]);
 }
 #endif
 

@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/format/blend-inl.h"
+#include "texture/format/consume-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -10,8 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "texture/format/codec.h"
 #include "texture/format/gather-inl.h"
-#include "texture/store/texel_codec.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -49,7 +49,7 @@ struct OneWord {
       default: return GatherWords(d, texels, index);
     }
   }
-  /// With one or two channels, both texels lie in one word.
+  /// Texels at indices and the ones behind them. With one or two channels, both lie in one word.
   template <class D>
   static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
                                     Texel<D>* right) {
@@ -67,6 +67,16 @@ struct OneWord {
     } else {
       LoadWordPairs<4>(d, texels, at, left, right);
     }
+  }
+  template <class D>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
+    if (HWY_LIKELY(source.channels == 4)) {
+      const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
+      if (HWY_LIKELY(texels)) return LoadWordQuads(d, texels, upper, lower, quad);
+    }
+    fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    fetch_pair(d, source, lower, &quad[2], &quad[3]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
@@ -113,6 +123,12 @@ struct TwoWords {
       *left = {word[0], word[1]};
       *right = {word[2], word[3]};
     }
+  }
+  template <class D>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
+    fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    fetch_pair(d, source, lower, &quad[2], &quad[3]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {

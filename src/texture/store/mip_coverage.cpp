@@ -6,8 +6,8 @@
 
 #include "core/executor.h"
 #include "image/format.h"
+#include "texture/format/formats.h"
 #include "texture/store/mip_build.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {

@@ -10,7 +10,7 @@
 ///   average  sum / 2^shift in the units of Codec::load
 #pragma once
 
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 

@@ -5,7 +5,7 @@
 
 #include "core/executor.h"
 #include "image/format.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 namespace {

@@ -8,10 +8,10 @@
 // others; a constant base gives constant levels, as c n is exact for n <= 2^26 and a c of 24 bits.
 #include <cstring>
 
+#include "texture/format/formats.h"
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstring>
 
 #include "core/executor.h"
+#include "texture/format/formats.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {

@@ -7,14 +7,14 @@
 namespace shd::tests {
 namespace {
 
-/// The struct as this version knows it.
+/// The struct in the version of the library.
 struct Desc {
   uint32_t struct_size;
   uint32_t first;
   uint32_t appended;
 };
 
-/// The memory of a caller: its struct with two fields that this version does not know, and room behind.
+/// The memory of a caller: its struct with two fields of a later version, and room behind.
 struct Newer {
   Desc desc;
   uint32_t later[2];
@@ -27,7 +27,7 @@ struct Caller {
 struct WriteCase {
   const char* name;
   uint32_t struct_size;
-  uint32_t appended;  // what is in the caller's struct afterwards
+  uint32_t appended;  // its value in the struct after the call
   uint32_t later;
 };
 constexpr WriteCase kWriteCases[] = {
@@ -57,9 +57,9 @@ void test_write(void** state) {
 struct ReadCase {
   const char* name;
   uint32_t struct_size;
-  uint32_t unknown;  // in the bytes that this version does not know
+  uint32_t unknown;  // value of the bytes beyond this version
   shd_result result;
-  uint32_t appended;  // what is read; 9 = the default
+  uint32_t appended;  // value after reading; 9 = the default
 };
 constexpr ReadCase kReadCases[] = {
     {"read_desc/same", sizeof(Desc), 5, SHD_OK, 3},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights as the shading kernels get them.
+// Lights in the form that the shading kernels read.
 #include "support/check.h"
 
 #include "light/light.h"

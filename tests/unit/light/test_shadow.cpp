@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shadow lookups on maps of known depths: every filter and projection against the oracle, the same bits on every target
-// and from any split, tails, and points that are not finite or off the map.
+// Shadow lookups on maps of known depths: every filter and projection against the oracle, equal bits on every target
+// and for any split, tails, and points that are non-finite or off the map.
 #include "support/check.h"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ light::ShadowPlacement make_placement(const Case& c) {
   light::ShadowPlacement placement = {};
   placement.projection = c.projection;
   placement.face_count = c.projection == ShadowProjection::kCube ? 6 : 1;
-  // Right-handed, at angles that are no multiple of anything.
+  // Right-handed axes that are not aligned with the world.
   placement.axes = {{0.8f, 0, -0.6f}, {-0.36f, 0.8f, -0.48f}, {0.48f, 0.6f, 0.64f}};
   placement.origin[0] = 0.3f;
   placement.origin[1] = -0.2f;
@@ -93,7 +93,7 @@ light::ShadowPlacement make_placement(const Case& c) {
   return placement;
 }
 
-/// Depths in steps, with holes.
+/// Makes a map with depths in steps, and holes.
 void make_shadow(const Case& c) {
   light::Shadow& shadow = g->shadow;
   shadow.options = {c.size, c.filter, c.taps, SHD_CULL_NONE, c.filter_size, c.light_size,
@@ -117,7 +117,7 @@ void make_shadow(const Case& c) {
   shadow.is_rendered = true;
 }
 
-/// On the map and around it, most at depths of the map.
+/// Makes points on the map and around it, most at depths of the map.
 void make_points() {
   Random random = {42};
   const light::ShadowPlacement& placement = g->shadow.map.placement;
@@ -151,7 +151,7 @@ light::ShadowLookups lookups(size_t first, size_t count, bool has_normals) {
   return in;
 }
 
-/// Whether `got` lies among what the oracle has for places and depths within their rounding.
+/// Whether `got` lies within the range of the oracle for positions and depths within their rounding.
 bool is_near(const ref::ShadowRef& oracle, ref::ShadowPoint p, double got) {
   double low = INFINITY, high = -INFINITY;
   const double shift = 4e-6 * oracle.options.size, rise = 2e-5;
@@ -186,7 +186,7 @@ void test_oracle(void** state) {
       partial += got > 0.0 && got < 1.0;
       if (is_near(oracle, point, got)) continue;
       ++wrong;
-      // Taps of PCSS come to lie on edges of texels one by one.
+      // Single taps of PCSS may lie on edges of texels.
       if (c.filter != SHD_SHADOW_FILTER_PCSS || wrong > kPoints / 200) {
         fail_msg("%s[%zu]: got %g, want %g", c.name, i, got, oracle.visibility(point));
       }
@@ -208,7 +208,7 @@ void test_targets(void** state) {
       if (std::memcmp(g->first.data(), g->got.data(), kPoints * sizeof(float))) {
         fail_msg("%s: other bits on %s", c.name, target.name);
       }
-      // Pieces of every length, with something behind each that must stay.
+      // Pieces of every length; the values after each piece must not change.
       for (size_t begin = 0, count = 0; count < 36; begin += count++) {
         g->got.assign(kPoints, -7.0f);
         light::sample_shadow(target, g->shadow, lookups(begin, count, has_normals), g->got.data());
@@ -220,7 +220,8 @@ void test_targets(void** state) {
   }
 }
 
-/// Numbers that are none, and large ones, in every column: lit or a number in 0..1, and neighbours keep their bits.
+/// Non-finite and large numbers in every column: the result is lit or a number in 0..1, and other points keep their
+/// bits.
 void test_bad_points(void** state) {
   const Case& c = *static_cast<const Case*>(*state);
   const float k_bad[] = {NAN, -NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, 1e30f, FLT_TRUE_MIN, 0.0f};
@@ -250,7 +251,7 @@ void test_bad_points(void** state) {
   });
 }
 
-/// An empty map is lit everywhere, a full one in front of everything nowhere, to the bit; also on its edges.
+/// With an empty map all points are lit, with a map in front of everything none, exactly; also on its edges.
 void test_uniform(void** state) {
   const Case& c = *static_cast<const Case*>(*state);
   for (const bool is_full : {false, true}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the models: every model and debug view has a row, with the traits that the stages around it rely on.
+// The table of the models: every value of shd_model has a row, with the traits that other stages rely on.
 #include "support/check.h"
 
 #include "material/material.h"

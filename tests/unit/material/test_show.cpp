@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kWidth = 64;
 
-/// A material of a model with a texture in a slot, null = none.
+/// Sets a material of a model or view, with a texture in a slot; null = no texture.
 void set_slot(shd_model model, shd_debug_view view, shd_slot_target target, texture::Texture* texture) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
@@ -65,7 +65,7 @@ void test_barycentrics(void**) {
   for (int c = 0; c < 3; ++c) assert_memory_equal(g->columns.lobes.lobe[0][c], g->points.bary[c], 65 * sizeof(float));
 }
 
-/// From blue over green to red with the level of detail over the last level; blue without texture.
+/// The colour runs from blue over green to red with the level of detail; blue without a texture.
 void test_levels(void**) {
   static const uint8_t texels[kWidth * kWidth] = {};
   texture::Texture* mipped = make_texture(SHD_FORMAT_R8, kWidth, kWidth, texels, SHD_TABLE_MIPMAP);
@@ -97,7 +97,8 @@ void test_levels(void**) {
   free_texture(plain);
 }
 
-/// The texel at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space, of normals of any length; 1 without texture.
+/// The texel at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space, for normals of any length; 1 without a
+/// texture.
 void test_matcap(void**) {
   static float texels[kWidth * kWidth * 4];
   for (size_t i = 0; i < size_t{kWidth} * kWidth; ++i) {

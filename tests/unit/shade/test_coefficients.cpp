@@ -85,7 +85,7 @@ shd_material_desc random_material(Random* random, const ModelCase& of) {
   return desc;
 }
 
-/// Lobes and values of slots in `first`; lobes that the model has not are NaN.
+/// Random lobes and slot values in `first`; lobes that the model lacks are NaN.
 void random_columns(Random* random, const ModelCase& of) {
   const uint32_t lobes = std::max(material::info_of(material::model_key(of.model, of.view)).lobes, 1u);
   for (int c = 0; c < 3; ++c) {
@@ -102,7 +102,7 @@ void random_columns(Random* random, const ModelCase& of) {
   }
 }
 
-/// The columns of some slots, as look_up_slots() gives those that the model reads.
+/// The columns of some slots, as look_up_slots() returns them for slots that the model reads.
 material::Parameters parameters(uint32_t slots) {
   material::Parameters p = {};
   for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
@@ -111,7 +111,7 @@ material::Parameters parameters(uint32_t slots) {
   return p;
 }
 
-/// Row i in double: |error| <= 6 half ulps of the terms.
+/// Compares row i with the result in double: |error| <= 6 half ulps of the terms.
 void check_point(size_t i, const material::Parameters& p, const shade::Radiance& got) {
   const material::Material& m = g->material;
   const auto lights = static_cast<long double>(g->lights.count);
@@ -151,7 +151,7 @@ void combine_everywhere(const material::Parameters& p, size_t count) {
   for (size_t i = 0; i < count; ++i) check_point(i, p, g->first.radiance);
 }
 
-/// Every single slot, none, all, and some at random.
+/// Every single slot, no slots, all slots, and random sets.
 void test_slots(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {92};
@@ -183,7 +183,7 @@ void test_tails(void** state) {
     combine_everywhere(parameters(material::info_of(material::model_key(c->model, c->view)).slots), count);
 }
 
-/// Ambient light once per light that is not ambient: none without lights.
+/// Ambient light is added once per light that is not ambient; it is zero without lights.
 void test_ambient_per_light(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {94};
@@ -202,7 +202,7 @@ struct BlendCase {
   shd_blend blend;
   float cutoff;
   uint32_t flags;
-  float want_a, want_l;  // of opacity 1/2, diffuse slot alpha 1/4 and an unlit 1
+  float want_a, want_l;  // with opacity 1/2, diffuse slot alpha 1/4 and an unlit 1
 };
 const BlendCase k_blends[] = {
     {"blend/opaque", SHD_BLEND_OPAQUE, 0, 0, 1, 1},

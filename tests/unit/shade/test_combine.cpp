@@ -77,14 +77,14 @@ void fill(Random* random, const combine_case& c) {
     g->lights.ambient[channel] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
       g->first.lobes.lobe[0][channel][i] = random->real(0.0, 10.0);
-      // What Lambert's model must not read.
+      // Values that Lambert's model must not read.
       g->first.lobes.lobe[1][channel][i] = c.model == SHD_MODEL_LAMBERT ? NAN : random->real(0.0, 10.0);
       g->first.slot[SHD_SLOT_DIFFUSE][channel][i] = random->real(0.0, 1.0);
     }
   }
 }
 
-/// The four channels of row i in double; |error| <= 5 half ulps of the terms, one for each rounding on the way.
+/// Compares the channels of row i with results in double; |error| <= 5 half ulps of the terms, one per rounding.
 void check_point(size_t i, const combine_case& c, const shade::Radiance& got) {
   const double times = c.flags & SHD_MATERIAL_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
   for (int channel = 0; channel < 3; ++channel) {
@@ -125,7 +125,7 @@ void test_combine(void** state) {
   });
 }
 
-/// The largest coefficients and lobes that lights can make: finite.
+/// The largest coefficients and lobes of any lights give finite results.
 void test_range(void**) {
   Random random = {62};
   fill(&random, {"", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_AMBIENT_PER_LIGHT, 0, true});
@@ -191,7 +191,7 @@ void test_centroids(void**) {
   for (size_t i = 0; i < kBatch; ++i) assert_true(out[i] == (i < 301 ? in[points[i]] : -77.0f));
 }
 
-/// Ambient lights are summed apart, the others keep their order.
+/// Ambient lights are summed separately, the other lights keep their order.
 void test_table(void**) {
   light::Light light[5];
   const light::Light* pointers[5];

@@ -73,7 +73,7 @@ Vector random_unit(Random* random) {
   }
 }
 
-/// Lobes of the fixture's points under its lights.
+/// Computes the lobes of the fixture's points under its lights.
 void illuminate(const core::SimdTarget& target, material::Lobes* out) {
   for (size_t k = 0; k < g->lights.count; ++k) g->active[k] = {&g->lights.lights[k], {nullptr, nullptr, nullptr}};
   shade::illuminate(target, g->material, {}, g->active, g->lights.count, g->points, {false, true}, out);
@@ -117,7 +117,7 @@ void random_lights(Random* random, size_t count, Mix mix) {
   }
 }
 
-/// Rows of which every other one sees the highlight of a light: its normal is near the half vector.
+/// Random rows; every other row shows the highlight of a light, with its normal near the half vector.
 void random_points(Random* random, float exponent) {
   g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
@@ -134,10 +134,10 @@ void random_points(Random* random, float exponent) {
   }
 }
 
-double g_diffuse, g_specular;  // largest errors, per unit of illumination, the latter also per (2 + exponent)
+double g_diffuse, g_specular;  // largest errors per unit of illumination; the specular error also per (2 + exponent)
 
-/// Row i against the formulas. Stated bounds: 2e-6 of the light for diffuse; 2e-6 + 2.5e-7 exponent (1 + 2 / |v + l|)
-/// for specular, since a short v + l magnifies its own rounding.
+/// Compares row i with the formulas. Stated bounds: 2e-6 of the light for diffuse; 2e-6 + 2.5e-7 exponent
+/// (1 + 2 / |v + l|) for specular, because a short v + l magnifies its own rounding.
 void check_point(size_t i, const model_case& c) {
   const raster::Fragments& f = g->points;
   const float p[3] = {f.px[i], f.py[i], f.pz[i]}, n[3] = {f.nx[i], f.ny[i], f.nz[i]},
@@ -151,7 +151,7 @@ void check_point(size_t i, const model_case& c) {
     const long double received = light.intensity[0] * t.falloff;
     diffuse += light.intensity[0] * t.diffuse;
     specular += light.intensity[0] * t.specular;
-    // The light's part, and what is lost where 1 / r^2 leaves the range of float.
+    // The contribution of the light, and the loss where 1 / r^2 leaves the range of float.
     diffuse_bound += 2e-6L * received + 3e-39L * light.intensity[0];
     specular_bound +=
         (2e-6L + 2.5e-7L * c.exponent * (1 + 2 / std::max(t.half, 1e-9L))) * received + 3e-39L * light.intensity[0];
@@ -274,9 +274,9 @@ void test_edge(void** state) {
   }
 }
 
-/// The ungated and gated forms where the light is behind the surface: only the first leaves a specular term.
+/// The ungated and gated forms with the light behind the surface: only the ungated one has a specular term.
 void test_gating(void**) {
-  const float below[3] = {0.8f, -0.6f, 0.0f};  // travels upwards: n.l < 0, n.h > 0
+  const float below[3] = {0.8f, -0.6f, 0.0f};  // direction upwards: n.l < 0, n.h > 0
   for (uint32_t flags : {0u, static_cast<uint32_t>(SHD_MATERIAL_SPECULAR_UNGATED)}) {
     const model_case model = {"", SHD_MODEL_BLINN_PHONG, flags, 2.0f};
     set_material(model);
@@ -294,7 +294,7 @@ void test_gating(void**) {
   }
 }
 
-/// Lights add up in the table's order: 1e8 swallows each 3 that follows it, not their sum before it.
+/// Lights are added in the order of the table: 1e8 absorbs each later 3, but not the sum of earlier ones.
 void test_order(void**) {
   const model_case model = {"", SHD_MODEL_BLINN_PHONG, 0, 1.0f};
   set_material(model);
@@ -312,7 +312,7 @@ void test_order(void**) {
   }
 }
 
-/// A row has the same bits in a table of any size; points past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector do not change.
 void test_tails(void**) {
   const model_case model = {"", SHD_MODEL_BLINN_PHONG, 0, 64.0f};
   set_material(model);
@@ -337,7 +337,7 @@ void test_tails(void**) {
   });
 }
 
-/// Finite points of any magnitude, lights in and beyond range: finite lobes.
+/// Finite points of any magnitude, with lights in and beyond range, give finite lobes.
 void test_finite(void** state) {
   const auto* c = static_cast<const model_case*>(*state);
   set_material(*c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lobes of every model where lights come in groups, at the edges of formulas, and from input that is not finite.
+// Lobes of every model with lights in groups, at the limits of the formulas, and with non-finite input.
 #include "unit/shade/lobe_fixture.h"
 
 namespace shd::tests {
@@ -37,7 +37,7 @@ void random_columns(Random* random) {
     g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
 }
 
-/// Lights one after the other, in threes, and with empty groups: the bits of all at once.
+/// Lights one by one, in threes, and with empty groups give the bits of a single call.
 void test_groups(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {83};
@@ -65,7 +65,7 @@ void test_groups(void** state) {
   });
 }
 
-/// A row has the same bits in a table of any size; points past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector do not change.
 void test_tails(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {84};
@@ -108,7 +108,7 @@ const EdgeCase k_edges[] = {
     {"behind", {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, -2},
 };
 
-/// Every model at edges, under a point and a spot that looks down.
+/// Every model at the limits, under a point light and a spot that points down.
 void test_edges(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   for (const EdgeCase& e : k_edges) {
@@ -128,8 +128,8 @@ void test_edges(void** state) {
   }
 }
 
-/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: points beside
-/// them have the bits that they have alone, and what gets no light stays 0.
+/// Rows with a non-finite normal, position or direction, and non-finite cookie texels: other points keep the bits that
+/// they have alone, and unlit points stay 0.
 void test_nonfinite(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   if (c->model == SHD_MODEL_GOOCH) return;  // reads neither E nor texels
@@ -201,7 +201,7 @@ void test_cone(void** state) {
   shd_assert_close(c->name, 0, g->first.lobes.lobe[0][0][0], c->want, 1e-6, 0.0);
 }
 
-/// Exactly nothing from the range on.
+/// E is exactly 0 from the range on.
 void test_range(void**) {
   set_material({"", SHD_MODEL_LAMBERT, 0, 1, 0.5f});
   shd_light_desc desc = shd_light_desc_default();

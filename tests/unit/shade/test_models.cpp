@@ -56,7 +56,7 @@ void test_model(void** state) {
   print_message("  of the bounds: %.2f, %.2f, %.2f\n", g_used[0], g_used[1], g_used[2]);
 }
 
-/// Columns that replace the constants, and lights with what a texture left of them.
+/// Columns that replace the constants, and lights with the factors of a cookie.
 void test_columns(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {82};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals turned by maps and heights against long double; degenerate tangents and texels; lobes widened by what maps
-// lost.
+// Normals turned by maps and heights against long double; degenerate tangents and texels; lobes widened by the variance
+// of maps.
 #include "unit/shade/normals_fixture.h"
 
 namespace shd::tests {
@@ -32,11 +32,11 @@ void set_encoding(shd_normal_encoding encoding, float scale, uint32_t flags = 0)
   desc.flags = flags;
   const material::SlotInput slots[material::kSlotCount] = {};
   material::build(desc, slots, &g->material);
-  g->material.normal_factor = 2;  // as of a texture of bytes
+  g->material.normal_factor = 2;  // as for a texture of bytes
   g->material.normal_offset = -1;
 }
 
-/// Texels of an encoding: unit normals shortened by what a mip level takes, or slopes and their squares.
+/// Random texels of an encoding: unit normals shortened as by a mip level, or slopes and their squares.
 void random_texels(Random* random, shd_normal_encoding encoding) {
   float* const* map = g->given.slot[SHD_SLOT_NORMAL];
   for (size_t i = 0; i < kBatch; ++i) {
@@ -74,11 +74,11 @@ void test_map(void** state) {
     const ref::MappedNormal want = ref::decode(g->material, t);
     const Vector n = normal_of(g->before, i), tangent = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
     const Vector turned = ref::from_tangent_space(n, tangent, g->before.tw[i], want.m);
-    // XY: the square root magnifies what rounding leaves of a small z.
+    // XY: the square root magnifies the rounding error of a small z.
     const long double z = c->encoding == SHD_NORMAL_ENCODING_XY ? std::max(want.m.z, 1e-3L) : 1;
     const long double size = std::max(1.0L, ref::length(want.m));
     check_normal("n", i, ref::unit(turned), static_cast<double>(6e-7L * size / z / ref::length(turned)));
-    // Of a difference of squares.
+    // The variance is a difference of squares.
     shd_assert_close("variance", i, g->columns.variance[i], static_cast<double>(want.variance),
                      c->encoding == SHD_NORMAL_ENCODING_MOMENTS ? 4e-7 * static_cast<double>(size * size) : 0.0, 1e-6);
   }
@@ -99,7 +99,7 @@ const DegenerateCase k_degenerate[] = {
     {"tangent/huge", {0, 0.6f, 0.8f}, {3e38f, 0, 0}},
 };
 
-/// Some frame around n: the mapped normal is unit and keeps its angle to n.
+/// Any frame around n is valid: the mapped normal is unit and keeps its angle to n.
 void test_degenerate(void** state) {
   const auto* c = static_cast<const DegenerateCase*>(*state);
   Random random = {102};
@@ -119,7 +119,7 @@ void test_degenerate(void** state) {
   }
 }
 
-/// Texels that are not finite, or stand for no normal, leave the normal alone; what they lost is finite.
+/// Texels that are non-finite or represent no normal do not change the normal; their variance is finite.
 void test_nonfinite_texels(void**) {
   const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f};
   for (shd_normal_encoding encoding :
@@ -143,7 +143,7 @@ void test_nonfinite_texels(void**) {
   }
 }
 
-/// Texel differences, as (x, y, 1).
+/// Texel differences as (x, y, 1).
 void test_tilt(void**) {
   Random random = {104};
   random_points(&random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of slots: textures through transforms and uv sets, alone and shared; attributes of meshes; procedures.
+// Values of slots: textures with transforms and uv sets, alone and shared; attributes of meshes; procedures.
 #include "core/status.h"  // before cmocka, whose fail is a macro
 
 #include <cstring>
@@ -30,7 +30,7 @@ void random_points(Random* random) {
   }
 }
 
-/// What a slot should read, by a lookup of its own, into kept.
+/// Expected values of a slot, from a separate lookup, in `kept`.
 void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, uint32_t index, bool has_footprint) {
   static float at[6][kBatch];
   const raster::Fragments& f = g->points;
@@ -54,7 +54,7 @@ void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, u
   texture::sample(*slot.texture, *slot.sampler, target, lookups, out);
 }
 
-/// Slots with textures, samplers, transforms, sets and channels at random, many of them the same.
+/// Slots with random textures, samplers, transforms, sets and channels, many of them equal.
 void random_slots(Random* random, texture::Texture* const textures[2], const texture::Sampler* samplers,
                   shd_model model) {
   shd_material_desc desc = shd_material_desc_default();
@@ -72,7 +72,7 @@ void random_slots(Random* random, texture::Texture* const textures[2], const tex
   material::build(desc, slots, &g->material);
 }
 
-/// Shared lookups give the bits of lookups of one's own.
+/// Shared lookups give the bits of separate lookups.
 void test_textures(void** state) {
   const auto model = *static_cast<const shd_model*>(*state);
   Random random = {161};
@@ -116,7 +116,7 @@ struct AttributeCase {
   const char* name;
   uint32_t slot, attribute;
   uint32_t present;   // bits of the columns that the mesh has
-  uint32_t expected;  // bits of the channels that come from it
+  uint32_t expected;  // bits of the channels that come from the mesh
 };
 const AttributeCase k_attributes[] = {
     {"attribute/colour", SHD_SLOT_DIFFUSE, 0, 0xff, 0xf},
@@ -131,7 +131,8 @@ const AttributeCase k_attributes[] = {
     {"attribute/normal/absent", SHD_SLOT_NORMAL, 0, 0, 0},
 };
 
-/// Columns of the mesh; 1 where it lacks one, which is no column but for normals, whose kernel reads all of them.
+/// Slots read the columns of the mesh. An absent column counts as 1; it is null except for normals, whose kernel reads
+/// all columns.
 void test_attribute(void** state) {
   const auto* c = static_cast<const AttributeCase*>(*state);
   Random random = {162};
@@ -155,7 +156,7 @@ void test_attribute(void** state) {
   }
 }
 
-/// What a procedure was given, and does.
+/// The inputs of a procedure, and its behaviour.
 struct Call {
   uint32_t slot;
   size_t calls, points;
@@ -192,7 +193,7 @@ void set_procedure(Call* call) {
   material::build(desc, slots, &g->material);
 }
 
-/// Every slot that takes one: called once with the points; what it leaves alone is 1.
+/// Every slot that accepts a procedure calls it once with the points; channels that it does not write are 1.
 void test_procedure(void**) {
   Random random = {163};
   std::fill_n(g->vertices.has_attribute, SHD_MAX_ATTRIBUTES, false);
@@ -216,7 +217,7 @@ void test_procedure(void**) {
   }
 }
 
-/// What procedures throw becomes a failure that names the slot and the draw.
+/// An exception from a procedure becomes a failure that names the slot and the draw.
 void test_throws(void**) {
   Random random = {164};
   random_points(&random);

@@ -1,19 +1,49 @@
 // SPDX-License-Identifier: MIT
-#include "texture/stream.h"
+#ifndef SHD_TEXTURE_FLOAT16_CODEC_
+#define SHD_TEXTURE_FLOAT16_CODEC_
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "texture/format/float16.cpp"
-#include <hwy/foreach_target.h>
+#include "image/half.h"
+#include "texture/format/codec.h"
+
+namespace shd::texture {
+
+template <size_t kCount>
+struct Float16Codec : Floats {
+  static constexpr size_t kChannels = kCount, kSize = 2 * kCount;
+  static constexpr double largest(size_t) { return 65504; }
+  static void load(const uint8_t* texel, double* value) {
+    uint16_t halves[kChannels];
+    std::memcpy(halves, texel, sizeof halves);
+    for (size_t c = 0; c < kChannels; ++c) value[c] = static_cast<double>(image::half_to_float(halves[c]));
+  }
+  static void add(const uint8_t* texel, size_t count, double* sum) { add_each<Float16Codec>(texel, count, sum); }
+  static void store(const double* average, uint8_t* texel) {
+    uint16_t halves[kChannels];
+    for (size_t c = 0; c < kChannels; ++c) halves[c] = image::float_to_half(round_to_odd(canonical(average[c])));
+    std::memcpy(texel, halves, sizeof halves);
+  }
+};
+
+}  // namespace shd::texture
+
+#endif  // SHD_TEXTURE_FLOAT16_CODEC_
+
+#ifdef SHD_FORMAT_KERNELS
+
+#if defined(SHD_TEXTURE_FLOAT16_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FLOAT16_INL_H_
+#undef SHD_TEXTURE_FLOAT16_INL_H_
+#else
+#define SHD_TEXTURE_FLOAT16_INL_H_
+#endif
+
 #include <hwy/highway.h>
 
-#include "texture/format/consume-inl.h"
-#include "texture/format/formats-inl.h"
 #include "texture/format/words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-namespace {
 
 /// binary32 of the binary16 in the lower half of every lane, exact.
 template <class D, class VI>
@@ -43,11 +73,9 @@ struct Float16 : TwoWords {
   }
 };
 
-}  // namespace
-
-FormatKernels Float16Kernels() {
-  return KernelsOf<Float16>();
-}
-
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_FLOAT16_INL_H_
+
+#endif  // SHD_FORMAT_KERNELS
