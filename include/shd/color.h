@@ -7,7 +7,7 @@
  * config, which names colour spaces, displays and views (transforms of scene light for a display). The built-in config
  * has:
  *
- * | colour space      | what                                                                   |
+ * | colour space      | use                                                                    |
  * |-------------------|------------------------------------------------------------------------|
  * | Linear Rec.709    | linear light, Rec.709 primaries; the scene_linear role                 |
  * | ACEScg            | linear light, AP1 primaries                                            |
@@ -15,7 +15,7 @@
  * | sRGB - Texture    | sRGB-encoded (IEC 61966-2-1), mirrored for negative values             |
  * | Raw               | numbers that are not colour; never changed                             |
  *
- * | display | view                | what                                                           |
+ * | display | view                | use                                                            |
  * |---------|---------------------|----------------------------------------------------------------|
  * | sRGB    | ACES 1.0 SDR-video  | ACES 1.0 output transform, sRGB curve; the default             |
  * | sRGB    | Plain               | the display's encoding alone: piecewise sRGB curve             |
@@ -24,7 +24,7 @@
  *
  * A config is trusted input: it names other files that OpenColorIO reads.
  *
- * Numbers:  NaN in colour is read as 0 and values are clamped to +-1e12 before a transform. What comes out
+ * Numbers:  NaN in colour is read as 0 and values are clamped to +-1e12 before a transform. The output
  *           is always finite: NaN becomes 0, and values are clamped to the range of the output format
  *           (0..1 for RGBA8, RGBA8_SRGB and RGBA16; +-65504 for RGBA16F; +-FLT_MAX for RGBA32F). Integer
  *           formats round to nearest. Output as RGBA8_SRGB has the same bytes as RGBA8: the display transform
@@ -107,7 +107,7 @@ SHD_API void shd_color_release(shd_color *color);
  *
  * The first call for a display and view builds the transform (about 10 ms); later calls find it in a cache.
  * @param color        concurrent reads
- * @param framebuffer  of the same context; colour in the working space; concurrent reads
+ * @param framebuffer  a framebuffer of the same context; colour in the working space; concurrent reads
  * @param display      name of a display; NULL = the config's default
  * @param view         name of one of its views; NULL = the display's default
  * @param out          RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size

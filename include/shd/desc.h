@@ -74,7 +74,7 @@ typedef enum shd_desc_kind {
 
 /**
  * Write the defaults of a sized struct into the caller's memory and set its struct_size.
- * @param kind  which struct `ptr` points at
+ * @param kind  the struct that `ptr` points at
  * @param ptr   the caller's struct, aligned for it
  * @param size  size in bytes of the caller's struct. A smaller one than the library's gets the first fields, down to
  *              the last required field; the tail of a larger one becomes zero

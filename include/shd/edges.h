@@ -42,8 +42,8 @@ typedef enum shd_edge {
      */
     SHD_EDGE_SILHOUETTE = 1,
     SHD_EDGE_CREASE = 2,      /**< between two triangles with unit normals n0 . n1 <= crease_cosine, in object space */
-    SHD_EDGE_BORDER = 4,      /**< of one triangle */
-    SHD_EDGE_NONMANIFOLD = 8, /**< of three triangles or more */
+    SHD_EDGE_BORDER = 4,      /**< an edge of one triangle */
+    SHD_EDGE_NONMANIFOLD = 8, /**< an edge of three triangles or more */
     SHD_EDGE_ALL = 15,        /**< all kinds */
     SHD_EDGE_MAX_ENUM = 0x7fffffff
 } shd_edge;

@@ -30,9 +30,9 @@ SHD_BEGIN_DECLS
 
 /** A texel that a lookup reads. Grows with shd_explanation.tap_size. */
 typedef struct shd_tap {
-    uint32_t layer;   /**< of the array */
-    uint32_t level_u; /**< how often the width was halved: the mip level, or the ripmap's level across */
-    uint32_t level_v; /**< how often the height was halved: the mip level, or the ripmap's level down */
+    uint32_t layer;   /**< layer of the array */
+    uint32_t level_u; /**< number of times the width was halved: the mip level, or the ripmap's level across */
+    uint32_t level_v; /**< number of times the height was halved: the mip level, or the ripmap's level down */
     uint32_t x;       /**< column, after wrapping */
     uint32_t y;       /**< row, after wrapping */
     uint32_t border;  /**< 1 = the border colour instead of the texel, else 0 */

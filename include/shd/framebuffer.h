@@ -9,7 +9,7 @@
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
- *                itself (one thread at a time per object).
+ *                itself (exclusive use of the object).
  *
  * @code
  * shd_framebuffer_desc desc = shd_framebuffer_desc_default();
@@ -144,7 +144,7 @@ typedef struct shd_framebuffer_info {
     uint32_t height;      /**< pixels */
     uint32_t samples;     /**< per pixel */
     shd_aov_flags aovs;   /**< optional planes */
-    size_t byte_size;     /**< of all planes */
+    size_t byte_size;     /**< bytes of all planes */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_info;
 

@@ -85,7 +85,7 @@ typedef struct shd_load_desc {
     shd_file_format_flags formats;  /**< formats to accept; default 0 = SHD_FILE_FORMAT_DEFAULT */
     shd_load_flags flags;           /**< default none */
     shd_color_encoding color_space; /**< default AUTO; other values override the file's declaration */
-    shd_table_flags tables;         /**< of textures; default SHD_TABLE_MIPMAP */
+    shd_table_flags tables;         /**< tables of textures; default SHD_TABLE_MIPMAP */
     uint32_t subimage;              /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
     uint64_t max_file_bytes;        /**< size of the file; 0 = 2^30 */
     uint64_t max_pixels;            /**< width * height, of the data and of the display window; 0 = 2^28 */
@@ -209,7 +209,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const ch
 /** Options of a save. */
 typedef struct shd_save_desc {
     uint32_t struct_size;           /**< set by shd_save_desc_default() */
-    uint32_t bit_depth;             /**< of a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
+    uint32_t bit_depth;             /**< a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
                                          default 0 = 8 for PNG, 16 for EXR, 32 for TIFF. For images always 0 */
     shd_color_encoding color_space; /**< framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and
                                          DATA do not. Images: the tag of PNG and EXR; AUTO = by pixel format */

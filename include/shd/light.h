@@ -48,18 +48,18 @@ typedef struct shd_light_desc {
     uint32_t struct_size; /**< set by shd_light_desc_default() */
     shd_light_kind kind;  /**< default SHD_LIGHT_KIND_POINT */
     float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1 */
-    float position[3];    /**< of points and spots, and of the cookie of directional lights: world space, finite;
+    float position[3];    /**< points and spots, and the cookie of directional lights: world space, finite;
                                default 0 */
-    float direction[3];   /**< of directional lights and spots: direction of the light rays, world space, any length
+    float direction[3];   /**< directional lights and spots: direction of the light rays, world space, any length
                                except 0; default (0, -1, 0) */
-    float range;       /**< of points and spots: distance from which E is 0 [world units]; default 0 = no limit. Lights
+    float range;          /**< points and spots: distance from which E is 0 [world units]; default 0 = no limit. Lights
                             with a finite range are culled beyond it */
-    float inner_angle; /**< of spots: half angle of the full cone [rad], 0..outer_angle; default 0 */
-    float outer_angle; /**< of spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default
+    float inner_angle;    /**< spots: half angle of the full cone [rad], 0..outer_angle; default 0 */
+    float outer_angle;    /**< spots: half angle of the cone [rad], 0.001..pi/2, with a cookie up to 1.55; default
                             pi/4 */
-    float up[3];       /**< up direction of the cookie and of shadow maps, world space. Orthogonalised against
+    float up[3];          /**< up direction of the cookie and of shadow maps, world space. Orthogonalised against
                             `direction`; replaced by another direction if parallel to it. Default (0, 1, 0) */
-    float extent[2];   /**< of directional lights: width and height of the cookie [world units], above 0; default 1. The
+    float extent[2];      /**< directional lights: width and height of the cookie [world units], above 0; default 1. The
                             centre of the cookie lies on the ray from `position`; samplers that repeat tile it */
     /**
      * Light cookie: a colour that multiplies E, seen from the light. It covers the square around the outer cone of a
@@ -67,7 +67,7 @@ typedef struct shd_light_desc {
      * have no cookie. NULL = none; retained.
      */
     shd_texture *texture;
-    shd_sampler *sampler; /**< of `texture`; NULL = bilinear, black outside; retained */
+    shd_sampler *sampler; /**< sampler of `texture`; NULL = bilinear, black outside; retained */
     /* ---- end of 0.1; append below ---- */
 } shd_light_desc;
 

@@ -199,7 +199,7 @@ typedef struct shd_material_desc {
     float roughness;           /**< 0..1; default 0.5 */
     float ior;                 /**< index of refraction of METALLIC_ROUGHNESS without metal, 1..10; default 1.5 */
     float emission[3];         /**< 0..1e12; default 0: set it to use the slot */
-    float opacity;             /**< of models, 0..1; default 1 */
+    float opacity;             /**< opacity of models, 0..1; default 1 */
     float occlusion_strength;  /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
     const shd_slot *slots;     /**< [slot_count], all of one struct_size, at most one for each target; borrowed for the
                                     call; coefficients without a slot are constant */
@@ -215,11 +215,11 @@ typedef struct shd_material_desc {
      */
     float parallax_depth;
     uint32_t parallax_steps;      /**< maximum number of lookups of the height per fragment, 2..256; default 24 */
-    float warm[3];                /**< of GOOCH, 0..1e6; default (0.4, 0.4, 0) */
-    float cool[3];                /**< of GOOCH, 0..1e6; default (0, 0, 0.4) */
+    float warm[3];                /**< warm colour of GOOCH, 0..1e6; default (0.4, 0.4, 0) */
+    float cool[3];                /**< cool colour of GOOCH, 0..1e6; default (0, 0, 0.4) */
     float warm_mix;               /**< share of k_d added to `warm`, 0..1; default 0.6 */
     float cool_mix;               /**< share of k_d added to `cool`, 0..1; default 0.2 */
-    uint32_t toon_steps;          /**< of TOON, 1..256; default 3 */
+    uint32_t toon_steps;          /**< steps of TOON, 1..256; default 3 */
     shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
     float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
     shd_material_program program; /**< default none */

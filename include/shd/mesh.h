@@ -137,12 +137,12 @@ typedef struct shd_mesh_info {
     uint32_t struct_size;       /**< set by shd_mesh_info_default() */
     uint32_t vertex_count;      /**< with the vertices that SHD_MESH_TANGENTS added */
     uint32_t triangle_count;    /**< whatever the topology was */
-    float bounds_min[3];        /**< of the finite positions; 0 if there are none */
-    float bounds_max[3];        /**< of the finite positions; 0 if there are none */
+    float bounds_min[3];        /**< bound of the finite positions; 0 if there are none */
+    float bounds_max[3];        /**< bound of the finite positions; 0 if there are none */
     uint32_t nonfinite_count;   /**< vertices with a position that is not finite */
     uint32_t normalless_count;  /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
-    uint32_t tangentless_count; /**< of SHD_MESH_TANGENTS: vertices whose uv gave no tangent; they get another one */
-    uint32_t split_count;       /**< of SHD_MESH_TANGENTS: vertices that were added */
+    uint32_t tangentless_count; /**< SHD_MESH_TANGENTS: vertices whose uv gave no tangent; they get another one */
+    uint32_t split_count;       /**< SHD_MESH_TANGENTS: vertices that were added */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_info;
 

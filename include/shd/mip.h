@@ -72,7 +72,7 @@ typedef struct shd_mip_desc {
     shd_wrap wrap_u;           /**< texels beyond the edge, for kernels wider than the box; default SHD_WRAP_REPEAT.
                                     With SHD_WRAP_BORDER the weights of texels inside are scaled to sum 1 */
     shd_wrap wrap_v;           /**< as wrap_u, for v */
-    float alpha_cutoff;        /**< of SHD_TEXEL_CONTENT_ALPHA_COVERAGE, 0..1; default 0.5 */
+    float alpha_cutoff;        /**< cutoff of SHD_TEXEL_CONTENT_ALPHA_COVERAGE, 0..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
 } shd_mip_desc;
 
@@ -112,8 +112,8 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
  * nz is taken as at least 1/32 of the normal's length, so bx and by are at most 32. Normals that point backwards are
  * limited in the same way. A texel that is 0 or not finite becomes flat: four zeros.
  * @param normals  three or four channels, as for SHD_TEXEL_CONTENT_NORMAL, of any length; borrowed for the call
- * @param out      of the same width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F. Pixels are written; they are
- *                 unspecified if the executor fails. They must not overlap `normals` (checked)
+ * @param out      an image of that width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F. Pixels are written; they
+ *                 are unspecified if the executor fails. They must not overlap `normals` (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_normal_moments(shd_context *context, const shd_image *normals,

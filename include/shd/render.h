@@ -8,7 +8,7 @@
  * take effect in their order, except that order-independent blends come last, and that the painter's algorithm orders
  * triangles from far to near. The frame has the same bits for any executor, worker count and SIMD target.
  *
- * Thread safety: one thread at a time per framebuffer; meshes, materials, lights and textures may be shared
+ * Thread safety: exclusive use of the framebuffer; meshes, materials, lights and textures may be shared
  *                between concurrent renders.
  *
  * @code
@@ -128,8 +128,8 @@ typedef struct shd_draw {
                                   default 0 */
     shd_fill fill;           /**< default SHD_FILL_SOLID */
     float fill_width;        /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */
-    shd_edge_flags edges;    /**< of SHD_FILL_LINES; default SHD_EDGE_ALL */
-    float crease_cosine;     /**< of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
+    shd_edge_flags edges;    /**< edges of SHD_FILL_LINES; default SHD_EDGE_ALL */
+    float crease_cosine;     /**< threshold of SHD_EDGE_CREASE, as in shd_edges_desc: -1..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
 } shd_draw;
 
@@ -199,10 +199,10 @@ typedef struct shd_render_stats {
                                        SHD_FILL_LINES, without an edge of its own to show */
     uint64_t empty;               /**< dropped: between pixel centres */
     uint64_t rasterised;          /**< drawn, hidden or not */
-    uint64_t clipped;             /**< of outside, culled, empty and rasterised: cut by a clip plane */
+    uint64_t clipped;             /**< cut by a clip plane, among outside, culled, empty and rasterised */
     uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows, in each
                                        pass (shd_render_desc.pass_triangles) */
-    uint64_t nonfinite_fragments; /**< of fragments: r, g, b or a was NaN or infinite (kept as written) */
+    uint64_t nonfinite_fragments; /**< fragments whose r, g, b or a was NaN or infinite (kept as written) */
     uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 without
                                        SHD_RENDER_COUNT_HIDDEN. Draws that blend or drop fragments may be tested against
                                        stale depth, so their count is approximate */
@@ -275,8 +275,8 @@ typedef struct shd_render_desc {
     uint32_t picture_height;    /**< pixels, that of the framebuffer..65536; default 0 = that of the framebuffer */
     uint32_t crop_x;            /**< column of the picture at which the framebuffer begins; it lies inside; default 0 */
     uint32_t crop_y;            /**< row of the picture at which the framebuffer begins; default 0 */
-    const shd_region *viewport; /**< of the picture, not empty: the target of NDC -1..1; NULL = all of it */
-    const shd_region *scissor;  /**< of the picture: pixels that may change; NULL = all of them */
+    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; NULL = all of it */
+    const shd_region *scissor;  /**< pixels of the picture that may change; NULL = all of them */
     /**
      * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, up to 65536 pixels a side, with the
      * framebuffer's samples in each of its pixels; crop, viewport and scissor are scaled by n. Colour and targets of a

@@ -161,16 +161,17 @@ typedef struct shd_sampler_desc {
     float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
     float blur_v;                    /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
     float max_anisotropy;            /**< longest footprint in units of its shorter axis, 1..64; default 16 */
-    shd_probe_weights probe_weights; /**< of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
-    shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
-    shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
-    float tolerance;                 /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
+    shd_probe_weights
+        probe_weights; /**< weights of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
+    shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
+    shd_box box;       /**< area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
+    float tolerance;   /**< tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
     /**
      * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter stochastic_filter;
-    uint32_t seed; /**< of SHD_FILTER_STOCHASTIC; default 0 */
+    uint32_t seed; /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Shadow maps: depths of a scene as a light sees it, and the part of the light that reaches a point.
+ * @brief Shadow maps: depths of a scene in the view of a light, and the part of the light that reaches a point.
  *
  * A map is drawn by shd_shadow_render with the rasteriser of shd_render (Williams, "Casting Curved Shadows on Curved
  * Surfaces", 1978), looked up by shd_shadow_sample, and used by frames that name it in shd_render_desc.shadows. A
@@ -16,8 +16,8 @@
  * not finite counts as no normal.
  *
  * Lifetime:      reference counted; create returns an owned reference.
- * Thread safety: retain/release from any thread; concurrent reads; shd_shadow_render needs the shadow for itself (one
- *                thread at a time per object).
+ * Thread safety: retain/release from any thread; concurrent reads; shd_shadow_render needs the shadow for itself
+ *                (exclusive use of the object).
  *
  * @code
  * shd_shadow_render_desc desc = shd_shadow_render_desc_default();
@@ -35,7 +35,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Depths as a light sees them. */
+/** Depths in the view of a light. */
 typedef struct shd_shadow shd_shadow;
 
 /** Computation of visibility from depths. */

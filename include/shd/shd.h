@@ -28,7 +28,7 @@
  * changes nothing and nulls its out handle. No exception, signal or output on stdout crosses the boundary.
  *
  * @page threads Threads
- * *Any thread*; *concurrent reads* (functions on const handles); *one thread at a time per object*. Each callback
+ * *Any thread*; *concurrent reads* (functions on const handles); *exclusive use of the object*. Each callback
  * documents its threads. shd restores floating-point control and errno, and does not change locale or signal masks.
  *
  * @page streams Streams

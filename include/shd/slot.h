@@ -76,13 +76,13 @@ typedef struct shd_slot {
     uint32_t struct_size;   /**< set by shd_slot_default(); the same in every element of an array */
     shd_slot_target target; /**< coefficient that it feeds; no two slots of a material have the same */
     shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
-    uint32_t attribute;     /**< of SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
-    shd_texture *texture;   /**< of SHD_SLOT_SOURCE_TEXTURE, else NULL; retained by the material */
-    shd_sampler *sampler;   /**< of SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
-    shd_slot_fn procedure;  /**< of SHD_SLOT_SOURCE_PROCEDURE */
+    uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
+    shd_texture *texture;   /**< texture of SHD_SLOT_SOURCE_TEXTURE, else NULL; retained by the material */
+    shd_sampler *sampler;   /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
+    shd_slot_fn procedure;  /**< function of SHD_SLOT_SOURCE_PROCEDURE */
     void *user_data;        /**< passed to `procedure`; borrowed until release of the material */
-    uint32_t channel;       /**< of the texture, 0..3, for scalars; default 0 */
-    uint32_t uv_set;        /**< of the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
+    uint32_t channel;       /**< channel of the texture for scalars, 0..3; default 0 */
+    uint32_t uv_set;        /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
     /**
      * (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
      * KHR_texture_transform is T R S, with the rotation r and v downwards

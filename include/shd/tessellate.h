@@ -72,11 +72,11 @@ typedef struct shd_tessellation_desc {
     const shd_view *view;
     const float *object_to_world;    /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
     const shd_texture *displacement; /**< channel r is the height; borrowed for the call; NULL = no displacement */
-    const shd_sampler *sampler;      /**< of `displacement`; borrowed for the call; NULL = the default sampler */
-    float lod;                       /**< level of detail of the lookups, log2 of base texels, -32..32; default 0 */
-    float amplitude;                 /**< factor of heights [object units], -1e12..1e12; default 0 = no displacement */
-    float offset;                    /**< height that is not displaced, -1e12..1e12; default 0 */
-    shd_displaced_normals normals;   /**< used with displacement; default SHD_DISPLACED_NORMALS_TILTED */
+    const shd_sampler *sampler;    /**< sampler of `displacement`; borrowed for the call; NULL = the default sampler */
+    float lod;                     /**< level of detail of the lookups, log2 of base texels, -32..32; default 0 */
+    float amplitude;               /**< factor of heights [object units], -1e12..1e12; default 0 = no displacement */
+    float offset;                  /**< height that is not displaced, -1e12..1e12; default 0 */
+    shd_displaced_normals normals; /**< used with displacement; default SHD_DISPLACED_NORMALS_TILTED */
     /* ---- end of 0.1; append below ---- */
 } shd_tessellation_desc;
 

@@ -134,14 +134,14 @@ SHD_API void shd_texture_release(shd_texture *texture);
 /** Size, format and memory of a texture. */
 typedef struct shd_texture_info {
     uint32_t struct_size;    /**< set by shd_texture_info_default() */
-    shd_format format;       /**< of every level; RGBA for a format of three channels */
+    shd_format format;       /**< format of every level; RGBA for a format of three channels */
     uint32_t width;          /**< texels of level 0 */
     uint32_t height;         /**< texels of level 0 */
     uint32_t layers;         /**< images of the array */
     uint32_t level_count;    /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than the given levels */
     shd_table_flags tables;  /**< tables that it has */
     shd_texture_flags flags; /**< as in its desc */
-    size_t byte_size;        /**< of all tables except a borrowed base level, and of what shd_texture_update() keeps */
+    size_t byte_size; /**< bytes of all tables except a borrowed base level, and of what shd_texture_update() keeps */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;
 

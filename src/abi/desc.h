@@ -54,7 +54,7 @@ shd_result check_enum(const char* field, const Enum& value, uint32_t low, uint32
 shd_result check_zero(const char* field, uint64_t value);
 shd_result check_flags(const char* field, uint32_t value, uint32_t known);
 shd_result check_not_null(const char* field, const void* pointer);
-/// Every one of `count` values is finite; the message says which is not.
+/// Every one of `count` values is finite; the message names the first other one.
 shd_result check_finite(const char* field, const float* values, size_t count);
 /// Every one of `count` values lies in [low, high]; NaN does not.
 shd_result check_values(const char* field, const float* values, size_t count, double low, double high);

@@ -18,7 +18,7 @@ shd_result check_matrix(const char* field, const float m[16]) {
   return SHD_OK;
 }
 
-/// What a draw is drawn with: its own matrix, or those of its instances.
+/// Matrices of a draw: its own, or those of its instances.
 struct Instances {
   const float* matrices;
   size_t count;

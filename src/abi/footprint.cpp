@@ -15,7 +15,7 @@ using texture::Surface;
 
 constexpr size_t kOutputs = 4;
 
-/// Columns of shd_ray_differentials. Those of three components begin at x.
+/// Columns of shd_ray_differentials. Columns of three components begin at x.
 enum DifferentialColumn {
   kDpdu = 0,
   kDpdv = 3,

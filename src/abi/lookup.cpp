@@ -36,7 +36,7 @@ shd_result check_outputs(const LookupBatch& batch) {
   return check_overlap(batch.in.data(), kLookupColumns, batch.out.data(), kOutputs, batch.count);
 }
 
-/// Whether the sampler has the derivatives that a batch asks for.
+/// Whether the sampler has the derivatives that a batch requests.
 shd_result check_gradient(const LookupBatch& batch, const texture::Sampler& sampler) {
   bool wanted = false;
   for (size_t c = 4; c < kOutputs; ++c) wanted = wanted || batch.out[c].data;

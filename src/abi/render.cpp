@@ -24,7 +24,7 @@ constexpr uint32_t kMaxPicture = 65536;
 constexpr uint32_t kMaxSupersampling = 16;
 constexpr uint32_t kMinPass = 1024, kMaxPass = 0x7fffffff, kDefaultPass = 1u << 21;  // triangles
 
-/// Draws whose blend goes by order are painted over what is there.
+/// Draws with a blend in the order of draws are painted over the previous ones.
 void ignore_depth(core::Buffer<frame::Draw>* draws) {
   for (size_t i = 0; i < draws->size(); ++i) {
     frame::Draw& draw = (*draws)[i];

@@ -61,7 +61,7 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
   return SHD_OK;
 }
 
-/// Of texels that are not copied; their rows are checked.
+/// Checks texels that are not copied; their rows are checked already.
 shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& format) {
   SHD_TRY(check_flags("texture.flags", desc.flags, SHD_TEXTURE_BORROW));
   if (!(desc.flags & SHD_TEXTURE_BORROW)) return SHD_OK;

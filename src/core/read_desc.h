@@ -47,7 +47,7 @@ shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t
   return SHD_OK;
 }
 
-/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc that are unknown to this version must be
+/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc beyond this version's must be
 /// zero.
 template <class Fail>
 shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
@@ -64,15 +64,15 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   return SHD_OK;
 }
 
-/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes that are unknown to this version
+/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes beyond this version's
 /// become zero.
 inline void write_element_bytes(const void* from, size_t from_size, void* to, size_t to_size) {
   std::memcpy(to, from, to_size < from_size ? to_size : from_size);
   if (to_size > from_size) std::memset(static_cast<unsigned char*>(to) + from_size, 0, to_size - from_size);
 }
 
-/// Writes a struct of this version into the caller's, whose struct_size was checked and does not change. No byte beyond
-/// that size is written. Bytes that are unknown to this version become zero.
+/// Writes a struct of this version into the caller's, whose struct_size was checked. The size stays as it is, no byte
+/// beyond it is written, and bytes beyond this version's become zero.
 inline void write_desc_bytes(const void* from, size_t from_size, void* to) {
   const uint32_t size = struct_size_of(to);
   write_element_bytes(from, from_size, to, size);

@@ -23,7 +23,7 @@ struct Destination {
   float* channel[4];
 };
 
-/// Blends a source over its destination, by a mode that depends on the order of draws.
+/// Blends a source over its destination. The mode must be one that depends on the order of draws.
 inline void blend(shd_blend mode, const FragmentColor& c, const Destination& destination) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {

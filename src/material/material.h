@@ -64,13 +64,13 @@ struct Material {
   float parallax_depth;
   uint32_t parallax_steps;
   Slot slot[kSlotCount];
-  uint32_t slots;  // bits of the slots that are set and that the model reads
+  uint32_t slots;  // bits of the set slots that the model reads
   shd_material_program program;
   uint32_t varying_count;  // 0 without program.vertex
   shd_interpolation interpolation[SHD_MAX_VARYINGS];
   shd_blend blend;
   float opacity, alpha_cutoff;
-  texture::Sampler default_sampler;               // for slots without a sampler
+  texture::Sampler default_sampler;               // used by slots without a sampler
   core::Object* texture_object[kSlotCount] = {};  // retained, or null
   core::Object* sampler_object[kSlotCount] = {};  // retained, or null
 
@@ -101,7 +101,7 @@ inline bool is_unordered(const Material& material) {
   return material.blend == SHD_BLEND_WEIGHTED || material.blend == SHD_BLEND_SORTED;
 }
 
-/// A slot that the caller gives, and the objects behind its handles. All zero is a constant.
+/// A slot of the caller and the objects behind its handles. All zero is a constant.
 struct SlotInput {
   shd_slot desc;
   uint32_t index;                   // in the caller's array
@@ -109,7 +109,7 @@ struct SlotInput {
   const texture::Sampler* sampler;  // null = the default sampler
 };
 
-/// Makes a material of a checked desc and its slots by target. The caller sets the references of `out`.
+/// Builds a material from a checked desc and its slots by target. The caller sets the references of `out`.
 void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept;
 
 }  // namespace shd::material

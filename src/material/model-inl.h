@@ -76,7 +76,7 @@ struct LightingBase {
   static constexpr uint32_t kLobes = 0;
   /// Whether the lobes depend on wo.
   static constexpr bool kNeedsEye = false;
-  /// Whether SHD_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0. If false, they are always 0 there.
+  /// Whether SHD_MATERIAL_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0. If false, they are always 0 there.
   static constexpr bool kMayBeUngated = false;
   /// Whether lobe 0 sums every light with weight 1 instead of E, without range, cookie, shadow or side.
   static constexpr bool kIgnoresIrradiance = false;

@@ -22,7 +22,7 @@ enum class ModelKey : uint32_t {
 constexpr ModelKey key_of(shd_model model) {
   return static_cast<ModelKey>(model);
 }
-/// The view is not SHD_DEBUG_VIEW_NONE.
+/// The key of a view that is not SHD_DEBUG_VIEW_NONE.
 constexpr ModelKey key_of(shd_debug_view view) {
   return static_cast<ModelKey>(static_cast<uint32_t>(ModelKey::kFirstView) + view - SHD_DEBUG_VIEW_NORMAL);
 }
@@ -60,7 +60,7 @@ struct ModelInfo {
   bool ignores_irradiance;
 };
 
-/// All zero for ModelKey::kProgram.
+/// Properties of a model; all zero for ModelKey::kProgram.
 const ModelInfo& info_of(ModelKey model);
 
 /// The largest value of shd_model that has a model.

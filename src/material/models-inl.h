@@ -37,7 +37,8 @@ struct ModelRow {
 template <class... Rows>
 struct ModelTable {};
 
-/// Every model except SHD_MODEL_PROGRAM, which has no reflectance of its own. A new model is one file and one row.
+/// Every model except SHD_MODEL_PROGRAM, which has no reflectance of its own, and every debug view. A new model is one
+/// file and one row.
 // clang-format off
 using Models = ModelTable<
     ModelRow<SHD_MODEL_LAMBERT, Lambert>,

@@ -60,8 +60,7 @@ static void check_canaries(void)
     type *const name = (type *)guarded(#type, sizeof *name); \
     *name = name##_value
 
-/* What the library does with the field that it does not know: refuses it in structs that it reads, clears it in those
- * that it writes. */
+/* The added field is refused in structs that the library reads, and cleared in structs that it writes. */
 #ifdef SHD_TEST_NEWER
 static const uint32_t k_zero[4];
 #define LAST(desc) (&(desc)->added[sizeof(desc)->added / sizeof(desc)->added[0] - 1])

@@ -14,7 +14,7 @@ struct Desc {
   uint32_t appended;
 };
 
-/// The memory of a caller: its struct with two fields that this version lacks, and room after it.
+/// The memory of a caller: its struct with two fields of a later version, and room behind.
 struct Newer {
   Desc desc;
   uint32_t later[2];
@@ -27,7 +27,7 @@ struct Caller {
 struct WriteCase {
   const char* name;
   uint32_t struct_size;
-  uint32_t appended;  // its value in the caller's struct after the call
+  uint32_t appended;  // its value in the struct after the call
   uint32_t later;
 };
 constexpr WriteCase kWriteCases[] = {

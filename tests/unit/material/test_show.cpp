@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kWidth = 64;
 
-/// Sets a material of a model, with a texture in a slot; null = no texture.
+/// Sets a material of a model or view, with a texture in a slot; null = no texture.
 void set_slot(shd_model model, shd_debug_view view, shd_slot_target target, texture::Texture* texture) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;

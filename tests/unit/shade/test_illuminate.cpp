@@ -276,7 +276,7 @@ void test_edge(void** state) {
 
 /// The ungated and gated forms with the light behind the surface: only the ungated one has a specular term.
 void test_gating(void**) {
-  const float below[3] = {0.8f, -0.6f, 0.0f};  // travels upwards: n.l < 0, n.h > 0
+  const float below[3] = {0.8f, -0.6f, 0.0f};  // direction upwards: n.l < 0, n.h > 0
   for (uint32_t flags : {0u, static_cast<uint32_t>(SHD_MATERIAL_SPECULAR_UNGATED)}) {
     const model_case model = {"", SHD_MODEL_BLINN_PHONG, flags, 2.0f};
     set_material(model);

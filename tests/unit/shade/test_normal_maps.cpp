@@ -32,7 +32,7 @@ void set_encoding(shd_normal_encoding encoding, float scale, uint32_t flags = 0)
   desc.flags = flags;
   const material::SlotInput slots[material::kSlotCount] = {};
   material::build(desc, slots, &g->material);
-  g->material.normal_factor = 2;  // as of a texture of bytes
+  g->material.normal_factor = 2;  // as for a texture of bytes
   g->material.normal_offset = -1;
 }
 
@@ -74,7 +74,7 @@ void test_map(void** state) {
     const ref::MappedNormal want = ref::decode(g->material, t);
     const Vector n = normal_of(g->before, i), tangent = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
     const Vector turned = ref::from_tangent_space(n, tangent, g->before.tw[i], want.m);
-    // XY: the square root magnifies what rounding leaves of a small z.
+    // XY: the square root magnifies the rounding error of a small z.
     const long double z = c->encoding == SHD_NORMAL_ENCODING_XY ? std::max(want.m.z, 1e-3L) : 1;
     const long double size = std::max(1.0L, ref::length(want.m));
     check_normal("n", i, ref::unit(turned), static_cast<double>(6e-7L * size / z / ref::length(turned)));
