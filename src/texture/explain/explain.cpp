@@ -25,7 +25,7 @@ float finish(CodeScale scale, float value) {
   return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
 }
 
-/// Channel of a stored texel as the blends of its format read it, or as a result.
+/// Returns a channel of a stored texel in the lerp domain of its format, or as a result if `finished`.
 float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
   double value[4] = {};
   visit_stored(texture.component, texture.channels, [&](auto codec) { codec.load(texel, value); });
@@ -33,7 +33,7 @@ float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, b
   return finished ? finish(scale_of(texture.component, channel), number) : number;
 }
 
-/// Where a texel of one layer lies.
+/// Level of a texel, and the first texel of this level in the layer.
 struct Place {
   uint32_t level_u, level_v, first;
 };
@@ -79,7 +79,8 @@ uint32_t node_number(const Recording& recording, uint32_t node) {
   return static_cast<uint32_t>(recording.tap_count) + (node & ~kBlendNode);
 }
 
-/// Weights of all nodes from that of the last: blends hand theirs down in reverse order.
+/// Returns the weights of all nodes. The last node has weight 1; each blend distributes its weight to its two operands,
+/// in reverse order.
 core::Array<float> weights(const core::Allocator& allocator, const Recording& recording) {
   const size_t count = recording.tap_count + recording.blend_count;
   core::Array<float> weight(allocator, count);
