@@ -111,7 +111,7 @@ void run_tessellate(benchmark::State& state, shd_tessellation_mode mode, uint32_
   int64_t triangles = 0;
   const auto tessellate = [&] {
     shd_mesh* cut = nullptr;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     check(shd_mesh_tessellate(context, mesh, &desc, &cut));
     check(shd_mesh_get_info(cut, &info));
     triangles += info.triangle_count;
@@ -146,9 +146,9 @@ void register_mesh() {
       run_tessellate(state, mode, segments, amplitude);
     })->Unit(benchmark::kMillisecond);
   };
-  add_tessellate("uniform", SHD_TESSELLATION_UNIFORM, 22, 0.0f);
-  add_tessellate("adaptive", SHD_TESSELLATION_ADAPTIVE, 32, 0.0f);
-  add_tessellate("displaced", SHD_TESSELLATION_UNIFORM, 22, 0.01f);
+  add_tessellate("uniform", SHD_TESSELLATION_MODE_UNIFORM, 22, 0.0f);
+  add_tessellate("adaptive", SHD_TESSELLATION_MODE_ADAPTIVE, 32, 0.0f);
+  add_tessellate("displaced", SHD_TESSELLATION_MODE_UNIFORM, 22, 0.01f);
 }
 
 }  // namespace shd::bench

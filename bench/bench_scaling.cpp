@@ -41,7 +41,7 @@ void run_mipmap(benchmark::State& state, uint32_t workers) {
   desc.format = SHD_FORMAT_RGBA8;
   desc.width = desc.height = kMipmapEdge;
   desc.texels = texels.data();
-  desc.borrow = 1;
+  desc.flags |= SHD_TEXTURE_BORROW;
   desc.tables = SHD_TABLE_MIPMAP;
   measure(state, "mipmap", workers, size / 4, [&] {
     shd_texture* texture = nullptr;

@@ -67,8 +67,8 @@ std::unique_ptr<Batch> make_batch(shd_model model, size_t light_count) {
   }
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &batch->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &batch->material);
   batch->lights.lights = core::Array<light::Light>(g_allocator, light_count);
   batch->lights.count = light_count;
   for (size_t i = 0; i < light_count; ++i) {

@@ -130,7 +130,7 @@ void FrameScene::make_mesh(const Surface& surface) {
 
 void FrameScene::make_material(const shd_material_desc& desc) {
   shd_material_desc textured = desc;
-  textured.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
+  textured.slot[SHD_SLOT_DIFFUSE].source = SHD_SLOT_SOURCE_TEXTURE;
   textured.slot[SHD_SLOT_DIFFUSE].texture = texture_;
   check(shd_material_create(context_, &textured, &material_));
 }

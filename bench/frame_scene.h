@@ -18,7 +18,7 @@ struct Variant {
   const char* name;
   uint32_t samples;
   bool shaded;
-  shd_blend_mode blend;
+  shd_blend blend;
 };
 
 /// A scene with one mesh and one material, and its frame of kFrameEdge x kFrameEdge pixels.
@@ -51,7 +51,7 @@ class FrameScene {
   shd_light* lights_[2] = {};
   shd_framebuffer* framebuffer_ = nullptr;
   std::vector<shd_draw> draws_;
-  shd_render_stats stats_ = {};
+  shd_render_stats stats_ = shd_render_stats_default();
   shd_render_desc desc_ = shd_render_desc_default();
 };
 

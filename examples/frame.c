@@ -46,7 +46,7 @@ static shd_result render(struct frame *f)
 /* The ball in the middle is lit; the sky is empty; the floor lies in front. */
 static int check(const shd_framebuffer *framebuffer)
 {
-    shd_plane_view green, alpha, depth;
+    shd_plane_view green = shd_plane_view_default(), alpha = shd_plane_view_default(), depth = shd_plane_view_default();
     size_t row, ball, sky, floor;
     if (shd_framebuffer_view_plane(framebuffer, SHD_PLANE_G, &green) != SHD_OK ||
         shd_framebuffer_view_plane(framebuffer, SHD_PLANE_A, &alpha) != SHD_OK ||

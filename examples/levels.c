@@ -70,7 +70,7 @@ int main(void)
     shd_sampler *sampler = NULL;
     shd_texture_desc td = shd_texture_desc_default();
     shd_lookups q = shd_lookups_default();
-    shd_levels out = {0};
+    shd_levels out = shd_levels_default();
     int good = 0;
 
     place_points();

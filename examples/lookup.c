@@ -94,8 +94,8 @@ int main(void)
         } else {
             int as_expected = check();
             good += as_expected;
-            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_simd_target(context), filters[i].name,
-                   r[0], r[COUNT - 1], as_expected ? "as expected" : "WRONG");
+            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_context_simd_target(context),
+                   filters[i].name, r[0], r[COUNT - 1], as_expected ? "as expected" : "WRONG");
         }
         shd_sampler_release(sampler);
         sampler = NULL;

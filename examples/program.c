@@ -27,7 +27,7 @@ static void uv_as_colour(const shd_fragments *in, shd_radiance *out, void *user_
 /* Pixel (x, y) must show the texture coordinates of its centre. */
 static int check(const shd_framebuffer *framebuffer)
 {
-    shd_plane_view r, g, b;
+    shd_plane_view r = shd_plane_view_default(), g = shd_plane_view_default(), b = shd_plane_view_default();
     int x, y;
     if (shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &r) != SHD_OK ||
         shd_framebuffer_view_plane(framebuffer, SHD_PLANE_G, &g) != SHD_OK ||

@@ -24,7 +24,7 @@ static shd_result create_shadows(shd_context *context, const struct scene *scene
         shd_shadow_render_desc render = shd_shadow_render_desc_default();
         shd_result result;
         desc.filter = filter;
-        desc.taps = filter == SHD_SHADOW_PCSS ? 7 : 5;
+        desc.taps = filter == SHD_SHADOW_FILTER_PCSS ? 7 : 5;
         desc.filter_size = 0.1f;                /* SUMMED_AREA_VARIANCE: length in the world */
         desc.light_size = i == 1 ? 0.2f : 0.6f; /* PCSS: size as seen from the scene, and in the world */
         desc.bleed = 0.2f;
@@ -46,7 +46,7 @@ static shd_result render(shd_context *context, const struct scene *scene, shd_sh
     shd_camera camera = shd_camera_default();
     shd_render_desc rd = shd_render_desc_default();
     shd_image image = shd_image_default();
-    shd_plane_view green;
+    shd_plane_view green = shd_plane_view_default();
     size_t i;
     shd_result result;
     fd.width = WIDTH, fd.height = HEIGHT, fd.samples = 4;

@@ -24,7 +24,7 @@ static int check(struct course *course, const shd_framebuffer *frame)
     double difference = 1e9;
     int c;
     model.model = SHD_MODEL_BLINN_PHONG;
-    model.flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT;
+    model.flags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT;
     model.exponent = k_exponent;
     for (c = 0; c < 3; ++c) {
         model.ambient[c] = k_ambient, model.diffuse[c] = k_color[c], model.specular[c] = k_specular;

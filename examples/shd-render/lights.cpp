@@ -31,7 +31,7 @@ struct Stage {
 void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
   const Camera& camera = stage.camera;
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (size_t c = 0; c < 3; ++c) {
     desc.direction[c] = -(from[0] * camera.right[c] + from[1] * camera.up[c] + from[2] * camera.back[c]);
     desc.intensity[c] = stage.exposure * color[c];
@@ -49,18 +49,17 @@ constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
                                    {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
 constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 
-/// Adds the two point lights of graphics courses, placed around a model of radius 3.
+/// The two point lights of ../course/shading.h, placed around a model of radius 3.
+constexpr float kCourseLights[2][3] = {{30.0f, 50.0f, 20.0f}, {-30.0f, 50.0f, 0.0f}};
+constexpr float kCourseIntensity = 500.0f;
+
 void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
-  shd_light_desc descs[8];
-  size_t count = 8;
-  check(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs), "course lights");
   const float unit = stage.bounds.radius / 3.0f;
-  for (size_t i = 0; i < count && i < 8; ++i) {
-    shd_light_desc& desc = descs[i];
-    if (desc.kind == SHD_LIGHT_AMBIENT) continue;
+  for (const auto& position : kCourseLights) {
+    shd_light_desc desc = shd_light_desc_default();
     for (size_t c = 0; c < 3; ++c) {
-      desc.position[c] = stage.bounds.center[c] + unit * desc.position[c];
-      desc.intensity[c] *= stage.exposure * unit * unit;
+      desc.position[c] = stage.bounds.center[c] + unit * position[c];
+      desc.intensity[c] = kCourseIntensity * (stage.exposure * unit * unit);
     }
     add_light(stage.context, desc, out);
   }
@@ -69,15 +68,15 @@ void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
 void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie,
                       std::vector<StageLight>& out) {
   const Bounds& bounds = stage.bounds;
-  const float falloff = option.kind == SHD_LIGHT_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
+  const float falloff = option.kind == SHD_LIGHT_KIND_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = option.kind;
   for (size_t c = 0; c < 3; ++c) {
-    if (option.kind != SHD_LIGHT_POINT) desc.direction[c] = -option.place[c];
+    if (option.kind != SHD_LIGHT_KIND_POINT) desc.direction[c] = -option.place[c];
     desc.position[c] = bounds.center[c] + bounds.radius * option.place[c];
     desc.intensity[c] = stage.exposure * falloff * option.color[c];
   }
-  if (option.kind == SHD_LIGHT_SPOT) {
+  if (option.kind == SHD_LIGHT_KIND_SPOT) {
     desc.inner_angle = stage.options.inner_cone * kDegree;
     desc.outer_angle = stage.options.cone * kDegree;
     desc.texture = cookie;
@@ -134,7 +133,7 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
   for (const LightOption& option : options.lights) add_option_light(stage, option, cookie.get(), lights);
   add_lamps(stage, lights);
   shd_light_desc ambient = shd_light_desc_default();
-  ambient.kind = SHD_LIGHT_AMBIENT;
+  ambient.kind = SHD_LIGHT_KIND_AMBIENT;
   for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = options.ambient[c];
   add_light(context, ambient, lights, false);
   return lights;

@@ -9,7 +9,7 @@
 struct StageLight {
   Light light;
   bool casts = false;
-  shd_light_kind kind = SHD_LIGHT_POINT;
+  shd_light_kind kind = SHD_LIGHT_KIND_POINT;
 };
 
 /// Makes the lights of the preset, which are placed around the camera, and of the command line, which are placed around

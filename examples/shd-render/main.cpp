@@ -68,7 +68,7 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   std::vector<const shd_shadow*> shadow_list;
   for (const Shadow& shadow : shadows) shadow_list.push_back(shadow.get());
   Progress progress;
-  shd_render_stats stats{};
+  shd_render_stats stats = shd_render_stats_default();
   shd_render_desc desc = shd_render_desc_default();
   desc.framebuffer = framebuffer;
   desc.view = view;
@@ -87,7 +87,7 @@ void render(shd_context* context, const Options& options, const Scene& scene, co
   if (options.stats) {
     std::fprintf(stderr, "%llu triangles, %llu rasterised, %llu fragments in %.1f ms on %s with %u workers\n",
                  static_cast<unsigned long long>(stats.triangles), static_cast<unsigned long long>(stats.rasterised),
-                 static_cast<unsigned long long>(stats.fragments), 1e3 * seconds, shd_simd_target(context),
+                 static_cast<unsigned long long>(stats.fragments), 1e3 * seconds, shd_context_simd_target(context),
                  shd_context_worker_count(context));
   }
 }

@@ -51,8 +51,8 @@ struct Surface {
   Alpha alpha = Alpha::kOpaque;
   float opacity = 1.0f, alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool is_floor = false;  // the options for the model do not apply to the floor
-  std::array<Map, SHD_SLOT_COUNT> maps;
+  bool is_floor = false;                      // the options for the model do not apply to the floor
+  std::array<Map, SHD_SLOT_MATCAP + 1> maps;  // by shd_slot_target
 };
 
 /// A geometry placed in the world.

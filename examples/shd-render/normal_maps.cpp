@@ -49,7 +49,7 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
     levels.push_back(level);
   }
   shd_mip_desc mip = shd_mip_desc_default();
-  mip.semantic = SHD_SEMANTIC_NORMAL;
+  mip.content = SHD_TEXEL_CONTENT_NORMAL;
   const auto count = static_cast<uint32_t>(levels.size());
   if (shd_mip_build(context, &base, &mip, count, levels.data()) != SHD_OK) return false;
   shd_texture_desc desc = shd_texture_desc_default();

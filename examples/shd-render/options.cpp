@@ -61,11 +61,11 @@ constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
                                        {"gooch", SHD_MODEL_GOOCH},
                                        {"toon", SHD_MODEL_TOON},
                                        {"unlit", SHD_MODEL_UNLIT},
-                                       {"matcap", SHD_MODEL_MATCAP},
-                                       {"normal", SHD_MODEL_SHOW_NORMAL},
-                                       {"uv", SHD_MODEL_SHOW_UV},
-                                       {"level", SHD_MODEL_SHOW_LEVEL},
-                                       {"barycentrics", SHD_MODEL_SHOW_BARYCENTRICS}};
+                                       {"matcap", SHD_MODEL_MATCAP}};
+constexpr Name<shd_debug_view> kViews[] = {{"normal", SHD_DEBUG_VIEW_NORMAL},
+                                           {"uv", SHD_DEBUG_VIEW_UV},
+                                           {"level", SHD_DEBUG_VIEW_LEVEL},
+                                           {"barycentrics", SHD_DEBUG_VIEW_BARYCENTRICS}};
 constexpr Name<shd_frequency> kFrequencies[] = {
     {"flat", SHD_FREQUENCY_FLAT}, {"gouraud", SHD_FREQUENCY_GOURAUD}, {"phong", SHD_FREQUENCY_PHONG}};
 constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
@@ -75,11 +75,11 @@ constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
 constexpr Name<Shape> kShapes[] = {{"teapot", Shape::kTeapot}, {"sphere", Shape::kSphere}, {"plane", Shape::kPlane}};
 constexpr Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
-constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},
-                                                {"pcf", SHD_SHADOW_PCF},
-                                                {"variance", SHD_SHADOW_VARIANCE},
-                                                {"summed-area", SHD_SHADOW_SUMMED_AREA_VARIANCE},
-                                                {"pcss", SHD_SHADOW_PCSS}};
+constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_FILTER_HARD},
+                                                {"pcf", SHD_SHADOW_FILTER_PCF},
+                                                {"variance", SHD_SHADOW_FILTER_VARIANCE},
+                                                {"summed-area", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE},
+                                                {"pcss", SHD_SHADOW_FILTER_PCSS}};
 constexpr Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST},     {"baseline", SHD_SIMD_BASELINE},
@@ -136,7 +136,7 @@ LightOption read_light(const std::string& option, const std::string& value, shd_
   for (const float c : light.color) {
     if (c < 0.0f || c > 1e9f) refuse(option, value, wanted);
   }
-  const bool directed = kind != SHD_LIGHT_POINT;
+  const bool directed = kind != SHD_LIGHT_KIND_POINT;
   if (*text || (directed && light.place == std::array<float, 3>{0, 0, 0})) refuse(option, value, wanted);
   return light;
 }
@@ -209,9 +209,9 @@ void read_cone(const std::string& option, const std::string& value, Options& out
 bool set_light_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--orbit") return read_orbit(name, value, out), true;
   if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
-  if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_POINT)), true;
-  if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_DIRECTIONAL)), true;
-  if (name == "--spot") return out.lights.push_back(read_light(name, value, SHD_LIGHT_SPOT)), true;
+  if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_POINT)), true;
+  if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_DIRECTIONAL)), true;
+  if (name == "--spot") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_SPOT)), true;
   if (name == "--cone") return read_cone(name, value, out), true;
   if (name == "--cookie") return out.cookie = value, true;
   if (name == "--lamps") {
@@ -233,6 +233,7 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
 /// Handles options of the surface. Returns false if `name` is not one.
 bool set_surface_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
+  if (name == "--show") return out.debug_view = pick(name, value, kViews), true;
   if (name == "--frequency") return out.frequency = pick(name, value, kFrequencies), true;
   if (name == "--diffuse") return out.diffuse = read_color(name, value), true;
   if (name == "--exponent") return out.exponent = read_scale(name, value), true;

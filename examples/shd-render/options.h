@@ -11,7 +11,7 @@
 /// A light of the command line. Positions are in radii of the model around its centre; directions point to the light;
 /// spots are aimed at the centre.
 struct LightOption {
-  shd_light_kind kind = SHD_LIGHT_POINT;
+  shd_light_kind kind = SHD_LIGHT_KIND_POINT;
   std::array<float, 3> place = {0, 0, 0};
   std::array<float, 3> color = {1, 1, 1};
 };
@@ -33,6 +33,7 @@ struct Options {
   float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
   float fov = 35.0f;                         // vertical [deg]
   shd_filter filter = SHD_FILTER_TRILINEAR;
+  shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;

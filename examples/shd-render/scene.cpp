@@ -36,7 +36,7 @@ Mesh make_mesh(shd_context* context, const Options& options, const Geometry& geo
 Mesh displace(shd_context* context, const Options& options, const Camera& camera, const Instance& instance,
               const Mesh& mesh, const shd_texture* height) {
   shd_tessellation_desc desc = shd_tessellation_desc_default();
-  desc.mode = SHD_TESSELLATION_ADAPTIVE;
+  desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
   desc.max_segments = 512;
   desc.edge_length = options.edge_length;
   desc.width = options.width;

@@ -15,7 +15,8 @@
 /// | errno_scope.h | the host's errno, restored at the end of a scope                  |
 /// | fp_env.h      | IEEE default floating-point control for a scope                   |
 /// | printable.h   | bytes as one line of UTF-8                                        |
-/// | read_desc.h   | sized structs of the caller                                       |
+/// | desc_size.h   | smallest sizes of the structs that carry their size               |
+/// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
 /// | context.h     | Context: allocator, executor, log, target, handle slabs           |

@@ -69,14 +69,14 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
 }  // namespace
 
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out) {
-  *out = {serial_parallel_for, nullptr, 1, 0};
+  *out = {serial_parallel_for, nullptr, 1};
 #ifdef SHD_WITH_TBB
   // oneTBB has no more threads than default_concurrency(), and prints a warning to stderr for larger requests.
   const auto max_workers = static_cast<uint32_t>(tbb::info::default_concurrency());
   if (worker_count == 0 || worker_count > max_workers) worker_count = max_workers;
   if (worker_count <= 1) return nullptr;
   Arena* arena = create<Arena>(allocator, static_cast<int>(worker_count));
-  *out = {tbb_parallel_for, arena, worker_count, 0};
+  *out = {tbb_parallel_for, arena, worker_count};
   return arena;
 #else
   (void)allocator;

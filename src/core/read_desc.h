@@ -22,15 +22,20 @@ uint32_t enum_bits(const Enum& value) {
   return bits;
 }
 
-/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size. `minimum` is the
-/// smallest struct_size of any version. Bytes beyond the size of this version must be zero.
+/// The struct_size with which a sized struct of the caller begins.
+inline uint32_t struct_size_of(const void* desc) {
+  uint32_t size;
+  std::memcpy(&size, desc, sizeof size);
+  return size;
+}
+
+/// Checks the alignment and the struct_size of a caller's struct. `minimum` is the smallest size of any version.
 template <class Fail>
-shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
-  if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {
+shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t minimum) {
+  if (reinterpret_cast<uintptr_t>(desc) % alignof(uint32_t) != 0) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not aligned to %zu bytes", name, alignof(uint32_t));
   }
-  uint32_t size;
-  std::memcpy(&size, in, sizeof size);
+  const uint32_t size = struct_size_of(desc);
   if (size < minimum) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
                 minimum);
@@ -39,6 +44,15 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   if (size > kMaxSize) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is above %u", name, size, kMaxSize);
   }
+  return SHD_OK;
+}
+
+/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc that are unknown to this version must be
+/// zero.
+template <class Fail>
+shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
+  if (const shd_result result = check_desc_size(fail, name, in, minimum)) return result;
+  const uint32_t size = struct_size_of(in);
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {
     if (bytes[i] != 0) {
@@ -48,6 +62,27 @@ shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t m
   }
   std::memcpy(out, in, size < out_size ? size : out_size);
   return SHD_OK;
+}
+
+/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes that are unknown to this version
+/// become zero.
+inline void write_element_bytes(const void* from, size_t from_size, void* to, size_t to_size) {
+  std::memcpy(to, from, to_size < from_size ? to_size : from_size);
+  if (to_size > from_size) std::memset(static_cast<unsigned char*>(to) + from_size, 0, to_size - from_size);
+}
+
+/// Writes a struct of this version into the caller's, whose struct_size was checked and does not change. No byte beyond
+/// that size is written. Bytes that are unknown to this version become zero.
+inline void write_desc_bytes(const void* from, size_t from_size, void* to) {
+  const uint32_t size = struct_size_of(to);
+  write_element_bytes(from, from_size, to, size);
+  std::memcpy(to, &size, sizeof size);
+}
+
+/// Sets a caller's struct, whose struct_size was checked, to zero behind its struct_size.
+inline void clear_desc_bytes(void* desc) {
+  const uint32_t size = struct_size_of(desc);
+  std::memset(static_cast<unsigned char*>(desc) + sizeof size, 0, size - sizeof size);
 }
 
 }  // namespace shd::core

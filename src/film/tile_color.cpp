@@ -97,7 +97,7 @@ Destination TileColor::sample(uint32_t pixel, uint32_t sample) {
   return at(split(pixel) + 4 * size_t{sample} * target_count_);
 }
 
-void TileColor::blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
+void TileColor::blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
                       const shade::Radiance& from, size_t row) {
   const bool is_whole = mask == all_ && (samples_ == 1 || !split_.is_split[pixel]);
   float* samples = is_whole ? nullptr : split(pixel);

@@ -50,10 +50,10 @@ class TileColor {
     }
     for (size_t i = 0; i < count && samples_ > 1; ++i) split_.is_split[pixel + i] = 0;
   }
-  /// Blends a colour, and the targets of a row of `from`, over the samples in a mask.
-  void blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
-             const shade::Radiance& from, size_t row);
-  /// The colour of one sample, as the destination of a blend.
+  /// Blends a colour and the targets of a row of `from`.
+  void blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color, const shade::Radiance& from,
+             size_t row);
+  /// The colour of one sample as a blend's destination.
   Destination sample(uint32_t pixel, uint32_t sample);
   /// Writes the plain average of each split pixel to the framebuffer; if all samples are equal, it keeps their bits.
   void resolve();

@@ -30,7 +30,7 @@ uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   uint32_t mask = tile_.worker.workspace.fragments.mask[row];
   if (material.flags & SHD_MATERIAL_DISCARDS && columns.discard[row]) mask = 0;
   if (color->channel[3] < material.alpha_cutoff) mask = 0;
-  if (material.flags & SHD_ALPHA_TO_COVERAGE) mask &= covered_by_alpha(color->channel[3], tile_.pattern.count);
+  if (material.flags & SHD_MATERIAL_ALPHA_TO_COVERAGE) mask &= covered_by_alpha(color->channel[3], tile_.pattern.count);
   if (material.blend == SHD_BLEND_OPAQUE && material.model != SHD_MODEL_PROGRAM) color->channel[3] = 1.0f;
   return mask;
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// Calls body(run) for the runs of one blend mode.
 template <class Body>
-void for_each_unordered(const TileState& tile, shd_blend_mode blend, const Body& body) {
+void for_each_unordered(const TileState& tile, shd_blend blend, const Body& body) {
   tile.for_each_run([&](const Run& run) {
     const material::Material* material = tile.draw_of(run).material;
     if (material && material->blend == blend) body(run);
@@ -17,7 +17,7 @@ void for_each_unordered(const TileState& tile, shd_blend_mode blend, const Body&
 
 /// Calls body(draw, sample, survivor) for every sample in a box that passes the tests of a draw of one blend mode.
 template <class Body>
-void for_each_sample(TileState* tile, shd_blend_mode blend, const geometry::PixelBox& box, const Body& body) {
+void for_each_sample(TileState* tile, shd_blend blend, const geometry::PixelBox& box, const Body& body) {
   for_each_unordered(*tile, blend, [&](const Run& run) {
     shade_run(tile, run, box, [&](const Draw& draw) {
       Survival survival(draw, tile);

@@ -35,7 +35,7 @@ struct SampleExtent {
 struct Outline {
   shd_fill fill;
   int32_t reach;       // half the width of lines and points, fixed point, > 0
-  uint32_t edges = 0;  // for SHD_FILL_LINES: shd_edge_kind bits
+  uint32_t edges = 0;  // for SHD_FILL_LINES: shd_edge bits
   float crease_cosine = 0.0f;
 };
 inline int32_t outline_reach(float width) {

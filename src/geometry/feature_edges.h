@@ -11,7 +11,7 @@ namespace shd::geometry {
 /// Selection of the edges of a mesh that are drawn as lines, after Gooch, Gooch, Shirley and Cohen, "A
 /// Non-Photorealistic Lighting Model for Automatic Technical Illustration" (1998), 4.1.
 struct EdgeQuery {
-  uint32_t kinds;  // shd_edge_kind bits
+  uint32_t kinds;  // shd_edge bits
   double crease_cosine;
   double eye[4];  // object space, homogeneous; any length and either sign
 };

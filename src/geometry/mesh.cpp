@@ -99,8 +99,8 @@ void copy_attributes(const core::Allocator& allocator, const shd_mesh_desc& desc
     out->u1 = copy_finite(allocator, desc.uv1[0], desc.vertex_count);
     out->v1 = copy_finite(allocator, desc.uv1[1], desc.vertex_count);
   }
-  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
-    if (desc.attribute[c].data) out->attribute[c] = copy_finite(allocator, desc.attribute[c], desc.vertex_count);
+  for (uint32_t c = 0; c < desc.attribute_count; ++c) {
+    if (desc.attributes[c].data) out->attribute[c] = copy_finite(allocator, desc.attributes[c], desc.vertex_count);
   }
 }
 

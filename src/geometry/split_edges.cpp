@@ -23,7 +23,7 @@ Vec3d row_of(const double* matrix, int row) {
 }  // namespace
 
 EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
-    : uniform_(desc.mode == SHD_TESSELLATION_UNIFORM ? desc.segments : 0),
+    : uniform_(desc.mode == SHD_TESSELLATION_MODE_UNIFORM ? desc.segments : 0),
       max_parts_(desc.max_segments),
       edge_length_(double{desc.edge_length}),
       in_pixels_(desc.view != nullptr) {

@@ -21,7 +21,7 @@ using Column = core::Array<float>;
 
 /// Counts triangles without allocating. Throws Failure if there are more than max_triangles.
 void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, const EdgeFactor& factor) {
-  const bool uniform = desc.mode == SHD_TESSELLATION_UNIFORM;
+  const bool uniform = desc.mode == SHD_TESSELLATION_MODE_UNIFORM;
   const size_t square = size_t{desc.segments} * desc.segments;
   size_t sum = uniform ? mesh.triangle_count * square : 0;
   for (size_t t = 0; t < mesh.triangle_count && !uniform && sum <= desc.max_triangles; ++t) {
@@ -30,7 +30,7 @@ void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, cons
     sum += RowPattern(segments).triangle_count();
   }
   if (sum <= desc.max_triangles) return;
-  core::refuse(SHD_ERROR_INVALID_ARGUMENT, "tessellation.max_triangles: %zu, but the %u triangles become %s%zu",
+  core::refuse(SHD_ERROR_INVALID_ARGUMENT, "tessellation.max_triangles: %u, but the %u triangles become %s%zu",
                desc.max_triangles, mesh.triangle_count, uniform ? "" : "at least ", sum);
 }
 

@@ -141,7 +141,9 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
   out.px = c.px + row, out.py = c.py + row, out.pz = c.pz + row;
   out.nx = c.nx + row, out.ny = c.ny + row, out.nz = c.nz + row;
   out.u = c.u + row, out.v = c.v + row;
-  for (uint32_t k = 0; k < program.varying_count; ++k) out.varying[k] = c.varying[k] + row;
+  float* varying[SHD_MAX_VARYINGS];
+  for (uint32_t k = 0; k < program.varying_count; ++k) varying[k] = c.varying[k] + row;
+  out.varying = varying;
   call(program, in, &out);
 #ifndef NDEBUG
   if (in.count != count) {

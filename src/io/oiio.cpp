@@ -202,7 +202,7 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, B
 
 /// Reads the rows of a damaged band one by one, up to the damage.
 void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, Bitmap* out) {
-  out->info.partial = 1;
+  out->info.flags |= SHD_BITMAP_PARTIAL;
   if (d.spec.tile_width > 0) return;
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
@@ -239,7 +239,7 @@ void describe(const Decoder& d, Bitmap* out) {
   const bool may = always || d.format == SHD_FILE_FORMAT_TIFF || d.format == SHD_FILE_FORMAT_ANY;
   out->info.file_format = d.format;
   out->info.channels = static_cast<uint32_t>(spec.nchannels);
-  out->info.premultiplied = d.map.index[3] >= 0 && (always || (may && !straight));
+  if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 
 Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool complete, const Memory& memory) {
@@ -266,7 +266,7 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
   std::memset(out.pixels.data(), 0, bytes);
   read_pixels(d, memory, &out);
   describe(d, &out);
-  if (!complete) out.info.partial = 1;
+  if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   return out;
 }
 

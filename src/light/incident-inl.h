@@ -36,7 +36,7 @@ template <class D, class V>
 HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
-  if (light.kind == SHD_LIGHT_DIRECTIONAL) return {axis, one};
+  if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {axis, one};
   const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
@@ -50,7 +50,7 @@ HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMES
     const V ratio = safe * hn::Set(d, light.inverse_range_squared);
     falloff = falloff * hn::Max(one - ratio * ratio, zero);
   }
-  if (light.kind == SHD_LIGHT_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
+  if (light.kind == SHD_LIGHT_KIND_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
   return {l, falloff};
 }
 

@@ -54,8 +54,8 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, con
   Light light = {};
   light.kind = desc.kind;
   for (int c = 0; c < 3; ++c) light.intensity[c] = desc.intensity[c];
-  const bool is_local = desc.kind == SHD_LIGHT_POINT || desc.kind == SHD_LIGHT_SPOT;
-  const bool is_aimed = desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT;
+  const bool is_local = desc.kind == SHD_LIGHT_KIND_POINT || desc.kind == SHD_LIGHT_KIND_SPOT;
+  const bool is_aimed = desc.kind == SHD_LIGHT_KIND_DIRECTIONAL || desc.kind == SHD_LIGHT_KIND_SPOT;
   if (is_local || (is_aimed && cookie)) {
     for (int c = 0; c < 3; ++c) light.position[c] = desc.position[c];
   }
@@ -64,12 +64,12 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, con
     light.inverse_range_squared = static_cast<float>(1.0 / (double{desc.range} * desc.range));
   }
   if (is_aimed) set_axes(desc, &light);
-  if (desc.kind == SHD_LIGHT_SPOT) set_cone(desc, &light);
+  if (desc.kind == SHD_LIGHT_KIND_SPOT) set_cone(desc, &light);
   if (!cookie) return light;
   light.cookie = cookie;
   light.cookie_sampler = cookie_sampler;
   for (int c = 0; c < 2; ++c) {
-    light.cookie_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
+    light.cookie_scale[c] = desc.kind == SHD_LIGHT_KIND_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
   }
   return light;
 }

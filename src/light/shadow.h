@@ -85,7 +85,7 @@ constexpr float kSteepnessSlack = 0.25f;
 /// Sum of |slope| across and along the map that is assumed for surfaces without a normal: 1 each, over the width of a
 /// fixed filter.
 inline float unknown_steepness(const ShadowOptions& options) {
-  return options.filter == SHD_SHADOW_PCF ? static_cast<float>(options.taps + 1) : 2.0f;
+  return options.filter == SHD_SHADOW_FILTER_PCF ? static_cast<float>(options.taps + 1) : 2.0f;
 }
 
 /// Largest distance [texels] beyond the edge of a face at which filters read.

@@ -118,8 +118,8 @@ void build_sums(const core::Context& context, const core::Allocator& allocator, 
 
 void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
                   ShadowMap* map) {
-  if (options.filter == SHD_SHADOW_VARIANCE) build_moments(context, allocator, options, map);
-  if (options.filter == SHD_SHADOW_SUMMED_AREA_VARIANCE) build_sums(context, allocator, map);
+  if (options.filter == SHD_SHADOW_FILTER_VARIANCE) build_moments(context, allocator, options, map);
+  if (options.filter == SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE) build_sums(context, allocator, map);
 }
 
 }  // namespace shd::light

@@ -43,7 +43,7 @@
 namespace shd::material {
 
 struct Material {
-  shd_model model;
+  ModelKey model;
   uint32_t flags;     // shd_material_flag
   float ambient[3];   // k_a
   float diffuse[3];   // k_d, or base colour
@@ -63,16 +63,16 @@ struct Material {
   float bump_scale;
   float parallax_depth;
   uint32_t parallax_steps;
-  Slot slot[SHD_SLOT_COUNT];
-  uint32_t slots;  // bits of the set slots that the model reads
+  Slot slot[kSlotCount];
+  uint32_t slots;  // bits of the slots that are set and that the model reads
   shd_material_program program;
   uint32_t varying_count;  // 0 without program.vertex
   shd_interpolation interpolation[SHD_MAX_VARYINGS];
-  shd_blend_mode blend;
+  shd_blend blend;
   float opacity, alpha_cutoff;
-  texture::Sampler default_sampler;                   // used by slots without a sampler
-  core::Object* texture_object[SHD_SLOT_COUNT] = {};  // retained, or null
-  core::Object* sampler_object[SHD_SLOT_COUNT] = {};  // retained, or null
+  texture::Sampler default_sampler;               // for slots without a sampler
+  core::Object* texture_object[kSlotCount] = {};  // retained, or null
+  core::Object* sampler_object[kSlotCount] = {};  // retained, or null
 
   Material() = default;
   Material(const Material&) = delete;
@@ -87,7 +87,8 @@ inline bool has_slot(const Material& material, uint32_t slot) {
 
 /// Whether the samples that a fragment covers depend on its shading.
 inline bool drops_fragments(const Material& material) {
-  return material.alpha_cutoff > 0.0f || (material.flags & (SHD_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
+  return material.alpha_cutoff > 0.0f ||
+         (material.flags & (SHD_MATERIAL_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
 }
 
 /// Whether the opacity of the material has an effect.
@@ -100,13 +101,15 @@ inline bool is_unordered(const Material& material) {
   return material.blend == SHD_BLEND_WEIGHTED || material.blend == SHD_BLEND_SORTED;
 }
 
-/// The objects behind the handles of a slot.
-struct SlotParts {
+/// A slot that the caller gives, and the objects behind its handles. All zero is a constant.
+struct SlotInput {
+  shd_slot desc;
+  uint32_t index;                   // in the caller's array
   const texture::Texture* texture;  // null = none
   const texture::Sampler* sampler;  // null = the default sampler
 };
 
-/// Builds a material from a checked desc and the objects behind its handles. The caller sets the references of `out`.
-void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT], Material* out) noexcept;
+/// Makes a material of a checked desc and its slots by target. The caller sets the references of `out`.
+void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept;
 
 }  // namespace shd::material

@@ -13,6 +13,30 @@ namespace shd::material {
 
 struct Material;
 
+/// A model or a debug view: what a material is shaded with, and the key of the table of models.
+enum class ModelKey : uint32_t {
+  kProgram = SHD_MODEL_PROGRAM,
+  kFirstView = 32,  // above all models
+};
+
+constexpr ModelKey key_of(shd_model model) {
+  return static_cast<ModelKey>(model);
+}
+/// The view is not SHD_DEBUG_VIEW_NONE.
+constexpr ModelKey key_of(shd_debug_view view) {
+  return static_cast<ModelKey>(static_cast<uint32_t>(ModelKey::kFirstView) + view - SHD_DEBUG_VIEW_NORMAL);
+}
+constexpr bool operator==(ModelKey key, shd_model model) {
+  return key == key_of(model);
+}
+constexpr bool operator!=(ModelKey key, shd_model model) {
+  return key != key_of(model);
+}
+/// A debug view is shown in place of the model.
+constexpr ModelKey model_key(shd_model model, shd_debug_view view) {
+  return view == SHD_DEBUG_VIEW_NONE ? key_of(model) : key_of(view);
+}
+
 /// Largest number of lobes of a model.
 constexpr uint32_t kMaxLobes = 3;
 /// Largest number of shape parameters of the lobes of a model at a point.
@@ -36,8 +60,8 @@ struct ModelInfo {
   bool ignores_irradiance;
 };
 
-/// Properties of a model; all zero for SHD_MODEL_PROGRAM.
-const ModelInfo& info_of(shd_model model);
+/// All zero for ModelKey::kProgram.
+const ModelInfo& info_of(ModelKey model);
 
 /// The largest value of shd_model that has a model.
 shd_model last_model();

@@ -9,11 +9,15 @@
 
 namespace shd::material {
 
+/// Number of coefficients that slots feed.
+constexpr uint32_t kSlotCount = SHD_SLOT_MATCAP + 1;
+
 /// A checked shd_slot.
 struct Slot {
+  uint32_t index;  // in the caller's array
   shd_slot_source source;
   uint32_t uv_set, channel, attribute;
-  const texture::Texture* texture;  // null unless SHD_SOURCE_TEXTURE
+  const texture::Texture* texture;  // null unless SHD_SLOT_SOURCE_TEXTURE
   const texture::Sampler* sampler;  // never null with a texture
   bool is_transformed;              // uv_transform is not the identity
   float uv_transform[6];
@@ -23,12 +27,12 @@ struct Slot {
 
 /// Values of slots at points, as columns; null = 1.
 struct Parameters {
-  const float* value[SHD_SLOT_COUNT][4];
+  const float* value[kSlotCount][4];
 };
 
 /// Whether a slot has a source other than its constant.
 inline bool is_set(const Slot& slot) {
-  return slot.source != SHD_SOURCE_CONSTANT;
+  return slot.source != SHD_SLOT_SOURCE_CONSTANT;
 }
 
 /// Number of columns of a slot.

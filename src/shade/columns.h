@@ -38,7 +38,7 @@ struct Columns {
   core::Array<float> block;
   material::Lobes lobes;                     // at fragments
   Radiance radiance;                         // at fragments
-  float* slot[SHD_SLOT_COUNT][4];            // values of slots; null beyond their channels
+  float* slot[material::kSlotCount][4];      // values of slots; null beyond their channels
   material::Lobes point_lobes;               // at corners or centroids
   Radiance point_radiance;                   // at corners or centroids
   float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
@@ -73,7 +73,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
       if (targets >> c / 4 & 1) visit(&radiance->channel[c]);
     }
   }
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     for (uint32_t c = 0; c < 4; ++c) {
       columns->slot[i][c] = nullptr;
       if (c < material::slot_channels(i)) visit(&columns->slot[i][c]);

@@ -121,7 +121,7 @@ HWY_EXPORT(SpreadCorners);
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
              const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out) {
   const auto light_count = static_cast<float>(lights.count);
-  const float times = material.flags & SHD_AMBIENT_PER_LIGHT ? light_count : 1.0f;
+  const float times = material.flags & SHD_MATERIAL_AMBIENT_PER_LIGHT ? light_count : 1.0f;
   const bool has_ambient = material::info_of(material.model).slots >> SHD_SLOT_AMBIENT & 1;
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = (has_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;

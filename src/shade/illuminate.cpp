@@ -59,7 +59,7 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
   const D d;
   using V = hn::Vec<D>;
   constexpr uint32_t kLobes = Lighting::kLobes;
-  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_SPECULAR_UNGATED);
+  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
   const V zero = hn::Zero(d);
   V constant[material::kMaxShapeColumns];
   const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
@@ -126,7 +126,7 @@ LobeShape shape_lobes(const core::SimdTarget& simd, const material::Material& ma
                       const material::Parameters& parameters, const float* variance, size_t count, Columns* columns) {
   const material::ModelInfo& info = material::info_of(material.model);
   bool varies = variance != nullptr;
-  for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+  for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
     varies |= info.shape_slots >> slot & 1 && parameters.value[slot][0];
   }
   LobeShape shape = {};

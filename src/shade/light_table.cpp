@@ -18,7 +18,7 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
   }
   for (size_t i = 0; i < count; ++i) {
     const light::Light& light = *lights[i];
-    if (light.kind == SHD_LIGHT_AMBIENT) {
+    if (light.kind == SHD_LIGHT_KIND_AMBIENT) {
       for (int c = 0; c < 3; ++c) table.ambient[c] += light.intensity[c];
       continue;
     }

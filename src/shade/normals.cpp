@@ -64,7 +64,7 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
   const V squared_scale = scale_x * scale_x;
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
-  if (material.normal_encoding == SHD_NORMAL_MOMENTS) {
+  if (material.normal_encoding == SHD_NORMAL_ENCODING_MOMENTS) {
     const V squares = hn::Load(d, map[2] + i) + hn::Load(d, map[3] + i);
     const V spread = squares - (a * a + b * b);
     const V half = hn::Set(d, 0.5f) * (squared_scale * spread);
@@ -73,12 +73,12 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
     return {{a * scale_x, b * scale_y, one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
   const V x = factor * a + offset, y = factor * b + offset;
-  if (material.normal_encoding == SHD_NORMAL_XY) {
+  if (material.normal_encoding == SHD_NORMAL_ENCODING_XY) {
     const V rest = one - (x * x + y * y);
     return {{x * scale_x, y * scale_y, hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
   }
   const Vec3V<V> m = {x * scale_x, y * scale_y, factor * hn::Load(d, map[2] + i) + offset};
-  if (material.normal_encoding != SHD_NORMAL_TOKSVIG) return {m, zero};
+  if (material.normal_encoding != SHD_NORMAL_ENCODING_TOKSVIG) return {m, zero};
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);
   const V length = hn::IfThenElse(hn::Gt(given, hn::Set(d, 0.01f)), given, hn::Set(d, 0.01f));

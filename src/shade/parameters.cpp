@@ -32,7 +32,7 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
     const auto first = static_cast<uint32_t>(__builtin_ctz(slots));
     const Slot& slot = material.slot[first];
     texture::Texels out = {};
-    for (uint32_t i = first; i < SHD_SLOT_COUNT; ++i) {
+    for (uint32_t i = first; i < material::kSlotCount; ++i) {
       const bool shares = slots >> i & 1 && material::share_lookups(slot, material.slot[i]);
       if (shares && add_outputs(material.slot[i], i, *columns, &out)) slots &= ~(1u << i);
     }
@@ -59,8 +59,9 @@ void run_procedure(const Slot& slot, uint32_t index, const SlotContext& context,
   for (uint32_t c = 0; c < material::slot_channels(index); ++c) {
     std::fill_n(columns.slot[index][c], context.points.count, 1.0f);
   }
-  call_procedure(context.shading, make_inputs(context.shading, context.points, context.varyings), slot, index,
-                 columns.slot[index]);
+  ProgramInputs inputs;
+  make_inputs(context.shading, context.points, context.varyings, &inputs);
+  call_procedure(context.shading, inputs.fragments, slot, columns.slot[index]);
 }
 
 }  // namespace
@@ -70,13 +71,13 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
   const material::Material& material = *context.shading.material;
   uint32_t textured = 0;
   slots &= material.slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (!(slots >> i & 1)) continue;
     const Slot& slot = material.slot[i];
     std::copy_n(columns->slot[i], 4, out->value[i]);
-    if (slot.source == SHD_SOURCE_TEXTURE) textured |= 1u << i;
-    if (slot.source == SHD_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
-    if (slot.source == SHD_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
+    if (slot.source == SHD_SLOT_SOURCE_TEXTURE) textured |= 1u << i;
+    if (slot.source == SHD_SLOT_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
+    if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
   }
   look_up_textures(simd, context, textured, columns);
 }

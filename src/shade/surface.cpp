@@ -99,8 +99,9 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
   if (maps) map_normals(simd, material, parameters->value[SHD_SLOT_NORMAL], points, columns->variance);
   if (bumps && material.bump == SHD_BUMP_TEXEL) tilt_normals(simd, columns->tilt, points);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) bump_normals(simd, columns->tilt, columns->tangent_frame, points);
-  if (material.flags & SHD_DOUBLE_SIDED) face_normals(*context.shading.vertices, context.shading.orientation, points);
-  const bool has_variance = maps && material.normal_encoding >= SHD_NORMAL_TOKSVIG;
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED)
+    face_normals(*context.shading.vertices, context.shading.orientation, points);
+  const bool has_variance = maps && material.normal_encoding >= SHD_NORMAL_ENCODING_TOKSVIG;
   return shape_lobes(simd, material, *parameters, has_variance ? columns->variance : nullptr, points->count, columns);
 }
 

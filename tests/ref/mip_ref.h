@@ -24,15 +24,15 @@ inline double mip_bessel(double x) {
 
 inline double mip_kernel(shd_mip_kernel kernel, double x) {
   switch (kernel) {
-    case SHD_MIP_BOX: return 1;
-    case SHD_MIP_TRIANGLE: return 1 - fabs(x);
-    case SHD_MIP_LANCZOS: return mip_sinc(x) * mip_sinc(x / 3);
+    case SHD_MIP_KERNEL_BOX: return 1;
+    case SHD_MIP_KERNEL_TRIANGLE: return 1 - fabs(x);
+    case SHD_MIP_KERNEL_LANCZOS: return mip_sinc(x) * mip_sinc(x / 3);
     default: return mip_sinc(x) * mip_bessel(4 * sqrt(fmax(0, 1 - x * x / 9))) / 11.301921952136330496;  // I0(4)
   }
 }
 
 inline double mip_radius(shd_mip_kernel kernel) {
-  return kernel == SHD_MIP_BOX ? 0.5 : kernel == SHD_MIP_TRIANGLE ? 1 : 3;
+  return kernel == SHD_MIP_KERNEL_BOX ? 0.5 : kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : 3;
 }
 
 /// Integral over [low, high] by Simpson's rule, on each side of 0.
@@ -42,7 +42,7 @@ inline double mip_area(shd_mip_kernel kernel, double low, double high) {
   high = fmin(high, radius);
   if (low >= high) return 0;
   if (low < 0 && high > 0) return mip_area(kernel, low, 0) + mip_area(kernel, 0, high);
-  const int steps = kernel <= SHD_MIP_TRIANGLE ? 2 : 64;
+  const int steps = kernel <= SHD_MIP_KERNEL_TRIANGLE ? 2 : 64;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
     const double x = low + (high - low) * i / steps;
@@ -62,8 +62,8 @@ inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source,
     for (auto k = static_cast<int64_t>(floor(centre - radius * ratio)) - 1; k <= centre + radius * ratio + 1; ++k) {
       const double low = (static_cast<double>(k) - centre) / ratio;
       const int64_t texel = wrap_index(wrap, k, source);
-      if (texel < 0 && kernel != SHD_MIP_BOX) continue;
-      if (texel < 0 || (kernel == SHD_MIP_BOX && texel != k)) continue;
+      if (texel < 0 && kernel != SHD_MIP_KERNEL_BOX) continue;
+      if (texel < 0 || (kernel == SHD_MIP_KERNEL_BOX && texel != k)) continue;
       const double area = mip_area(kernel, low, low + 1 / ratio);
       row[texel] += area;
       sum += area;

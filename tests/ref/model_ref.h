@@ -28,7 +28,7 @@ inline long double smooth(long double t) {
 /// The range is taken from the desc, the direction from make_light, which rounds it.
 inline Arriving arriving(const shd_light_desc& desc, const light::Light& light, Vector p) {
   const Vector axis = vector(light.to_light);
-  if (desc.kind == SHD_LIGHT_DIRECTIONAL) return {axis, 1, 0};
+  if (desc.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {axis, 1, 0};
   const Vector way = vector(desc.position) - p;
   const long double squared = dot(way, way);
   if (!(squared > 0)) return {{0, 0, 0}, 0, 0};
@@ -40,7 +40,7 @@ inline Arriving arriving(const shd_light_desc& desc, const light::Light& light, 
     part = std::max(0.0L, 1 - ratio * ratio);
     error *= ratio < 1.001L ? 1 : 0;
   }
-  if (desc.kind == SHD_LIGHT_SPOT) {
+  if (desc.kind == SHD_LIGHT_KIND_SPOT) {
     const long double outer = cosl(desc.outer_angle), inner = cosl(desc.inner_angle);
     const long double scale = 1 / std::max(inner - outer, 1e-9L), cosine = dot(axis, l), off = 3e-7L;
     const long double cone = smooth(scale * (cosine - outer));
@@ -67,7 +67,7 @@ inline Power power(long double x, long double p, long double off) {
 }
 
 /// max(0, n.h)^p or, for Phong, max(0, v.r)^p. h: unit half vector, or 0.
-inline Power shine(shd_model model, Vector n, Vector v, Vector l, long double p) {
+inline Power shine(material::ModelKey model, Vector n, Vector v, Vector l, long double p) {
   const Vector sum = v + l;
   const long double size = length(sum);
   if (model == SHD_MODEL_PHONG) return power(2 * dot(n, l) * dot(n, v) - dot(v, l), p, 6e-7L);
@@ -107,7 +107,7 @@ inline LobeTerms lobes_of(const material::Material& m, long double p, long doubl
   if (m.model == SHD_MODEL_LAMBERT) return {{cosine, 0, 0}, {2e-6L, 0, 0}, false};
   const Power s = shine(m.model, n, v, l, p);
   LobeTerms t = {{cosine, s.value, 0}, {2e-6L, 2e-6L + std::max(s.high - s.value, s.value - s.low), 0}, false};
-  const bool gated = !(m.flags & SHD_SPECULAR_UNGATED);
+  const bool gated = !(m.flags & SHD_MATERIAL_SPECULAR_UNGATED);
   if (m.model == SHD_MODEL_TOON) {
     const long double steps = m.toon_steps;
     t.lobe[0] = std::min(1.0L, ceill(cosine * steps) / steps);

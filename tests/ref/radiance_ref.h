@@ -10,7 +10,7 @@ namespace shd::ref {
 
 /// Values of slots at a row in one channel; 1 for unset slots.
 struct SlotValues {
-  long double of[SHD_SLOT_COUNT];
+  long double of[material::kSlotCount];
   long double alpha;  // alpha of the diffuse slot
 };
 
@@ -50,13 +50,13 @@ inline Sum radiance(const material::Material& m, const SlotValues& s, long doubl
   const long double pi = acosl(-1.0L), diffuse = m.diffuse[c] * s.of[SHD_SLOT_DIFFUSE];
   const long double specular = m.specular[c] * s.of[SHD_SLOT_SPECULAR], from_all = ambient_of(m, s, ambient, c);
   Sum sum = {};
-  switch (m.model) {
+  switch (static_cast<uint32_t>(m.model)) {
     case SHD_MODEL_UNLIT: sum.add(diffuse); break;
     case SHD_MODEL_MATCAP: sum.add(diffuse * lobe[0]); break;
-    case SHD_MODEL_SHOW_NORMAL:
-    case SHD_MODEL_SHOW_UV:
-    case SHD_MODEL_SHOW_LEVEL:
-    case SHD_MODEL_SHOW_BARYCENTRICS: sum.add(lobe[0]); break;
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_NORMAL)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_UV)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_LEVEL)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_BARYCENTRICS)): sum.add(lobe[0]); break;
     case SHD_MODEL_GOOCH: {
       const long double warmth = lights > 0 ? lobe[0] / lights : 0.5L;
       sum.add(warmth * (m.warm[c] + m.warm_mix * diffuse));

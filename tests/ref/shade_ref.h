@@ -50,7 +50,7 @@ struct Term {
 inline Term light_term(const light::Light& light, Vector p, Vector n, Vector v, float exponent, bool gated) {
   Term t = {0, 0, 1, 0, 0};
   Vector l = vector(light.to_light);
-  if (light.kind == SHD_LIGHT_POINT) {
+  if (light.kind == SHD_LIGHT_KIND_POINT) {
     const Vector way = vector(light.position) - p;
     const long double squared = dot(way, way);
     if (!(squared > 0)) return {0, 0, 0, 0, 0};

@@ -64,9 +64,9 @@ struct ShadowRef {
     const double sx = has_normal ? slope(dot(axes.right, m)) : 0, sy = has_normal ? slope(dot(axes.down, m)) : 0;
     out.dx = sx * out.texel;
     out.dy = sy * out.texel;
-    const double steepness = has_normal                         ? std::fabs(sx) + std::fabs(sy) + 0.25
-                             : options.filter == SHD_SHADOW_PCF ? options.taps + 1.0
-                                                                : 2.0;
+    const double steepness = has_normal                                ? std::fabs(sx) + std::fabs(sy) + 0.25
+                             : options.filter == SHD_SHADOW_FILTER_PCF ? options.taps + 1.0
+                                                                       : 2.0;
     out.z = z - (static_cast<double>(options.bias) + static_cast<double>(placement.guard) +
                  static_cast<double>(placement.guard_square) * z * z +
                  static_cast<double>(options.bias_slope) * steepness * out.texel);
@@ -185,10 +185,10 @@ struct ShadowRef {
   double visibility(const ShadowPoint& p) const {
     if (!p.inside) return 1;
     switch (options.filter) {
-      case SHD_SHADOW_PCF: return pcf(p);
-      case SHD_SHADOW_VARIANCE: return variance(p);
-      case SHD_SHADOW_SUMMED_AREA_VARIANCE: return summed_area(p);
-      case SHD_SHADOW_PCSS: return pcss(p);
+      case SHD_SHADOW_FILTER_PCF: return pcf(p);
+      case SHD_SHADOW_FILTER_VARIANCE: return variance(p);
+      case SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE: return summed_area(p);
+      case SHD_SHADOW_FILTER_PCSS: return pcss(p);
       default: return hard(p);
     }
   }

@@ -17,15 +17,15 @@ inline MappedNormal decode(const material::Material& material, const long double
   const long double s = material.normal_scale[0], r = material.normal_scale[1], x = 2 * t[0] - 1, y = 2 * t[1] - 1,
                     z = 2 * t[2] - 1;
   switch (material.normal_encoding) {
-    case SHD_NORMAL_XY: {
+    case SHD_NORMAL_ENCODING_XY: {
       const long double rest = 1 - x * x - y * y;
       return {{s * x, r * y, rest > 0 ? sqrtl(rest) : 0}, 0};
     }
-    case SHD_NORMAL_TOKSVIG: {
+    case SHD_NORMAL_ENCODING_TOKSVIG: {
       const long double length = t[3] < 0.01L ? 0.01L : t[3];
       return {{s * x, r * y, z}, length < 1 ? s * s * (1 - length) / length : 0};
     }
-    case SHD_NORMAL_MOMENTS: {
+    case SHD_NORMAL_ENCODING_MOMENTS: {
       const long double spread = t[2] + t[3] - t[0] * t[0] - t[1] * t[1];
       return {{s * t[0], r * t[1], 1}, spread > 0 ? 0.5L * s * s * spread : 0};
     }

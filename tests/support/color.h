@@ -53,7 +53,7 @@ static inline shd_framebuffer *shd_test_framebuffer(shd_context *context, uint32
     desc.height = height;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
     for (c = 0; c < 4; ++c) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         shd_assert_ok(shd_framebuffer_view_plane(framebuffer, (shd_plane)(SHD_PLANE_R + (int)c), &view));
         for (y = 0; y < height; ++y) {
             float *row = (float *)((uintptr_t)view.f32 + y * view.row_stride);

@@ -101,7 +101,7 @@ static inline uint64_t io_random(uint64_t *state)
 /** Hash of the contents of a bitmap. */
 static inline uint64_t io_hash_bitmap(const shd_bitmap *bitmap)
 {
-    shd_image image;
+    shd_image image = shd_image_default();
     uint64_t hash = SHD_HASH_START;
     if (shd_bitmap_image(bitmap, &image) != SHD_OK) return 0;
     hash = shd_hash(hash, &image.format, sizeof image.format);

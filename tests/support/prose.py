@@ -9,7 +9,7 @@ import re
 # listed file by file.
 FOLDERS = ["bench", "examples", "src/color", "src/core", "src/data", "src/extension", "src/film", "src/frame",
            "src/geometry", "src/image", "src/io", "src/light", "src/material", "src/raster", "src/shade", "src/simd",
-           "tests/ref", "tests/support", "tests/unit"]
+           "src/texture", "tests/ref", "tests/support", "tests/unit"]
 SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".md"}
 MARKS = {".py": "#", ".sh": "#", ".cmake": "#", ".txt": "#"}
 

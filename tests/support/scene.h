@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "support/check.h"
+#include "support/slots.h"
 
 #include <shd/extension.h>
 #include <shd/shd.h>
@@ -221,8 +222,7 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     desc.vertex_count = g.vertex_count;
     for (c = 0; c < 5; ++c) {
         shd_f32_in *column = c < 3 ? &desc.position[c] : &desc.uv[c - 3];
-        column->data = g.vertices + c;
-        column->stride = 5 * sizeof(float);
+        *column = shd_f32_column(g.vertices + c, 5 * sizeof(float));
         if (c < 3 && which == 1) desc.normal[c] = *column; /* the unit sphere is its own normal */
     }
     desc.indices.data = g.indices;
@@ -234,7 +234,8 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
         desc.flags |= which == 2 ? 0 : SHD_MESH_TANGENTS;
         desc.uv1[0] = desc.position[0];
         desc.uv1[1] = desc.position[2];
-        for (c = 0; c < 3; ++c) desc.attribute[c] = desc.position[c];
+        desc.attributes = desc.position;
+        desc.attribute_count = 3;
     }
     result = shd_mesh_create(s->context, &desc, &s->mesh[which]);
     free(g.vertices);
@@ -297,12 +298,11 @@ static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out,
     }
 }
 
-static inline shd_slot *shd_scene_slot(shd_scene *s, shd_material_desc *desc, int slot, size_t texture)
+static inline shd_slot *shd_scene_slot(shd_scene *s, shd_slot_list *slots, shd_material_desc *desc,
+                                       shd_slot_target target, size_t texture)
 {
-    desc->slot[slot].source = SHD_SOURCE_TEXTURE;
-    desc->slot[slot].texture = s->texture[texture];
-    desc->slot[slot].sampler = texture == 1 ? NULL : s->sampler[texture];
-    return &desc->slot[slot];
+    shd_sampler *sampler = texture == 1 ? NULL : s->sampler[texture];
+    return shd_slot_list_add(slots, desc, shd_slot_texture(target, s->texture[texture], sampler));
 }
 
 static inline void shd_scene_stripes(const shd_fragments *in, float *const out[4], void *user_data)
@@ -323,38 +323,38 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
                                                             SHD_MODEL_COMBINED,
                                                             SHD_MODEL_PROGRAM,
                                                             SHD_MODEL_MATCAP};
+    shd_slot_list slots;
     shd_material_desc desc = shd_material_desc_default();
+    slots.count = 0;
     desc.model = k_models[which];
-    desc.flags = SHD_DOUBLE_SIDED;
+    desc.flags = SHD_MATERIAL_DOUBLE_SIDED;
     desc.metallic = 0.4f;
     if (which == 0) {
-        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
-        shd_scene_slot(s, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
-        shd_scene_slot(s, &desc, SHD_SLOT_OCCLUSION, 1)->channel = 2;
-        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 2)->uv_transform[1] = 0.5f;
-        desc.normal_encoding = SHD_NORMAL_TOKSVIG;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_OCCLUSION, 1)->channel = 2;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, 2)->uv_transform[1] = 0.5f;
+        desc.normal_encoding = SHD_NORMAL_ENCODING_TOKSVIG;
     } else if (which == 2 || which == 3) {
-        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, which == 2 ? 2 : 0)->channel = (uint32_t)which - 2;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_HEIGHT, which == 2 ? 2 : 0)->channel = (uint32_t)which - 2;
         desc.bump = which == 2 ? SHD_BUMP_TEXEL : SHD_BUMP_GRADIENT;
         desc.bump_scale = 0.25f;
     } else if (which == 5) {
-        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, 0);
-        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 0);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_HEIGHT, 0);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, 0);
         desc.parallax_depth = 0.125f;
         desc.parallax_steps = 9;
     } else if (which == 6) {
         desc.program.fragment = shd_scene_program;
     } else if (which == 7) {
-        shd_scene_slot(s, &desc, SHD_SLOT_MATCAP, 1);
-        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 2);
-        desc.normal_encoding = SHD_NORMAL_MOMENTS;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_MATCAP, 1);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 2);
+        desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
     }
     if (which == 1 || which == 4) {
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
-        desc.slot[SHD_SLOT_EXPONENT].source = SHD_SOURCE_PROCEDURE;
-        desc.slot[SHD_SLOT_EXPONENT].procedure = shd_scene_stripes;
-        desc.slot[SHD_SLOT_EMISSION].source = SHD_SOURCE_VERTEX;
-        desc.slot[SHD_SLOT_EMISSION].attribute = 1;
+        shd_slot_list_add(&slots, &desc, shd_slot_vertex(SHD_SLOT_DIFFUSE, 0));
+        shd_slot_list_add(&slots, &desc, shd_slot_procedure(SHD_SLOT_EXPONENT, shd_scene_stripes, NULL));
+        shd_slot_list_add(&slots, &desc, shd_slot_vertex(SHD_SLOT_EMISSION, 1));
         desc.emission[1] = 0.125f;
     }
     return shd_material_create(s->context, &desc, &s->material[which]);
@@ -362,21 +362,21 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
 
 static inline shd_result shd_scene_material(shd_scene *s, size_t which)
 {
+    static const shd_interpolation k_interpolation[3] = {SHD_INTERPOLATION_PERSPECTIVE, SHD_INTERPOLATION_AFFINE,
+                                                         SHD_INTERPOLATION_FLAT};
+    shd_slot_list slots;
     shd_material_desc desc = shd_material_desc_default();
+    slots.count = 0;
     if (s->kind == SHD_SCENE_SURFACE) return shd_scene_surface(s, which);
     desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
     desc.exponent = which == 2 ? 7.5f : 64.0f;
     if (which < SHD_SCENE_TEXTURES) {
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[which];
-        desc.slot[SHD_SLOT_DIFFUSE].sampler = which == 1 ? NULL : s->sampler[which];
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, which);
     } else if (which == 4) {
-        desc.flags = SHD_SPECULAR_UNGATED;
+        desc.flags = SHD_MATERIAL_SPECULAR_UNGATED;
     } else if (which == 5) {
-        desc.flags = SHD_AMBIENT_PER_LIGHT;
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[0];
-        desc.slot[SHD_SLOT_DIFFUSE].sampler = s->sampler[1];
+        desc.flags = SHD_MATERIAL_AMBIENT_PER_LIGHT;
+        shd_slot_list_add(&slots, &desc, shd_slot_texture(SHD_SLOT_DIFFUSE, s->texture[0], s->sampler[1]));
     } else if (which == 6) {
         desc.model = SHD_MODEL_PROGRAM;
         desc.program.fragment = shd_scene_program;
@@ -384,17 +384,16 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
         desc.model = SHD_MODEL_LAMBERT;
     }
     if (s->kind >= SHD_SCENE_GLASS) {
-        desc.blend = (shd_blend_mode)(which % (SHD_BLEND_SORTED + 1));
+        desc.blend = (shd_blend)(which % (SHD_BLEND_SORTED + 1));
         desc.opacity = 0.6f;
         desc.alpha_cutoff = which == 1 ? 0.3f : 0.0f;
-        if (which == 4) desc.flags |= SHD_ALPHA_TO_COVERAGE;
+        if (which == 4) desc.flags |= SHD_MATERIAL_ALPHA_TO_COVERAGE;
     }
     desc.program.vertex = s->vertex;
     if (s->kind == SHD_SCENE_MOVED || (s->kind == SHD_SCENE_SMALL && which == 6)) {
         desc.program.vertex = shd_scene_wave;
         desc.varying_count = 3;
-        desc.interpolation[1] = SHD_INTERPOLATION_AFFINE;
-        desc.interpolation[2] = SHD_INTERPOLATION_FLAT;
+        desc.interpolation = k_interpolation;
     }
     return shd_material_create(s->context, &desc, &s->material[which]);
 }
@@ -402,7 +401,7 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
 static inline shd_result shd_scene_light(shd_scene *s, size_t which)
 {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = which == 0 ? SHD_LIGHT_AMBIENT : which == 1 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.kind = which == 0 ? SHD_LIGHT_KIND_AMBIENT : which == 1 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
     desc.position[0] = which == 2 ? 2.0f : -1.5f;
     desc.position[1] = which == 2 ? 3.0f : 1.0f;
     desc.position[2] = 1.0f;
@@ -412,7 +411,7 @@ static inline shd_result shd_scene_light(shd_scene *s, size_t which)
     desc.intensity[1] = which == 3 ? 2.0f : 0.5f;
     if (s->kind == SHD_SCENE_SURFACE) {
         if (which == 1) desc.extent[0] = 3.0f;
-        if (which == 2) desc.kind = SHD_LIGHT_SPOT;
+        if (which == 2) desc.kind = SHD_LIGHT_KIND_SPOT;
         if (which == 2) desc.direction[2] = -0.5f;
         if (which == 1 || which == 2) desc.texture = s->texture[which];
         if (which == 3) desc.range = 3.5f;
@@ -526,6 +525,7 @@ static inline void shd_scene_compose(shd_scene *s)
     s->desc.light_count = SHD_SCENE_LIGHTS;
     s->desc.clear_color[2] = 0.25f;
     s->desc.clear_color[3] = 1.0f;
+    s->stats = shd_render_stats_default();
     s->desc.stats = &s->stats;
 }
 
@@ -557,11 +557,11 @@ static inline void shd_scene_close(shd_scene *s)
 static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
 {
     uint64_t hash = SHD_HASH_START;
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     int plane;
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
     for (plane = SHD_PLANE_R; plane <= SHD_PLANE_TARGET3_A; ++plane) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         uint32_t x, y;
         if (shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
         for (y = 0; y < info.height; ++y) {
@@ -580,13 +580,15 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
 /** Hash of the counts of the statistics, without time and memory. */
 static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
 {
-    return shd_hash(hash, stats, offsetof(shd_render_stats, hidden_samples));
+    const size_t begin = offsetof(shd_render_stats, triangles), end = offsetof(shd_render_stats, hidden_samples);
+    return shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
 }
 
 /** Renders, and returns the hash of the planes and the statistics. */
 static inline uint64_t shd_scene_render(shd_scene *s)
 {
     memset(&s->stats, 0xee, sizeof s->stats);
+    s->stats.struct_size = sizeof s->stats;
     shd_assert_ok(shd_render(s->context, &s->desc));
     return shd_hash_stats(shd_hash_framebuffer(s->framebuffer), &s->stats);
 }

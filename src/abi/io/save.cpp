@@ -55,7 +55,6 @@ shd_save_desc read_save_desc(const shd_save_desc* in) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "save.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
   }
-  if (desc.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "save.reserved: %u is not 0", desc.reserved);
   return desc;
 }
 
@@ -179,13 +178,14 @@ void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
 }
 
 Planes view_planes(const shd_framebuffer* framebuffer, EncodeJob* job) {
-  shd_framebuffer_info info;
+  shd_framebuffer_info info = shd_framebuffer_info_default();
   require(shd_framebuffer_get_info(framebuffer, &info));
   Planes planes;
   job->width = planes.width = info.width;
   job->height = info.height;
   for (int plane = 0; plane < kPlaneCount; ++plane) {
     if (kPlanes[plane].aov && !(info.aovs & kPlanes[plane].aov)) continue;
+    planes.view[plane] = shd_plane_view_default();
     require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(plane), &planes.view[plane]));
   }
   return planes;

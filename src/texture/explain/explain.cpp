@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/read_desc.h"
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
@@ -95,16 +96,24 @@ core::Array<float> weights(const core::Allocator& allocator, const Recording& re
   return weight;
 }
 
+/// Writes element i of the caller's array, whose elements are `size` bytes apart.
+template <class Element>
+void store_element(const Element& element, Element* elements, size_t i, size_t size) {
+  core::write_element_bytes(&element, sizeof element, reinterpret_cast<unsigned char*>(elements) + i * size, size);
+}
+
 void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,
                 const Recording& recording, shd_explanation* out) {
   const core::Array<float> weight = weights(context.allocator, recording);
   for (size_t i = 0; i < recording.tap_count && i < out->tap_capacity; ++i) {
-    out->taps[i] = describe(texture, sampler, recording, recording.taps[i]);
-    out->taps[i].weight = weight[i];
+    shd_tap tap = describe(texture, sampler, recording, recording.taps[i]);
+    tap.weight = weight[i];
+    store_element(tap, out->taps, i, out->tap_size);
   }
   for (size_t k = 0; k < recording.blend_count && k < out->blend_capacity; ++k) {
     const RecordedBlend& blend = recording.blends[k];
-    out->blends[k] = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+    const shd_blend_step step = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+    store_element(step, out->blends, k, out->blend_size);
   }
   out->tap_count = static_cast<uint32_t>(recording.tap_count);
   out->blend_count = static_cast<uint32_t>(recording.blend_count);
@@ -127,7 +136,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   Recording recording(context.allocator);
   run_filter(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
-  out->filter = static_cast<uint32_t>(taken.filter);
+  out->filter = taken.filter;
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   sample(texture, sampler, context.simd, lookups, result);

@@ -108,12 +108,12 @@ void filter_code(const core::Context& context, const Filter<Codec>& filter) {
 void filter_level(const core::Context& context, const shd_image& source, const shd_mip_desc& desc, bool lengths,
                   const shd_image& level, float* alpha) {
   const image::FormatInfo format = image::format_info(source.format);
-  const bool light = desc.semantic == SHD_SEMANTIC_COLOR || desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE;
+  const bool light = desc.content == SHD_TEXEL_CONTENT_COLOR || desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
   const bool as_unorm = format.component == image::Component::kSrgb8 && !light;
   const image::Component component = as_unorm ? image::Component::kUnorm8 : format.component;
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
   const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
-  const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;
+  const bool normal = desc.content == SHD_TEXEL_CONTENT_NORMAL;
   visit_codec(component, format.channels, [&](auto codec) {
     using Codec = decltype(codec);
     filter_code<Codec>(context, {source, level, across, down, normal, lengths, alpha});

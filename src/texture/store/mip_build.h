@@ -25,7 +25,7 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
 template <class ReadLevel>
 void build_levels(const core::Context& context, const shd_image& base, const shd_mip_desc& desc, uint32_t count,
                   ReadLevel&& read_level) {
-  const bool covered = desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE && desc.alpha_cutoff > 0;
+  const bool covered = desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE && desc.alpha_cutoff > 0;
   const double cutoff = static_cast<double>(desc.alpha_cutoff);
   const uint64_t texels = uint64_t{base.width} * base.height;
   const uint64_t base_count = covered ? count_covered(context, base, cutoff) : 0;
@@ -35,7 +35,7 @@ void build_levels(const core::Context& context, const shd_image& base, const shd
     const size_t size = size_t{level.width} * level.height;
     core::Array<float> alpha;
     if (covered) alpha = core::Array<float>(context.allocator, size);
-    const bool previous = desc.source == SHD_MIP_FROM_PREVIOUS;
+    const bool previous = desc.source == SHD_MIP_SOURCE_PREVIOUS;
     filter_level(context, source, desc, previous && l > 1, level, alpha.data());
     if (covered) store_covered(context, alpha.data(), cutoff, (base_count * size + texels / 2) / texels, level);
     if (previous) source = level;

@@ -38,7 +38,7 @@ double bessel_i0(double square) {
 }
 
 double kernel_value(shd_mip_kernel kernel, double x) {
-  if (kernel == SHD_MIP_LANCZOS) return sinc(x) * sinc(x / kWindowRadius);
+  if (kernel == SHD_MIP_KERNEL_LANCZOS) return sinc(x) * sinc(x / kWindowRadius);
   constexpr double kSquare = 16;  // square of the parameter of the Kaiser window
   const double t = x / kWindowRadius;
   return sinc(x) * bessel_i0(kSquare * (1 - t * t)) / bessel_i0(kSquare);
@@ -46,7 +46,7 @@ double kernel_value(shd_mip_kernel kernel, double x) {
 
 /// Returns the integral of the kernel over [low, high].
 double kernel_area(shd_mip_kernel kernel, double low, double high) {
-  if (kernel == SHD_MIP_TRIANGLE) {
+  if (kernel == SHD_MIP_KERNEL_TRIANGLE) {
     const auto below = [](double x) { return x < 0 ? (1 + x) * (1 + x) / 2 : 1 - (1 - x) * (1 - x) / 2; };
     return below(high > 1 ? 1 : high) - below(low < -1 ? -1 : low);
   }
@@ -94,7 +94,7 @@ struct Reach {
 /// Appends the taps of level texel i, beginning with tap `at`. Returns the end of the taps.
 size_t add_window(shd_mip_kernel kernel, shd_wrap wrap, uint32_t source, uint32_t size, uint32_t i, size_t at,
                   AxisWeights* out) {
-  const double radius = kernel == SHD_MIP_TRIANGLE ? 1 : kWindowRadius;
+  const double radius = kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : kWindowRadius;
   const Reach reach(radius, source, size, i);
   const double scale = static_cast<double>(size) / source;
   const size_t begin = at;
@@ -128,8 +128,8 @@ size_t add_box(uint32_t source, uint32_t size, uint32_t i, size_t at, AxisWeight
 
 AxisWeights make_axis_weights(const core::Allocator& allocator, shd_mip_kernel kernel, shd_wrap wrap, uint32_t source,
                               uint32_t size) {
-  const bool box = kernel == SHD_MIP_BOX || source == size;
-  const size_t radius = box ? 1 : kernel == SHD_MIP_TRIANGLE ? 1 : 3;
+  const bool box = kernel == SHD_MIP_KERNEL_BOX || source == size;
+  const size_t radius = box ? 1 : kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : 3;
   const size_t per_texel = 2 * radius * ((source + size - 1) / size) + 4;
   const size_t capacity = core::checked_mul(per_texel, size);
   AxisWeights out;

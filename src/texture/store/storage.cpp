@@ -114,7 +114,7 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
 
 /// Allocates memory for `texels` texels minus the borrowed ones.
 void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
-  if (desc.borrow) {
+  if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     texture->borrowed_texels = desc.width * desc.height;
   }

@@ -59,7 +59,7 @@ void transform(bool perspective) {
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
-  shd_render_stats stats = {};
+  shd_render_stats stats = shd_render_stats_default();
   const geometry::Assembly assembly = {
       &g->vertices, 5, cull, geometry::viewport_box(kWidth, kHeight), {128, 128, 128, 128}};
   geometry::assemble(assembly, begin, end, &g->out, &stats);
@@ -151,7 +151,7 @@ void test_parts(void**) {
   const size_t kept = g->out.size();
   const uint64_t hash = shd_hash(SHD_HASH_START, g->out.data(), kept * sizeof(ScreenTriangle));
   g->out.clear();
-  shd_render_stats parts = {};
+  shd_render_stats parts = shd_render_stats_default();
   for (size_t begin = 0; begin < kTriangles; begin += 333) {
     const shd_render_stats s = assemble(SHD_CULL_BACK, begin, std::min<size_t>(kTriangles, begin + 333));
     parts.triangles += s.triangles;

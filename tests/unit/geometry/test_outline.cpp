@@ -60,7 +60,7 @@ void set_vertex(size_t index, const float* v) {
 constexpr geometry::SampleExtent kAnywhere = {0, 255, 0, 255};
 
 shd_render_stats assemble(shd_fill fill, float width, shd_cull cull, size_t count) {
-  shd_render_stats stats = {};
+  shd_render_stats stats = shd_render_stats_default();
   geometry::Assembly assembly = {&g->vertices, 5, cull, geometry::viewport_box(kSize, kSize), kAnywhere, {}};
   assembly.outline = {fill, geometry::outline_reach(width)};
   g->out.clear();

@@ -63,7 +63,10 @@ void build_mesh(uint32_t flags) {
   }
   desc.uv1[0].data = extra[0].data();
   desc.uv1[1].data = extra[1].data();
-  desc.attribute[5].data = extra[2].data();
+  shd_f32_in attributes[6] = {};
+  attributes[5].data = extra[2].data();
+  desc.attributes = attributes;
+  desc.attribute_count = 6;
   desc.indices.data = g_work.indices.data();
   desc.index_count = g_work.indices.size();
   desc.flags = flags;
@@ -237,7 +240,7 @@ shd_tessellation_desc uniform(uint32_t segments) {
 }
 shd_tessellation_desc adaptive(float edge_length) {
   shd_tessellation_desc desc = shd_tessellation_desc_default();
-  desc.mode = SHD_TESSELLATION_ADAPTIVE;
+  desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
   desc.edge_length = edge_length;
   return desc;
 }

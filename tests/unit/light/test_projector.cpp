@@ -45,7 +45,7 @@ void check_dot(const char* what, const float* a, const float* b, double want) {
 /// Axes are unit, perpendicular, right-handed; up is the requested vector orthogonalised against the direction.
 void test_axes(void** state) {
   const auto* c = static_cast<const AxesCase*>(*state);
-  for (shd_light_kind kind : {SHD_LIGHT_DIRECTIONAL, SHD_LIGHT_SPOT}) {
+  for (shd_light_kind kind : {SHD_LIGHT_KIND_DIRECTIONAL, SHD_LIGHT_KIND_SPOT}) {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = kind;
     std::copy_n(c->direction, 3, desc.direction);
@@ -74,13 +74,13 @@ struct CookieCase {
   float extent[2];  // directional lights
 };
 const CookieCase k_cookies[] = {
-    {"cookie/spot/45", SHD_LIGHT_SPOT, kPi / 4, {1, 1}},
-    {"cookie/spot/1", SHD_LIGHT_SPOT, kPi / 180, {1, 1}},
-    {"cookie/spot/0.001", SHD_LIGHT_SPOT, 0.001f, {1, 1}},
-    {"cookie/spot/1.55", SHD_LIGHT_SPOT, 1.55f, {1, 1}},
-    {"cookie/directional", SHD_LIGHT_DIRECTIONAL, 1, {1, 1}},
-    {"cookie/directional/4x3", SHD_LIGHT_DIRECTIONAL, 1, {4, 3}},
-    {"cookie/directional/1e3x1e-3", SHD_LIGHT_DIRECTIONAL, 1, {1e3f, 1e-3f}},
+    {"cookie/spot/45", SHD_LIGHT_KIND_SPOT, kPi / 4, {1, 1}},
+    {"cookie/spot/1", SHD_LIGHT_KIND_SPOT, kPi / 180, {1, 1}},
+    {"cookie/spot/0.001", SHD_LIGHT_KIND_SPOT, 0.001f, {1, 1}},
+    {"cookie/spot/1.55", SHD_LIGHT_KIND_SPOT, 1.55f, {1, 1}},
+    {"cookie/directional", SHD_LIGHT_KIND_DIRECTIONAL, 1, {1, 1}},
+    {"cookie/directional/4x3", SHD_LIGHT_KIND_DIRECTIONAL, 1, {4, 3}},
+    {"cookie/directional/1e3x1e-3", SHD_LIGHT_KIND_DIRECTIONAL, 1, {1e3f, 1e-3f}},
 };
 
 light::Light cookie_light(const CookieCase& c, const float position[3], const float direction[3]) {
@@ -127,7 +127,7 @@ void test_cookie(void** state) {
   Random random = {131};
   const float position[3] = {0.5f, -1.25f, 2.0f}, direction[3] = {1.0f, -2.0f, 0.5f};
   const light::Light light = cookie_light(*c, position, direction);
-  const bool spot = c->kind == SHD_LIGHT_SPOT;
+  const bool spot = c->kind == SHD_LIGHT_KIND_SPOT;
   const Vector back = ref::vector(light.to_light), right = ref::vector(light.right), up = ref::vector(light.up);
   static double want[2][kPoints];
   for (size_t i = 0; i < kPoints; ++i) {
@@ -185,7 +185,7 @@ const ConeCase k_cones[] = {
 void test_cone(void** state) {
   const auto* c = static_cast<const ConeCase*>(*state);
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_SPOT;
+  desc.kind = SHD_LIGHT_KIND_SPOT;
   desc.inner_angle = c->inner;
   desc.outer_angle = c->outer;
   desc.range = 5.0f;

@@ -31,25 +31,26 @@ struct Case {
   float filter_size, light_size, bleed, min_variance;
 };
 const Case k_cases[] = {
-    {"hard/orthographic", SHD_SHADOW_HARD, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"hard/perspective", SHD_SHADOW_HARD, ShadowProjection::kPerspective, 16, 1, 0, 0, 0, 0},
-    {"hard/cube", SHD_SHADOW_HARD, ShadowProjection::kCube, 33, 1, 0, 0, 0, 0},
-    {"pcf/1x1", SHD_SHADOW_PCF, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0},
-    {"pcf/2x2", SHD_SHADOW_PCF, ShadowProjection::kPerspective, 40, 2, 0, 0, 0, 0},
-    {"pcf/3x3", SHD_SHADOW_PCF, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"pcf/3x3/cube", SHD_SHADOW_PCF, ShadowProjection::kCube, 32, 3, 0, 0, 0, 0},
-    {"pcf/15x15/of_16", SHD_SHADOW_PCF, ShadowProjection::kPerspective, 16, 15, 0, 0, 0, 0},
-    {"variance/1x1", SHD_SHADOW_VARIANCE, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0.01f},
-    {"variance/4x4", SHD_SHADOW_VARIANCE, ShadowProjection::kCube, 32, 4, 0, 0, 0, 0},
-    {"variance/5x5/bleed", SHD_SHADOW_VARIANCE, ShadowProjection::kPerspective, 64, 5, 0, 0, 0.3f, 0.001f},
-    {"summed_area/0", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0.01f},
-    {"summed_area/wide", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kPerspective, 64, 3, 0.7f, 0, 0.2f, 0},
-    {"summed_area/cube", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kCube, 48, 3, 1.0f, 0, 0, 0},
-    {"summed_area/huge", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 50, 3, 1e9f, 0, 0, 0},
-    {"pcss/0", SHD_SHADOW_PCSS, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"pcss/perspective", SHD_SHADOW_PCSS, ShadowProjection::kPerspective, 64, 4, 0, 0.5f, 0, 0},
-    {"pcss/cube", SHD_SHADOW_PCSS, ShadowProjection::kCube, 40, 3, 0, 1.0f, 0, 0},
-    {"pcss/huge", SHD_SHADOW_PCSS, ShadowProjection::kOrthographic, 64, 5, 0, 1e9f, 0, 0},
+    {"hard/orthographic", SHD_SHADOW_FILTER_HARD, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"hard/perspective", SHD_SHADOW_FILTER_HARD, ShadowProjection::kPerspective, 16, 1, 0, 0, 0, 0},
+    {"hard/cube", SHD_SHADOW_FILTER_HARD, ShadowProjection::kCube, 33, 1, 0, 0, 0, 0},
+    {"pcf/1x1", SHD_SHADOW_FILTER_PCF, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0},
+    {"pcf/2x2", SHD_SHADOW_FILTER_PCF, ShadowProjection::kPerspective, 40, 2, 0, 0, 0, 0},
+    {"pcf/3x3", SHD_SHADOW_FILTER_PCF, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"pcf/3x3/cube", SHD_SHADOW_FILTER_PCF, ShadowProjection::kCube, 32, 3, 0, 0, 0, 0},
+    {"pcf/15x15/of_16", SHD_SHADOW_FILTER_PCF, ShadowProjection::kPerspective, 16, 15, 0, 0, 0, 0},
+    {"variance/1x1", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0.01f},
+    {"variance/4x4", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kCube, 32, 4, 0, 0, 0, 0},
+    {"variance/5x5/bleed", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kPerspective, 64, 5, 0, 0, 0.3f, 0.001f},
+    {"summed_area/0", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0.01f},
+    {"summed_area/wide", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kPerspective, 64, 3, 0.7f, 0, 0.2f,
+     0},
+    {"summed_area/cube", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kCube, 48, 3, 1.0f, 0, 0, 0},
+    {"summed_area/huge", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 50, 3, 1e9f, 0, 0, 0},
+    {"pcss/0", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"pcss/perspective", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kPerspective, 64, 4, 0, 0.5f, 0, 0},
+    {"pcss/cube", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kCube, 40, 3, 0, 1.0f, 0, 0},
+    {"pcss/huge", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kOrthographic, 64, 5, 0, 1e9f, 0, 0},
 };
 
 struct Fixture {
@@ -186,12 +187,12 @@ void test_oracle(void** state) {
       if (is_near(oracle, point, got)) continue;
       ++wrong;
       // Single taps of PCSS may lie on edges of texels.
-      if (c.filter != SHD_SHADOW_PCSS || wrong > kPoints / 200) {
+      if (c.filter != SHD_SHADOW_FILTER_PCSS || wrong > kPoints / 200) {
         fail_msg("%s[%zu]: got %g, want %g", c.name, i, got, oracle.visibility(point));
       }
     }
     if (shadowed < kPoints / 20) fail_msg("%s: only %zu points in shadow", c.name, shadowed);
-    if (c.filter == SHD_SHADOW_HARD) assert_int_equal(partial, 0);
+    if (c.filter == SHD_SHADOW_FILTER_HARD) assert_int_equal(partial, 0);
   }
 }
 
@@ -272,7 +273,7 @@ void test_uniform(void** state) {
         if (g->got[i] != 1.0f) fail_msg("%s[%zu]: %g", c.name, i, static_cast<double>(g->got[i]));
         continue;
       }
-      if (c.filter != SHD_SHADOW_HARD && c.filter != SHD_SHADOW_PCF) continue;
+      if (c.filter != SHD_SHADOW_FILTER_HARD && c.filter != SHD_SHADOW_FILTER_PCF) continue;
       if (!at.inside || at.x < reach || at.y < reach || at.x > size - reach || at.y > size - reach) continue;
       const double slope = std::fabs(at.dx) + std::fabs(at.dy);
       if (at.z - slope * reach < static_cast<double>(map.placement.near) + 0.01) continue;

@@ -67,8 +67,8 @@ inline void set_material(const ModelCase& c) {
   desc.exponent = c.exponent;
   desc.roughness = c.roughness;
   desc.toon_steps = 5;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
   g->shape = {};
 }
 
@@ -110,7 +110,9 @@ inline void random_lights(Random* random, size_t count, LightMix wanted) {
   for (size_t k = 0; k < count; ++k) {
     const int mix = wanted == kMixed ? random->whole(0, kMixed - 1) : wanted;
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = mix == kDirections ? SHD_LIGHT_DIRECTIONAL : mix >= kSpots ? SHD_LIGHT_SPOT : SHD_LIGHT_POINT;
+    desc.kind = mix == kDirections ? SHD_LIGHT_KIND_DIRECTIONAL
+                : mix >= kSpots    ? SHD_LIGHT_KIND_SPOT
+                                   : SHD_LIGHT_KIND_POINT;
     const double power = std::exp2(random->in(-3.0, 6.0));
     for (int c = 0; c < 3; ++c) {
       desc.position[c] = random->real(-5.0, 5.0);

@@ -162,8 +162,8 @@ void test_shape(void** state) {
   desc.model = c->model;
   desc.exponent = 50.0f;
   desc.roughness = 0.7f;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
   fill_shapes(&random);
   material::Parameters p = {};
   if (c->has_column) {

@@ -44,7 +44,7 @@ const CullCase k_culls[] = {
 void random_case(Random* random, const CullCase& c, size_t count, size_t points) {
   for (size_t i = 0; i < count; ++i) {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = i % 4 == 1 ? SHD_LIGHT_SPOT : i % 16 == 7 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.kind = i % 4 == 1 ? SHD_LIGHT_KIND_SPOT : i % 16 == 7 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
     desc.outer_angle = 1.5f;
     for (float& x : desc.position) x = static_cast<float>(c.offset + random->in(-c.spread, c.spread));
     for (float& x : desc.direction) x = random->real(-1, 1);
@@ -156,14 +156,14 @@ void test_table(void**) {
       desc.range = i % 3 ? static_cast<float>(i) : 0.0f;
       g_lights->light[i] = light::make_light(desc, nullptr, nullptr);
       any |= g_lights->light[i].range > 0.0f;
-      desc.kind == SHD_LIGHT_AMBIENT ? ambient += static_cast<double>(i) : ++others;
+      desc.kind == SHD_LIGHT_KIND_AMBIENT ? ambient += static_cast<double>(i) : ++others;
     }
     make_table(count);
     const shade::LightTable& table = g_lights->table;
     assert_int_equal(table.count, others);
     assert_true(double{table.ambient[0]} == ambient && table.any_range == any);
     for (size_t i = 0, k = 0; i < count; ++i) {
-      if (g_lights->light[i].kind == SHD_LIGHT_AMBIENT) continue;
+      if (g_lights->light[i].kind == SHD_LIGHT_KIND_AMBIENT) continue;
       assert_true(table.lights[k].intensity[0] == static_cast<float>(i));
       assert_true(table.y[k] == g_lights->light[i].position[1]);
       const double range = g_lights->light[i].range;

@@ -157,7 +157,7 @@ void make_scene(Random* random, size_t fragments) {
 
 void set_light(const float* direction) {
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (int c = 0; c < 3; ++c) desc.direction[c] = direction[c];
   g->lights.count = 1;
   g->lights.lights[0] = light::make_light(desc, nullptr, nullptr);
@@ -167,8 +167,8 @@ void set_material(shd_model model) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
   desc.exponent = 1.0f;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
 }
 
 void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) {

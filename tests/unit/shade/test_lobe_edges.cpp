@@ -9,9 +9,9 @@ const ModelCase k_models[] = {
     {"lambert", SHD_MODEL_LAMBERT, 0, 64, 0.5f},
     {"gooch", SHD_MODEL_GOOCH, 0, 64, 0.5f},
     {"phong", SHD_MODEL_PHONG, 0, 64, 0.5f},
-    {"phong/ungated", SHD_MODEL_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"phong/ungated", SHD_MODEL_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"blinn_phong", SHD_MODEL_BLINN_PHONG, 0, 64, 0.5f},
-    {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"combined", SHD_MODEL_COMBINED, 0, 64, 0.5f},
     {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 64, 0.5f},
     {"toon", SHD_MODEL_TOON, 0, 64, 0.5f},
@@ -112,7 +112,7 @@ const EdgeCase k_edges[] = {
 void test_edges(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   for (const EdgeCase& e : k_edges) {
-    for (shd_light_kind kind : {SHD_LIGHT_POINT, SHD_LIGHT_SPOT}) {
+    for (shd_light_kind kind : {SHD_LIGHT_KIND_POINT, SHD_LIGHT_KIND_SPOT}) {
       set_material(*c);
       shd_light_desc desc = shd_light_desc_default();
       desc.kind = kind;
@@ -189,7 +189,7 @@ void test_cone(void** state) {
   const auto* c = static_cast<const ConeCase*>(*state);
   set_material({"", SHD_MODEL_LAMBERT, 0, 1, 0.5f});
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_SPOT;
+  desc.kind = SHD_LIGHT_KIND_SPOT;
   desc.inner_angle = c->inner;
   desc.outer_angle = c->outer;
   g->count = 1;

@@ -23,13 +23,12 @@ void set_material(texture::Texture* heights, uint32_t steps, uint32_t uv_set, co
   shd_material_desc desc = shd_material_desc_default();
   desc.parallax_depth = static_cast<float>(kDepth);
   desc.parallax_steps = steps;
-  shd_slot& slot = desc.slot[SHD_SLOT_HEIGHT];
-  slot.source = SHD_SOURCE_TEXTURE;
+  shd_slot slot = shd_slot_texture(SHD_SLOT_HEIGHT, nullptr, nullptr);
   slot.uv_set = uv_set;
   if (transform) std::copy_n(transform, 6, slot.uv_transform);
-  material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  parts[SHD_SLOT_HEIGHT] = {heights, &g->sampler};
-  material::build(desc, parts, &g->material);
+  material::SlotInput slots[material::kSlotCount] = {};
+  slots[SHD_SLOT_HEIGHT] = {slot, 0, heights, &g->sampler};
+  material::build(desc, slots, &g->material);
 }
 
 /// Rows on the plane z = 0 with u along x and v along -y, seen at cosines of low..high, with lines of sight towards

@@ -51,7 +51,7 @@ Texture* build_texture(shd_format format, uint32_t width, uint32_t height, const
   desc.height = height;
   desc.texels = texels;
   desc.tables = kTables;
-  desc.borrow = borrow;
+  desc.flags = borrow ? SHD_TEXTURE_BORROW : SHD_TEXTURE_NONE;
   auto* texture = shd::core::create<Texture>(context()->allocator);
   shd::texture::build(*context(), desc, texture);
   return texture;

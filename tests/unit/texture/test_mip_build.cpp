@@ -93,10 +93,10 @@ struct Case {
   const char* name;
   shd_mip_kernel kernel;
 };
-const Case k_kernels[] = {{"oracle/box", SHD_MIP_BOX},
-                          {"oracle/triangle", SHD_MIP_TRIANGLE},
-                          {"oracle/kaiser", SHD_MIP_KAISER},
-                          {"oracle/lanczos", SHD_MIP_LANCZOS}};
+const Case k_kernels[] = {{"oracle/box", SHD_MIP_KERNEL_BOX},
+                          {"oracle/triangle", SHD_MIP_KERNEL_TRIANGLE},
+                          {"oracle/kaiser", SHD_MIP_KERNEL_KAISER},
+                          {"oracle/lanczos", SHD_MIP_KERNEL_LANCZOS}};
 struct Size {
   uint32_t width, height;
 };
@@ -107,7 +107,7 @@ const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGB8_SRGB, SHD_FORM
 void compare_with_oracle(const Chain& chain, const shd_mip_desc& desc, uint32_t max_levels) {
   for (uint32_t l = 0; l < chain.count && l < max_levels; ++l) {
     const shd_image& level = chain.levels[l];
-    const shd_image& source = desc.source == SHD_MIP_FROM_BASE || l == 0 ? chain.base : chain.levels[l - 1];
+    const shd_image& source = desc.source == SHD_MIP_SOURCE_BASE || l == 0 ? chain.base : chain.levels[l - 1];
     for (size_t c = 0; c < channels_of(source); ++c) {
       double* values = plane_of(source, c);
       double* want = ref::mip_filter(desc, values, source.width, source.height, level.width, level.height);
@@ -138,8 +138,8 @@ void test_oracle(void** state) {
       for (int wrap = SHD_WRAP_REPEAT; wrap <= SHD_WRAP_MIRROR_ONCE; ++wrap) {
         desc.wrap_u = static_cast<shd_wrap>(wrap);
         desc.wrap_v = static_cast<shd_wrap>((wrap + 1) % 5);
-        for (const shd_mip_source source : {SHD_MIP_FROM_BASE, SHD_MIP_FROM_PREVIOUS}) {
-          if (large && source != SHD_MIP_FROM_BASE) continue;
+        for (const shd_mip_source source : {SHD_MIP_SOURCE_BASE, SHD_MIP_SOURCE_PREVIOUS}) {
+          if (large && source != SHD_MIP_SOURCE_BASE) continue;
           desc.source = source;
           build(chain, desc);
           if (chains++ % SHD_ORACLE_STRIDE == 0) compare_with_oracle(*chain, desc, large ? 2 : 16);
@@ -181,7 +181,7 @@ void test_constant(void**) {
       for (int i = 0; i < 4 * 5 * 2; ++i) {
         desc.kernel = static_cast<shd_mip_kernel>(i % 4);
         desc.wrap_u = desc.wrap_v = static_cast<shd_wrap>(i / 4 % 5);
-        desc.semantic = i < 20 ? SHD_SEMANTIC_COLOR : SHD_SEMANTIC_DATA;
+        desc.content = i < 20 ? SHD_TEXEL_CONTENT_COLOR : SHD_TEXEL_CONTENT_DATA;
         build(chain, desc);
         for (uint32_t l = 0; l < chain->count; ++l) {
           const auto* level = static_cast<const uint8_t*>(chain->levels[l].pixels);
@@ -206,7 +206,7 @@ void test_energy(void**) {
   for (const Size& size : k_sizes) {
     for (const Case& kernel : k_kernels) {
       const bool even = size.width == 64 || size.width == 128;
-      if (!even && kernel.kernel != SHD_MIP_BOX) continue;
+      if (!even && kernel.kernel != SHD_MIP_KERNEL_BOX) continue;
       shd_mip_desc desc = shd_mip_desc_default();
       desc.kernel = kernel.kernel;
       Chain* chain = make_chain(SHD_FORMAT_R32F, size.width, size.height, 23);
@@ -216,7 +216,7 @@ void test_energy(void**) {
       const double mean = mean_of(chain->base);
       for (uint32_t l = 0; l < chain->count; ++l) {
         shd_assert_close(kernel.name, l, mean_of(chain->levels[l]), mean, 0,
-                         kernel.kernel <= SHD_MIP_TRIANGLE ? 1e-6 : 1e-2);
+                         kernel.kernel <= SHD_MIP_KERNEL_TRIANGLE ? 1e-6 : 1e-2);
       }
       free_chain(chain);
     }
@@ -232,11 +232,11 @@ size_t covered(const shd_image& image, double cutoff) {
 /// The coverage of every level equals the coverage of the base, to the nearest texel.
 void test_coverage(void**) {
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
+  desc.content = SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
   for (const shd_format format :
        {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F}) {
     for (const float cutoff : {0.25f, 0.5f, 0.8f}) {
-      for (const shd_mip_kernel kernel : {SHD_MIP_TRIANGLE, SHD_MIP_KAISER}) {
+      for (const shd_mip_kernel kernel : {SHD_MIP_KERNEL_TRIANGLE, SHD_MIP_KERNEL_KAISER}) {
         for (const Size& size : {Size{64, 64}, Size{128, 32}, Size{37, 53}}) {
           Chain* chain = make_chain(format, size.width, size.height, 31);
           auto* texels = static_cast<float*>(chain->base.pixels);
@@ -297,9 +297,9 @@ void test_normals(void**) {
                  {SHD_FORMAT_RGB32F, 1e-6},
                  {SHD_FORMAT_RGBA32F, 1e-6}};
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.semantic = SHD_SEMANTIC_NORMAL;
+  desc.content = SHD_TEXEL_CONTENT_NORMAL;
   for (const auto& format : formats) {
-    for (const shd_mip_source source : {SHD_MIP_FROM_BASE, SHD_MIP_FROM_PREVIOUS}) {
+    for (const shd_mip_source source : {SHD_MIP_SOURCE_BASE, SHD_MIP_SOURCE_PREVIOUS}) {
       Chain* chain = make_chain(format.format, 32, 32, 1);
       set_normals(chain);
       desc.source = source;
@@ -322,7 +322,7 @@ void test_normals(void**) {
             dot += got * mean[c] / length;
           }
           shd_assert_close("length", i, sqrt(square), 1, format.step, 0);
-          if (channels_of(level) == 4 || source == SHD_MIP_FROM_BASE) {
+          if (channels_of(level) == 4 || source == SHD_MIP_SOURCE_BASE) {
             shd_assert_close("direction", i, dot, 1, 1.5 * format.step, 0);
           }
           if (channels_of(level) == 4) {
@@ -341,7 +341,7 @@ void test_no_mean(void**) {
   const float texels[] = {1, 0, 0, 1, -1, 0, 0, 1}, want[] = {0, 0, 1, 0};
   memcpy(chain->base.pixels, texels, sizeof texels);
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.semantic = SHD_SEMANTIC_NORMAL;
+  desc.content = SHD_TEXEL_CONTENT_NORMAL;
   build(chain, desc);
   assert_memory_equal(chain->levels[0].pixels, want, sizeof want);
   free_chain(chain);
@@ -350,12 +350,12 @@ void test_no_mean(void**) {
 /// Data in an sRGB format is filtered as codes, without the sRGB curve.
 void test_data(void**) {
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.kernel = SHD_MIP_LANCZOS;
+  desc.kernel = SHD_MIP_KERNEL_LANCZOS;
   Chain* codes = make_chain(SHD_FORMAT_RGBA8, 37, 20, 9);
   Chain* encoded = make_chain(SHD_FORMAT_RGBA8_SRGB, 37, 20, 9);
   build(codes, desc);
-  for (const shd_semantic semantic : {SHD_SEMANTIC_DATA, SHD_SEMANTIC_HEIGHT}) {
-    desc.semantic = semantic;
+  for (const shd_texel_content semantic : {SHD_TEXEL_CONTENT_DATA, SHD_TEXEL_CONTENT_HEIGHT}) {
+    desc.content = semantic;
     build(encoded, desc);
     for (uint32_t l = 0; l < codes->count; ++l) {
       assert_memory_equal(codes->levels[l].pixels, encoded->levels[l].pixels, texels_of(codes->levels[l]) * 4);
@@ -368,7 +368,7 @@ void test_data(void**) {
 /// Steps overshoot with negative lobes; the largest floats stay finite.
 void test_largest(void**) {
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.kernel = SHD_MIP_LANCZOS;
+  desc.kernel = SHD_MIP_KERNEL_LANCZOS;
   Chain* chain = make_chain(SHD_FORMAT_R32F, 32, 1, 1);
   auto* texels = static_cast<float*>(chain->base.pixels);
   for (size_t i = 0; i < 32; ++i) texels[i] = i < 16 ? 3.40282347e38f : -3.40282347e38f;
@@ -382,8 +382,8 @@ void test_largest(void**) {
 /// The bits are equal for 1 to 8 workers with unusual task orders.
 void test_workers(void**) {
   shd_mip_desc desc = shd_mip_desc_default();
-  desc.kernel = SHD_MIP_KAISER;
-  desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
+  desc.kernel = SHD_MIP_KERNEL_KAISER;
+  desc.content = SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
   uint64_t want = 0;
   for (uint32_t workers = 1; workers <= 8; ++workers) {
     shd_pool pool = {workers, static_cast<shd_pool_order>(workers % 3), workers};
