@@ -2,7 +2,8 @@
 // Cubic kernels of Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988), equation (8), as
 // shares of a running average. The average starts with the second tap; then the third, first and fourth taps are
 // blended in. The share of a tap is its weight divided by the sum of the weights so far. These sums are positive for
-// every kernel here. Only ratios of weights matter, so the kernels are scaled to integer coefficients:
+// every kernel here, and a weight of 0 leaves the average unchanged. Only ratios of weights matter, so the kernels are
+// scaled to integer coefficients:
 //
 //   inner taps, at distance x < 1      p3 x^3 + p2 x^2 + p0
 //   outer taps, at distance 2 - r      q3 r^3 + q2 r^2

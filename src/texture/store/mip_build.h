@@ -10,7 +10,8 @@ namespace shd::texture {
 
 /// Computes `level` from `source`, which is the base or the previous level. Both images have the same format and their
 /// row strides set. If `lengths` is set, the fourth channel of a source of normals holds the lengths of averaged
-/// normals. If `alpha` is not null, it receives the unrounded alpha values [height][width]. Throws std::bad_alloc.
+/// normals. If `alpha` is not null, it receives the unrounded alpha values [height][width], 1 = opaque. Throws
+/// std::bad_alloc.
 void filter_level(const core::Context& context, const shd_image& source, const shd_mip_desc& desc, bool lengths,
                   const shd_image& level, float* alpha);
 
