@@ -21,7 +21,7 @@ struct Edges {
   uint32_t high(uint32_t edge) const { return std::max(from(edge), to(edge)); }
 };
 
-/// Stores what lies across one edge; [begin, end) are its numbers in the triangles that share it, ascending.
+/// Stores the Across of one edge. [begin, end) are the numbers of the edge in all triangles that share it, ascending.
 void store_across(const Edges& edges, const uint32_t* begin, const uint32_t* end, core::Array<uint32_t>* across) {
   uint32_t& entry = (*across)[*begin];
   if (end - begin == 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as it is
-// emitted. The other pairs stream at the same speed or within 10 % of it.
+// Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as soon as
+// it is emitted. Streams are as fast for the other pairs, or at most 10 % slower.
 #include "texture/sample.h"
 
 #define SHD_FORMAT_KERNELS
@@ -21,7 +21,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// Consumes each element as it is emitted: values of one format, without border.
+/// Consumes each element as soon as it is emitted: values of one format, without border.
 template <class F, class D>
 class FusedSink : public Emitter<FusedSink<F, D>> {
  public:
@@ -35,7 +35,7 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   static constexpr bool has_rates() { return false; }
   static constexpr bool bordered() { return false; }
 
-  /// Lookups from `first` on follow.
+  /// Begins the block of lookups whose first one is `first`.
   void begin(size_t first) { to_.done = first; }
 
   HWY_INLINE size_t add(D) { return 0; }
@@ -56,7 +56,7 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   Averages<B, D> averages_;
 };
 
-/// A RunFilter. Lookups that are scattered over a large texture are streamed, as streams prefetch.
+/// Runs a fused pair; a RunFilter. Blocks of scattered lookups are streamed instead, because streams are prefetched.
 template <class Filter, class F>
 size_t RunFused(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);
@@ -80,8 +80,8 @@ size_t RunFused(const FilterCall& call) {
   return nonfinite;
 }
 
-/// Fused over streamed, RGBA8 2048 x 2048, floor, one thread of a Sapphire Rapids Xeon. Measured and left out: trilinear
-/// 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
+/// A fused pair, with its speed relative to the streamed filter (RGBA8, 2048 x 2048, receding floor, one thread of a
+/// Sapphire Rapids Xeon). Measured and rejected: trilinear 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
 struct FusedPair {
   shd_filter filter;
   image::Component component;
@@ -89,7 +89,7 @@ struct FusedPair {
 };
 constexpr FusedPair kFusedPairs[] = {
     {SHD_FILTER_NEAREST, image::Component::kUnorm8, RunFused<Nearest, Unorm8>},  // 1.20 on AVX-512, 1.0 on AVX2, SSE4
-    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},          // 1.18, 1.26 on AVX2, 1.14 on SSE4
+    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},  // 1.18 on AVX-512, 1.26 on AVX2, 1.14 on SSE4
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where filters and formats of one target meet.
+// Dispatch of a lookup to the kernels of its filter and format on one target; the swizzle of the results.
 #include "texture/sample.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ HWY_EXPORT(KernelsOf);
 size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
                   const Texels& out, Recording* recording) {
   const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler.filter, texture.component);
-  SHD_ASSERT(kernels.run && kernels.format.values);  // samplers and textures are made from checked enums
+  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const bool is_fused = kernels.fused && !recording && !out.wants_gradient() && !has_border(sampler);
   const RunFilter run = is_fused ? kernels.fused : kernels.run;
   return run({texture, sampler, lookups, out, kernels.format, recording ? kernels.record : nullptr, recording});
@@ -58,7 +58,7 @@ size_t run_filter(const Texture& texture, const Sampler& sampler, const core::Si
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out) {
-  // Columns 4 k + c of values (k = 0) and of their derivatives in u and v, by stored channel.
+  // Columns by stored channel c: column 4 k + c holds values (k = 0) or their derivatives in u (k = 1) or v (k = 2).
   Texels stored = {};
   for (size_t i = 0; i < kOutputColumns; ++i) {
     const uint32_t source = texture.channel_source[i % 4];

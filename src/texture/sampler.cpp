@@ -7,7 +7,7 @@
 namespace shd::texture {
 namespace {
 
-/// Weights of probes. Profiles that place the probes bring their own.
+/// Returns the weights of probes. A profile that places the probes also determines their weights.
 shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
   if (desc.filter != SHD_FILTER_ANISOTROPIC || desc.profile == SHD_PROFILE_EXACT) return desc.probe_weights;
   return desc.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;

@@ -26,7 +26,7 @@ float finish(CodeScale scale, float value) {
   return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
 }
 
-/// Channel of a stored texel as the blends of its format read it, or as a result.
+/// Returns a channel of a stored texel in the lerp domain of its format, or as a result if `finished`.
 float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
   double value[4] = {};
   visit_stored(texture.component, texture.channels, [&](auto codec) { codec.load(texel, value); });
@@ -34,7 +34,7 @@ float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, b
   return finished ? finish(scale_of(texture.component, channel), number) : number;
 }
 
-/// Where a texel of one layer lies.
+/// Level of a texel, and the first texel of this level in the layer.
 struct Place {
   uint32_t level_u, level_v, first;
 };
@@ -80,7 +80,8 @@ uint32_t node_number(const Recording& recording, uint32_t node) {
   return static_cast<uint32_t>(recording.tap_count) + (node & ~kBlendNode);
 }
 
-/// Weights of all nodes from that of the last: blends hand theirs down in reverse order.
+/// Returns the weights of all nodes. The last node has weight 1; each blend distributes its weight to its two operands,
+/// in reverse order.
 core::Array<float> weights(const core::Allocator& allocator, const Recording& recording) {
   const size_t count = recording.tap_count + recording.blend_count;
   core::Array<float> weight(allocator, count);
@@ -95,7 +96,7 @@ core::Array<float> weights(const core::Allocator& allocator, const Recording& re
   return weight;
 }
 
-/// Writes element i of the caller's, whose elements have `size` bytes.
+/// Writes element i of the caller's array, whose elements are `size` bytes apart.
 template <class Element>
 void store_element(const Element& element, Element* elements, size_t i, size_t size) {
   core::write_element_bytes(&element, sizeof element, reinterpret_cast<unsigned char*>(elements) + i * size, size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The format and the blend that record one lookup: values are the numbers of nodes (record.h). All lanes are copies of
-// that lookup; the first one counts.
+// The Format and the Blend that record one lookup. Their values are node numbers (record.h). All lanes are copies of
+// the lookup; only the first lane is recorded.
 
 #if defined(SHD_TEXTURE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RECORD_INL_H_

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Scalar and in doubles: the filter that others are measured by. The bilinear reconstruction is a u + b v + c u v + d
-// on each cell of the lattice of texel centres, so its integral over a piece of a cell is made of the piece's moments.
+// SHD_FILTER_EXACT, scalar and in doubles: the reference for the error of other filters. The bilinear reconstruction is
+// a u + b v + c u v + d on each cell of the lattice of texel centres, so the moments of a piece of a cell give its
+// integral over the piece.
 #include "texture/filter/exact.h"
 
 #include <cmath>
@@ -33,8 +34,8 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 
-/// Weighted mean of values, as deviations from the first one: equal values give that value. Those that are not finite
-/// add up on their own.
+/// Weighted mean of values. Deviations from the first value are summed, so equal values give exactly this value. Values
+/// that are not finite are summed separately, without weights; the sum then replaces the mean.
 struct Mean {
   double first = 0, sum = 0, nonfinite = 0;
   bool started = false, poisoned = false;
@@ -52,7 +53,7 @@ struct Mean {
   double over(double weight) const { return poisoned ? canonical(nonfinite) : first + sum / weight; }
 };
 
-/// Integrates the reconstruction of one level over the pieces that visit_cells() names.
+/// Integrates the reconstruction of one level. A visitor of visit_cells().
 template <class Codec>
 class Integral {
  public:
@@ -88,7 +89,7 @@ class Integral {
   float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
-  /// Null for the border.
+  /// Returns row j after wrapping, or null for the border colour.
   const uint8_t* row(int64_t j) const {
     const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
     return y < 0 ? nullptr : row_of(texture_, footprint_.layer, footprint_.level, static_cast<uint32_t>(y));
@@ -110,7 +111,7 @@ class Integral {
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
   const double
-      negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
+      negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
   int64_t width_, height_;
   double border_[Codec::kChannels];
   double weight_ = 0;

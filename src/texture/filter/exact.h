@@ -5,8 +5,8 @@
 
 namespace shd::texture {
 
-/// SHD_FILTER_EXACT: the integral over the footprint, in doubles; `run_bilinear` of the same target for points. Returns
-/// how many lookups were not finite.
+/// Runs SHD_FILTER_EXACT: integrates over the footprint in doubles. Point lookups go to `run_bilinear`, the bilinear
+/// filter of the same target. Returns the number of lookups that were not finite.
 size_t run_exact(const FilterCall& call, RunFilter run_bilinear);
 
 }  // namespace shd::texture

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The filters: a row for each, with the name of its RunFilter and whether it has derivatives (it is a continuous tree of
-// blends).
+// Table of the filters: name, RunFilter, and whether the filter has derivatives (is a continuous tree of blends).
 
 #if defined(SHD_TEXTURE_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FILTERS_INL_H_

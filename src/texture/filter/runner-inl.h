@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How a filter runs over a batch: it fills a block, and emits the elements of each vector of lookups to a sink. A Filter
-// has
+// The loop of a filter over a batch. It fills a block with shapes and emits the elements of each vector of lookups to a
+// sink. A Filter has these members:
 //
-//   Block                                     what it needs of each lookup (block.h)
-//   static size_t find(texture, sampler, in, &block)  fills it; returns how many lookups were not finite
-//   static bool is_scattered(texture, block)  whether prefetching pays (prefetch.h)
-//   emit(d, block, i, sink)                   the elements of the vector of lookups at i; sink.finish() ends them
+//   Block                                     shapes of a block of lookups (block.h)
+//   static size_t find(texture, sampler, in, &block)  fills the block; returns the number of lookups not finite
+//   static bool is_scattered(texture, block)  returns whether the lookups should be prefetched (prefetch.h)
+//   emit(d, block, i, sink)                   emits the elements of the vector of lookups at i, and calls sink.finish()
 
 #if defined(SHD_TEXTURE_RUNNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RUNNER_INL_H_
@@ -26,30 +26,31 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A share of a running average, with its change in u and v where it depends on the point.
+/// A share in a running average that depends on the point, with its derivatives in u and v.
 template <class D>
 struct Share {
   hn::Vec<D> value, rate_u, rate_v;
 };
 
-/// Four texels of a row of a level around a point, columns 1, 2, 0 and 3, with the shares of the last three in their
-/// running average.
+/// Four texels of a row of a level around a point, in the order of columns 1, 2, 0, 3.
 template <class D>
 struct Row {
   Ints<D> index[4];
   MaskOf<D> in[4];
-  hn::Vec<D> share[3], rate[3];
-  bool neighbours;  // columns are side by side in memory
+  hn::Vec<D> share[3], rate[3];  // shares of the last three texels in their running average, and their derivatives
+  bool neighbours;               // columns are adjacent in memory
 };
 
-/// What filters emit to. A Sink has
+/// Base of sinks, to which filters emit elements. A Sink has these members:
 ///
-///   add(d)         makes room for an element: its place in elements()
-///   commit(d, op)  takes the element
-///   finish()       the last element was the last of its lookups
-///   sampler(), bordered(), has_rates()   how to wrap; whether texels may be the border; whether shares need their rates
+///   add(d)         returns the position of a new element in elements()
+///   commit(d, op)  completes the new element
+///   finish()       marks the latest element as the last one of its vector of lookups
+///   sampler()      the sampler
+///   bordered()     texels may be the border colour
+///   has_rates()    shares need their derivatives
 ///
-/// A share is a vector, or a Share; elements that start an average have none.
+/// A share is a vector or a Share. Elements that start an average have no share.
 template <class Sink>
 class Emitter {
  public:
@@ -57,7 +58,7 @@ class Emitter {
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 
-  /// The 2 x 2 texels of a level around reduced coordinates.
+  /// Emits the quad of a level around reduced coordinates.
   template <class D, class... AnyShare>
   HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, const AnyShare&... share) {
     const Sampler& sampler = self().sampler();
@@ -70,7 +71,7 @@ class Emitter {
     quad(d, op, level, x, y, share...);
   }
 
-  /// Columns x of rows y of a level.
+  /// Emits the quad of columns x and rows y of a level.
   template <class D, class... AnyShare>
   HWY_INLINE void quad(D d, uint32_t op, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y,
                        const AnyShare&... share) {
@@ -126,7 +127,7 @@ class Emitter {
     self().commit(d, op | write_share(d, at, share...));
   }
 
-  /// The second average into the first.
+  /// Emits the merge of the second average into the first.
   template <class D, class AnyShare>
   HWY_INLINE void merge(D d, const AnyShare& share) {
     const size_t at = self().add(d);
@@ -142,7 +143,7 @@ class Emitter {
     hn::Store(texel, hn::RebindToSigned<D>(), self().elements().index[k] + at);
   }
 
-  /// Returns the flags of the share.
+  /// Writes the share of an element. Returns its flags.
   template <class D>
   HWY_INLINE uint32_t write_share(D, size_t) {
     return 0;
@@ -163,7 +164,7 @@ class Emitter {
   }
 };
 
-/// A buffer of elements that goes to the consumers of a call whenever it is full.
+/// Buffers elements and passes them to the consumers of a call whenever the buffer is full.
 class StreamSink : public Emitter<StreamSink> {
  public:
   explicit StreamSink(const FilterCall& call)
@@ -182,7 +183,7 @@ class StreamSink : public Emitter<StreamSink> {
   HWY_INLINE bool has_rates() const { return consume_second_ != nullptr; }
   HWY_INLINE bool bordered() const { return bordered_; }
 
-  /// Lookups from `first` on follow; whether they lie all over a large texture.
+  /// Begins the block of lookups whose first one is `first`. `scattered`: is_scattered() of the block.
   void begin(size_t first, bool scattered) {
     first_.done = second_.done = first;
     scattered_ = scattered;
@@ -201,7 +202,7 @@ class StreamSink : public Emitter<StreamSink> {
     const size_t end = stream_.elements, lanes = hn::Lanes(BatchTag());
     stream_.elements = 0;
     if (!scattered_) return consume(0, end);
-    // Part by part, the next one on its way from memory while one is consumed.
+    // Consume the stream in parts, and prefetch the next part before each one.
     constexpr size_t kPart = Stream::kCapacity / 2;
     const size_t part = kPart > lanes ? kPart / lanes : 1;
     prefetch_elements(first_.texels, stream_, 0, part < end ? part : end, lanes);
@@ -227,11 +228,11 @@ class StreamSink : public Emitter<StreamSink> {
   Consumption first_, second_;
 };
 
-/// Emits the block of lookups from `first` on, while the columns of the next one are on their way from memory.
+/// Emits the block of lookups whose first one is `first`. Prefetches the input columns of the next block.
 template <class Filter, class Sink>
 HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& block, const InputColumns& columns,
                           size_t first, Sink& sink) {
-  constexpr size_t kLine = 16;  // lookups in a line of a column
+  constexpr size_t kLine = 16;  // lookups per cache line of a column
   const BatchTag d;
   for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     if (i % kLine == 0) columns.prefetch(first + kBlock + i);
@@ -239,7 +240,7 @@ HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& bl
   }
 }
 
-/// A RunFilter.
+/// Runs a filter over a batch; a RunFilter.
 template <class Filter>
 HWY_NOINLINE size_t Run(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One texel per lookup, picked by the weights of a filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading
-// With Stochastic Texture Filtering", 2024): an unbiased estimate of that filter from one sample.
+// Stochastic filtering: one texel per lookup, picked by the weights of a filter. The result is an unbiased one-sample
+// estimate of this filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading With Stochastic Texture
+// Filtering", 2024).
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -21,13 +22,13 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// A block of shapes with random bits for each lookup.
+/// A block of shapes, with random bits for each lookup.
 template <class Shape>
 struct RandomBlock : Shape {
   alignas(64) uint32_t random[kBlock];
 };
 
-/// The bits that a lookup was given, or its own.
+/// Loads the random bits of lookups. Without a column of random bits they are a hash of the coordinates.
 template <class Shape>
 void FindRandom(const Lookups& in, RandomBlock<Shape>* out) {
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
@@ -42,7 +43,7 @@ HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& b
   return Rng<D>(d, hn::Load(hn::RebindToUnsigned<D>(), block.random + i), sampler.seed);
 }
 
-/// A texel of the base level by the weights of a bilinear or bicubic filter.
+/// Picks a texel of the base level by the weights of a bilinear or bicubic filter.
 template <bool kCubic>
 struct PickOnBase : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
@@ -94,7 +95,7 @@ struct PickTrilinear : OnMipLevels {
   }
 };
 
-/// One probe, then one texel of its trilinear lookup.
+/// Picks one probe, and then one texel of its trilinear lookup.
 struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
@@ -119,7 +120,8 @@ struct PickAnisotropic : OnMipLevels {
     emit_pick(d, level, column, row, sink);
   }
 
-  /// Position of the first probe with the running sum of weights above x times their sum; the last one at least.
+  /// Returns the position of the first probe whose running sum of weights is above x times the sum of all weights, or
+  /// of the last probe if rounding leaves none.
   template <class D, class V>
   static HWY_INLINE V PickGaussian(D d, const ProbeLine<D>& line, V x) {
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bilinear on the two levels around the level of detail (Williams, "Pyramidal Parametrics", 1983).
+// Trilinear filter: blend of bilinear lookups on the two levels around the level of detail (Williams, "Pyramidal
+// Parametrics", 1983).
 
 #if defined(SHD_TEXTURE_TRILINEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_TRILINEAR_INL_H_

@@ -46,7 +46,7 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
   return nonfinite;
 }
 
-/// Half axes in base texels: u and v of the longer one, then of the shorter one.
+/// Implements find_axes().
 void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup, float (&axes)[4]) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = lookup.lod != nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops over a block of lookups, one vector at a time.
+// Loops over a block of lookups, vector by vector.
 
 #if defined(SHD_TEXTURE_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_POINTS_INL_H_
@@ -24,12 +24,12 @@ using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
 
-/// One vector of lookups, made finite: NaN and infinite coordinates and NaN derivatives are 0.
+/// One vector of lookups. NaN and infinite coordinates, NaN derivatives and NaN levels of detail are replaced by 0.
 template <class D>
 struct Points {
   hn::Vec<D> u, v;
-  Derivatives<D> derivatives;  // 0 where the lookups have none
-  hn::Vec<D> lod;              // not NaN
+  Derivatives<D> derivatives;  // 0 if the lookups have no derivatives
+  hn::Vec<D> lod;              // 0 if the lookups have no level of detail
   MaskOf<D> finite;            // lanes whose inputs were all finite
 };
 
@@ -38,7 +38,7 @@ HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
   return column ? hn::LoadU(d, column + i) : hn::Zero(d);
 }
 
-/// First texel of each lane's layer; the last layer for layers beyond it.
+/// Returns the first texel of the layer of each lane. Layers beyond the last one are clamped to it.
 template <class D>
 HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, size_t i) {
   const hn::RebindToSigned<D> di;
@@ -76,7 +76,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   return p;
 }
 
-/// The last lookups of a block, fewer than a vector has lanes, followed by copies of the last one.
+/// The incomplete last vector of a block, filled with copies of the last lookup.
 struct Tail {
   float reals[kFloatColumns][kMaxLanes];
   uint32_t integers[kIntegerColumns][kMaxLanes];
@@ -98,8 +98,8 @@ struct Tail {
   }
 };
 
-/// body(d, in, from, to) for every vector of a block: its lookups stand at `from` of the lookups `in`, its results
-/// belong at `to`.
+/// Calls body(d, in, from, to) for every vector of a block. Its lookups are at `from` in the lookups `in`; `to` is the
+/// place of its results.
 template <class Body>
 HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   const BatchTag d;
@@ -113,8 +113,8 @@ HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   }
 }
 
-/// Fills a block: where the lookups lie, then what body(d, points, to) writes of their shape. Width and blur of the sampler
-/// are applied to the derivatives of the points. Returns how many lookups were not finite.
+/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. Width and
+/// blur of the sampler are applied to the derivatives of `points`. Returns the number of lookups that were not finite.
 template <class Body>
 HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
                             const Body& body) {
@@ -137,7 +137,7 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   return nonfinite;
 }
 
-/// First texel of each lane's layer.
+/// Returns the first texel of the layer of each lane.
 template <class D>
 HWY_INLINE Ints<D> FirstTexel(D, const Texture& texture, const PointBlock& block, size_t i) {
   const hn::RebindToSigned<D> di;

@@ -18,9 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A footprint this much longer than its probes are wide takes no further probe. On a receding floor (2048^2
-/// checkerboard) 1/2 in place of 1/8 costs 3.3 dB; more than one probe per width of the shorter axis is slower and
-/// gains 0.6 dB at most, and probes that end where the footprint does, not half a width before, lose 5 dB.
+/// Part of a probe's width that the footprint may exceed its probes by before it gets another probe. Alternatives on a
+/// receding floor (2048^2 checkerboard): 1/2 in place of 1/8 costs 3.3 dB. More than one probe per width of the shorter
+/// axis is slower and gains at most 0.6 dB. Probes up to the ends of the footprint, instead of half a width before
+/// them, cost 5 dB.
 constexpr float kSlack = 0.125f;
 
 size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
@@ -44,7 +45,7 @@ size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange
   });
 }
 
-/// For any caller.
+/// Implements find_probes().
 size_t ProbesOfFilter(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* out) {
   return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, out);
 }

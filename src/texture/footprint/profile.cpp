@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What the filters do to a level of detail after bias and clamps.
+/// Rounding of a level of detail after bias and clamps: none, fraction to 8 bits, or nearest level.
 enum class Finish { kNone, kFraction, kNearest };
 
 Finish finish_of(const Sampler& sampler, LodRounding rounding) {
@@ -32,7 +32,8 @@ HWY_INLINE V Finished(D d, const Profile& profile, const LodRange& range, Finish
   return RoundLevel(d, lod, Profile::kLevelSteps);
 }
 
-/// body(profile, sampler whose width and blur the loop over a block applies).
+/// Calls body(profile, widening). FillBlock() applies width and blur of the sampler `widening`, which has none if the
+/// profile applies them itself.
 template <class Body>
 HWY_INLINE size_t WithProfile(const Texture& texture, const Sampler& sampler, Finish finish, const Body& body) {
   switch (sampler.profile) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of samplers whose lookups may read the border.
+// Consumers of values, for samplers whose lookups may read the border colour.
 #include "texture/stream.h"
 
 #define SHD_FORMAT_KERNELS

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The consumer of a stream: fetches the texels of each element, blends them, and takes them into the running averages.
-// A Format has
+// The consumer of a stream: it fetches the texels of each element, blends them, and adds them to the running averages.
+//
+// A Format fetches and decodes texels. It has these members:
 //
 //   Texel<D>                  raw bits of one texel per lane
-//   fetch(d, source, index)   texels at indices, which lie aligned in memory; what is behind the channels that the
-//                             texture has is not defined
-//   fetch_quad(...)           texels at indices and the ones behind them, in an upper and a lower row of one level
-//   fetch_row(...)            four texels side by side, from indices on
-//   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
-//   finish<C>(d, value)       from the lerp domain to the result
-//   kFloat                    texels may be infinite, NaN or so far apart that their difference overflows
+//   fetch(d, source, index)   texels at an aligned array of indices; bits beyond the channels of the texture are not
+//                             defined
+//   fetch_quad(...)           texels at indices and at the next indices, in an upper and a lower row of one level
+//   fetch_row(...)            four consecutive texels from each index
+//   decode<C>(d, texel)       channel C as a float in the format's lerp domain; unorm channels stay codes
+//   finish<C>(d, value)       result of a value in the lerp domain
+//   kFloat                    texels may be infinite or NaN, and their differences may overflow
 //
-// How the texels of a format are blended. Every filter is a tree of blends, so that equal texels give exactly their
-// value. A Blend has
+// A Blend computes with the texels of a format. Every filter is a tree of blends, so equal texels give exactly their
+// value. It has these members:
 //
 //   Value<D>         one channel of one vector of lookups
-//   tap<C>           of a texel, or of the border in lanes that are not `in`
-//   blend            a + s (b - a) by a weight that does not depend on the point
-//   blend_s, blend_t the same along u with ds/du = rate, along v with dt/dv = rate
-//   blend_by         the same with rates in u and v
+//   tap<C>           value of a texel, or of the border colour in lanes outside `in`
+//   blend            a + s (b - a), where s does not depend on the point
+//   blend_s, blend_t blend with ds/du = rate, and blend with dt/dv = rate
+//   blend_by         blend with the rates of s in u and v
 //   replace          b in some lanes, a in the others
-//   store<C>         finishes and writes; wanted: whether a channel is
+//   store<C>         finishes and writes a value
+//   wanted           whether a channel is written
 
 #if defined(SHD_TEXTURE_CONSUME_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_CONSUME_INL_H_
@@ -42,14 +44,14 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a + s (b - a) for values whose difference cannot overflow: a itself where a == b or s == 0.
+/// Returns a + s (b - a) for values whose difference cannot overflow. The result is exactly a if a == b or s == 0.
 template <class D, class V>
 HWY_INLINE V Lerp(D, V a, V b, V s) {
   return a + s * (b - a);
 }
 
-/// Lerp for any floats: a value of weight 0 never counts, infinities and NaN of other weights do, and finite values
-/// stay finite, as (1 - s) a + s b takes over where b - a overflows.
+/// Returns a + s (b - a) for any floats. If s == 0 the result is a, even if b is infinite or NaN; with other weights
+/// infinities and NaN propagate. Finite values give finite results: (1 - s) a + s b is used if b - a overflows.
 template <class D, class V>
 HWY_INLINE V Mix(D d, V a, V b, V s) {
   const V difference = b - a;
@@ -71,8 +73,8 @@ HWY_INLINE void StoreFirst(D d, hn::Vec<D> value, size_t count, float* to) {
   std::memcpy(to, lanes, count * sizeof(float));
 }
 
-/// Values of format F. With a border, they leave the lerp domain of the format before they meet the border colour,
-/// which may be any finite float.
+/// A Blend for values of format F. With a border, texels leave the lerp domain of the format before they are blended,
+/// because the border colour may be any finite float.
 template <class F, bool kBorder>
 struct Blend {
   template <class D>
@@ -112,7 +114,7 @@ struct Blend {
     return hn::IfThenElse(lanes, b, a);
   }
 
-  /// The result; one NaN for all, whatever the target makes of several.
+  /// Returns the result. All NaN become the same NaN, because the NaN of an operation depends on the target.
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {
     if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
@@ -126,11 +128,11 @@ struct Blend {
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
 };
 
-/// Which of the four channels a consumer writes.
+/// The channels that a consumer writes.
 struct WantedChannels {
   bool channel[4];
 
-  /// body(std::integral_constant<size_t, C>()) for every wanted channel C.
+  /// Calls body(std::integral_constant<size_t, C>()) for every wanted channel C.
   template <class Body>
   HWY_INLINE void for_each(const Body& body) const {
     if (channel[0]) body(std::integral_constant<size_t, 0>());
@@ -140,7 +142,7 @@ struct WantedChannels {
   }
 };
 
-/// One texel a lane, and whether it is one of the image.
+/// One texel per lane, and the mask of lanes whose texel lies in the image; the others read the border colour.
 template <class F, class D>
 struct Tap {
   typename F::template Texel<D> texel;
@@ -188,7 +190,7 @@ SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const E
   return four;
 }
 
-/// Bilinear value of channel C.
+/// Returns the bilinear value of channel C.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
   const auto s = hn::Load(d, stream.s + at), t = hn::Load(d, stream.t + at);
@@ -201,7 +203,7 @@ HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Ele
   return b.blend_t(d, top, bottom, t, stream.rate_t + at);
 }
 
-/// The running average of channel C of a row.
+/// Returns the running average of channel C over the texels of a row.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
   const auto tap = [&](size_t k) SHD_INLINE_LAMBDA { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
@@ -210,7 +212,7 @@ HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elem
   return b.blend_s(d, value, tap(3), hn::Load(d, stream.r + at), stream.rate_r + at);
 }
 
-/// A running average and one more value.
+/// Blends one more value into a running average.
 template <class B, class D, class Value, class Elements>
 HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream,
                           uint32_t op, size_t at) {
@@ -222,13 +224,13 @@ HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& va
   return b.replace(d, hn::Eq(share, hn::Set(d, kWhole)), blended, value);
 }
 
-/// The running averages of one vector of lookups, in the wanted channels: the first one, then the second one.
+/// The first and the second running average of one vector of lookups, in the wanted channels.
 template <class B, class D>
 struct Averages {
   typename B::template Value<D> value[2][4] = {};
 };
 
-/// What does not change from element to element, apart from memory that vectors are stored to.
+/// Constants of a consumer over all elements, copied out of Consumption so that stores of vectors cannot alias them.
 template <class B>
 struct Consumer {
   B blend;
@@ -241,7 +243,8 @@ struct Consumer {
         wanted{{B::wanted(c.out, 0), B::wanted(c.out, 1), B::wanted(c.out, 2), B::wanted(c.out, 3)}} {}
 };
 
-/// Takes the element at `at` into the averages. Of the last element of its lookups, writes the result instead.
+/// Blends the element at `at` into the averages. For the last element of a vector of lookups it writes the result
+/// instead.
 template <class B, class F, bool kBorder, class D, class Elements>
 HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements& stream, uint32_t op, size_t at,
                                Averages<B, D>* averages, Consumption* to) {
@@ -274,7 +277,7 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
   }
 }
 
-/// A Consume: B is the Blend, F the Format.
+/// Consumes elements with the Blend B and the Format F; a Consume.
 template <class B, class F, bool kBorder>
 void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* consumption) {
   using D = BatchTag;

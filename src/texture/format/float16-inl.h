@@ -45,7 +45,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// binary32 of the binary16 in the lower half of every lane, exact.
+/// Converts the binary16 in the lower half of every lane to binary32. The conversion is exact.
 template <class D, class VI>
 HWY_INLINE hn::Vec<D> HalfToFloat(D d, VI half) {
   const hn::RebindToSigned<D> di;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The consumers of formats on one target.
+// The consumers of every format, for one target. Each function returns the consumer of a component type.
 
 #if defined(SHD_TEXTURE_FORMATS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FORMATS_INL_H_

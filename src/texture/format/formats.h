@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The formats: a file and a row for each component type. Format F brings the struct FCodec (codec.h) and, for files that
-/// are compiled for each target and define SHD_FORMAT_KERNELS, the struct F (consume-inl.h).
+/// Table of the formats. Each component type has a row here and a file of its own. Format F defines the struct FCodec
+/// (codec.h). Files that are compiled for each target define SHD_FORMAT_KERNELS; for them it also defines the struct F
+/// (consume-inl.h).
 
-// Outside of the guard, as kernels are included once for each target.
+// These includes are outside of the guard, because kernels are included once for each target.
 #include "texture/format/float16-inl.h"
 #include "texture/format/float32-inl.h"
 #include "texture/format/srgb8-inl.h"
@@ -34,7 +35,7 @@ void visit_channels(size_t channels, Body&& body) {
   }
 }
 
-/// Calls body(Codec<channels>()) with the code of a component.
+/// Calls body(Codec<channels>()) with the codec of a component.
 template <class Body>
 void visit_codec(image::Component component, size_t channels, Body&& body) {
   switch (component) {
@@ -45,7 +46,7 @@ void visit_codec(image::Component component, size_t channels, Body&& body) {
   }
 }
 
-/// Calls body(Codec<channels>()) with a number of channels that textures store: 1, 2 or 4.
+/// Calls body(Codec<channels>()) for a number of channels that textures store: 1, 2 or 4.
 template <class Body>
 void visit_stored(image::Component component, size_t channels, Body&& body) {
   visit_codec(component, channels, [&](auto codec) {
@@ -53,14 +54,14 @@ void visit_stored(image::Component component, size_t channels, Body&& body) {
   });
 }
 
-/// The stored number of a channel that stands for 1.
+/// Returns the stored number of a channel whose value is 1.
 inline double one_of(image::Component component, size_t channel) {
   double one = 1;
   visit_codec(component, 4, [&](auto codec) { one = codec.one(channel); });
   return one;
 }
 
-/// Whether stored numbers may be infinite or NaN.
+/// Returns whether stored numbers may be infinite or NaN.
 inline bool is_float(image::Component component) {
   bool floats = false;
   visit_codec(component, 4, [&](auto codec) { floats = codec.kFloat; });

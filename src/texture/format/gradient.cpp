@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Derivatives in u and v.
+// Consumers of derivatives in u and v.
 #include "texture/stream.h"
 
 #define SHD_FORMAT_KERNELS

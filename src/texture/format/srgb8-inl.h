@@ -7,7 +7,7 @@
 
 namespace shd::texture {
 
-/// Channel 3 is alpha: a linear code.
+/// Codec of 8-bit sRGB. Channel 3 is alpha, a linear code.
 template <size_t kCount>
 struct Srgb8Codec {
   static constexpr size_t kChannels = kCount, kSize = kCount;
@@ -49,7 +49,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// r, g and b go through the table of correctly rounded linear values; alpha is a code.
+/// Decodes r, g and b by the table of correctly rounded linear values. Alpha is a code.
 struct Srgb8 : OneWord {
   template <size_t C, class D>
   static HWY_INLINE hn::Vec<D> decode(D d, Texel<D> texel) {

@@ -13,7 +13,7 @@ struct Unorm8Codec : Codes<255> {
     for (size_t c = 0; c < kChannels; ++c) value[c] = texel[c];
   }
   static void add(const uint8_t* texel, size_t count, double* sum) {
-    uint32_t total[kChannels] = {};  // at most 2^16 texels of 255
+    uint32_t total[kChannels] = {};  // cannot overflow: at most 2^16 texels of 255
     for (size_t i = 0; i < count; ++i) {
       for (size_t c = 0; c < kChannels; ++c) total[c] += texel[kChannels * i + c];
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of samplers without border.
+// Consumers of values, for samplers without border colour.
 #include "texture/stream.h"
 
 #define SHD_FORMAT_KERNELS

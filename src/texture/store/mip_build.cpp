@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One level by a separable kernel: rows of the source are summed into one row of doubles, then its columns.
+// One level by a separable kernel. For each level row, weighted rows of the source are summed into one row of doubles;
+// then weighted columns of this row are summed.
 #include "texture/store/mip_build.h"
 
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace shd::texture {
 namespace {
 
-/// The nearest number that a codec stores in a channel.
+/// Clamps a value to the numbers that a codec can store in a channel.
 template <class Codec>
 double clamp_stored(size_t channel, double value) {
   if (std::isnan(value) || (Codec::kFloat && std::isinf(value))) return Codec::kFloat ? value : 0;
@@ -30,7 +31,7 @@ struct Filter {
   bool normal, lengths;
   float* alpha;
 
-  /// Texels of a source row as numbers; normals as vectors.
+  /// Decodes the texels of a source row to numbers, and normals to vectors.
   void decode(const uint8_t* row, double* to) const {
     for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
       Codec::load(row, to);
@@ -60,7 +61,7 @@ struct Filter {
     if (kChannels == 4) texel[3] = length * Codec::one(3);
   }
 
-  /// Level row y; `row` and `column` hold one decoded source row each.
+  /// Computes level row y. `row` and `column` are scratch for one decoded source row each.
   void run(uint32_t y, double* __restrict row, double* __restrict column) const {
     const size_t size = source.width * kChannels;
     for (size_t i = 0; i < size; ++i) column[i] = 0;
