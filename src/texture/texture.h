@@ -33,10 +33,10 @@
 /// | kernel_part.h                                | macros that control inlining                               |
 /// | store/storage.h                              | layout of levels; copy of the base level                   |
 /// | store/update.cpp                             | a rectangle of the base rewritten, and its tables rebuilt  |
-/// | store/mip.cpp, mip_sums.h                    | mip levels: exact area averages in linear light            |
+/// | store/mip.cpp, mip_sums.h                    | mip levels: exact averages in linear light, rounded once   |
 /// | store/ripmap.cpp, span.h                     | ripmap levels: averages with a level for each axis         |
 /// | store/summed_area.h                          | sums over rectangles at the origin                         |
-/// | store/mip_build.h, mip_weights.h             | mip levels in the caller's memory: kernels, coverage       |
+/// | store/mip_build.h, mip_weights.h             | mip levels in the caller's memory; normals, alpha coverage |
 /// | store/normal_moments.h                       | slopes of normal maps, and the squares of the slopes       |
 /// | store/image_list.h                           | the caller's array of images                               |
 /// | store/rows.h                                 | loop over rows on the executor                             |
