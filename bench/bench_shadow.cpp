@@ -78,7 +78,8 @@ class PostScene {
     check(shd_shadow_render(context_, shadow_, &desc));
   }
   void sample(const shd_shadow_lookups& lookups, std::vector<float>* out) const {
-    check(shd_shadow_sample(shadow_, &lookups, {out->data(), 0}));
+    const shd_f32_out visibility = {out->data(), 0};
+    check(shd_shadow_sample(shadow_, &lookups, &visibility));
   }
 
  private:
