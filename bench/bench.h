@@ -13,14 +13,14 @@
 
 namespace shd::bench {
 
-/// Ends the program with the error text when a call fails: a benchmark of a failing call means nothing.
+/// Ends the program with the error text if a call fails, because a benchmark of a failing call is meaningless.
 inline void check(shd_result result) {
   if (result == SHD_OK) return;
   std::fprintf(stderr, "%s: %s\n", shd_result_name(result), shd_last_error());
   std::exit(1);
 }
 
-/// A SIMD target this machine and build offer, by the name the library gives it.
+/// A SIMD target that this machine and build provide, with the library's name for it.
 struct Target {
   shd_simd simd;
   std::string name;
@@ -30,8 +30,8 @@ std::vector<Target> targets();
 /// A context on the calling thread alone, or with workers.
 shd_context* make_context(shd_simd simd, uint32_t workers = 1);
 
-/// Rate of the loop of a benchmark by the processor time of the whole process, so that ratios between rows do not
-/// depend on what else the machine does and a peer's extra threads would count.
+/// Rate of a benchmark's loop, by the processor time of the whole process: other load of the machine does not change
+/// ratios between rows, and extra threads of a peer are counted.
 class Stopwatch {
  public:
   double items_per_second(double items) const {
@@ -42,7 +42,7 @@ class Stopwatch {
   std::clock_t start_ = std::clock();
 };
 
-/// Peers first, so that the rows of shd can print their ratio.
+/// Peers are registered first, so that the rows of shd can print their ratio.
 void register_texture_peers();
 void register_frame_peers();
 void register_surface_peers();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // frame/spheres/<triangles>/<target or peer>: 1024 x 1024 pixels, one thread, a mipmapped RGBA8 texture with trilinear
 // lookups, two point lights, Blinn-Phong per fragment, back faces culled. Items are triangles.
-// frame/<variant>/<triangles>/<target>: the same with several samples, depth alone, or spheres that are half
-// transparent; over_spheres is its time by that of the plain frame.
+// frame/<variant>/<triangles>/<target>: the same frame with several samples, depth alone, or half-transparent spheres;
+// over_spheres is its time divided by the time of the plain frame.
 #include <algorithm>
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// frame/lights:<n>/<target>: a plane over 1024 x 1024 pixels under n points whose range covers a 64th of it, spread
-// evenly; Blinn-Phong per fragment, one thread. `over_8` is the time by that of 8 lights. frame/model:<name>/<target>:
-// the same plane with every model under two lights without range. Items are pixels.
+// frame/lights:<n>/<target>: a plane over 1024 x 1024 pixels under n point lights whose range covers a 64th of it,
+// spread evenly; Blinn-Phong per fragment, one thread. `over_8` is the time divided by the time for 8 lights.
+// frame/model:<name>/<target>: the same plane with every model under two lights without range. Items are pixels.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -80,7 +80,7 @@ class Plane {
       desc.position[0] = 2.0f * (static_cast<float>(i % columns) + 0.5f) / static_cast<float>(columns) - 1.0f;
       desc.position[1] = 2.0f * (static_cast<float>(i / columns) + 0.5f) / static_cast<float>(rows) - 1.0f;
       desc.position[2] = 0.55f;
-      if (ends) desc.range = 0.15f;  // a disc of 4 / 64 around its foot
+      if (ends) desc.range = 0.15f;  // a disc of area 4 / 64 on the plane
       std::fill_n(desc.intensity, 3, 0.01f);
       shd_light* light = nullptr;
       check(shd_light_create(context_, &desc, &light));

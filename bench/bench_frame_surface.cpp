@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // frame/{quad,floor}/{trilinear,anisotropic}/<target or peer>: one textured surface over 1024 x 1024 pixels, unlit, one
-// thread; the quad minifies twice, the floor is that of the texture rows. Items are pixels.
+// thread; the quad minifies twice, the floor is the floor of the texture rows. Items are pixels.
 #include <memory>
 
 #include "frame_scene.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// layout/<storage>/<fetch>/<pattern>/edge:<texels>: a bilinear RGBA8 loop of its own over storage orders that the
-// library does not have, on the best SIMD target, one thread. Fetches: words = four gathers, pairs = two of 8 bytes
-// where the right texel is behind the left one, rows = the library's loads of whole rows, else pairs; _prefetch asks
-// for the lines of the lookups ahead. Patterns: floor, the floor turned by 45 degrees in texture space, uniform random
-// places, and the same places sorted by the Morton order of their texels.
+// layout/<storage>/<fetch>/<pattern>/edge:<texels>: a separate bilinear RGBA8 loop over storage orders that the library
+// does not have, on the best SIMD target, one thread. Fetches: words = four gathers; pairs = two gathers of 8 bytes
+// where the right texel follows the left one; rows = the library's loads of whole rows, otherwise pairs. _prefetch
+// prefetches the lines of later lookups. Patterns: floor, the floor turned by 45 degrees in texture space, uniform
+// random positions, and these positions sorted by the Morton order of their texels.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::bench::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// 16 bits spread over the even bits.
+/// Spreads 16 bits over the even bits.
 template <class V>
 HWY_INLINE V Spread(V x) {
   const hn::DFromV<V> d;
@@ -56,7 +56,7 @@ HWY_INLINE V Spread(V x) {
   return (x | hn::ShiftLeft<1>(x)) & hn::Set(d, 0x55555555);
 }
 
-/// What x adds to the index of a texel; y adds its own part.
+/// The part of a texel's index that depends on x; another part depends on y.
 template <Storage kStorage, class V>
 HWY_INLINE V PartOfX(V x) {
   const hn::DFromV<V> d;
@@ -85,7 +85,7 @@ HWY_INLINE V PartOfY(V y, int log2_edge) {
   }
 }
 
-/// The four taps. Pairs and rows need the right texel behind the left one, which other lanes gather after them.
+/// Fetches the four taps. Pairs and rows need the right texel after the left one; other lanes gather it afterwards.
 template <Storage kStorage, Fetch kFetch, class V>
 HWY_INLINE void FetchTaps(const LayoutJob& job, V x, V y, V* taps) {
   const hn::DFromV<V> di;
@@ -118,7 +118,7 @@ HWY_INLINE void FetchTaps(const LayoutJob& job, V x, V y, V* taps) {
   taps[3] = hn::GatherIndex(di, words, bottom + right);
 }
 
-/// Texel coordinates, wrapped, and the weight of the next one.
+/// Texel coordinate, wrapped, and the weight of the next texel.
 template <class D>
 HWY_INLINE hn::VFromD<hn::RebindToSigned<D>> Place(D d, const float* coordinate, int log2_edge, hn::VFromD<D>* weight) {
   const hn::RebindToSigned<D> di;
@@ -129,7 +129,7 @@ HWY_INLINE hn::VFromD<hn::RebindToSigned<D>> Place(D d, const float* coordinate,
   return hn::ConvertTo(di, below) & hn::Set(di, (1 << log2_edge) - 1);
 }
 
-/// Asks for the line of the top left and the bottom left texel of each lookup from `begin` on.
+/// Prefetches the lines of the top left and the bottom left texel of the lookups from `begin` on.
 template <Storage kStorage, class D>
 HWY_INLINE void PrefetchTaps(D d, const LayoutJob& job, size_t begin) {
   const hn::RebindToSigned<D> di;
@@ -214,7 +214,8 @@ size_t index_of(Storage storage, uint32_t x, uint32_t y, uint32_t edge) {
                                        : size_t{y} * edge + x;
 }
 
-/// Texels that tell their place, in one of the orders; the last one is kept. The last pair reads one word behind.
+/// Texels whose value is their position, in one of the orders; the latest set is kept. The last pair reads one word
+/// beyond the end.
 const std::vector<uint32_t>& texels_of(Storage storage, uint32_t edge) {
   static std::vector<uint32_t> texels;
   static size_t key = 0;
@@ -266,7 +267,7 @@ void run(benchmark::State& state, Storage storage, Fetch fetch, bool prefetch, c
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(q.count()));
   double sum = 0.0;
   for (const float value : out) sum += static_cast<double>(value);
-  state.counters["sum"] = sum;  // the same for every storage and fetch
+  state.counters["sum"] = sum;  // equal for all storages and fetches
 }
 
 }  // namespace

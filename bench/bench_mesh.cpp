@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// mesh/<what>/triangles:<count>: shd_mesh_create of a sphere of 708 x 708 squares with given normals, on one thread;
-// items are triangles. plain copies and checks alone; tangents computes them as well; tangents_unindexed has three
-// vertices of its own for each triangle, mirrored has u = |2 u - 1|, so that a line of vertices is split.
+// mesh/<variant>/triangles:<count>: shd_mesh_create of a sphere of 708 x 708 squares with given normals, on one thread;
+// items are triangles. plain only copies and checks; tangents also computes tangents; tangents_unindexed has three
+// separate vertices per triangle; mirrored has u = |2 u - 1|, so that a line of vertices is split.
 // mesh/{uniform,adaptive,displaced}/segments:<n>: shd_mesh_tessellate of a sphere of 32 x 32 squares with tangents, on
-// one thread; items are the triangles that come out.
+// one thread; items are output triangles.
 #include <cmath>
 
 #include "bench.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kSide = 708, kCoarseSide = 32;
 
-/// Rows of position, normal, uv, and triangles.
+/// Rows of position, normal and uv, and index triples.
 struct Sphere {
   std::vector<float> rows;
   std::vector<uint32_t> indices;
@@ -72,7 +72,7 @@ void run(benchmark::State& state, const Sphere& sphere, uint32_t flags) {
     check(shd_mesh_create(context, &desc, &mesh));
     shd_mesh_release(mesh);
   };
-  create();  // a virtual machine hands out memory slowly the first time
+  create();  // a virtual machine provides memory slowly the first time
   for (auto _ : state) create();
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(sphere.indices.size() / 3));
   shd_context_release(context);
@@ -111,7 +111,7 @@ void run_tessellate(benchmark::State& state, shd_tessellation_mode mode, uint32_
   int64_t triangles = 0;
   const auto tessellate = [&] {
     shd_mesh* cut = nullptr;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     check(shd_mesh_tessellate(context, mesh, &desc, &cut));
     check(shd_mesh_get_info(cut, &info));
     triangles += info.triangle_count;
@@ -146,9 +146,9 @@ void register_mesh() {
       run_tessellate(state, mode, segments, amplitude);
     })->Unit(benchmark::kMillisecond);
   };
-  add_tessellate("uniform", SHD_TESSELLATION_UNIFORM, 22, 0.0f);
-  add_tessellate("adaptive", SHD_TESSELLATION_ADAPTIVE, 32, 0.0f);
-  add_tessellate("displaced", SHD_TESSELLATION_UNIFORM, 22, 0.01f);
+  add_tessellate("uniform", SHD_TESSELLATION_MODE_UNIFORM, 22, 0.0f);
+  add_tessellate("adaptive", SHD_TESSELLATION_MODE_ADAPTIVE, 32, 0.0f);
+  add_tessellate("displaced", SHD_TESSELLATION_MODE_UNIFORM, 22, 0.01f);
 }
 
 }  // namespace shd::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// quality/<filter>/<shd or peer>/<picture>: how near one 512 x 512 frame of the floor comes to 24 x 24 samples a pixel
-// (psnr_db), and for the exact filter to 64 x 64 (psnr64_db). The bits of shd are those of every target. <picture>_45
-// has the texture turned by 45 degrees, where filters that go by its axes blur.
+// quality/<filter>/<shd or peer>/<picture>: similarity of one 512 x 512 frame of the floor to 24 x 24 samples per pixel
+// (psnr_db), and for the exact filter to 64 x 64 (psnr64_db). The bits of shd are equal on every target. In
+// <picture>_45 the texture is turned by 45 degrees, where axis-aligned filters blur.
 #include <fstream>
 #include <map>
 #include <memory>
@@ -15,11 +15,11 @@ namespace {
 constexpr uint32_t kQualityFrame = 512;
 constexpr uint32_t kQualityTexture = 2048;
 [[maybe_unused]] constexpr char kPhotograph[] = "/usr/share/xplanet/images/earth.jpg";
-/// Two and a half texels a pixel in front, fifty across at the horizon: most of the frame is minified.
+/// Two and a half texels per pixel in front, fifty across at the horizon: most of the frame is minified.
 constexpr Floor kFloor = {20.0f, 1.25f, kQualityFrame};
 constexpr Floor kTurnedFloor = {20.0f, 1.25f, kQualityFrame, true};
 
-/// The photograph, or noise where that file or its reader is missing.
+/// Name of the photograph, or of noise if the file or its reader is missing.
 std::string photograph_name() {
 #ifdef SHD_BENCH_OIIO
   if (std::ifstream(kPhotograph).good()) return "earth";
@@ -85,7 +85,7 @@ void add(const Filter& filter, const std::string& who, const Floor& floor, const
       ->Unit(benchmark::kMillisecond);
 }
 
-/// Filters that go by the axes of the texture, and two that do not.
+/// Axis-aligned filters, and two others.
 bool is_turned(const Filter& filter) {
   return filter.filter == SHD_FILTER_RIPMAP || filter.filter == SHD_FILTER_SUMMED_AREA ||
          filter.filter == SHD_FILTER_ANISOTROPIC || filter.filter == SHD_FILTER_EWA;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// scaling/<what>/workers:<n>: wall time of work that is split over the workers of one context. mipmap: the levels below
-// a borrowed base; the filters: one lookup a pixel of the floor; frame_spheres: the frame of 2k triangles; frame_floor:
-// that of the trilinear floor. speedup is the rate by that of one worker.
+// scaling/<work>/workers:<n>: wall time of work that is split over the workers of one context. mipmap: the levels below
+// a borrowed base; the filters: one lookup per pixel of the floor; frame_spheres: the frame of 2k triangles;
+// frame_floor: the frame of the trilinear floor. speedup is the rate divided by the rate of one worker.
 #include <chrono>
 #include <thread>
 
@@ -17,11 +17,11 @@ std::string row_name(const std::string& what, uint32_t workers) {
   return "scaling/" + what + "/workers:" + std::to_string(workers);
 }
 
-/// Runs the loop and reports its rate by the clock on the wall.
+/// Runs the loop and reports its rate by wall time.
 template <class Body>
 void measure(benchmark::State& state, const std::string& what, uint32_t workers, size_t items, Body body) {
   using Clock = std::chrono::steady_clock;
-  body();  // a virtual machine hands out memory slowly the first time
+  body();  // a virtual machine provides memory slowly the first time
   const Clock::time_point start = Clock::now();
   for (auto _ : state) body();
   const std::chrono::duration<double> time = Clock::now() - start;
@@ -41,7 +41,7 @@ void run_mipmap(benchmark::State& state, uint32_t workers) {
   desc.format = SHD_FORMAT_RGBA8;
   desc.width = desc.height = kMipmapEdge;
   desc.texels = texels.data();
-  desc.borrow = 1;
+  desc.flags |= SHD_TEXTURE_BORROW;
   desc.tables = SHD_TABLE_MIPMAP;
   measure(state, "mipmap", workers, size / 4, [&] {
     shd_texture* texture = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shade/<model>/lights:<n>/<target>: the kernels of a model alone, lobes and coefficients, over batches of fragments in
-// cache; points that reach all of them, normals and directions at random. Items are fragments.
+// shade/<model>/lights:<n>/<target>: only the kernels of a model, lobes and coefficients, over batches of fragments in
+// cache; point lights that reach all fragments, random normals and directions. Items are fragments.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr Model kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
                              {"toon", SHD_MODEL_TOON},
                              {"metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS}};
 
-/// One full batch under lights.
+/// One full batch of fragments, and its lights.
 struct Batch {
   material::Material material;
   shade::LightTable lights = {};
@@ -67,8 +67,8 @@ std::unique_ptr<Batch> make_batch(shd_model model, size_t light_count) {
   }
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &batch->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &batch->material);
   batch->lights.lights = core::Array<light::Light>(g_allocator, light_count);
   batch->lights.count = light_count;
   for (size_t i = 0; i < light_count; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shadow/<filter>/<light>/<target>/<floor or random>/size:<texels>: visibility of 256 Ki points with normals on a floor
-// under 400 posts, row by row or anywhere, from one thread; a map of 256 x 256 texels stays in cache, one of 4096 x
+// under 400 posts, row by row or at random, from one thread. A map of 256 x 256 texels stays in cache, a map of 4096 x
 // 4096 does not. shadow/draw/<light>/size: rendering such a map of 4800 triangles; items are texels.
 #include <random>
 #include <vector>
@@ -19,18 +19,18 @@ struct Filter {
   shd_shadow_filter filter;
   uint32_t taps;
 };
-constexpr Filter kFilters[] = {{"hard", SHD_SHADOW_HARD, 1},
-                               {"pcf_3x3", SHD_SHADOW_PCF, 3},
-                               {"pcf_7x7", SHD_SHADOW_PCF, 7},
-                               {"variance", SHD_SHADOW_VARIANCE, 5},
-                               {"summed_area_variance", SHD_SHADOW_SUMMED_AREA_VARIANCE, 1},
-                               {"pcss_3x3", SHD_SHADOW_PCSS, 3},
-                               {"pcss_7x7", SHD_SHADOW_PCSS, 7}};
+constexpr Filter kFilters[] = {{"hard", SHD_SHADOW_FILTER_HARD, 1},
+                               {"pcf_3x3", SHD_SHADOW_FILTER_PCF, 3},
+                               {"pcf_7x7", SHD_SHADOW_FILTER_PCF, 7},
+                               {"variance", SHD_SHADOW_FILTER_VARIANCE, 5},
+                               {"summed_area_variance", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, 1},
+                               {"pcss_3x3", SHD_SHADOW_FILTER_PCSS, 3},
+                               {"pcss_7x7", SHD_SHADOW_FILTER_PCSS, 7}};
 struct Light {
   const char* name;
   shd_light_kind kind;
 };
-constexpr Light kLights[] = {{"directional", SHD_LIGHT_DIRECTIONAL}, {"point", SHD_LIGHT_POINT}};
+constexpr Light kLights[] = {{"directional", SHD_LIGHT_KIND_DIRECTIONAL}, {"point", SHD_LIGHT_KIND_POINT}};
 constexpr uint32_t kSizes[] = {256, 4096};
 
 /// A floor -1..1 and posts on it.
@@ -78,7 +78,8 @@ class PostScene {
     check(shd_shadow_render(context_, shadow_, &desc));
   }
   void sample(const shd_shadow_lookups& lookups, std::vector<float>* out) const {
-    check(shd_shadow_sample(shadow_, &lookups, {out->data(), 0}));
+    const shd_f32_out visibility = {out->data(), 0};
+    check(shd_shadow_sample(shadow_, &lookups, &visibility));
   }
 
  private:
@@ -150,7 +151,7 @@ void run_sample(benchmark::State& state, const Target& target, const Filter& fil
 void run_draw(benchmark::State& state, const Target& target, const Filter& filter, const Light& light, uint32_t size) {
   const PostScene scene(target.simd, light.kind, filter, size);
   for (auto _ : state) scene.render();
-  const int64_t faces = light.kind == SHD_LIGHT_POINT ? 6 : 1;
+  const int64_t faces = light.kind == SHD_LIGHT_KIND_POINT ? 6 : 1;
   state.SetItemsProcessed(state.iterations() * faces * size * size);
 }
 
@@ -168,7 +169,7 @@ void register_shadow() {
         const std::string name = "shadow/" + std::string(filter.name) + "/" + light.name + "/" + target.name;
         for (const uint32_t size : kSizes) {
           const std::string end = "/size:" + std::to_string(size);
-          if (size > 1024 && light.kind == SHD_LIGHT_POINT) continue;
+          if (size > 1024 && light.kind == SHD_LIGHT_KIND_POINT) continue;
           for (const bool is_random : {false, true}) {
             add(name + (is_random ? "/random" : "/floor") + end,
                 [=](benchmark::State& state) { run_sample(state, target, filter, light, is_random, size); });

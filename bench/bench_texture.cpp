@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texture/<filter>/<format>/<target or peer>/<floor or random>/edge:<texels>: one lookup a pixel of a 1024 x 1024
+// texture/<filter>/<format>/<target or peer>/<floor or random>/edge:<texels>: one lookup per pixel of a 1024 x 1024
 // frame, from one thread. The floor has analytic derivatives; random lookups have a footprint of 1.5 texels.
 #include <map>
 #include <memory>
@@ -31,7 +31,7 @@ const Lookups& lookups(const std::string& pattern, uint32_t edge) {
   return q;
 }
 
-/// The objects of one row. The last ones are kept, since the runner calls a row several times.
+/// The objects of one row. The latest ones are kept, because the runner calls a row several times.
 const Sampling& sampling_of(const Target& target, const Filter& filter, const Format& format, uint32_t edge) {
   static std::unique_ptr<Sampling> last;
   static std::string last_key;
@@ -96,7 +96,7 @@ void add(const std::string& name, Body body) {
   benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
 }
 
-/// body(filter, pattern, edge) for every combination.
+/// Calls body(filter, pattern, edge) for every combination.
 template <class Body>
 void for_each_workload(Body body) {
   for (const Filter& filter : kFilters) {
@@ -106,7 +106,7 @@ void for_each_workload(Body body) {
   }
 }
 
-/// Slow rows and those beside the point are left out: all filters run on RGBA8 at the larger size.
+/// Whether a row is run. Slow and irrelevant rows are left out: all filters run on RGBA8 at the larger size.
 bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
   return filter.on_all_formats || (format.format == kRgba8.format && edge == kEdges[1]);
 }

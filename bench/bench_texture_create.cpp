@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // create/<format>/edge:<texels> and mipmap/<format>/edge:<texels>: shd_texture_create without tables, and with a
-// mipmap; mipmap_ms is the time of the second beyond that of the first.
-// update/<format>/edge:<texels>: shd_texture_update of 64 x 64 texels, with the mipmap, after the first one.
+// mipmap; mipmap_ms is the time of the second minus the time of the first.
+// update/<format>/edge:<texels>: shd_texture_update of 64 x 64 texels, with the mipmap, after the first update.
 #include <algorithm>
 
 #include "texture_setup.h"
@@ -44,7 +44,7 @@ void run(benchmark::State& state, const Format& format, uint32_t tables) {
     check(shd_texture_create(context, &desc, &texture));
     shd_texture_release(texture);
   };
-  create();  // a virtual machine hands out memory slowly the first time
+  create();  // a virtual machine provides memory slowly the first time
   const Stopwatch watch;
   for (auto _ : state) create();
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// worst/<filter>/<target>: what the dearest lookup costs by the usual one. worst_ns and median_ns are of the kinds of
-// footprint that anybody can ask for, at random places of one texture; floor_ns is the median row of the floor.
+// worst/<filter>/<target>: cost of the slowest lookup relative to the usual one. worst_ns and median_ns are over kinds
+// of footprint that any caller can pass, at random positions of one texture; floor_ns is the median row of the floor.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -59,7 +59,7 @@ shd_lookups part_of(const Lookups& q, size_t first, size_t count) {
   return part;
 }
 
-/// Shortest of some runs, in nanoseconds a lookup.
+/// Shortest time of some runs, in nanoseconds per lookup.
 double time_of(const Sampling& sampling, const shd_lookups& columns) {
   using Clock = std::chrono::steady_clock;
   std::vector<float> channels[4];
@@ -112,7 +112,7 @@ void run(benchmark::State& state, const Target& target, const Filter& filter) {
 void register_texture_worst() {
   for (const Target& target : targets()) {
     for (const Filter& filter : kFilters) {
-      if (filter.filter == SHD_FILTER_EXACT) continue;  // its cost goes by its tolerance
+      if (filter.filter == SHD_FILTER_EXACT) continue;  // its cost depends on its tolerance
       benchmark::RegisterBenchmark((std::string("worst/") + filter.name + "/" + target.name).c_str(),
                                    [=](benchmark::State& state) { run(state, target, filter); })
           ->Iterations(1)

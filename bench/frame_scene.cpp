@@ -68,7 +68,6 @@ FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter,
   shd_material_desc material = shd_material_desc_default();
   material.model = SHD_MODEL_UNLIT;
   std::fill_n(material.diffuse, 3, 1.0f);
-  material.slot[SHD_SLOT_DIFFUSE].sampler = sampler_;
   make_material(material);
   shd_draw draw = shd_draw_default();
   draw.mesh = mesh_;
@@ -130,8 +129,9 @@ void FrameScene::make_mesh(const Surface& surface) {
 
 void FrameScene::make_material(const shd_material_desc& desc) {
   shd_material_desc textured = desc;
-  textured.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-  textured.slot[SHD_SLOT_DIFFUSE].texture = texture_;
+  const shd_slot diffuse = shd_slot_texture(SHD_SLOT_DIFFUSE, texture_, sampler_);
+  textured.slots = &diffuse;
+  textured.slot_count = 1;
   check(shd_material_create(context_, &textured, &material_));
 }
 

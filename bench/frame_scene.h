@@ -4,7 +4,7 @@
 #include "bench.h"
 #include "workload.h"
 
-/// The frames that rows of the rasteriser share, in the library's objects.
+/// The frames that rows of the rasteriser share, as objects of the library.
 namespace shd::bench {
 
 /// 8 x 256, 64 x 1,560 and 1,000 x 1,000 triangles.
@@ -13,12 +13,12 @@ const std::vector<Spheres>& sphere_frames();
 /// Texels of every frame, kFrameTextureEdge x kFrameTextureEdge.
 const std::vector<uint8_t>& frame_texels();
 
-/// How a frame of spheres is drawn.
+/// Variant of a frame of spheres.
 struct Variant {
   const char* name;
   uint32_t samples;
   bool shaded;
-  shd_blend_mode blend;
+  shd_blend blend;
 };
 
 /// A scene with one mesh and one material, and its frame of kFrameEdge x kFrameEdge pixels.
@@ -51,7 +51,7 @@ class FrameScene {
   shd_light* lights_[2] = {};
   shd_framebuffer* framebuffer_ = nullptr;
   std::vector<shd_draw> draws_;
-  shd_render_stats stats_ = {};
+  shd_render_stats stats_ = shd_render_stats_default();
   shd_render_desc desc_ = shd_render_desc_default();
 };
 

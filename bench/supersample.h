@@ -3,7 +3,7 @@
 
 #include "workload.h"
 
-/// Pictures whose filtering can be judged, and what perfect filtering would make of them.
+/// Pictures for judging the quality of filters, and the result of perfect filtering.
 namespace shd::bench {
 
 /// A square texture, repeated over the plane.
@@ -15,7 +15,7 @@ struct Picture {
 
 /// Black and white squares of `square` texels.
 Picture make_checker(uint32_t edge, uint32_t square);
-/// Value noise whose octaves fall as 1 / frequency, as the spectra of photographs do.
+/// Value noise whose octaves decrease as 1 / frequency, as the spectra of photographs do.
 Picture make_noise(uint32_t edge);
 
 /// The frame as RGBA: each pixel the mean of samples x samples regular points of the bilinear reconstruction, projected

@@ -6,7 +6,7 @@
 namespace shd::bench {
 namespace {
 
-/// binary16 of a value in [0, 1] that is 0 or at least 2^-14, rounded to nearest.
+/// The nearest binary16 of a value in [0, 1] that is 0 or at least 2^-14.
 uint16_t to_half(float value) {
   uint32_t bits;
   std::memcpy(&bits, &value, sizeof bits);

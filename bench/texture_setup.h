@@ -8,7 +8,7 @@
 /// Filters, formats and objects that the rows of textures share.
 namespace shd::bench {
 
-/// A filter of shd with what it reads, and what peers have like it.
+/// A filter of shd, the data that it reads, and the equivalent filter of peers.
 struct Filter {
   const char* name;
   shd_filter filter;
@@ -16,7 +16,7 @@ struct Filter {
   bool reads_derivatives;
   const char* peer_row;  // name of the peers' rows to compare with; empty = none
   PeerFilter peer;
-  uint32_t every;       // one lookup of so many of the workload, to keep slow filters short
+  uint32_t every;       // one lookup in `every` is run, to keep slow filters short
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
   shd_filter stochastic_filter = SHD_FILTER_TRILINEAR;
   shd_box box = SHD_BOX_BOUNDING;
@@ -54,7 +54,7 @@ constexpr Filter kFilters[] = {
     {"exact", SHD_FILTER_EXACT, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 61, false},
 };
 
-/// Whether the peers' rows are this filter's own, and not those of another that it is compared with.
+/// Whether the peers' rows use this filter, and not another one that it is compared with.
 inline bool has_own_peers(const Filter& filter) {
   return std::string(filter.name) == filter.peer_row;
 }
@@ -72,7 +72,7 @@ constexpr Format kFormats[] = {{"r8", SHD_FORMAT_R8, 1},
 /// The format of the peers' rows.
 constexpr Format kRgba8 = kFormats[1];
 
-/// RGBA8 texels as another format; its channels are the first ones.
+/// Converts RGBA8 texels to another format, whose channels are the first ones.
 std::vector<uint8_t> convert(const std::vector<uint8_t>& rgba, const Format& format);
 
 /// A context with a texture and a sampler for `filter`.
@@ -93,7 +93,7 @@ class Sampling {
   shd_sampler* sampler_ = nullptr;
 };
 
-/// The columns that `filter` reads, one lookup of filter.every.
+/// The columns that `filter` reads, with one lookup in filter.every.
 shd_lookups columns_of(const Lookups& lookups, const Filter& filter);
 
 /// Every lookup as RGBA.

@@ -33,7 +33,7 @@ void append_quad(Spheres& s, uint32_t slice, uint32_t stack) {
   if (stack + 1 < s.stacks) s.indices.insert(s.indices.end(), {a + 1, b, b + 1});
 }
 
-/// By 45 degrees.
+/// Turns a point by 45 degrees.
 void turn(float* u, float* v) {
   constexpr float kRoot = 0.70710678f;
   const float x = *u, y = *v;

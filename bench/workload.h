@@ -8,10 +8,10 @@
 
 #include <shd/shd.h>
 
-/// What shd and its peers are measured on, built outside the timed loop with fixed seeds.
+/// The workload of shd and its peers, built outside the timed loop with fixed seeds.
 namespace shd::bench {
 
-/// One lookup a pixel of a square frame.
+/// One lookup per pixel of a square frame.
 constexpr uint32_t kFrameEdge = 1024;
 constexpr size_t kLookupCount = size_t{kFrameEdge} * kFrameEdge;
 
@@ -27,7 +27,7 @@ struct Floor {
   uint32_t frame = kFrameEdge;
   bool turned = false;
 
-  /// The same footprint in texels for any size: half a texel across the nearest pixel.
+  /// A floor with the same footprint in texels for any size: half a texel across the nearest pixel.
   static Floor of_texture(uint32_t edge) { return {20.0f, 512.0f / static_cast<float>(edge)}; }
   float edge() const { return static_cast<float>(frame); }
   float z(float y) const { return 1.0f / (1.0f / far + (1.0f - 1.0f / far) * y / edge()); }
@@ -41,7 +41,7 @@ struct Surface {
   float uv[4][2];
 };
 Surface floor_surface(const Floor& floor);
-/// Facing the eye, `repeat` times the texture along both axes.
+/// A surface that faces the eye, with `repeat` repetitions of the texture along both axes.
 Surface quad_surface(float repeat);
 
 /// Columns of lookups with analytic derivatives, a whole number of frame rows, in frame order.
@@ -52,7 +52,7 @@ struct Lookups {
 };
 
 Lookups floor_lookups(const Floor& floor);
-/// kLookupCount uniform in [0, 1)^2 with a footprint of `texels` texels along both axes.
+/// kLookupCount lookups, uniform in [0, 1)^2, with a footprint of `texels` texels along both axes.
 Lookups random_lookups(uint32_t edge, float texels);
 
 /// Spheres on a cubic grid in [-1, 1]^3, one mesh drawn many times.
@@ -62,7 +62,7 @@ struct Spheres {
 
   std::vector<float> position[3], uv[2];  // normals are the positions: the mesh is the unit sphere
   std::vector<uint32_t> indices;
-  std::vector<float> object_to_world;  // 16 a sphere, column-major
+  std::vector<float> object_to_world;  // 16 per sphere, column-major
   shd_view view;
 
   size_t sphere_count() const { return size_t{per_axis} * per_axis * per_axis; }
@@ -89,12 +89,12 @@ struct Difference {
 };
 Difference compare(const std::vector<float>& a, const std::vector<float>& b);
 
-/// Writes r, g, b of a square image as a binary PPM when the environment names a folder in SHD_BENCH_WRITE.
+/// Writes r, g, b of a square image as a binary PPM to the folder in the environment variable SHD_BENCH_WRITE, if set.
 void maybe_write(const std::string& name, const std::vector<float>& rgba);
 
-/// Rates that peers reached, for the ratio column of the rows that follow.
+/// Stores a rate of a peer, for the ratio column of later rows.
 void record_rate(const std::string& row, double items_per_second);
-/// 0 if the peer did not run.
+/// Returns 0 if the peer did not run.
 double recorded_rate(const std::string& row);
 
 }  // namespace shd::bench

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Bring your own memory: every byte shd uses is counted, can be refused, and comes back. */
+/* Bring your own memory: every byte that shd uses is counted, can be refused, and is freed. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include <shd/shd.h>
 
-/* The context here has one worker, so the callbacks run on this thread; otherwise these need a lock. */
+/* The context here has one worker, so that the callbacks run on this thread. With more workers they need a lock. */
 struct budget {
     size_t limit, used, peak, blocks;
 };
@@ -19,7 +19,7 @@ static void *budget_allocate(void *user_data, size_t size, size_t alignment)
     block = (void **)malloc(size + alignment + sizeof(void *));
     if (!block) return NULL;
     start = ((uintptr_t)(block + 1) + alignment - 1) & ~(uintptr_t)(alignment - 1);
-    ((void **)start)[-1] = block; /* remembered just before what shd sees */
+    ((void **)start)[-1] = block; /* stored just before the memory that shd uses */
     budget->used += size;
     budget->blocks += 1;
     if (budget->used > budget->peak) budget->peak = budget->used;

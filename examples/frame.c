@@ -14,7 +14,7 @@
 
 enum { WIDTH = 640, HEIGHT = 400 };
 
-/* Everything the frame needs. Kept together so that one exit releases it all. */
+/* Everything that the frame needs, in one struct, so that a single exit releases it. */
 struct frame {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -42,10 +42,10 @@ static shd_result render(struct frame *f)
     return shd_render(f->context, &rd);
 }
 
-/* The ball stands in the middle, lit; the sky is empty; the floor lies in front. */
+/* The ball in the middle is lit; the sky is empty; the floor lies in front. */
 static int check(const shd_framebuffer *framebuffer)
 {
-    shd_plane_view green, alpha, depth;
+    shd_plane_view green = shd_plane_view_default(), alpha = shd_plane_view_default(), depth = shd_plane_view_default();
     size_t row, ball, sky, floor;
     if (shd_framebuffer_view_plane(framebuffer, SHD_PLANE_G, &green) != SHD_OK ||
         shd_framebuffer_view_plane(framebuffer, SHD_PLANE_A, &alpha) != SHD_OK ||

@@ -17,11 +17,11 @@ static shd_result create_mesh(shd_context *context, const struct vertex *vertice
     int c;
     desc.vertex_count = vertex_count;
     for (c = 0; c < 3; ++c) {
-        desc.position[c].data = &vertices->position[c], desc.position[c].stride = sizeof *vertices;
-        desc.normal[c].data = &vertices->normal[c], desc.normal[c].stride = sizeof *vertices;
+        desc.position[c] = shd_f32_column(&vertices->position[c], sizeof *vertices);
+        desc.normal[c] = shd_f32_column(&vertices->normal[c], sizeof *vertices);
     }
-    for (c = 0; c < 2; ++c) desc.uv[c].data = &vertices->uv[c], desc.uv[c].stride = sizeof *vertices;
-    desc.indices.data = indices;
+    for (c = 0; c < 2; ++c) desc.uv[c] = shd_f32_column(&vertices->uv[c], sizeof *vertices);
+    desc.indices = shd_u32_column(indices, 0);
     desc.index_count = index_count;
     return shd_mesh_create(context, &desc, out_mesh);
 }
@@ -36,7 +36,7 @@ static shd_result create_floor(shd_context *context, shd_mesh **out_mesh)
     return create_mesh(context, corners, 4, indices, 6, out_mesh);
 }
 
-/* Radius 0.9, standing on the floor; counter-clockwise seen from outside. */
+/* Radius 0.9, standing on the floor; counter-clockwise as seen from outside. */
 static shd_result create_ball(shd_context *context, shd_mesh **out_mesh)
 {
     static struct vertex vertices[BALL_VERTICES];
@@ -90,10 +90,10 @@ static shd_result create_tiles(shd_context *context, shd_texture **out_texture)
 
 static shd_result create_materials(shd_context *context, struct scene *scene)
 {
+    const shd_slot tiles = shd_slot_texture(SHD_SLOT_DIFFUSE, scene->tiles, NULL);
     shd_material_desc floor = shd_material_desc_default(), ball = shd_material_desc_default();
     shd_result result;
-    floor.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    floor.slot[SHD_SLOT_DIFFUSE].texture = scene->tiles;
+    floor.slots = &tiles, floor.slot_count = 1;
     ball.model = SHD_MODEL_BLINN_PHONG;
     ball.ambient[0] = 0.02f, ball.ambient[1] = 0.05f, ball.ambient[2] = 0.06f;
     ball.diffuse[0] = 0.05f, ball.diffuse[1] = 0.3f, ball.diffuse[2] = 0.4f;
@@ -107,8 +107,8 @@ static shd_result create_lights(shd_context *context, struct scene *scene)
     shd_result result = SHD_OK;
     int i, c;
     for (i = 0; i < SCENE_LIGHTS; ++i) desc[i] = shd_light_desc_default();
-    desc[0].kind = SHD_LIGHT_AMBIENT;
-    desc[1].kind = SHD_LIGHT_DIRECTIONAL;
+    desc[0].kind = SHD_LIGHT_KIND_AMBIENT;
+    desc[1].kind = SHD_LIGHT_KIND_DIRECTIONAL;
     desc[1].direction[0] = 1.0f, desc[1].direction[1] = -1.5f, desc[1].direction[2] = -0.8f;
     for (c = 0; c < 3; ++c) desc[2].intensity[c] = 6.0f; /* at distance r it gives 6 / r^2 */
     desc[2].position[0] = 2.5f, desc[2].position[1] = 3.0f, desc[2].position[2] = 1.5f;

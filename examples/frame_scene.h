@@ -15,7 +15,7 @@ struct scene {
     shd_draw draws[SCENE_DRAWS];
 };
 
-/* Fills `scene`, which starts as all zero; on failure release what there is. */
+/* Fills `scene`, which must be all zero. On failure, release the objects that exist. */
 shd_result scene_create(shd_context *context, struct scene *scene);
 void scene_release(struct scene *scene);
 

@@ -69,8 +69,8 @@ for model in lambert phong blinn-phong normalized combined toon gooch ggx; do
 done
 picture model-metal "${pot[@]}" --model ggx --diffuse 1,0.71,0.29 --metallic 1 --roughness 0.4 --ambient 0.4
 picture model-matcap "${pot[@]}" --model matcap --diffuse 1
-for model in normal uv level barycentrics; do
-  picture "show-$model" --orbit 35,15 --model "$model" "$duck"
+for view in normal uv level barycentrics; do
+  picture "show-$view" --orbit 35,15 --show "$view" "$duck"
 done
 
 echo "== Frequencies"

@@ -12,7 +12,7 @@ int main(void)
     shd_sampler *sampler = NULL;
     shd_texture_desc desc = shd_texture_desc_default();
     shd_lookups where = shd_lookups_default();
-    shd_texels out = {0};
+    shd_texels out = shd_texels_default();
 
     desc.width = desc.height = 2;
     desc.format = SHD_FORMAT_R8;

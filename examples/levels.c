@@ -31,7 +31,7 @@ static void place_points(void)
     }
 }
 
-/* Every level is seen, none is finer far away than near, and each is the one nearest to its level of detail. */
+/* Every level is visible, no level is finer far away than nearby, and each is the nearest to its level of detail. */
 static int check(void)
 {
     int seen = 0, x, y;
@@ -70,13 +70,13 @@ int main(void)
     shd_sampler *sampler = NULL;
     shd_texture_desc td = shd_texture_desc_default();
     shd_lookups q = shd_lookups_default();
-    shd_levels out = {0};
+    shd_levels out = shd_levels_default();
     int good = 0;
 
     place_points();
     td.width = td.height = SIZE;
     td.format = SHD_FORMAT_R8;
-    td.texels = texels; /* only the levels count */
+    td.texels = texels; /* only the levels matter */
     td.tables = SHD_TABLE_MIPMAP;
     q.count = COUNT;
     q.u.data = u, q.v.data = v;

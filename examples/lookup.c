@@ -32,7 +32,7 @@ static void draw_checkerboard(void)
     }
 }
 
-/* Point i looks at the middle of a white square through a pixel that covers from 1/8 to 512 texels. */
+/* Point i is the middle of a white square, seen through a pixel that covers from 1/8 to 512 texels. */
 static void place_points(void)
 {
     int i;
@@ -51,7 +51,7 @@ static int check(void)
         if (g[i] != r[i] || b[i] != r[i] || a[i] != 1.0f) return 0;
         if (texels <= 1.0f && r[i] != 1.0f) return 0;                /* near: the square itself */
         if (texels >= 64.0f && fabsf(r[i] - 0.5f) > 0.01f) return 0; /* far: the average, in linear light */
-        if (!(r[i] >= 0.47f && r[i] <= 1.0f)) return 0;              /* never anything else */
+        if (!(r[i] >= 0.47f && r[i] <= 1.0f)) return 0;              /* never other values */
     }
     return 1;
 }
@@ -94,8 +94,8 @@ int main(void)
         } else {
             int as_expected = check();
             good += as_expected;
-            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_simd_target(context), filters[i].name,
-                   r[0], r[COUNT - 1], as_expected ? "as expected" : "WRONG");
+            printf("%d lookups on %s, %s: near %.3f, far %.3f: %s\n", COUNT, shd_context_simd_target(context),
+                   filters[i].name, r[0], r[COUNT - 1], as_expected ? "as expected" : "WRONG");
         }
         shd_sampler_release(sampler);
         sampler = NULL;

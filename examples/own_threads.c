@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bring your own threads: shd's work runs on a pool of pthreads, and the bits are those of one thread. */
+/* Bring your own threads: shd's work runs on a pool of pthreads, and the bits equal the bits of one thread. */
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 enum { WORKERS = 4, SIZE = 256, COUNT = 300000 };
 
 struct pool {
-    pthread_mutex_t lock; /* guards what follows */
+    pthread_mutex_t lock; /* guards the following fields */
     pthread_cond_t work, done;
     shd_task_fn task;
     void *task_data;
@@ -22,7 +22,7 @@ struct thread {
     uint32_t worker;
 };
 
-/* Take tasks until none is left; called and left with the lock held. */
+/* Runs tasks until none is left; must be called with the lock held, and returns with it held. */
 static void run_tasks(struct pool *pool, uint32_t worker)
 {
     while (pool->next < pool->count) {
@@ -48,7 +48,7 @@ static void *thread_main(void *argument)
     return NULL;
 }
 
-/* One job at a time is enough here: only the main thread calls shd. */
+/* The pool runs one job after the other, because only the main thread calls shd. */
 static shd_result pool_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
 {
     struct pool *pool = (struct pool *)user_data;

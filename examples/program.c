@@ -8,7 +8,7 @@
 
 enum { WIDTH = 320, HEIGHT = 200 };
 
-/* Two triangles that fill the view: clip space and object space are the same here. */
+/* Two triangles that fill the view; here clip space equals object space. */
 static const float k_x[4] = {-1, 1, 1, -1}, k_y[4] = {-1, -1, 1, 1}, k_z[4] = {0.5f, 0.5f, 0.5f, 0.5f};
 static const float k_u[4] = {0, 1, 1, 0}, k_v[4] = {1, 1, 0, 0}; /* v grows downwards */
 static const uint32_t k_indices[6] = {0, 1, 2, 0, 2, 3};
@@ -27,7 +27,7 @@ static void uv_as_colour(const shd_fragments *in, shd_radiance *out, void *user_
 /* Pixel (x, y) must show the texture coordinates of its centre. */
 static int check(const shd_framebuffer *framebuffer)
 {
-    shd_plane_view r, g, b;
+    shd_plane_view r = shd_plane_view_default(), g = shd_plane_view_default(), b = shd_plane_view_default();
     int x, y;
     if (shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &r) != SHD_OK ||
         shd_framebuffer_view_plane(framebuffer, SHD_PLANE_G, &g) != SHD_OK ||
@@ -65,7 +65,7 @@ int main(void)
     sd.indices.data = k_indices;
     sd.index_count = 6;
     md.model = SHD_MODEL_PROGRAM;
-    md.program.fragment = uv_as_colour; /* runs on the executor's workers, several calls at once */
+    md.program.fragment = uv_as_colour; /* runs concurrently on the executor's workers */
     md.program.user_data = &blue;
     fd.width = WIDTH, fd.height = HEIGHT;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A ball under a sun and a lamp without shadows, and with shadows by each of the five filters, in one picture. */
+/* A ball under a sun and a lamp, without shadows and with shadows of each of the five filters, in one picture. */
 #include "frame_scene.h"
 
 #include <stdio.h>
@@ -13,7 +13,8 @@ enum { WIDTH = 400, HEIGHT = 300, COLUMNS = 2, ROWS = 3 };
 
 static uint8_t pixels[ROWS * HEIGHT][COLUMNS * WIDTH][4];
 
-/* A map for each light but the ambient one; they keep what they need, so the next frame could do without rendering. */
+/* Renders a map for each light except the ambient one. The maps keep all data that they need, so that further frames
+   can use them without rendering. */
 static shd_result create_shadows(shd_context *context, const struct scene *scene, shd_shadow_filter filter,
                                  shd_shadow *shadows[SCENE_LIGHTS])
 {
@@ -23,9 +24,9 @@ static shd_result create_shadows(shd_context *context, const struct scene *scene
         shd_shadow_render_desc render = shd_shadow_render_desc_default();
         shd_result result;
         desc.filter = filter;
-        desc.taps = filter == SHD_SHADOW_PCSS ? 7 : 5;
-        desc.filter_size = 0.1f;                /* of SUMMED_AREA_VARIANCE, in the world */
-        desc.light_size = i == 1 ? 0.2f : 0.6f; /* of PCSS: as seen from the scene, and in the world */
+        desc.taps = filter == SHD_SHADOW_FILTER_PCSS ? 7 : 5;
+        desc.filter_size = 0.1f;                /* SUMMED_AREA_VARIANCE: length in the world */
+        desc.light_size = i == 1 ? 0.2f : 0.6f; /* PCSS: size as seen from the scene, and in the world */
         desc.bleed = 0.2f;
         if ((result = shd_shadow_create(context, &desc, &shadows[i])) != SHD_OK) return result;
         render.light = scene->lights[i];
@@ -36,7 +37,7 @@ static shd_result create_shadows(shd_context *context, const struct scene *scene
     return SHD_OK;
 }
 
-/* Renders into tile `tile` of the picture; answers the sum of its green. */
+/* Renders into tile `tile` of the picture, and returns the sum of its green channel. */
 static shd_result render(shd_context *context, const struct scene *scene, shd_shadow *const *shadows, int tile,
                          float *sum)
 {
@@ -45,7 +46,7 @@ static shd_result render(shd_context *context, const struct scene *scene, shd_sh
     shd_camera camera = shd_camera_default();
     shd_render_desc rd = shd_render_desc_default();
     shd_image image = shd_image_default();
-    shd_plane_view green;
+    shd_plane_view green = shd_plane_view_default();
     size_t i;
     shd_result result;
     fd.width = WIDTH, fd.height = HEIGHT, fd.samples = 4;

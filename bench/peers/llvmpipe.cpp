@@ -19,8 +19,8 @@ namespace {
   std::exit(1);
 }
 
-/// The one off-screen context. LP_NUM_THREADS=0 makes llvmpipe rasterise in the calling thread (1 would make one
-/// worker, and the caller would still run the vertex stage beside it).
+/// Makes the single off-screen context current. LP_NUM_THREADS=0 makes llvmpipe rasterise in the calling thread; 1
+/// would create one worker, while the caller would still run the vertex stage.
 void make_current() {
   static std::vector<uint8_t> screen(16 * 16 * 4);
   static OSMesaContext context = nullptr;

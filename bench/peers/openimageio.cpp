@@ -89,7 +89,7 @@ class SinglePass final : public Peer {
   OIIO::TextureOpt options_;
 };
 
-/// kWidth lookups a call; the results of a call are kWidth reds, then kWidth greens and so on.
+/// Makes kWidth lookups per call. The results of a call are kWidth reds, then kWidth greens, and so on.
 class BatchPass final : public Peer {
  public:
   BatchPass(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels, PeerFilter filter)

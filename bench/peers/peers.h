@@ -10,7 +10,7 @@
 /// Other renderers on the same workload. Their own headers stay in this folder.
 namespace shd::bench {
 
-/// What a peer is asked for; each knows some of them.
+/// Filters of the peers; each peer supports some of them.
 enum class PeerFilter { kNone, kNearest, kBilinear, kNearestMip, kBilinearMip, kTrilinear, kAnisotropic16 };
 
 /// One pass over the workload on one thread, finished when run() returns.
@@ -18,7 +18,7 @@ class Peer {
  public:
   virtual ~Peer() = default;
   virtual void run() = 0;
-  /// The last pass as RGBA floats, one a lookup or pixel, row 0 on top.
+  /// The latest pass as RGBA floats, one per lookup or pixel, row 0 on top.
   virtual std::vector<float> image() = 0;
 };
 
@@ -36,7 +36,7 @@ std::unique_ptr<Peer> make_llvmpipe_surface(const Surface& surface, uint32_t fra
 /// OpenImageIO TextureSystem: the lookups one by one, four float channels out.
 std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
                                        PeerFilter filter);
-/// The same through its batched calls.
+/// The same lookups through the batched calls.
 std::unique_ptr<Peer> make_openimageio_batch(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
                                              PeerFilter filter);
 

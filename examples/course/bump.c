@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bump mapping: the normal that a height map leaves, shown as it is; what is negative shows as black. */
+/* Bump mapping: shows the normal that results from a height map as a colour; negative components are black. */
 #include "course.h"
 #include "shading.h"
 
@@ -30,7 +30,7 @@ static void plain_normal(const shd_fragments *in, shd_radiance *out, void *user_
     for (i = 0; i < in->count; ++i) out->r[i] = in->nx[i], out->g[i] = in->ny[i], out->b[i] = in->nz[i];
 }
 
-/* The relief tilts normals; without it they are the model's. */
+/* The relief tilts normals; without it they equal the model's normals. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     shd_material_desc plain = course_material(course, plain_normal), bumpy = course_material(course, shade);

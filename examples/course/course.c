@@ -13,7 +13,7 @@
 
 enum { RELIEF = 512 };
 
-/* Centres the model at 0 in the size that fills the picture, turned to be seen from the front left. */
+/* Centres the model at 0, scales it to fill the picture, and turns it so that it is seen from the front left. */
 static void place(const shd_mesh_info *info, float m[16])
 {
     const float turn = -0.6f;
@@ -34,16 +34,16 @@ static void place(const shd_mesh_info *info, float m[16])
 static shd_result create_mesh(struct course *course, const struct course_model *model)
 {
     shd_mesh_desc desc = shd_mesh_desc_default();
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     shd_result result;
     int c;
     desc.vertex_count = model->vertex_count;
     for (c = 0; c < 3; ++c) {
-        desc.position[c].data = model->position + c, desc.position[c].stride = 3 * sizeof(float);
-        desc.normal[c].data = model->normal + c, desc.normal[c].stride = 3 * sizeof(float);
+        desc.position[c] = shd_f32_column(model->position + c, 3 * sizeof(float));
+        desc.normal[c] = shd_f32_column(model->normal + c, 3 * sizeof(float));
     }
-    for (c = 0; c < 2; ++c) desc.uv[c].data = model->uv + c, desc.uv[c].stride = 2 * sizeof(float);
-    desc.indices.data = model->indices;
+    for (c = 0; c < 2; ++c) desc.uv[c] = shd_f32_column(model->uv + c, 2 * sizeof(float));
+    desc.indices = shd_u32_column(model->indices, 0);
     desc.index_count = model->index_count;
     result = shd_mesh_create(course->context, &desc, &course->mesh);
     if (result == SHD_OK) result = shd_mesh_get_info(course->mesh, &info);
@@ -51,7 +51,7 @@ static shd_result create_mesh(struct course *course, const struct course_model *
     return result;
 }
 
-/* Bumps on a grid: as a height map, or coloured to be looked at. */
+/* Bumps on a grid: as a height map, or as colours. */
 static shd_result create_pattern(struct course *course, int relief)
 {
     static uint8_t pixels[RELIEF][RELIEF][4];
@@ -67,7 +67,7 @@ static shd_result create_pattern(struct course *course, int relief)
             pixels[y][x][3] = 255;
         }
     }
-    desc.format = SHD_FORMAT_RGBA8; /* numbers as they are: see course.h */
+    desc.format = SHD_FORMAT_RGBA8; /* the stored numbers: see course.h */
     desc.width = desc.height = RELIEF;
     desc.texels = pixels;
     desc.tables = SHD_TABLE_MIPMAP;
@@ -77,10 +77,10 @@ static shd_result create_pattern(struct course *course, int relief)
 static shd_result create_texture(struct course *course, const char *path, int relief)
 {
     shd_result result;
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
 #ifdef EXAMPLE_HAS_IO
     shd_load_desc desc = shd_load_desc_default();
-    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* numbers as they are: see course.h */
+    desc.color_space = SHD_COLOR_ENCODING_LINEAR; /* the stored numbers: see course.h */
     result = *path ? shd_texture_load(course->context, path, &desc, &course->texture) : create_pattern(course, relief);
 #else
     (void)path;
@@ -136,7 +136,7 @@ static shd_result create_lights(shd_context *context, shd_light *lights[3])
     int i, c;
     for (i = 0; i < 3 && result == SHD_OK; ++i) {
         shd_light_desc desc = shd_light_desc_default();
-        if (i == 2) desc.kind = SHD_LIGHT_AMBIENT;
+        if (i == 2) desc.kind = SHD_LIGHT_KIND_AMBIENT;
         for (c = 0; c < 3; ++c) {
             desc.intensity[c] = i < 2 ? k_intensity : k_ambient_light;
             if (i < 2) desc.position[c] = k_light[i][c];
@@ -155,7 +155,7 @@ shd_result course_render(const struct course *course, const shd_material_desc *m
     shd_camera camera = shd_camera_default();
     shd_render_desc rd = shd_render_desc_default();
     shd_draw draw = shd_draw_default();
-    shd_render_stats stats;
+    shd_render_stats stats = shd_render_stats_default();
     shd_result result = create_lights(course->context, lights);
     int i;
     fd.width = fd.height = COURSE_SIZE, fd.samples = samples;
@@ -184,7 +184,7 @@ double course_difference(const shd_framebuffer *a, const shd_framebuffer *b)
     size_t x, y;
     int c;
     for (c = 0; c < 4; ++c) {
-        shd_plane_view p, q;
+        shd_plane_view p = shd_plane_view_default(), q = shd_plane_view_default();
         if (shd_framebuffer_view_plane(a, (shd_plane)(SHD_PLANE_R + c), &p) != SHD_OK ||
             shd_framebuffer_view_plane(b, (shd_plane)(SHD_PLANE_R + c), &q) != SHD_OK) {
             return 1e9;
@@ -200,7 +200,7 @@ double course_difference(const shd_framebuffer *a, const shd_framebuffer *b)
     return largest;
 }
 
-/* Four samples a pixel for the picture; its numbers are encoded already. */
+/* Saves the picture with four samples per pixel. Its numbers are already encoded. */
 static shd_result save(struct course *course, const struct course_program *program, const char *path)
 {
     const shd_material_desc material = course_material(course, program->fragment);

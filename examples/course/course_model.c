@@ -30,7 +30,7 @@ void course_model_release(struct course_model *model)
     free(model->position), free(model->normal), free(model->uv), free(model->indices);
 }
 
-/* Counter-clockwise seen from outside. */
+/* Counter-clockwise as seen from outside. */
 static int make_sphere(struct course_model *model)
 {
     const float pi = 3.14159265f;
@@ -58,7 +58,7 @@ static int make_sphere(struct course_model *model)
 }
 
 #ifdef EXAMPLE_HAS_ASSIMP
-/* The diffuse texture of the first mesh that has one, beside the model. Embedded ones are left out. */
+/* Finds the diffuse texture of the first mesh that has one, beside the model. Skips embedded textures. */
 static void find_texture(const struct aiScene *scene, const char *path, struct course_model *model)
 {
     const char *slash = strrchr(path, '/');
@@ -76,7 +76,7 @@ static void find_texture(const struct aiScene *scene, const char *path, struct c
     }
 }
 
-/* All triangles of the scene as one mesh. */
+/* Copies all triangles of the scene into one mesh. */
 static int copy_scene(const struct aiScene *scene, struct course_model *model)
 {
     size_t vertices = 0, faces = 0;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Displacement by fragment: Blinn-Phong with the normal of the bumps, at a point moved along the model's normal. The
- * outline stays; to move it vertices must move.
+ * Displacement per fragment: Blinn-Phong with the normal of the bumps, at a point moved along the model's normal. The
+ * outline does not change; changing it requires moving vertices.
  *
- * The course moves the point by kn times a height of up to 255 sqrt(3): past the lights, which are 28 away. Here the
- * move is that of heights in 0..1, and the slopes are the course's.
+ * The course moves the point by kn times a height of up to 255 sqrt(3), which is beyond the lights at distance 28. Here
+ * the point moves by heights in 0..1, while the slopes are the slopes of the course.
  */
 #include "course.h"
 #include "shading.h"
@@ -47,7 +47,7 @@ static void plain(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* The relief changes the picture; without it this is plain Blinn-Phong. */
+/* The relief changes the picture. Without the relief the result is plain Blinn-Phong. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     shd_material_desc smooth = course_material(course, plain), displaced = course_material(course, shade);

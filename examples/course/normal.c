@@ -15,14 +15,15 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* What the frame's own planes of normals say. */
+/* Compares with the frame's own planes of normals. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     size_t x, y;
     int c;
     (void)course;
     for (c = 0; c < 3; ++c) {
-        shd_plane_view color, normal, alpha;
+        shd_plane_view color = shd_plane_view_default(), normal = shd_plane_view_default(),
+                       alpha = shd_plane_view_default();
         if (shd_framebuffer_view_plane(frame, (shd_plane)(SHD_PLANE_R + c), &color) != SHD_OK ||
             shd_framebuffer_view_plane(frame, (shd_plane)(SHD_PLANE_NX + c), &normal) != SHD_OK ||
             shd_framebuffer_view_plane(frame, SHD_PLANE_A, &alpha) != SHD_OK) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Blinn-Phong with one colour: the model that shd has built in, written as a program. */
+/* Blinn-Phong with one colour: a built-in model of shd, written as a program. */
 #include "course.h"
 #include "shading.h"
 
@@ -16,7 +16,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* shd's own Blinn-Phong in the textbook form gives the same picture. */
+/* The built-in Blinn-Phong model in the textbook form gives the same picture. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     shd_material_desc model = shd_material_desc_default();
@@ -24,7 +24,7 @@ static int check(struct course *course, const shd_framebuffer *frame)
     double difference = 1e9;
     int c;
     model.model = SHD_MODEL_BLINN_PHONG;
-    model.flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT;
+    model.flags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT;
     model.exponent = k_exponent;
     for (c = 0; c < 3; ++c) {
         model.ambient[c] = k_ambient, model.diffuse[c] = k_color[c], model.specular[c] = k_specular;

@@ -10,8 +10,8 @@ static const float k_specular = 0.7937f, k_exponent = 150.0f;
 static const float k_light[2][3] = {{30, 50, 20}, {-30, 50, 0}};
 static const float k_intensity = 500.0f;
 static const float k_eye[3] = {0, 0, 10};
-static const float k_color[3] = {148 / 255.0f, 121 / 255.0f, 92 / 255.0f}; /* of a model without texture */
-static const float k_h = 0.2f, k_n = 0.1f;                                 /* of heights */
+static const float k_color[3] = {148 / 255.0f, 121 / 255.0f, 92 / 255.0f}; /* colour of a model without texture */
+static const float k_h = 0.2f, k_n = 0.1f;                                 /* factors of heights */
 
 static inline float dot(const float a[3], const float b[3])
 {
@@ -44,9 +44,9 @@ static inline void blinn_phong(const float kd[3], const float point[3], const fl
 }
 
 /*
- * The normal of a bumpy surface (Blinn, "Simulation of Wrinkled Surfaces", 1978), from the height here and one texel
- * on in u and in v: n + dh/du t + dh/dv b with the course's frame. Its t stands on n only where n.y = 0, which is part
- * of its look. Along +-y, where it has no direction, any frame does.
+ * The normal of a bumpy surface (Blinn, "Simulation of Wrinkled Surfaces", 1978), from the height at the point and at
+ * the next texel in u and in v: n + dh/du t + dh/dv b with the course's frame. The course's t is perpendicular to n
+ * only where n.y = 0, which is part of its look. Along +-y, where t has no direction, any frame is used.
  */
 static inline void tilt(const float here, const float next_u, const float next_v, float n[3])
 {
@@ -62,7 +62,7 @@ static inline void tilt(const float here, const float next_u, const float next_v
     normalize(n);
 }
 
-/* Height: the length of a colour, in the 0..255 that the course's textures have. */
+/* Height: the length of a colour, with channels in 0..255 as in the course's textures. */
 static inline float height_of(float r, float g, float b)
 {
     return 255.0f * sqrtf(r * r + g * g + b * b);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Blinn-Phong with k_d from a texture, which the program looks up itself: filtered over each fragment's footprint. */
+/* Blinn-Phong with k_d from a texture, which the program looks up: filtered over the footprint of each fragment. */
 #include "course.h"
 #include "shading.h"
 
@@ -23,19 +23,18 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* shd's own Blinn-Phong with the texture as its diffuse one gives the same picture. */
+/* The built-in Blinn-Phong model with the texture in its diffuse slot gives the same picture. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
+    const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, course->texture, course->sampler);
     shd_material_desc model = shd_material_desc_default();
     shd_framebuffer *expected = NULL;
     double difference = 1e9;
     int c;
     model.model = SHD_MODEL_BLINN_PHONG;
-    model.flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT;
+    model.flags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT;
     model.exponent = k_exponent;
-    model.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    model.slot[SHD_SLOT_DIFFUSE].texture = course->texture;
-    model.slot[SHD_SLOT_DIFFUSE].sampler = course->sampler;
+    model.slots = &slot, model.slot_count = 1;
     for (c = 0; c < 3; ++c) model.ambient[c] = k_ambient, model.diffuse[c] = 1.0f, model.specular[c] = k_specular;
     if (course_render(course, &model, 1, &expected) == SHD_OK) difference = course_difference(frame, expected);
     shd_framebuffer_release(expected);

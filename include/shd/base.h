@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Linkage, version and the few macros every shd header uses.
+ * @brief Linkage, version and the macros that every header of shd uses.
  *
- * Thread safety: every function here may be called from any thread.
+ * Thread safety: every function of this header may be called from any thread.
+ *
+ * @code
+ * if (shd_version() >> 16 != SHD_VERSION_MAJOR) fprintf(stderr, "the library is of another major version\n");
+ * @endcode
  */
 #ifndef SHD_BASE_H
 #define SHD_BASE_H
@@ -43,7 +47,7 @@
 #define SHD_API
 #endif
 
-/* A result that is dropped is a bug the compiler should point at. */
+/* The compiler warns about a result that is not used. */
 #if defined(__GNUC__)
 #define SHD_NODISCARD __attribute__((warn_unused_result))
 #elif defined(_MSC_VER)
@@ -56,7 +60,8 @@ SHD_BEGIN_DECLS
 
 /**
  * Version of the library that is running: major << 16 | minor << 8 | patch.
- * Compare with SHD_VERSION_* to see whether it differs from the headers.
+ *
+ * It may differ from SHD_VERSION_*, which is the version of the headers.
  * @since 0.1
  */
 SHD_API uint32_t shd_version(void);

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief libshd_color: scene-linear colour to display pixels, and conversions between colour spaces, by
- *        OpenColorIO (version 2.1 or later).
+ * @brief libshd_color: scene-linear colour to display pixels, and conversions between colour spaces.
  *
- * Everything libshd computes is scene-linear. A shd_color holds one OpenColorIO config, which names the
- * colour spaces, the displays and the views (ways to bring scene light onto a display). Without a config
- * of your own you get the built-in one:
+ * The library uses OpenColorIO 2.1 or later. All results of libshd are scene-linear. A shd_color holds one OpenColorIO
+ * config, which names colour spaces, displays and views (transforms of scene light for a display). The built-in config
+ * has:
  *
- * | colour space      | what                                                                   |
+ * | colour space      | use                                                                    |
  * |-------------------|------------------------------------------------------------------------|
  * | Linear Rec.709    | linear light, Rec.709 primaries; the scene_linear role                 |
  * | ACEScg            | linear light, AP1 primaries                                            |
@@ -16,7 +15,7 @@
  * | sRGB - Texture    | sRGB-encoded (IEC 61966-2-1), mirrored for negative values             |
  * | Raw               | numbers that are not colour; never changed                             |
  *
- * | display | view                | what                                                           |
+ * | display | view                | use                                                            |
  * |---------|---------------------|----------------------------------------------------------------|
  * | sRGB    | ACES 1.0 SDR-video  | ACES 1.0 output transform, sRGB curve; the default             |
  * | sRGB    | Plain               | the display's encoding alone: piecewise sRGB curve             |
@@ -25,22 +24,29 @@
  *
  * A config is trusted input: it names other files that OpenColorIO reads.
  *
- * Numbers:  NaN in colour is read as 0 and values are clamped to +-1e12 before a transform. What comes out
+ * Numbers:  NaN in colour is read as 0 and values are clamped to +-1e12 before a transform. The output
  *           is always finite: NaN becomes 0, and values are clamped to the range of the output format
  *           (0..1 for RGBA8, RGBA8_SRGB and RGBA16; +-65504 for RGBA16F; +-FLT_MAX for RGBA32F). Integer
- *           formats round to nearest. Output as RGBA8_SRGB is the same bytes as RGBA8: the display transform
- *           has encoded them already, and the format only tells the next reader so.
+ *           formats round to nearest. Output as RGBA8_SRGB has the same bytes as RGBA8: the display transform
+ *           has already encoded them.
  * Bits:     outside shd's promise of the same bits everywhere, since OpenColorIO's own kernels run here. On
  *           one machine and build the output does not depend on the number of workers.
  * Memory:   OpenColorIO allocates with malloc, not with the context's allocator.
  * Globals:  while a config is read or a transform is built, OpenColorIO's process-wide logging level is NONE;
- *           then it is what it was. The environment variables OCIO_LOGGING_LEVEL and OCIO_OPTIMIZATION_FLAGS
- *           act as OpenColorIO documents. The locale of the host does not matter; only if the global locale of
- *           C++ (std::locale::global) writes decimals with a comma, it is replaced for the same short time.
+ *           it is restored afterwards. The environment variables OCIO_LOGGING_LEVEL and OCIO_OPTIMIZATION_FLAGS
+ *           act as OpenColorIO documents. The locale of the host has no effect, except that a global locale of C++
+ *           (std::locale::global) with a decimal comma is replaced for the same short time.
  *
  * Lifetime:      reference counted; create returns an owned reference; the context is retained.
  * Thread safety: retain/release from any thread; functions taking `const shd_color *` may run concurrently
  *                on one handle.
+ *
+ * @code
+ * shd_color *color = NULL;
+ * result = shd_color_create(context, NULL, &color);
+ * result = shd_color_apply_display(color, framebuffer, "sRGB", "ACES 1.0 SDR-video", &image);
+ * shd_color_release(color);
+ * @endcode
  */
 #ifndef SHD_COLOR_H
 #define SHD_COLOR_H
@@ -52,10 +58,9 @@ SHD_BEGIN_DECLS
 /** An OpenColorIO config and the transforms built from it so far. */
 typedef struct shd_color shd_color;
 
-/** Where the config comes from. Zero is a good default for each field. Strings are borrowed for the call. */
+/** Source of the config. Zero is the default of each field. Strings are borrowed for the call. */
 typedef struct shd_color_desc {
     uint32_t struct_size;      /**< set by shd_color_desc_default() */
-    uint32_t reserved;         /**< 0 */
     const char *config_path;   /**< a config file, at most 64 MiB; NULL = the file named by the environment variable
                                     OCIO if that is set and not empty, else the built-in config */
     const char *config_text;   /**< a config in memory (YAML); then config_path must be NULL and OCIO is not read */
@@ -71,7 +76,7 @@ static inline shd_color_desc shd_color_desc_default(void)
     return desc;
 }
 
-/** Text of the built-in config, to start one of your own from. Static. Any thread. @since 0.1 */
+/** Text of the built-in config, a start for other configs. Static. Any thread. @since 0.1 */
 SHD_API const char *shd_color_default_config(void);
 
 /**
@@ -80,7 +85,7 @@ SHD_API const char *shd_color_default_config(void);
  * @param desc       borrowed for the call; NULL = all defaults
  * @param out_color  owned; NULL on failure
  * @return SHD_ERROR_NOT_FOUND for a missing file or working space, SHD_ERROR_CORRUPT for a malformed config
- *         or one whose colour spaces are defined in a circle, SHD_ERROR_UNSUPPORTED for one of a newer version,
+ *         or one whose colour spaces are defined cyclically, SHD_ERROR_UNSUPPORTED for one of a newer version,
  *         SHD_ERROR_LIMIT for a file above 64 MiB or colour spaces nested more than 64 deep
  * @since 0.1
  */
@@ -94,26 +99,26 @@ SHD_API void shd_color_retain(shd_color *color);
 SHD_API void shd_color_release(shd_color *color);
 
 /**
- * Bring a framebuffer onto a display.
+ * Transform a framebuffer for a display.
  *
  * The framebuffer is premultiplied by alpha. Its colour is divided by alpha, transformed, and written with
- * straight (not premultiplied) alpha, as PNG wants it; opaque pixels are simply transformed. Alpha is clamped
- * to 0..1 (NaN to 0) and never encoded; a pixel of alpha 0 becomes 0, 0, 0, 0.
+ * straight (not premultiplied) alpha, as in PNG. Alpha is clamped to 0..1 (NaN to 0) and never encoded; a pixel of
+ * alpha 0 becomes 0, 0, 0, 0.
  *
- * The first call for a display and view builds the transform (about 10 ms); later calls take it from a cache.
+ * The first call for a display and view builds the transform (about 10 ms); later calls find it in a cache.
  * @param color        concurrent reads
- * @param framebuffer  of the same context; colour in the working space; concurrent reads
+ * @param framebuffer  a framebuffer of the same context; colour in the working space; concurrent reads
  * @param display      name of a display; NULL = the config's default
  * @param view         name of one of its views; NULL = the display's default
  * @param out          RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
- * @return SHD_ERROR_NOT_FOUND with the names there are for an unknown display or view. Pixels are untouched on
+ * @return SHD_ERROR_NOT_FOUND, with a text of the known names, for an unknown display or view. Pixels are untouched on
  *         failure, unless the executor or OpenColorIO fails half-way.
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display(const shd_color *color, const shd_framebuffer *framebuffer,
                                                          const char *display, const char *view, const shd_image *out);
 
-/** A display and one of its views, as user_data of a shd_display that saves through them. */
+/** A display and one of its views, the user_data of a shd_display that uses shd_color_apply_view(). Frozen. */
 typedef struct shd_color_view {
     const shd_color *color; /**< required; borrowed for the call that takes the shd_display */
     const char *display;    /**< NULL = the config's default */
@@ -121,7 +126,7 @@ typedef struct shd_color_view {
 } shd_color_view;
 
 /**
- * shd_color_apply_display as a shd_display.apply, so that one call saves what a display shows:
+ * Apply shd_color_apply_display() as shd_display.apply, so that one call saves what a display shows:
  * `save.display.apply = shd_color_apply_view, save.display.user_data = &view`.
  * @param color_view  a shd_color_view
  * @since 0.1
@@ -130,13 +135,13 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_view(void *color_view, const sh
                                                       const shd_image *out);
 
 /**
- * Bring an image onto a display, as shd_color_apply_display does with a framebuffer.
+ * Transform an image for a display, as shd_color_apply_display() does with a framebuffer.
  * @param in          RGBA16F or RGBA32F image, premultiplied by alpha
  * @param from_space  colour space or role of `in`; NULL = the working space
  * @param display     name of a display; NULL = the config's default
  * @param view        name of one of its views; NULL = the display's default
  * @param out         image of the same size; exactly the memory of `in` with its format and row stride, or
- *                    memory that does not overlap it
+ *                    memory that does not overlap it (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *color, const shd_image *in,
@@ -144,8 +149,10 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *
                                                                const char *view, const shd_image *out);
 
 /**
- * Convert an image from one colour space to another in place, such as a texture from "ACEScg" to the working
- * space before shd_texture_create. Alpha is left as it is and not multiplied in.
+ * Convert an image from one colour space to another in place.
+ *
+ * An example is a texture in "ACEScg" that is converted to the working space before shd_texture_create(). Alpha is
+ * unchanged and not multiplied in.
  * @param from_space  colour space or role of the pixels; never NULL
  * @param to_space    colour space or role wanted; NULL = the working space
  * @param in_out      RGBA16F or RGBA32F image
@@ -163,7 +170,7 @@ SHD_API const char *shd_color_display_name(const shd_color *color, uint32_t inde
 /** Name of the default display; borrowed until release; NULL for a bad handle. @since 0.1 */
 SHD_API const char *shd_color_default_display(const shd_color *color);
 
-/** Number of views of a display, NULL = the default one; 0 for one that is not there. @since 0.1 */
+/** Number of views of a display, NULL = the default one; 0 for an unknown display. @since 0.1 */
 SHD_API uint32_t shd_color_view_count(const shd_color *color, const char *display);
 
 /** Name of a view of a display, NULL = the default one; borrowed until release; NULL if there is none. @since 0.1 */
@@ -172,7 +179,7 @@ SHD_API const char *shd_color_view_name(const shd_color *color, const char *disp
 /** Default view of a display, NULL = the default one; borrowed until release; NULL if there is none. @since 0.1 */
 SHD_API const char *shd_color_default_view(const shd_color *color, const char *display);
 
-/** Number of colour spaces, those of the displays included. @since 0.1 */
+/** Number of colour spaces, including those of the displays. @since 0.1 */
 SHD_API uint32_t shd_color_space_count(const shd_color *color);
 
 /** Name of a colour space; borrowed until release; NULL if there is none. @since 0.1 */

@@ -3,13 +3,20 @@
  * @file
  * @brief The context: memory, tasks, log and SIMD target of everything created from it.
  *
- * shd keeps no global state but the per-thread error text. Two contexts share nothing.
+ * The only global state of shd is the error text of each thread. Two contexts share nothing.
  *
- * Lifetime:      reference counted; create returns an owned reference. Every object made from a context
- *                retains it, so the order of releases does not matter. A handle whose last reference is
- *                gone is refused with SHD_ERROR_INVALID_ARGUMENT while its context lives, until its place
- *                is given to a new handle: places never used go first, then the one free for longest.
+ * Lifetime:      reference counted; create returns an owned reference. Every object retains its context, so objects
+ *                may be released in any order. A handle whose last reference was released is refused with
+ *                SHD_ERROR_INVALID_ARGUMENT while its context lives, until a new handle takes its place. New handles
+ *                take places that were never used first, then the place that has been free for longest.
  * Thread safety: retain/release and every function taking `const shd_context *` may run on any thread.
+ *
+ * @code
+ * shd_context_desc desc = shd_context_desc_default();
+ * shd_context *context = NULL;
+ * desc.worker_count = 1; // everything on the calling thread
+ * if (shd_context_create(&desc, &context) != SHD_OK) fprintf(stderr, "%s\n", shd_last_error());
+ * @endcode
  */
 #ifndef SHD_CONTEXT_H
 #define SHD_CONTEXT_H
@@ -22,13 +29,15 @@ SHD_BEGIN_DECLS
 typedef struct shd_context shd_context;
 
 /**
- * Host memory. Both callbacks are set, or neither (then malloc and free). They run on any thread, the
- * executor's workers included, must not throw or longjmp and must not call shd.
+ * Host memory. Frozen.
+ *
+ * Set both callbacks or neither (then malloc and free). They run on any thread, workers of the executor included. They
+ * must not throw, longjmp or call shd.
  */
 typedef struct shd_allocator {
-    /** Memory of `size` > 0 bytes aligned to `alignment` (a power of two, at least 8), or NULL. */
+    /** Returns `size` > 0 bytes aligned to `alignment` (a power of two, at least 8), or NULL. */
     void *(*allocate)(void *user_data, size_t size, size_t alignment);
-    /** Give back what allocate returned, with the same size and alignment; `memory` is never NULL. */
+    /** Frees what allocate returned, with the same size and alignment; `memory` is never NULL. */
     void (*free)(void *user_data, void *memory, size_t size, size_t alignment);
     void *user_data; /**< passed to both; borrowed until release of the context */
 } shd_allocator;
@@ -37,46 +46,48 @@ typedef struct shd_allocator {
 typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
 
 /**
- * Host job system. Zero = the built-in executor: oneTBB if built in, else the calling thread; the latter too where no
- * thread may be started, and for a context that a forked child inherits.
+ * Host job system. Frozen.
+ *
+ * Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in executor
+ * also uses the calling thread where no thread can be started, and in a child process that inherited the context.
  */
 typedef struct shd_executor {
     /**
-     * Run task(task_data, i, worker) once for every i in [0, count), in any order and on any threads, and
-     * return when all are done. Two tasks that run at the same time must not share a `worker`. Returning
-     * anything but SHD_OK makes the shd call fail with SHD_ERROR_CALLBACK. Runs on the thread that called
-     * shd; must not throw or longjmp; may call shd.
+     * Runs task(task_data, i, worker) once for every i in [0, count), in any order and on any threads, and returns when
+     * all are done. Tasks that run concurrently must have different values of `worker`. A result other than SHD_OK
+     * makes the call of shd fail with SHD_ERROR_CALLBACK. Runs on the thread that called shd; must not throw or
+     * longjmp; may call shd.
      */
     shd_result (*parallel_for)(void *user_data, uint32_t count, shd_task_fn task, void *task_data);
     void *user_data;       /**< borrowed until release of the context */
-    uint32_t worker_count; /**< bound of `worker`, 1..1024, for per-worker scratch */
-    uint32_t reserved;     /**< 0 */
+    uint32_t worker_count; /**< bound of `worker`, 1..1024; sizes the scratch memory of workers */
 } shd_executor;
 
-/** How much a log line matters. */
+/** Severity of a line of the log. */
 typedef enum shd_log_level {
-    SHD_LOG_DEBUG = 0,
-    SHD_LOG_INFO = 1,
-    SHD_LOG_WARNING = 2,
-    SHD_LOG_ERROR = 3,
+    SHD_LOG_LEVEL_DEBUG = 0,
+    SHD_LOG_LEVEL_INFO = 1,
+    SHD_LOG_LEVEL_WARNING = 2,
+    SHD_LOG_LEVEL_ERROR = 3,
     SHD_LOG_LEVEL_MAX_ENUM = 0x7fffffff
 } shd_log_level;
 
-/** Host log. Without one shd is silent: it never writes to stdout or stderr. */
+/** Host log. Frozen. Without a log shd writes nothing: it never uses stdout or stderr. */
 typedef struct shd_log {
-    /** One line without newline. Any thread, possibly several at once; must not throw, longjmp or call shd. */
+    /** Takes one line without newline. Any thread, calls may be concurrent; must not throw, longjmp or call shd. */
     void (*write)(void *user_data, shd_log_level level, const char *message);
     void *user_data; /**< borrowed until release of the context */
 } shd_log;
 
 /**
- * Instruction set of the kernels. Every one gives the same bits. Which ones can be chosen depends on the build (CMake
- * option SHD_SIMD) and on the machine.
+ * Instruction set of the kernels. All give the same bits.
+ *
+ * The build (CMake option SHD_SIMD) and the machine decide which ones can be chosen.
  */
 typedef enum shd_simd {
-    SHD_SIMD_BEST = 0,     /**< the fastest that this machine and build offer */
-    SHD_SIMD_BASELINE = 1, /**< the lowest of this build: runs wherever the library runs */
-    SHD_SIMD_SCALAR = 2,   /**< one lane or generic vectors; a baseline, so absent where another one is built */
+    SHD_SIMD_BEST = 0,     /**< the fastest one of this machine and build */
+    SHD_SIMD_BASELINE = 1, /**< the lowest one of this build: runs wherever the library runs */
+    SHD_SIMD_SCALAR = 2,   /**< one lane or generic vectors; absent where the build has another baseline */
     SHD_SIMD_SSE2 = 3,     /**< the baseline of x86-64 with a Highway after 1.0.3 */
     SHD_SIMD_SSSE3 = 4,    /**< in builds with SHD_SIMD=all */
     SHD_SIMD_SSE4 = 5,     /**< SSE4.2 */
@@ -87,14 +98,13 @@ typedef enum shd_simd {
     SHD_SIMD_MAX_ENUM = 0x7fffffff
 } shd_simd;
 
-/** Options of a context; zero is a good default for each. */
+/** Options of a context. Zero is the default of each. */
 typedef struct shd_context_desc {
     uint32_t struct_size;    /**< set by shd_context_desc_default() */
-    uint32_t worker_count;   /**< built-in executor: threads, 0..1024, at most one per core; 0 = one per
-                                 core, 1 = calling thread */
-    shd_simd simd;           /**< default SHD_SIMD_BEST; one that cannot run here is SHD_ERROR_UNSUPPORTED */
-    uint32_t reserved;       /**< 0 */
-    shd_allocator allocator; /**< default malloc/free, huge pages asked for from 8 MiB on */
+    uint32_t worker_count;   /**< threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread;
+                                  default 0 = one per core */
+    shd_simd simd;           /**< default SHD_SIMD_BEST; SHD_ERROR_UNSUPPORTED if it cannot run here */
+    shd_allocator allocator; /**< default malloc and free, with huge pages requested from 8 MiB on */
     shd_executor executor;   /**< default built-in */
     shd_log log;             /**< default none */
     /* ---- end of 0.1; append below ---- */
@@ -122,8 +132,8 @@ SHD_API void shd_context_retain(shd_context *context);
 /** Drop a reference; NULL is ignored. The last one, objects included, frees everything. Any thread. @since 0.1 */
 SHD_API void shd_context_release(shd_context *context);
 
-/** Name of the target the kernels of this context run on, such as "AVX2"; "" for a bad handle. Static. @since 0.1 */
-SHD_API const char *shd_simd_target(const shd_context *context);
+/** Name of the SIMD target of the context's kernels, such as "AVX2"; "" for a bad handle. Static. @since 0.1 */
+SHD_API const char *shd_context_simd_target(const shd_context *context);
 
 /** Number of workers of the executor, at least 1; 0 for a bad handle. @since 0.1 */
 SHD_API uint32_t shd_context_worker_count(const shd_context *context);

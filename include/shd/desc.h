@@ -1,13 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Defaults for desc structs, for languages that cannot call C inline functions.
+ * @brief Sized structs: how callers and libraries of different versions work together, and defaults through FFI.
  *
- * Every desc begins with `struct_size`. In C and C++ take the inline `shd_<noun>_default()`, which compiles
- * the caller's own size in; through FFI call shd_desc_init. A desc from a newer header is accepted as long as
- * the bytes the library does not know are zero; one from an older header gets defaults for what it lacks.
+ * A struct that may grow begins with `uint32_t struct_size`, the size that the caller's header gives it. Fields are
+ * only ever appended.
+ *  - In C and C++ call the inline `shd_<noun>_default()`: it compiles the caller's own size in. Bindings that cannot
+ *    call inline functions call shd_desc_init().
+ *  - Structs that the library reads: fields that a smaller struct lacks have their defaults. Bytes of a larger struct
+ *    beyond the library's own must be zero, else the call fails with SHD_ERROR_UNSUPPORTED.
+ *  - Structs that the library writes: it never writes beyond struct_size. It clears the bytes of a larger struct beyond
+ *    its own, and does not change struct_size.
+ *  - A struct_size that does not reach the last required field of the struct is refused.
+ *  - All elements of an array of sized structs have one struct_size, which is the distance between them.
+ *  - Padding is never given to a field. No sized struct ends with padding, and appended fields bring none.
+ *
+ * Structs without struct_size are frozen. Structs are passed by pointer. Only inline functions return structs.
  *
  * Thread safety: any thread.
+ *
+ * @code
+ * shd_sampler_desc desc; // what shd_sampler_desc_default() returns
+ * shd_result result = shd_desc_init(SHD_DESC_KIND_SAMPLER_DESC, &desc, sizeof desc);
+ * @endcode
  */
 #ifndef SHD_DESC_H
 #define SHD_DESC_H
@@ -16,48 +31,59 @@
 
 SHD_BEGIN_DECLS
 
-/** Which desc shd_desc_init fills. */
+/** A sized struct, for shd_desc_init(). */
 typedef enum shd_desc_kind {
-    SHD_DESC_NONE = 0,
-    SHD_DESC_CONTEXT = 1,            /**< shd_context_desc */
-    SHD_DESC_TEXTURE = 2,            /**< shd_texture_desc */
-    SHD_DESC_SAMPLER = 3,            /**< shd_sampler_desc */
-    SHD_DESC_LOOKUPS = 4,            /**< shd_lookups */
-    SHD_DESC_MESH = 5,               /**< shd_mesh_desc */
-    SHD_DESC_MATERIAL = 6,           /**< shd_material_desc */
-    SHD_DESC_LIGHT = 7,              /**< shd_light_desc */
-    SHD_DESC_FRAMEBUFFER = 8,        /**< shd_framebuffer_desc */
-    SHD_DESC_DRAW = 9,               /**< shd_draw */
-    SHD_DESC_RENDER = 10,            /**< shd_render_desc */
-    SHD_DESC_IMAGE = 11,             /**< shd_image */
-    SHD_DESC_CAMERA = 12,            /**< shd_camera */
-    SHD_DESC_COLOR = 13,             /**< shd_color_desc, of shd/color.h */
-    SHD_DESC_LOAD = 14,              /**< shd_load_desc, of shd/io.h */
-    SHD_DESC_SAVE = 15,              /**< shd_save_desc, of shd/io.h */
-    SHD_DESC_RAY_DIFFERENTIALS = 16, /**< shd_ray_differentials */
-    SHD_DESC_RAY_CONES = 17,         /**< shd_ray_cones */
-    SHD_DESC_EXPLANATION = 18,       /**< shd_explanation */
-    SHD_DESC_MIP = 19,               /**< shd_mip_desc */
-    SHD_DESC_EDGES = 20,             /**< shd_edges_desc */
-    SHD_DESC_SHADOW = 21,            /**< shd_shadow_desc */
-    SHD_DESC_SHADOW_RENDER = 22,     /**< shd_shadow_render_desc */
-    SHD_DESC_SHADOW_LOOKUPS = 23,    /**< shd_shadow_lookups */
-    SHD_DESC_TESSELLATION = 24,      /**< shd_tessellation_desc */
-    SHD_DESC_SHAPE = 25,             /**< shd_shape_desc */
-    SHD_DESC_SHAPE_COLUMNS = 26,     /**< shd_shape_columns */
-    SHD_DESC_SCENE = 27,             /**< shd_scene_desc, of shd/scene.h */
-    SHD_DESC_SCENE_INFO = 28,        /**< shd_scene_info, of shd/scene.h */
-    SHD_DESC_SCENE_INSTANCE = 29,    /**< shd_scene_instance, of shd/scene.h */
+    SHD_DESC_KIND_NONE = 0,
+    SHD_DESC_KIND_CONTEXT_DESC = 1,        /**< shd_context_desc */
+    SHD_DESC_KIND_IMAGE = 2,               /**< shd_image */
+    SHD_DESC_KIND_TEXTURE_DESC = 3,        /**< shd_texture_desc */
+    SHD_DESC_KIND_TEXTURE_INFO = 4,        /**< shd_texture_info */
+    SHD_DESC_KIND_MIP_DESC = 5,            /**< shd_mip_desc */
+    SHD_DESC_KIND_SAMPLER_DESC = 6,        /**< shd_sampler_desc */
+    SHD_DESC_KIND_LOOKUPS = 7,             /**< shd_lookups */
+    SHD_DESC_KIND_TEXELS = 8,              /**< shd_texels */
+    SHD_DESC_KIND_LEVELS = 9,              /**< shd_levels */
+    SHD_DESC_KIND_EXPLANATION = 10,        /**< shd_explanation; sets tap_size and blend_size to the library's */
+    SHD_DESC_KIND_RAY_DIFFERENTIALS = 11,  /**< shd_ray_differentials */
+    SHD_DESC_KIND_RAY_CONES = 12,          /**< shd_ray_cones */
+    SHD_DESC_KIND_DERIVATIVES = 13,        /**< shd_derivatives */
+    SHD_DESC_KIND_MESH_DESC = 14,          /**< shd_mesh_desc */
+    SHD_DESC_KIND_MESH_INFO = 15,          /**< shd_mesh_info */
+    SHD_DESC_KIND_EDGES_DESC = 16,         /**< shd_edges_desc */
+    SHD_DESC_KIND_EDGES = 17,              /**< shd_edges */
+    SHD_DESC_KIND_TESSELLATION_DESC = 18,  /**< shd_tessellation_desc */
+    SHD_DESC_KIND_MATERIAL_DESC = 19,      /**< shd_material_desc */
+    SHD_DESC_KIND_SLOT = 20,               /**< shd_slot; `target` becomes SHD_SLOT_DIFFUSE */
+    SHD_DESC_KIND_LIGHT_DESC = 21,         /**< shd_light_desc */
+    SHD_DESC_KIND_SHADOW_DESC = 22,        /**< shd_shadow_desc */
+    SHD_DESC_KIND_SHADOW_RENDER_DESC = 23, /**< shd_shadow_render_desc */
+    SHD_DESC_KIND_SHADOW_LOOKUPS = 24,     /**< shd_shadow_lookups */
+    SHD_DESC_KIND_FRAMEBUFFER_DESC = 25,   /**< shd_framebuffer_desc */
+    SHD_DESC_KIND_FRAMEBUFFER_INFO = 26,   /**< shd_framebuffer_info */
+    SHD_DESC_KIND_PLANE_VIEW = 27,         /**< shd_plane_view */
+    SHD_DESC_KIND_CAMERA = 28,             /**< shd_camera */
+    SHD_DESC_KIND_DRAW = 29,               /**< shd_draw */
+    SHD_DESC_KIND_RENDER_DESC = 30,        /**< shd_render_desc */
+    SHD_DESC_KIND_RENDER_STATS = 31,       /**< shd_render_stats */
+    SHD_DESC_KIND_COLOR_DESC = 32,         /**< shd_color_desc, of shd/color.h */
+    SHD_DESC_KIND_LOAD_DESC = 33,          /**< shd_load_desc, of shd/io.h */
+    SHD_DESC_KIND_SAVE_DESC = 34,          /**< shd_save_desc, of shd/io.h */
+    SHD_DESC_KIND_BITMAP_INFO = 35,        /**< shd_bitmap_info, of shd/io.h */
+    SHD_DESC_KIND_SHAPE_DESC = 36,         /**< shd_shape_desc */
+    SHD_DESC_KIND_SHAPE_COLUMNS = 37,      /**< shd_shape_columns */
+    SHD_DESC_KIND_SCENE_DESC = 38,         /**< shd_scene_desc, of shd/scene.h */
+    SHD_DESC_KIND_SCENE_INFO = 39,         /**< shd_scene_info, of shd/scene.h */
+    SHD_DESC_KIND_SCENE_INSTANCE = 40,     /**< shd_scene_instance, of shd/scene.h */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 
 /**
- * Write the defaults of a desc into the caller's memory and set its struct_size.
- * @param kind  which desc `ptr` points at
+ * Write the defaults of a sized struct into the caller's memory and set its struct_size.
+ * @param kind  the struct that `ptr` points at
  * @param ptr   the caller's struct, aligned for it
- * @param size  size in bytes of the caller's struct; smaller than the library's is allowed down to the 0.1
- *              layout, larger gets its tail zeroed
- * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer or a size below the 0.1 layout
+ * @param size  size in bytes of the caller's struct. A smaller one than the library's gets the first fields, down to
+ *              the last required field; the tail of a larger one becomes zero
+ * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_desc_init(shd_desc_kind kind, void *ptr, size_t size);

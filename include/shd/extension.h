@@ -1,10 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief For libraries built on shd (libshd_color, libshd_io and libshd_scene are): handles, errors, memory and tasks
- *        with the same guarantees as libshd's own.
+ * @brief Extensions: handles, errors, memory and tasks for libraries built on shd, such as libshd_color, libshd_io and
+ *        libshd_scene.
+ *
+ * They have the guarantees of libshd's own.
  *
  * Thread safety: any thread.
+ *
+ * @code
+ * result = shd_object_create(context, 'N' << 24 | 'O' << 16 | 'I' << 8 | 'S', body, destroy_body, &object);
+ * body = shd_object_body(object, 'N' << 24 | 'O' << 16 | 'I' << 8 | 'S'); // NULL for any other handle
+ * @endcode
  */
 #ifndef SHD_EXTENSION_H
 #define SHD_EXTENSION_H
@@ -15,20 +22,21 @@
 SHD_BEGIN_DECLS
 
 /**
- * Store `message` as the calling thread's shd_last_error() and return `result`. Copied; cut at 1023 bytes;
- * not a format string.
+ * Store `message` as the calling thread's shd_last_error() and return `result`.
+ *
+ * The message is copied and cut at 1023 bytes. It is not a format string.
  * @since 0.1
  */
 SHD_API shd_result shd_report_error(shd_result result, const char *message);
 
 /**
- * Memory from the context's allocator; NULL when it has none, size is 0, alignment is not a power of two (0 counts
- * as 8) or the handle is bad.
+ * Allocate from the context's allocator.
+ * @return NULL if the allocator fails, size is 0, alignment is not a power of two (0 counts as 8) or the handle is bad
  * @since 0.1
  */
 SHD_API void *shd_context_allocate(shd_context *context, size_t size, size_t alignment);
 
-/** Give memory back with the size and alignment it was asked with; NULL is ignored. @since 0.1 */
+/** Free memory with the size and alignment of its allocation; NULL is ignored. @since 0.1 */
 SHD_API void shd_context_free(shd_context *context, void *memory, size_t size, size_t alignment);
 
 /** Write a line to the context's log. @since 0.1 */
@@ -43,9 +51,9 @@ typedef struct shd_object shd_object;
 
 /**
  * Make a handle in the context's slabs, with one owned reference.
- * @param type        four characters that name the type, such as 'COLR' packed big-endian; above 0xffff
- * @param body        what the handle stands for
- * @param destroy     called with `body` when the last reference goes, on that thread; must not throw
+ * @param type        four characters that name the type, such as 'COLR', packed big-endian; above 0xffff
+ * @param body        the object behind the handle
+ * @param destroy     called with `body` by the thread that releases the last reference; must not throw
  * @param out_object  owned; NULL on failure, and then `destroy` is not called
  * @since 0.1
  */
@@ -55,10 +63,10 @@ SHD_NODISCARD SHD_API shd_result shd_object_create(shd_context *context, uint32_
 /** Body of a live handle of that type; NULL, with the error text set, for any other pointer value. @since 0.1 */
 SHD_API void *shd_object_body(const shd_object *object, uint32_t type);
 
-/** The context a handle belongs to; borrowed; NULL for a bad handle. @since 0.1 */
+/** Context of a handle; borrowed; NULL for a bad handle. @since 0.1 */
 SHD_API shd_context *shd_object_context(const shd_object *object);
 
-/** The context a framebuffer belongs to; borrowed; NULL for a bad handle. @since 0.1 */
+/** Context of a framebuffer; borrowed; NULL for a bad handle. @since 0.1 */
 SHD_API shd_context *shd_framebuffer_context(const shd_framebuffer *framebuffer);
 
 /** Add a reference; NULL is ignored. @since 0.1 */

@@ -3,13 +3,20 @@
  * @file
  * @brief Texture derivatives for ray tracers: from ray differentials and from ray cones.
  *
- * A rasteriser has the derivatives of (u, v) from its plane equations; a ray tracer finds them where a ray hits a
- * surface with the parametrisation dp/du, dp/dv. Both functions write the derivatives that shd_lookups reads.
+ * A rasteriser computes the derivatives of (u, v) from plane equations. A ray tracer computes them at the hit of a ray
+ * on a surface with the parametrisation dp/du, dp/dv. Both functions write the derivatives that shd_lookups reads.
  *
- * Total: where dp/du and dp/dv are parallel, zero or not finite, or the ray runs along the surface, or a result
- * would not be a finite float, the derivatives of that axis are 0.
+ * Total: the derivatives of an axis are 0 where dp/du and dp/dv are parallel, zero or not finite, where the ray runs
+ * along the surface, and where a result would not be a finite float.
  *
  * Thread safety: any thread; the work is done on the calling thread.
+ *
+ * @code
+ * shd_ray_cones cones = shd_ray_cones_default(); // fill count and columns
+ * shd_derivatives derivatives = shd_derivatives_default();
+ * derivatives.dudx = shd_f32_out_column(dudx, 0); // and so on
+ * result = shd_derivatives_from_cones(&cones, &derivatives);
+ * @endcode
  */
 #ifndef SHD_FOOTPRINT_H
 #define SHD_FOOTPRINT_H
@@ -19,27 +26,36 @@
 
 SHD_BEGIN_DECLS
 
-/** Where the derivatives go: du/dx, dv/dx, du/dy, dv/dy per pixel step; unwanted ones NULL. */
+/** Columns for derivatives per pixel step; NULL = not wanted. */
 typedef struct shd_derivatives {
-    shd_f32_out dudx;
-    shd_f32_out dvdx;
-    shd_f32_out dudy;
-    shd_f32_out dvdy;
+    uint32_t struct_size; /**< set by shd_derivatives_default() */
+    shd_f32_out dudx;     /**< du/dx */
+    shd_f32_out dvdx;     /**< dv/dx */
+    shd_f32_out dudy;     /**< du/dy */
+    shd_f32_out dvdy;     /**< dv/dy */
+    /* ---- end of 0.1; append below ---- */
 } shd_derivatives;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_derivatives shd_derivatives_default(void)
+{
+    shd_derivatives derivatives = SHD_ZERO_INIT;
+    derivatives.struct_size = (uint32_t)sizeof derivatives;
+    return derivatives;
+}
 
 /** Hits of rays with their differentials, as columns of `count` elements; x, y, z in one space. */
 typedef struct shd_ray_differentials {
     uint32_t struct_size;       /**< set by shd_ray_differentials_default() */
-    uint32_t reserved;          /**< 0 */
     size_t count;               /**< number of hits; 0 is allowed */
     shd_f32_in dpdu[3];         /**< change of the surface point with u; required */
     shd_f32_in dpdv[3];         /**< change of the surface point with v; required */
-    shd_f32_in direction[3];    /**< of the ray, any length; required */
-    shd_f32_in distance;        /**< to the hit, in lengths of `direction`; absent = 0 */
+    shd_f32_in direction[3];    /**< direction of the ray, any length; required */
+    shd_f32_in distance;        /**< distance to the hit, in lengths of `direction`; absent = 0 */
     shd_f32_in origin_dx[3];    /**< change of the ray's origin per pixel step in x; absent = 0 */
-    shd_f32_in origin_dy[3];    /**< the same in y; absent = 0 */
+    shd_f32_in origin_dy[3];    /**< change of the ray's origin per pixel step in y; absent = 0 */
     shd_f32_in direction_dx[3]; /**< change of `direction` per pixel step in x; absent = 0 */
-    shd_f32_in direction_dy[3]; /**< the same in y; absent = 0 */
+    shd_f32_in direction_dy[3]; /**< change of `direction` per pixel step in y; absent = 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_ray_differentials;
 
@@ -52,25 +68,25 @@ static inline shd_ray_differentials shd_ray_differentials_default(void)
 }
 
 /**
- * Derivatives from ray differentials: the change of the hit point is
- * d(o + t d) + dt d with dt chosen so that it lies in the surface, and is then expressed in dp/du and dp/dv
- * (Igehy, "Tracing Ray Differentials", 1999, sections 3.1 and 3.2).
+ * Compute derivatives from ray differentials.
+ *
+ * The change of the hit point is d(o + t d) + dt d, with dt chosen so that it lies in the surface. It is then expressed
+ * in dp/du and dp/dv (Igehy, "Tracing Ray Differentials", 1999, sections 3.1 and 3.2).
  * @param rays  columns, borrowed for the call
- * @param out   columns, borrowed for the call; must not overlap any input or each other
+ * @param out   columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_derivatives_from_differentials(const shd_ray_differentials *rays,
                                                                     const shd_derivatives *out);
 
-/** Hits of ray cones, as columns of `count` elements; x, y, z in one space. */
+/** Hits of rays with their cones, as columns of `count` elements; x, y, z in one space. */
 typedef struct shd_ray_cones {
     uint32_t struct_size;    /**< set by shd_ray_cones_default() */
-    uint32_t reserved;       /**< 0 */
     size_t count;            /**< number of hits; 0 is allowed */
     shd_f32_in dpdu[3];      /**< change of the surface point with u; required */
     shd_f32_in dpdv[3];      /**< change of the surface point with v; required */
-    shd_f32_in direction[3]; /**< of the ray, any length; required */
-    shd_f32_in width;        /**< of the cone at the hit, across, in the units of the points; required */
+    shd_f32_in direction[3]; /**< direction of the ray, any length; required */
+    shd_f32_in width;        /**< diameter of the cone at the hit, in the units of the points; required */
     /* ---- end of 0.1; append below ---- */
 } shd_ray_cones;
 
@@ -83,12 +99,13 @@ static inline shd_ray_cones shd_ray_cones_default(void)
 }
 
 /**
- * Derivatives from ray cones: the axes of the ellipse that the cone cuts out of the surface, along the projected
- * direction (x) and across it (y), each as long as the cone is wide there (Akenine-Moller et al., "Improved Shader
- * and Texture Level of Detail Using Ray Cones", 2021, section 5). A cone within 2^-10 rad of the surface is taken
- * at that angle.
+ * Compute derivatives from ray cones.
+ *
+ * They are the axes of the ellipse in which the cone meets the surface: along the projected direction (x) and across it
+ * (y), each as long as the cone is wide there (Akenine-Moller et al., "Improved Shader and Texture Level of Detail
+ * Using Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as 2^-10 rad.
  * @param cones  columns, borrowed for the call
- * @param out    columns, borrowed for the call; must not overlap any input or each other
+ * @param out    columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_derivatives_from_cones(const shd_ray_cones *cones, const shd_derivatives *out);

@@ -1,10 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Columns that a fragment program reads and writes.
+ * @brief Fragment programs: functions of the caller that shade columns of fragments.
  *
- * Thread safety: a program runs on any worker of the executor, several calls at once; it must not throw
- * or longjmp. Floating-point control is the IEEE default while it runs. It may look textures up (shd/lookup.h).
+ * The structs here go from the library to the program: struct_size is the size of the library's struct. A program that
+ * was compiled with newer headers compares struct_size with the end of a field before it reads the field.
+ *
+ * Thread safety: a program runs on any worker of the executor, and calls may be concurrent. It must not throw or
+ *                longjmp. Floating-point control is the IEEE default while it runs. It may look textures up
+ *                (shd/lookup.h).
+ *
+ * @code
+ * static void uv_as_colour(const shd_fragments *in, shd_radiance *out, void *user_data)
+ * {
+ *     size_t i;
+ *     for (i = 0; i < in->count; ++i) out->r[i] = in->u[i], out->g[i] = in->v[i];
+ * }
+ * @endcode
  */
 #ifndef SHD_FRAGMENTS_H
 #define SHD_FRAGMENTS_H
@@ -15,57 +27,64 @@
 SHD_BEGIN_DECLS
 
 /**
- * Points to shade, one row each, packed columns of `count` elements; borrowed for the call.
- * At Phong frequency a row is a visible fragment, at Gouraud a vertex, at flat a triangle's centroid; for
- * the latter two x, y, depth and the derivatives are 0.
+ * Points to shade, one row each, as packed columns of `count` elements; borrowed for the call.
+ *
+ * A row is a visible fragment at Phong frequency, a vertex at Gouraud frequency, and a triangle's centroid at flat
+ * frequency. For vertices and centroids x, y, depth and the derivatives are 0.
  */
 typedef struct shd_fragments {
-    uint32_t struct_size; /**< of the library's struct */
-    uint32_t draw;        /**< index into shd_render_desc.draws; the same for every row */
-    size_t count;         /**< rows */
+    uint32_t struct_size;     /**< size of the library's struct */
+    uint32_t draw;            /**< index into shd_render_desc.draws; the same for every row */
+    uint32_t instance;        /**< index into shd_draw.instances, 0 without instances; the same for every row */
+    uint32_t varying_count;   /**< shd_material_desc.varying_count */
+    uint32_t attribute_count; /**< number of `attribute` columns */
+    size_t count;             /**< rows */
+    const void *uniforms;     /**< shd_draw.uniforms */
     /**
-     * Raster position, pixels from the left edge: the centre of the pixel; with several samples, where the triangle
-     * does not cover that, the mean of those that it covers; with SHD_DRAW_SAMPLE_SHADING the sample
+     * Raster position, pixels from the left edge: the centre of the pixel. With several samples where the triangle does
+     * not cover the centre: the mean of the covered samples. With SHD_DRAW_SAMPLE_SHADING: the sample.
      */
     const float *x;
-    const float *y;            /**< the same from the top edge */
+    const float *y;            /**< raster position, pixels from the top edge, as x */
     const float *depth;        /**< depth-buffer value, 0 near .. 1 far */
+    const uint32_t *triangle;  /**< index of the triangle in its mesh */
     const float *px, *py, *pz; /**< position, world space */
     const float *nx, *ny, *nz; /**< shading normal, world space, unit */
     const float *ox, *oy, *oz; /**< wo: towards the eye, world space, unit (0 at the eye itself) */
-    const float *u, *v;        /**< texture coordinates, perspective-correct */
-    const float *dudx, *dvdx;  /**< analytic derivatives along one pixel to the right */
-    const float *dudy, *dvdy;  /**< analytic derivatives along one pixel down */
-    const uint32_t *triangle;  /**< index of the triangle in its mesh */
-    uint32_t instance;         /**< index into shd_draw.instances, 0 without; the same for every row */
-    uint32_t varying_count;    /**< that of the material */
-    const void *uniforms;      /**< shd_draw.uniforms */
     /**
-     * What the vertex program wrote, by shd_material_desc.interpolation; NULL from varying_count on. At Gouraud
-     * frequency that of the vertex, at flat the mean of the triangle's three; flat ones are the first vertex's.
-     */
-    const float *varying[SHD_MAX_VARYINGS];
-    /**
-     * Tangent in world space, of any length, and handedness: that of the mesh, interpolated; without one, that of the
-     * triangle, unit; 0 where neither uv nor tangents tell. The bitangent tw (n x t) runs against v
+     * Tangent in world space, of any length, and handedness, interpolated from the mesh. Without tangents of the mesh:
+     * the unit tangent of the triangle; 0 where its uv are degenerate. The bitangent tw (n x t) points against v.
      */
     const float *tx, *ty, *tz, *tw;
-    const float *u1, *v1;                       /**< the second set; 0 if the mesh has none */
-    const float *attribute[SHD_MAX_ATTRIBUTES]; /**< of the mesh, interpolated; NULL where it has none */
+    const float *u, *v;            /**< texture coordinates, perspective-correct */
+    const float *u1, *v1;          /**< second set of texture coordinates; 0 if the mesh has none */
+    const float *dudx, *dvdx;      /**< analytic derivatives of u, v along one pixel to the right */
+    const float *dudy, *dvdy;      /**< analytic derivatives of u, v along one pixel down */
+    const float *const *attribute; /**< [attribute_count] columns of the mesh, interpolated; NULL for absent ones */
+    /**
+     * [varying_count] columns of the vertex program, interpolated by shd_material_desc.interpolation. At Gouraud
+     * frequency the values of the vertex, at flat frequency the mean of the triangle's three. FLAT varyings are the
+     * first vertex's at every frequency.
+     */
+    const float *const *varying;
+    /* ---- end of 0.1; append below ---- */
 } shd_fragments;
 
-/** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
+/** Output of a program: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
 typedef struct shd_radiance {
-    uint32_t struct_size; /**< of the library's struct */
-    uint32_t reserved;
-    float *r, *g, *b, *a; /**< packed columns of `count` elements */
-    uint32_t *discard;    /**< starts as 0; anything else drops the row. NULL but with SHD_MATERIAL_DISCARDS */
-    float *target[3][4];  /**< r, g, b, a of SHD_AOV_TARGET1 to 3, start as 0; NULL if the framebuffer has them not */
+    uint32_t struct_size;      /**< size of the library's struct */
+    uint32_t target_count;     /**< number of `target` elements: 3 */
+    float *r, *g, *b, *a;      /**< packed columns of `count` elements */
+    uint32_t *discard;         /**< starts as 0; other values drop the row. NULL without SHD_MATERIAL_DISCARDS */
+    float *const (*target)[4]; /**< [target_count] r, g, b, a of SHD_AOV_TARGET1 and on, start as 0; the columns of a
+                                     target that the framebuffer lacks are NULL */
+    /* ---- end of 0.1; append below ---- */
 } shd_radiance;
 
 /**
- * A fragment program: reads in->count rows, writes as many. What it writes is kept, NaN and infinity too; these are
- * counted as shd_render_stats.nonfinite_fragments.
+ * A fragment program: reads in->count rows and writes as many.
+ *
+ * Its values are kept, even NaN and infinity, which shd_render_stats.nonfinite_fragments counts.
  */
 typedef void (*shd_fragment_fn)(const shd_fragments *in, shd_radiance *out, void *user_data);
 

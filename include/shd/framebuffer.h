@@ -1,15 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Where a frame ends up: linear colour, depth and auxiliary planes.
+ * @brief Framebuffers: linear colour, depth and auxiliary planes of a frame.
  *
  * Colour is scene-linear and premultiplied by alpha. Row 0 is the top row. With several samples a pixel, planes hold
- * what a frame leaves of them: colour and targets are their plain average, the other planes are those of the first
- * sample.
+ * one value for each pixel: the plain average of the samples for colour and targets, the value of the first sample for
+ * the other planes.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
- *                itself (one thread at a time per object).
+ *                itself (exclusive use of the object).
+ *
+ * @code
+ * shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+ * shd_plane_view depth = shd_plane_view_default();
+ * desc.width = 640, desc.height = 480, desc.samples = 4;
+ * result = shd_framebuffer_create(context, &desc, &framebuffer);
+ * // after shd_render():
+ * result = shd_framebuffer_view_plane(framebuffer, SHD_PLANE_DEPTH, &depth);
+ * @endcode
  */
 #ifndef SHD_FRAMEBUFFER_H
 #define SHD_FRAMEBUFFER_H
@@ -20,7 +29,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Planes of one size. */
+/** Planes of one width and height. */
 typedef struct shd_framebuffer shd_framebuffer;
 
 /** Optional planes; combine with |. */
@@ -32,23 +41,25 @@ typedef enum shd_aov {
     SHD_AOV_POSITION = 8,      /**< SHD_PLANE_PX, _PY, _PZ: world space */
     SHD_AOV_DERIVATIVES = 16,  /**< SHD_PLANE_DUDX, _DVDX, _DUDY, _DVDY: of uv, per pixel to the right and down */
     SHD_AOV_BARYCENTRICS = 32, /**< SHD_PLANE_B0, _B1, _B2: perspective-correct weights of the triangle's corners */
-    SHD_AOV_LEVEL = 64,        /**< SHD_PLANE_LOD, _LEVEL: what shd_texture_query_levels has for the diffuse texture */
+    SHD_AOV_LEVEL = 64,        /**< SHD_PLANE_LOD, _LEVEL: shd_texture_query_levels() of the diffuse texture */
     SHD_AOV_DRAW = 128,        /**< SHD_PLANE_DRAW */
     SHD_AOV_OVERDRAW = 256,    /**< SHD_PLANE_OVERDRAW */
     SHD_AOV_TARGET1 = 512,     /**< SHD_PLANE_TARGET1_R, _G, _B, _A: a colour target besides R, G, B, A */
-    SHD_AOV_TARGET2 = 1024,    /**< another */
-    SHD_AOV_TARGET3 = 2048,    /**< another */
+    SHD_AOV_TARGET2 = 1024,    /**< SHD_PLANE_TARGET2_R, _G, _B, _A */
+    SHD_AOV_TARGET3 = 2048,    /**< SHD_PLANE_TARGET3_R, _G, _B, _A */
     SHD_AOV_MAX_ENUM = 0x7fffffff
 } shd_aov;
+typedef uint32_t shd_aov_flags; /**< shd_aov bits */
 
 /**
- * One column of a framebuffer, width * height elements, row by row from the top. Those after depth are the values of
- * the latest fragment of an opaque draw that the first sample of a pixel shows; blended draws and draws of depth alone
- * leave them.
+ * One plane of a framebuffer: width * height elements, row by row from the top.
  *
- * Targets are more colours of the same samples: programs write them as shd_radiance.target, anything else writes 0 to
- * all four channels. They start as 0, blend by the material's blend as colour does, each with its own a (WEIGHTED and
- * SORTED leave them), and what alpha drops goes by colour's a.
+ * Planes after SHD_PLANE_DEPTH, except overdraw and targets, hold the values of the last opaque fragment visible at the
+ * first sample of a pixel. Blended draws and draws of depth alone do not change them.
+ *
+ * Targets are further colours of the same samples. Programs write them as shd_radiance.target; other materials write 0
+ * to all four channels. They start as 0. They are blended with the material's blend, each with its own a, except that
+ * WEIGHTED and SORTED leave them unchanged. The alpha test uses the alpha of the main colour target.
  */
 typedef enum shd_plane {
     SHD_PLANE_R = 0,
@@ -75,7 +86,7 @@ typedef enum shd_plane {
     SHD_PLANE_LOD = 21,      /**< continuous level of detail; 0 without texture */
     SHD_PLANE_LEVEL = 22,    /**< uint32_t: the mip level nearest to it */
     SHD_PLANE_DRAW = 23,     /**< uint32_t: index into shd_render_desc.draws, 0xffffffff where nothing was drawn */
-    SHD_PLANE_OVERDRAW = 24, /**< uint32_t: how often the first sample was drawn, hidden later or not */
+    SHD_PLANE_OVERDRAW = 24, /**< uint32_t: number of times that the first sample was drawn, hidden later or not */
     SHD_PLANE_TARGET1_R = 25,
     SHD_PLANE_TARGET1_G = 26,
     SHD_PLANE_TARGET1_B = 27,
@@ -91,14 +102,13 @@ typedef enum shd_plane {
     SHD_PLANE_MAX_ENUM = 0x7fffffff
 } shd_plane;
 
-/** Size and planes of a framebuffer. */
+/** Size and planes of a framebuffer. Required: width, height. */
 typedef struct shd_framebuffer_desc {
     uint32_t struct_size; /**< set by shd_framebuffer_desc_default() */
     uint32_t width;       /**< pixels, 1..16384 */
     uint32_t height;      /**< pixels, 1..16384 */
     uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16; default 1 */
-    uint32_t aovs;        /**< shd_aov bits; default none */
-    uint32_t reserved;    /**< 0 */
+    shd_aov_flags aovs;   /**< optional planes; default none */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_desc;
 
@@ -127,61 +137,93 @@ SHD_API void shd_framebuffer_retain(shd_framebuffer *framebuffer);
 /** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_framebuffer_release(shd_framebuffer *framebuffer);
 
-/** What a framebuffer turned out to be. */
+/** Size and planes of a framebuffer. */
 typedef struct shd_framebuffer_info {
-    uint32_t width;
-    uint32_t height;
-    uint32_t samples;
-    uint32_t aovs;    /**< shd_aov bits */
-    size_t byte_size; /**< of all planes */
+    uint32_t struct_size; /**< set by shd_framebuffer_info_default() */
+    uint32_t width;       /**< pixels */
+    uint32_t height;      /**< pixels */
+    uint32_t samples;     /**< per pixel */
+    shd_aov_flags aovs;   /**< optional planes */
+    size_t byte_size;     /**< bytes of all planes */
+    /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_info;
 
-/** Size and planes of a framebuffer; out_info is all zero on failure. @since 0.1 */
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_framebuffer_info shd_framebuffer_info_default(void)
+{
+    shd_framebuffer_info info = SHD_ZERO_INIT;
+    info.struct_size = (uint32_t)sizeof info;
+    return info;
+}
+
+/**
+ * Get size and planes of a framebuffer.
+ * @param out_info  its struct_size is read; the rest is written, all zero on failure
+ * @since 0.1
+ */
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_get_info(const shd_framebuffer *framebuffer,
                                                           shd_framebuffer_info *out_info);
 
 /** A plane in place: no copy. */
 typedef struct shd_plane_view {
-    const float *f32;    /**< [height][row_stride / 4]; NULL for planes of uint32_t */
-    const uint32_t *u32; /**< the same for planes of uint32_t, else NULL */
-    size_t row_stride;   /**< bytes between rows */
+    uint32_t struct_size; /**< set by shd_plane_view_default() */
+    const float *f32;     /**< [height][row_stride / 4]; NULL for planes of uint32_t */
+    const uint32_t *u32;  /**< [height][row_stride / 4]; NULL for planes of floats */
+    size_t row_stride;    /**< bytes between rows */
+    /* ---- end of 0.1; append below ---- */
 } shd_plane_view;
 
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_plane_view shd_plane_view_default(void)
+{
+    shd_plane_view view = SHD_ZERO_INIT;
+    view.struct_size = (uint32_t)sizeof view;
+    return view;
+}
+
 /**
- * Look at a plane without copying.
- * @param out_view  borrowed until release of the framebuffer; its contents change with the next shd_render;
- *                  all zero on failure (a plane the framebuffer does not have is SHD_ERROR_NOT_FOUND)
+ * Get a plane without copying.
+ * @param out_view  its struct_size is read; the rest is written. Borrowed until release of the framebuffer; the next
+ *                  shd_render changes its contents. All zero on failure; a plane that the framebuffer does not have is
+ *                  SHD_ERROR_NOT_FOUND
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_view_plane(const shd_framebuffer *framebuffer, shd_plane plane,
                                                             shd_plane_view *out_view);
 
 /**
- * Copy a float plane into a column of width * height elements, row by row from the top. With a stride this
- * writes one channel of an interleaved image.
+ * Copy a float plane into a column.
+ * @param out  column of width * height elements, row by row from the top. A stride writes one channel of an interleaved
+ *             image
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_plane(const shd_framebuffer *framebuffer, shd_plane plane,
-                                                            shd_f32_out out);
-
-/** The same for a plane of uint32_t. @since 0.1 */
-SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer *framebuffer, shd_plane plane,
-                                                                shd_u32_out out);
+                                                            const shd_f32_out *out);
 
 /**
- * Copy colour as interleaved RGBA, linear: no transfer curve is applied, except the sRGB curve of
- * SHD_FORMAT_RGBA8_SRGB itself. Integer formats clamp to 0..1 (NaN to 0) and round to nearest.
+ * Copy a plane of uint32_t into a column.
+ * @param out  column of width * height elements, row by row from the top
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer *framebuffer, shd_plane plane,
+                                                                const shd_u32_out *out);
+
+/**
+ * Copy colour as interleaved RGBA.
+ *
+ * Colour stays linear, except that SHD_FORMAT_RGBA8_SRGB is encoded. Integer formats clamp to 0..1 (NaN to 0) and round
+ * to nearest.
  * @param out  RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_color(const shd_framebuffer *framebuffer, const shd_image *out);
 
-/** What makes linear colour fit for a display: a transform of libshd_color, or a function of the caller's. */
+/** Conversion of linear colour for a display: a transform of libshd_color, or a function of the caller. Frozen. */
 typedef struct shd_display {
     /**
      * Fills every pixel of `out`, a packed RGBA32F image of the framebuffer's size, with display colour: encoded,
-     * straight alpha, 0..1. Runs on the thread of the call that takes the shd_display; must not throw or longjmp. What
-     * it returns other than SHD_OK, with its text from shd_report_error(), is the call's result. NULL = none.
+     * straight alpha, 0..1. Runs on the thread of the call that takes the shd_display; must not throw or longjmp. A
+     * result other than SHD_OK, with its text from shd_report_error(), becomes the result of the call. NULL = none.
      */
     shd_result (*apply)(void *user_data, const shd_framebuffer *framebuffer, const shd_image *out);
     void *user_data; /**< borrowed for the call */

@@ -4,6 +4,15 @@
  * @brief Pixel formats, and plain images in the caller's memory.
  *
  * Row 0 is the top row. Channels are interleaved in the order of the format's name, in native endianness.
+ *
+ * Thread safety: any thread.
+ *
+ * @code
+ * shd_image image = shd_image_default();
+ * image.format = SHD_FORMAT_RGBA8;
+ * image.width = width, image.height = height;
+ * image.pixels = malloc(shd_format_size(image.format) * width * height);
+ * @endcode
  */
 #ifndef SHD_IMAGE_H
 #define SHD_IMAGE_H
@@ -13,10 +22,11 @@
 SHD_BEGIN_DECLS
 
 /**
- * How one pixel or texel is stored. Unsigned integer channels mean value / maximum, in [0, 1]; F channels are
- * IEEE 754 binary16 or binary32. Everything is linear, but for the _SRGB formats: r, g and b are encoded
- * (IEC 61966-2-1), a never is. Textures take every format; framebuffers, colour transforms and files say
- * which ones they take.
+ * Storage of one pixel or texel.
+ *
+ * Unsigned integer channels hold value / maximum, in [0, 1]; F channels are IEEE 754 binary16 or binary32. All channels
+ * are linear, except r, g and b of the _SRGB formats, which are encoded (IEC 61966-2-1). Textures take every format;
+ * framebuffers, colour transforms and files list the formats that they take.
  */
 typedef enum shd_format {
     SHD_FORMAT_NONE = 0,
@@ -46,10 +56,10 @@ typedef enum shd_format {
 /** Bytes of one pixel; 0 for an unknown format. Any thread. @since 0.1 */
 SHD_API size_t shd_format_size(shd_format format);
 
-/** An image in the caller's memory. */
+/** An image in the caller's memory. Required: format, width, height, pixels. */
 typedef struct shd_image {
     uint32_t struct_size; /**< set by shd_image_default() */
-    shd_format format;    /**< how `pixels` is stored */
+    shd_format format;    /**< storage of `pixels` */
     uint32_t width;       /**< pixels, 1..65536 */
     uint32_t height;      /**< pixels, 1..65536 */
     void *pixels;         /**< [height][width], row 0 on top; borrowed for the call */

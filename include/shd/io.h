@@ -1,19 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Image files: bitmaps and textures in, framebuffers and images out (libshd_io, over OpenImageIO).
+ * @brief libshd_io: image files to bitmaps and textures, framebuffers and images to files, by OpenImageIO.
  *
- * Files are untrusted. The format is decided by content, never by name, and must be on an allow list; pixels,
- * bytes, ratio and time have budgets that are checked before memory is taken; metadata that a decoder would
- * have to parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before it is decoded.
- * OpenImageIO and the codecs under it can still crash on a hostile file: SHD_LOAD_ISOLATE decodes in a child
- * process and turns a crash into SHD_ERROR_CORRUPT. libpng writes a line to stderr about compressed data that is
- * damaged although its checksums are right, or damaged at all with SHD_LOAD_PARTIAL; an isolated load is silent.
- * Damaged compressed data inside an intact TIFF can decode to leftover heap memory of the decoder: isolate these.
- * OpenEXR keeps decoding threads after its first file: after a fork the child must not load or save .exr itself.
+ * Files are untrusted:
+ *  - The content decides the format, never the name. The format must be on an allow list.
+ *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated.
+ *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before
+ *    decoding.
+ *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and
+ *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
+ *    memory of the decoder: isolate such loads.
+ *
+ * libpng writes a line to stderr about damaged compressed data whose checksums are right, and about any damage with
+ * SHD_LOAD_PARTIAL; an isolated load is silent. OpenEXR keeps decoding threads after its first file: after a fork the
+ * child must not load or save .exr itself.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.
+ *
+ * @code
+ * shd_load_desc desc = shd_load_desc_default();
+ * desc.flags = SHD_LOAD_ISOLATE;
+ * result = shd_texture_load(context, "bricks.png", &desc, &texture);
+ * result = shd_framebuffer_save(framebuffer, "frame.exr", NULL);
+ * @endcode
  */
 #ifndef SHD_IO_H
 #define SHD_IO_H
@@ -24,7 +35,7 @@
 
 SHD_BEGIN_DECLS
 
-/** File formats a load may accept, as told by their content; combine with |. */
+/** File formats that a load may accept; combine with |. */
 typedef enum shd_file_format {
     SHD_FILE_FORMAT_NONE = 0,
     SHD_FILE_FORMAT_PNG = 1 << 0,
@@ -32,7 +43,7 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_EXR = 1 << 2,
     SHD_FILE_FORMAT_TIFF = 1 << 3,
     SHD_FILE_FORMAT_HDR = 1 << 4, /**< Radiance RGBE */
-    SHD_FILE_FORMAT_TGA = 1 << 5, /**< has no signature: recognised by a plausible header, after all others */
+    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature */
     SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
     SHD_FILE_FORMAT_DDS = 1 << 7, /**< BC1 to BC7 and plain pixels; no cube maps or volumes */
     SHD_FILE_FORMAT_WEBP = 1 << 8,
@@ -40,46 +51,47 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_PSD = 1 << 10,
     SHD_FILE_FORMAT_DPX = 1 << 11,
     SHD_FILE_FORMAT_GIF = 1 << 12,
-    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM: what a `formats` of 0 means. */
+    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM: the meaning of `formats` 0. */
     SHD_FILE_FORMAT_DEFAULT = 0x3ff,
-    /** Every other format OpenImageIO was built with as well. For trusted files. */
+    /** Also every other format of the OpenImageIO build. For trusted files. */
     SHD_FILE_FORMAT_ANY = 0x40000000,
     SHD_FILE_FORMAT_MAX_ENUM = 0x7fffffff
 } shd_file_format;
+typedef uint32_t shd_file_format_flags; /**< shd_file_format bits */
 
-/** What the numbers of a file mean. */
+/** Encoding of the numbers of a file. */
 typedef enum shd_color_encoding {
-    SHD_COLOR_ENCODING_AUTO = 0,   /**< load: what the file says, see shd_bitmap_color_space; save: by format */
+    SHD_COLOR_ENCODING_AUTO = 0,   /**< load: as declared by the file, see shd_bitmap_color_space(); save: by format */
     SHD_COLOR_ENCODING_SRGB = 1,   /**< r, g, b encoded with the sRGB curve (IEC 61966-2-1) */
     SHD_COLOR_ENCODING_LINEAR = 2, /**< light, Rec. 709 primaries */
     SHD_COLOR_ENCODING_DATA = 3,   /**< no colour: normals, roughness, masks */
     SHD_COLOR_ENCODING_MAX_ENUM = 0x7fffffff
 } shd_color_encoding;
 
-/** How to load; combine with |. */
+/** Options of a load; combine with |. */
 typedef enum shd_load_flag {
     SHD_LOAD_DEFAULT = 0,
-    SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start), which the call waits for; the host's
-                               SIGCHLD handler sees it */
-    SHD_LOAD_PARTIAL = 2, /**< a damaged file gives the rows above the damage, zero below, and info.partial */
+    SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start) and wait for it; the host's SIGCHLD
+                               handler is called for it */
+    SHD_LOAD_PARTIAL = 2, /**< a damaged file gives the rows above the damage, zero below, and SHD_BITMAP_PARTIAL */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
 } shd_load_flag;
+typedef uint32_t shd_load_flags; /**< shd_load_flag bits */
 
 /** Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT. */
 typedef struct shd_load_desc {
     uint32_t struct_size;           /**< set by shd_load_desc_default() */
-    uint32_t formats;               /**< shd_file_format bits; 0 = SHD_FILE_FORMAT_DEFAULT */
-    uint32_t flags;                 /**< shd_load_flag bits; default none */
-    shd_color_encoding color_space; /**< default AUTO; anything else overrides what the file says */
-    uint32_t tables;                /**< of textures: shd_table bits; default SHD_TABLE_MIPMAP */
+    shd_file_format_flags formats;  /**< formats to accept; default 0 = SHD_FILE_FORMAT_DEFAULT */
+    shd_load_flags flags;           /**< default none */
+    shd_color_encoding color_space; /**< default AUTO; other values override the file's declaration */
+    shd_table_flags tables;         /**< tables of textures; default SHD_TABLE_MIPMAP */
     uint32_t subimage;              /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
     uint64_t max_file_bytes;        /**< size of the file; 0 = 2^30 */
     uint64_t max_pixels;            /**< width * height, of the data and of the display window; 0 = 2^28 */
     uint64_t max_bytes;             /**< decoded, as RGBA; 0 = 2^32 */
     double max_ratio;               /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
-    double time_limit;              /**< [s] 0 = 60. In process it is checked between bands of rows; isolated,
-                                         the child is killed */
+    double time_limit;              /**< [s], 0 = 60. Checked between bands of rows; an isolated load kills the child */
     const char *worker_path;        /**< program for SHD_LOAD_ISOLATE; NULL = shd-io-worker beside libshd_io or
                                          in its installed place; borrowed for the call */
     /* ---- end of 0.1; append below ---- */
@@ -94,15 +106,17 @@ static inline shd_load_desc shd_load_desc_default(void)
     return desc;
 }
 
-/** The pixels of a file, as the file has them. */
+/** The pixels of a file, without conversion. */
 typedef struct shd_bitmap shd_bitmap;
 
 /**
- * Read an image file. Channels become R, G, B, A: those of that name, else the first ones; one channel (and
- * one with alpha) is grey, r = g = b; absent alpha is 1. 8-bit integers give RGBA8_SRGB or RGBA8, 16-bit
- * integers RGBA16, half RGBA16F, everything else RGBA32F. No transfer curve is applied. An EXR data window
- * is placed into its display window: zero outside, cropped where it is larger. EXIF orientation is not
- * applied. Deep images, subsampled channels and volumes are SHD_ERROR_UNSUPPORTED.
+ * Read an image file.
+ *
+ * Channels become R, G, B, A: the channels of these names, else the first ones. One channel (or one with alpha) is
+ * grey, r = g = b; absent alpha is 1. 8-bit integers give RGBA8_SRGB or RGBA8, 16-bit integers RGBA16, half RGBA16F,
+ * all others RGBA32F. No transfer curve is applied. An EXR data window is placed into its display window: zero outside,
+ * cropped where it is larger. EXIF orientation is not applied. Deep images, subsampled channels and volumes are
+ * SHD_ERROR_UNSUPPORTED.
  * @param context     retained
  * @param path        UTF-8 or any bytes the system accepts; a regular file; used literally (no UDIM, no format
  *                    directives); borrowed for the call
@@ -114,7 +128,7 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_load(shd_context *context, const cha
                                                  shd_bitmap **out_bitmap);
 
 /**
- * The same for a file that is in memory.
+ * Read an image file that is in memory, as shd_bitmap_load() does.
  * @param bytes  [size]; borrowed for the call
  * @since 0.1
  */
@@ -128,39 +142,64 @@ SHD_API void shd_bitmap_retain(shd_bitmap *bitmap);
 SHD_API void shd_bitmap_release(shd_bitmap *bitmap);
 
 /**
- * The pixels in place.
- * @param out_image  borrowed until release of the bitmap; read only; all zero on failure
+ * Get the pixels without copying.
+ * @param out_image  its struct_size is read; the rest is written, all zero on failure. Borrowed until release of the
+ *                   bitmap; read only
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_bitmap_image(const shd_bitmap *bitmap, shd_image *out_image);
 
 /**
  * Colour space of the pixels: "sRGB", "Linear Rec.709", "ACEScg", "ACES2065-1", "Rec709", "Gamma2.2" (any
- * number), "data", or what the file says (printable ASCII, at most 63 characters). A file that says nothing is
- * sRGB if its channels are integers and Linear Rec.709 if they are floating point; PNM of integers is Rec709, as
- * its specification has it.
+ * number), "data", or the name in the file (printable ASCII, at most 63 characters).
+ *
+ * A file that declares none is sRGB if its channels are integers and Linear Rec.709 if they are floating point; PNM of
+ * integers is Rec709, as its specification requires.
  * @return borrowed until release of the bitmap; "" for a bad handle
  * @since 0.1
  */
 SHD_API const char *shd_bitmap_color_space(const shd_bitmap *bitmap);
 
-/** What a file turned out to be. */
+/** Properties of a loaded file; combine with |. */
+typedef enum shd_bitmap_flag {
+    SHD_BITMAP_NONE = 0,
+    SHD_BITMAP_PARTIAL = 1,       /**< damaged, rows are missing (SHD_LOAD_PARTIAL) */
+    SHD_BITMAP_PREMULTIPLIED = 2, /**< r, g, b are multiplied by alpha (EXR, some TIFF); otherwise straight */
+    SHD_BITMAP_FLAG_MAX_ENUM = 0x7fffffff
+} shd_bitmap_flag;
+typedef uint32_t shd_bitmap_flags; /**< shd_bitmap_flag bits */
+
+/** Format and properties of a loaded file. */
 typedef struct shd_bitmap_info {
-    shd_file_format file_format; /**< SHD_FILE_FORMAT_ANY for one without a bit of its own */
+    uint32_t struct_size;        /**< set by shd_bitmap_info_default() */
+    shd_file_format file_format; /**< SHD_FILE_FORMAT_ANY for a format without a bit of its own */
     uint32_t channels;           /**< in the file */
-    uint32_t partial;            /**< 1 = damaged, rows are missing (SHD_LOAD_PARTIAL) */
-    uint32_t premultiplied;      /**< 1 = r, g, b are multiplied by alpha (EXR, some TIFF); 0 = straight */
+    shd_bitmap_flags flags;      /**< properties */
+    /* ---- end of 0.1; append below ---- */
 } shd_bitmap_info;
 
-/** Facts about a bitmap; out_info is all zero on failure. @since 0.1 */
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_bitmap_info shd_bitmap_info_default(void)
+{
+    shd_bitmap_info info = SHD_ZERO_INIT;
+    info.struct_size = (uint32_t)sizeof info;
+    return info;
+}
+
+/**
+ * Get format and properties of a loaded file.
+ * @param out_info  its struct_size is read; the rest is written, all zero on failure
+ * @since 0.1
+ */
 SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, shd_bitmap_info *out_info);
 
 /**
- * Make a texture of an image file. sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files
- * RGBA16F and linear float files RGBA32F with the same numbers; all others (16-bit integers, other transfer
- * curves) are linearised to RGBA32F. Primaries are not converted and alpha stays as in the file (see
- * shd_bitmap_info): both are the caller's, through shd_bitmap_load. A colour space that is not one of those
- * shd_bitmap_color_space lists is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
+ * Make a texture of an image file.
+ *
+ * sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
+ * with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
+ * alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
+ * does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */
@@ -168,19 +207,19 @@ SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const ch
                                                   shd_texture **out_texture);
 
 /**
- * The same for a file that is in memory.
+ * Make a texture of an image file in memory, in the way of shd_texture_load().
  * @param bytes  [size]; borrowed for the call
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_load_memory(shd_context *context, const void *bytes, size_t size,
                                                          const shd_load_desc *desc, shd_texture **out_texture);
 
-/** How colour is rounded to the codes of an integer format. */
+/** Rounding of colour to the codes of an integer format. */
 typedef enum shd_dither {
     SHD_DITHER_NONE = 0, /**< to the nearest */
     /**
-     * Up or down by a fixed pattern of the pixel's place, so that areas keep their mean and gradients show no bands.
-     * Values that are codes stay. r, g and b of a pixel share a threshold; alpha is rounded to the nearest.
+     * Up or down by a fixed pattern of the pixel's position, so that areas keep their mean and gradients show no bands.
+     * Values that are codes do not change. r, g and b of a pixel share a threshold; alpha is rounded to the nearest.
      */
     SHD_DITHER_ORDERED = 1,
     SHD_DITHER_MAX_ENUM = 0x7fffffff
@@ -189,14 +228,14 @@ typedef enum shd_dither {
 /** Options of a save. */
 typedef struct shd_save_desc {
     uint32_t struct_size;           /**< set by shd_save_desc_default() */
-    uint32_t bit_depth;             /**< of a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
-                                         0 = 8, 16 and 32; images keep theirs */
-    shd_color_encoding color_space; /**< framebuffers: AUTO or SRGB in 8 and 16 bits; LINEAR and DATA skip the curve.
-                                         Images: what PNG and EXR are tagged with; AUTO = by pixel format */
-    shd_dither dither;              /**< of a framebuffer's colour in 8 and 16 bits; default none */
+    uint32_t bit_depth;             /**< a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
+                                         default 0 = 8 for PNG, 16 for EXR, 32 for TIFF. For images always 0 */
+    shd_color_encoding color_space; /**< framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and
+                                         DATA do not. Images: the tag of PNG and EXR; AUTO = by pixel format */
+    shd_dither dither;              /**< a framebuffer's colour in 8 and 16 bits; default none */
     /**
-     * In 8 and 16 bits of a framebuffer, takes the place of the sRGB curve; see shd_color_apply_view() in shd/color.h.
-     * Default none.
+     * Replaces the sRGB curve of a framebuffer in 8 and 16 bits; see shd_color_apply_view() in shd/color.h. Default
+     * none.
      */
     shd_display display;
     /* ---- end of 0.1; append below ---- */
@@ -211,18 +250,19 @@ static inline shd_save_desc shd_save_desc_default(void)
 }
 
 /**
- * Write a framebuffer. The extension decides:
+ * Write a framebuffer. The extension of `path` decides the format:
+ *
  * `.exr`          R, G, B, A as half or float, linear, premultiplied, and every other plane under its usual
  *                 name: Z (0 near .. 1 far), uv.u, uv.v, uv.dudx, uv.dvdx, uv.dudy, uv.dvdy, N.x, N.y, N.z, P.x, P.y,
  *                 P.z, bary.0, bary.1, bary.2, lod (float), triangle, level, draw, overdraw (uint);
  * `.hdr`          r, g, b, linear, premultiplied (negative numbers become 0);
- * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest,
- *                 unless `display` and `dither` say otherwise;
+ * `.png`          straight alpha; colour clamped to 0..1, NaN to 0, sRGB-encoded, rounded to nearest;
+ *                 `display` and `dither` replace the last two steps;
  * `.tif` `.tiff`  8 and 16 bits as PNG, 32 bits float as EXR.
  *
- * The file appears whole or not at all: it is written beside its place, flushed to the disk and renamed. What
- * the path named before is untouched by a failure, and readers that have it open keep the old contents. A
- * symbolic link is followed; anything but a regular file is refused.
+ * The file appears whole or not at all: it is written to a temporary file beside it, flushed to the disk and renamed. A
+ * failure does not change the previous file, and readers that have it open keep the old contents. A symbolic link is
+ * followed; a path that names something other than a regular file is refused.
  * @param path  used literally; borrowed for the call
  * @param desc  borrowed for the call; NULL = all defaults
  * @since 0.1
@@ -231,9 +271,10 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_save(const shd_framebuffer *fra
                                                       const shd_save_desc *desc);
 
 /**
- * Write pixels as they are, in the same way. PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and
- * RGBA32F; HDR RGBA32F; TIFF all but RGBA16F; TGA and BMP R8, RGBA8 and RGBA8_SRGB. Alpha is written as straight,
- * in EXR as it is.
+ * Write an image without conversion, in the way of shd_framebuffer_save().
+ *
+ * PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and RGBA32F; HDR RGBA32F; TIFF all except RGBA16F; TGA and
+ * BMP R8, RGBA8 and RGBA8_SRGB. Alpha is tagged as straight, except in EXR.
  * @param image  borrowed for the call
  * @since 0.1
  */

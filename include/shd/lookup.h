@@ -4,18 +4,27 @@
  * @brief Filtered texture lookups, thousands per call.
  *
  * (u, v) = (0, 0) is the outer corner of the first texel of row 0; v grows downwards; texel centres lie at
- * (i + 0.5) / size. Level of detail, with J the 2 x 2 matrix of derivatives in base-level texels and s its
- * larger singular value: lambda = clamp(log2(s) + lod_bias, lod_min, lod_max). At lambda <= 0 trilinear is
- * bilinear on level 0; the levels are floor(lambda) and the next, blended by the fraction. Other profiles of the
- * sampler find them as enum shd_profile says.
+ * (i + 0.5) / size. Let J be the 2 x 2 matrix of derivatives in texels of the base level and s its larger singular
+ * value. The level of detail is lambda = clamp(log2(s) + lod_bias, lod_min, lod_max). At lambda <= 0 trilinear is
+ * bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction of lambda. The
+ * other profiles of a sampler compute levels as described at shd_profile.
  *
- * Total: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite ones as the coarsest level;
- * a NaN `lod` counts as 0. Texels that are finite give finite results; a texel of weight 0 never counts.
+ * Total: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the coarsest level; a
+ * NaN `lod` counts as 0. Finite texels give finite results; a texel of weight 0 has no effect, even if it is NaN.
  *
- * Each lookup depends on its own inputs only: the same bits for any batch size, order and worker count.
+ * Each lookup depends on its own inputs only: results have the same bits for any batch size, order and worker count.
  *
- * Thread safety: concurrent reads; batches of more than 16384 lookups are split over the executor of the texture's
- * context, others run on the calling thread alone. Fragment and vertex programs may look textures up.
+ * Thread safety: concurrent reads. Batches of more than 16384 lookups are split over the executor of the texture's
+ * context; others run on the calling thread alone. Fragment and vertex programs may look textures up.
+ *
+ * @code
+ * shd_lookups lookups = shd_lookups_default();
+ * shd_texels texels = shd_texels_default();
+ * lookups.count = count;
+ * lookups.u = shd_f32_column(u, 0), lookups.v = shd_f32_column(v, 0);
+ * texels.channel[0] = shd_f32_out_column(red, 0);
+ * result = shd_texture_sample(texture, sampler, &lookups, &texels);
+ * @endcode
  */
 #ifndef SHD_LOOKUP_H
 #define SHD_LOOKUP_H
@@ -26,10 +35,9 @@
 
 SHD_BEGIN_DECLS
 
-/** Points to look up, as columns of `count` elements. Absent optional columns are NULL. */
+/** Points to look up, as columns of `count` elements. Required: u, v. Absent columns are NULL. */
 typedef struct shd_lookups {
     uint32_t struct_size; /**< set by shd_lookups_default() */
-    uint32_t reserved;    /**< 0 */
     size_t count;         /**< number of lookups; 0 is allowed */
     shd_f32_in u;         /**< normalised coordinate across; required */
     shd_f32_in v;         /**< normalised coordinate down; required */
@@ -38,8 +46,8 @@ typedef struct shd_lookups {
     shd_f32_in dudy;      /**< du/dy; absent = 0 */
     shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
-    shd_u32_in layer;     /**< image of the array; absent = 0, beyond the last = the last */
-    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = drawn from the bits of u and v */
+    shd_u32_in layer;     /**< image of the array; absent = 0; beyond the last = the last */
+    shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
 
@@ -51,49 +59,66 @@ static inline shd_lookups shd_lookups_default(void)
     return lookups;
 }
 
-/** Where the filtered values go: linear, not premultiplied unless the texels were. */
+/** Columns for the filtered values: linear, not premultiplied unless the texels were. */
 typedef struct shd_texels {
-    /**
-     * 0 = the layout of 0.1, so that `shd_texels out = {0};` works; else sizeof(shd_texels).
-     */
+    /** Set by shd_texels_default(). 0 is accepted for the layout of 0.1, so that `shd_texels texels = {0};` works. */
     uint32_t struct_size;
-    uint32_t reserved;      /**< 0 */
-    shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; unwanted ones NULL */
+    shd_f32_out channel[4]; /**< r, g, b, a after the texture's swizzle; NULL = not wanted */
     /**
-     * d/du and d/dv of the channels, u and v normalised and the footprint held constant; unwanted ones NULL. For
-     * BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA (and a magnification among them);
-     * other filters answer SHD_ERROR_UNSUPPORTED. At a texel centre, where BILINEAR has a kink, the one to the right;
-     * those of EWA, which has one where a texel enters the ellipse, follow its weights.
+     * d/du and d/dv of the channels, with u and v normalised and the footprint held constant; NULL = not wanted.
+     * Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
+     * among them; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has a kink at texel centres, where the
+     * derivative to the right is given. EWA has kinks where a texel enters the ellipse, where the derivative of the
+     * weights is given.
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];
-    size_t nonfinite_count; /**< written: lookups whose coordinates or derivatives (or lod) were not finite */
+    size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
     /* ---- end of 0.1; append below ---- */
 } shd_texels;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_texels shd_texels_default(void)
+{
+    shd_texels texels = SHD_ZERO_INIT;
+    texels.struct_size = (uint32_t)sizeof texels;
+    return texels;
+}
 
 /**
  * Filter `lookups->count` points of a texture.
  * @param texture  concurrent reads
  * @param sampler  may come from another context
  * @param lookups  columns, borrowed for the call
- * @param out      columns, borrowed for the call; must not overlap any input or each other
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, const shd_sampler *sampler,
                                                     const shd_lookups *lookups, shd_texels *out);
 
-/** Where levels of detail go; unwanted ones NULL. */
+/** Columns for levels of detail; NULL = not wanted. */
 typedef struct shd_levels {
-    shd_f32_out lod;   /**< continuous: log2 of the footprint's longer axis or the profile's, after bias and clamps */
-    shd_u32_out level; /**< the mip level nearest to it: ceil(lod + 1/2) - 1, or as the profile has it */
+    uint32_t struct_size; /**< set by shd_levels_default() */
+    shd_f32_out lod;      /**< continuous level: log2 of the footprint's longer axis, or the profile's; after bias and
+                               clamps */
+    shd_u32_out level;    /**< nearest mip level: ceil(lod + 1/2) - 1, or the profile's */
+    /* ---- end of 0.1; append below ---- */
 } shd_levels;
 
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_levels shd_levels_default(void)
+{
+    shd_levels levels = SHD_ZERO_INIT;
+    levels.struct_size = (uint32_t)sizeof levels;
+    return levels;
+}
+
 /**
- * Levels of detail of `lookups->count` points, as trilinear filtering uses them: what pictures of mip levels show.
+ * Compute the levels of detail of `lookups->count` points, as trilinear filtering uses them.
  * @param texture  concurrent reads
- * @param sampler  its bias, clamps, width, blur and profile count, its filter does not
+ * @param sampler  its bias, clamps, width, blur and profile are used; its filter has no effect
  * @param lookups  columns, borrowed for the call
- * @param out      columns, borrowed for the call; must not overlap any input or each other
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_query_levels(const shd_texture *texture, const shd_sampler *sampler,

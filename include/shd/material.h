@@ -1,10 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Reflectance: a model with its coefficients, or a program of the caller.
+ * @brief Materials: a reflectance model with its coefficients, or a program of the caller.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; a material never changes, so concurrent use is free.
+ *
+ * @code
+ * const shd_slot bricks = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, sampler);
+ * shd_material_desc desc = shd_material_desc_default();
+ * desc.model = SHD_MODEL_BLINN_PHONG;
+ * desc.slots = &bricks, desc.slot_count = 1;
+ * result = shd_material_create(context, &desc, &material);
+ * @endcode
  */
 #ifndef SHD_MATERIAL_H
 #define SHD_MATERIAL_H
@@ -15,14 +23,16 @@
 
 SHD_BEGIN_DECLS
 
-/** How a surface reflects light. */
+/** Reflectance of a surface. */
 typedef struct shd_material shd_material;
 
 /**
- * Reflectance model: the radiance L towards the eye. n: unit normal, l: unit vector to a light, v: to the eye,
- * h = (v + l) / |v + l|, E: irradiance (shd/light.h). Sums are over all lights except ambient lights, whose sum is I_a.
- * k_d, k_a, k_s, p and so on are constants of the material times their slots. "Specular" terms are 0 where n.l <= 0
- * (but see SHD_SPECULAR_UNGATED) and where v + l = 0; 0^0 = 1. Every model adds the emission, and multiplies I_a by the
+ * Reflectance model: the radiance L towards the eye.
+ *
+ * n: unit normal, l: unit vector to a light, v: unit vector to the eye, h = (v + l) / |v + l|, E: irradiance
+ * (shd/light.h). Sums are over all lights except ambient lights, whose sum is I_a. k_d, k_a, k_s, p and so on are
+ * constants of the material times their slots. "Specular" terms are 0 where n.l <= 0 (except with
+ * SHD_MATERIAL_SPECULAR_UNGATED) and where v + l = 0; 0^0 = 1. Every model adds the emission, and multiplies I_a by the
  * occlusion.
  */
 typedef enum shd_model {
@@ -64,39 +74,43 @@ typedef enum shd_model {
     SHD_MODEL_METALLIC_ROUGHNESS = 9,
     /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space */
     SHD_MODEL_MATCAP = 10,
-    /** Debug view of the shading normal: (n + 1) / 2 */
-    SHD_MODEL_SHOW_NORMAL = 11,
-    /** Debug view of the texture coordinates: (u - floor(u), v - floor(v), 0) */
-    SHD_MODEL_SHOW_UV = 12,
-    /** Debug view of the level of detail of the diffuse texture: from blue (0) over green to red (its last level) */
-    SHD_MODEL_SHOW_LEVEL = 13,
-    /** Debug view of the barycentric coordinates in the triangle */
-    SHD_MODEL_SHOW_BARYCENTRICS = 14,
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
+/** Pictures of what the rasteriser computes, in place of the model's radiance L; the emission is added. */
+typedef enum shd_debug_view {
+    SHD_DEBUG_VIEW_NONE = 0,   /**< the model */
+    SHD_DEBUG_VIEW_NORMAL = 1, /**< shading normal: (n + 1) / 2 */
+    SHD_DEBUG_VIEW_UV = 2,     /**< texture coordinates: (u - floor(u), v - floor(v), 0) */
+    SHD_DEBUG_VIEW_LEVEL = 3,  /**< level of detail of the diffuse texture: blue (0), green, red (its last level) */
+    SHD_DEBUG_VIEW_BARYCENTRICS = 4, /**< barycentric coordinates in the triangle */
+    SHD_DEBUG_VIEW_MAX_ENUM = 0x7fffffff
+} shd_debug_view;
+
 /**
- * Encoding of a normal in tangent space by the values of SHD_SLOT_NORMAL: x along u, y up in the image, against v, as
- * in glTF 2.0 (but see SHD_NORMAL_Y_DOWN), z along the normal. Textures of 8 and 16 bits hold (c + 1) / 2 of a
- * component c; float textures, vertices and procedures hold c itself.
+ * Encoding of a tangent-space normal in the values of SHD_SLOT_NORMAL.
+ *
+ * x points along u, z along the normal, and y up in the image, against v, as in glTF 2.0 (down with
+ * SHD_MATERIAL_NORMAL_Y_DOWN). Textures of 8 and 16 bits hold (c + 1) / 2 of a component c; float textures, vertices
+ * and procedures hold c itself.
  */
 typedef enum shd_normal_encoding {
-    SHD_NORMAL_XYZ = 0, /**< (x, y, z) */
-    SHD_NORMAL_XY = 1,  /**< (x, y), z = sqrt(1 - x^2 - y^2) */
+    SHD_NORMAL_ENCODING_XYZ = 0, /**< (x, y, z) */
+    SHD_NORMAL_ENCODING_XY = 1,  /**< (x, y), z = sqrt(1 - x^2 - y^2) */
     /**
      * XYZ with the length of the mean normal as the fourth channel, as shd_mip_build() makes it. The variance of
      * normals within a pixel widens the specular lobe (Toksvig, "Mipmapping Normal Maps", 2005)
      */
-    SHD_NORMAL_TOKSVIG = 2,
+    SHD_NORMAL_ENCODING_TOKSVIG = 2,
     /**
      * (x / z, y / z) and their squares, in floats, as shd_normal_moments() makes them. The variance of slopes within a
      * pixel widens the specular lobe (Olano and Baker, "LEAN Mapping", 2010, for isotropic lobes)
      */
-    SHD_NORMAL_MOMENTS = 3,
-    SHD_NORMAL_MAX_ENUM = 0x7fffffff
+    SHD_NORMAL_ENCODING_MOMENTS = 3,
+    SHD_NORMAL_ENCODING_MAX_ENUM = 0x7fffffff
 } shd_normal_encoding;
 
-/** How SHD_SLOT_HEIGHT tilts normals. */
+/** Tilt of normals by SHD_SLOT_HEIGHT. */
 typedef enum shd_bump {
     SHD_BUMP_NONE = 0, /**< no tilt; heights are for parallax only */
     /**
@@ -115,10 +129,12 @@ typedef enum shd_bump {
 } shd_bump;
 
 /**
- * How a fragment of colour c and opacity a is blended onto a sample of colour d and opacity A. Models give c = a L with
- * the radiance L and a = opacity times its slot times the alpha of the diffuse slot; c = L for STRAIGHT and OPAQUE.
+ * Blending of a fragment of colour c and opacity a onto a sample of colour d and opacity A.
+ *
+ * Models give c = a L with the radiance L and a = opacity times its slot times the alpha of the diffuse slot. For
+ * STRAIGHT and OPAQUE they give c = L.
  */
-typedef enum shd_blend_mode {
+typedef enum shd_blend {
     SHD_BLEND_OPAQUE = 0,        /**< c, and for A the a of a program or 1 of a model */
     SHD_BLEND_PREMULTIPLIED = 1, /**< c + (1 - a) d, a + (1 - a) A: "over" (Porter and Duff 1984) */
     SHD_BLEND_STRAIGHT = 2,      /**< a c + (1 - a) d, a + (1 - a) A */
@@ -136,72 +152,81 @@ typedef enum shd_blend_mode {
      */
     SHD_BLEND_SORTED = 6,
     SHD_BLEND_MAX_ENUM = 0x7fffffff
-} shd_blend_mode;
+} shd_blend;
 
 /** Options of a material; combine with |. */
 typedef enum shd_material_flag {
     SHD_MATERIAL_NONE = 0,
     /** Keep the specular term where n.l <= 0, as the textbook formula does; by default it is 0 there. */
-    SHD_SPECULAR_UNGATED = 1,
+    SHD_MATERIAL_SPECULAR_UNGATED = 1,
     /** Add the ambient term once per light, ambient lights not counted, instead of once. */
-    SHD_AMBIENT_PER_LIGHT = 2,
+    SHD_MATERIAL_AMBIENT_PER_LIGHT = 2,
     /** The program may set shd_radiance.discard. */
     SHD_MATERIAL_DISCARDS = 4,
     /** Keep the first round(a * sample count) samples of a pixel and drop the others. */
-    SHD_ALPHA_TO_COVERAGE = 8,
+    SHD_MATERIAL_ALPHA_TO_COVERAGE = 8,
     /** Flip normals on triangles seen from behind. */
-    SHD_DOUBLE_SIDED = 16,
+    SHD_MATERIAL_DOUBLE_SIDED = 16,
     /** Mapped normals have y down in the image, along v, as usual with Direct3D; default is up, as in glTF. */
-    SHD_NORMAL_Y_DOWN = 32,
+    SHD_MATERIAL_NORMAL_Y_DOWN = 32,
     SHD_MATERIAL_FLAG_MAX_ENUM = 0x7fffffff
 } shd_material_flag;
+typedef uint32_t shd_material_flags; /**< shd_material_flag bits */
 
 /**
- * Code of the caller. A frame whose program throws, longjmps or changes the count is undefined; a C++ exception that
- * reaches shd becomes SHD_ERROR_CALLBACK.
+ * Functions of the caller. Frozen.
+ *
+ * A C++ exception that reaches shd becomes SHD_ERROR_CALLBACK. The frame is undefined if a program throws, longjmps or
+ * changes the count.
  */
 typedef struct shd_material_program {
     shd_fragment_fn fragment; /**< required for SHD_MODEL_PROGRAM, else NULL */
+    shd_vertex_fn vertex;     /**< for any model; NULL = only the matrices of view and draw */
     void *user_data;          /**< passed to both; borrowed until release */
-    shd_vertex_fn vertex;     /**< for any model; NULL = the matrices of view and draw only */
 } shd_material_program;
 
 /** Model and coefficients, scene-linear RGB. */
 typedef struct shd_material_desc {
-    uint32_t struct_size;         /**< set by shd_material_desc_default() */
-    shd_model model;              /**< default SHD_MODEL_LAMBERT */
-    uint32_t flags;               /**< shd_material_flag bits */
-    float ambient[3];             /**< k_a, 0..1e6; default 0.05 */
-    float diffuse[3];             /**< k_d, 0..1e6; default 0.8 */
-    float specular[3];            /**< k_s, 0..1e6; default 0.5 */
-    float exponent;               /**< p, 0..1e6; default 64 */
-    float opacity;                /**< of models, 0..1; default 1 */
-    shd_material_program program; /**< default none */
-    shd_blend_mode blend;         /**< default SHD_BLEND_OPAQUE */
-    float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
-    uint32_t varying_count;       /**< number of varyings that program.vertex writes, 0..16; 0 without it */
-    shd_interpolation interpolation[SHD_MAX_VARYINGS]; /**< of each varying; default SHD_INTERPOLATION_PERSPECTIVE */
-    uint32_t reserved;                                 /**< 0 */
-    shd_slot slot[SHD_SLOT_COUNT];                     /**< by SHD_SLOT_...; default constants */
-    float emission[3];                                 /**< 0..1e12; default 0: set it to use the slot */
-    float metallic;                                    /**< 0..1; default 0 */
-    float roughness;                                   /**< 0..1; default 0.5 */
-    float ior;                                         /**< of METALLIC_ROUGHNESS without metal, 1..10; default 1.5 */
-    float occlusion_strength;                          /**< 0..1; default 1 */
-    float warm[3], cool[3];                            /**< of GOOCH, 0..1e6; default (0.4, 0.4, 0), (0, 0, 0.4) */
-    float warm_mix, cool_mix;                          /**< 0..1; default 0.6, 0.2 */
-    uint32_t toon_steps;                               /**< 1..256; default 3 */
-    shd_normal_encoding normal_encoding;               /**< default SHD_NORMAL_XYZ */
-    float normal_scale; /**< multiplies x and y of mapped normals, -1e3..1e3; default 1 */
-    shd_bump bump;      /**< default SHD_BUMP_NONE */
-    float bump_scale;   /**< -1e6..1e6; default 1 */
+    uint32_t struct_size;      /**< set by shd_material_desc_default() */
+    shd_model model;           /**< default SHD_MODEL_LAMBERT */
+    shd_debug_view debug_view; /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
+    shd_material_flags flags;  /**< default none */
+    float ambient[3];          /**< k_a, 0..1e6; default 0.05 */
+    float diffuse[3];          /**< k_d or base colour, 0..1e6; default 0.8 */
+    float specular[3];         /**< k_s, 0..1e6; default 0.5 */
+    float exponent;            /**< p, 0..1e6; default 64 */
+    float metallic;            /**< 0..1; default 0 */
+    float roughness;           /**< 0..1; default 0.5 */
+    float ior;                 /**< index of refraction of METALLIC_ROUGHNESS without metal, 1..10; default 1.5 */
+    float emission[3];         /**< 0..1e12; default 0: set it to use the slot */
+    float opacity;             /**< opacity of models, 0..1; default 1 */
+    float occlusion_strength;  /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
+    const shd_slot *slots;     /**< [slot_count], all of one struct_size, at most one for each target; borrowed for the
+                                    call; coefficients without a slot are constant */
+    uint32_t slot_count;       /**< default 0 */
+    shd_normal_encoding normal_encoding; /**< default SHD_NORMAL_ENCODING_XYZ */
+    float normal_scale;                  /**< factor of x and y of mapped normals, -1e3..1e3; default 1 */
+    shd_bump bump;                       /**< default SHD_BUMP_NONE */
+    float bump_scale;                    /**< factor of heights, -1e6..1e6; default 1 */
     /**
-     * Depth of height 0 below the surface, in world units; height 1 lies on the surface. At Phong frequency, textures
-     * of the uv set of the height are looked up where the line of sight meets the heights (parallax occlusion mapping,
-     * Tatarchuk 2006). The triangles do not move. 0..1e6; 0 = off, the default.
+     * Depth of height 0 below the surface [world units], 0..1e6; height 1 lies on the surface. At Phong frequency,
+     * textures of the uv set of the height are looked up where the line of sight meets the heights (parallax occlusion
+     * mapping, Tatarchuk 2006). The triangles do not move. Default 0 = off.
      */
     float parallax_depth;
-    uint32_t parallax_steps; /**< maximum number of lookups of the height per fragment, 2..256; default 24 */
+    uint32_t parallax_steps;      /**< maximum number of lookups of the height per fragment, 2..256; default 24 */
+    float warm[3];                /**< warm colour of GOOCH, 0..1e6; default (0.4, 0.4, 0) */
+    float cool[3];                /**< cool colour of GOOCH, 0..1e6; default (0, 0, 0.4) */
+    float warm_mix;               /**< share of k_d added to `warm`, 0..1; default 0.6 */
+    float cool_mix;               /**< share of k_d added to `cool`, 0..1; default 0.2 */
+    uint32_t toon_steps;          /**< steps of TOON, 1..256; default 3 */
+    shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
+    float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
+    shd_material_program program; /**< default none */
+    const shd_interpolation *interpolation; /**< [varying_count]; borrowed for the call; NULL = all
+                                                 SHD_INTERPOLATION_PERSPECTIVE */
+    size_t varying_count;                   /**< varyings that program.vertex writes, 0..SHD_MAX_VARYINGS; 0 without
+                                                 program.vertex */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 
@@ -217,17 +242,16 @@ static inline shd_material_desc shd_material_desc_default(void)
         desc.specular[c] = 0.5f;
     }
     desc.exponent = 64.0f;
-    desc.opacity = 1.0f;
-    for (c = 0; c < SHD_SLOT_COUNT; ++c) desc.slot[c].uv_transform[0] = desc.slot[c].uv_transform[4] = 1.0f;
     desc.roughness = 0.5f;
     desc.ior = 1.5f;
+    desc.opacity = 1.0f;
     desc.occlusion_strength = 1.0f;
+    desc.normal_scale = desc.bump_scale = 1.0f;
+    desc.parallax_steps = 24;
     desc.warm[0] = desc.warm[1] = desc.cool[2] = 0.4f;
     desc.warm_mix = 0.6f;
     desc.cool_mix = 0.2f;
     desc.toon_steps = 3;
-    desc.normal_scale = desc.bump_scale = 1.0f;
-    desc.parallax_steps = 24;
     return desc;
 }
 

@@ -1,10 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief How a texture is looked up: filter, wrap and level of detail.
+ * @brief Samplers: filter, wrap and level of detail of texture lookups.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; a sampler never changes, so concurrent use is free.
+ *
+ * @code
+ * shd_sampler_desc desc = shd_sampler_desc_default();
+ * desc.filter = SHD_FILTER_ANISOTROPIC;
+ * desc.max_anisotropy = 8.0f;
+ * result = shd_sampler_create(context, &desc, &sampler);
+ * @endcode
  */
 #ifndef SHD_SAMPLER_H
 #define SHD_SAMPLER_H
@@ -14,13 +21,14 @@
 
 SHD_BEGIN_DECLS
 
-/** A filter with its settings; belongs to no texture. */
+/** A filter with its settings, for any texture. */
 typedef struct shd_sampler shd_sampler;
 
 /**
- * Reconstruction and minification filter. A texture without the table that a filter reads is looked up on what it
- * has: without a mipmap there is level 0 alone; ripmap and summed-area lookups on a texture without that table are
- * an error.
+ * Reconstruction and minification filter.
+ *
+ * Filters that use mip levels read level 0 alone of a texture without a mipmap. Ripmap and summed-area lookups of a
+ * texture without that table are refused.
  */
 typedef enum shd_filter {
     /** Bilinear on the two nearest mip levels, blended by the fraction of the level of detail (Williams 1983). */
@@ -36,8 +44,8 @@ typedef enum shd_filter {
     /**
      * The average of the texels over `box`, each texel a square of its value, from sums over rectangles (Crow 1984).
      * Needs SHD_TABLE_SUMMED_AREA. Sides of a box are at least 1 texel, which makes magnification bilinear, and at
-     * most 2^22; log2 of a side takes the place of the level of detail in its bias and clamps, and `lod` is a square
-     * of 2^lod texels. A box that touches a texel that is not finite reads NaN in its channel.
+     * most 2^22. Bias and clamps of the level of detail apply to log2 of a side; `lod` is a square of 2^lod texels. A
+     * box that touches a texel that is not finite reads NaN in its channel.
      */
     SHD_FILTER_SUMMED_AREA = 7,
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
@@ -45,25 +53,26 @@ typedef enum shd_filter {
     /**
      * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
      * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
-     * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and likewise b in texels of level l, with
-     * c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter without what averaging to that level did. Bilinear
-     * where a <= a texel of level 0, blended up to two. `lod` is a circle. Reads at most 16 (max_anisotropy + 1).
+     * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
+     * with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter less the averaging of that level. Bilinear where
+     * a is at most a texel of level 0, with a blend between one and two texels. `lod` is a circle. Reads at most
+     * 16 (max_anisotropy + 1) texels.
      */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random: an unbiased estimate of the filter that `stochastic_filter` names. */
     SHD_FILTER_STOCHASTIC = 10,
     /**
      * The average of the bilinear reconstruction over the footprint's parallelogram, in doubles: the ground truth.
-     * On level 0 while that takes at most 16 / tolerance^2 cells (2^10..2^24), else on the finest level that does; a
-     * footprint too large for the coarsest level is shortened. `lod` is a square of 2^lod texels; slow.
+     * Computed on the finest level on which it takes at most 16 / tolerance^2 cells (2^10..2^24). A footprint too large
+     * for the coarsest level is shortened. `lod` is a square of 2^lod texels. Slow.
      */
     SHD_FILTER_EXACT = 11,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
-/** What a filter does where the footprint is no longer than a texel: level of detail 0 or below. */
+/** Filter where the footprint is no longer than a texel: level of detail 0 or below. */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< as the filter goes: bilinear for those that use mip levels */
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the filter's own: bilinear for filters that use mip levels */
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -85,25 +94,26 @@ typedef enum shd_probe_weights {
     SHD_PROBE_WEIGHTS_MAX_ENUM = 0x7fffffff
 } shd_probe_weights;
 
-/** What SHD_FILTER_SUMMED_AREA averages. */
+/** Area that SHD_FILTER_SUMMED_AREA averages. */
 typedef enum shd_box {
     /** The bounding rectangle of the footprint's parallelogram: |dudx| + |dudy| by |dvdx| + |dvdy|. */
     SHD_BOX_BOUNDING = 0,
     /**
-     * The average over the bounding rectangles of N equal parts of it along its longer side a, with b the other in
-     * texels: N = ceil(|a| / max(|b|, 1)), at most max_anisotropy.
+     * The average over the bounding rectangles of N equal parts of the parallelogram along its longer side a. With b
+     * the other side in texels, N = ceil(|a| / max(|b|, 1)), at most max_anisotropy.
      */
     SHD_BOX_ORIENTED = 1,
     SHD_BOX_MAX_ENUM = 0x7fffffff
 } shd_box;
 
 /**
- * Whose level of detail, levels and probes NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC use; the other filters
- * are the same in all profiles. Below, x and y are the columns of the matrix J of derivatives in base-level texels,
- * a = max_anisotropy, and lambda is the level of detail before bias and clamps.
+ * Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
+ *
+ * The other filters are the same in all profiles. Below, x and y are the columns of the matrix J of derivatives in
+ * base-level texels, a = max_anisotropy, and lambda is the level of detail before bias and clamps.
  */
 typedef enum shd_profile {
-    /** Singular values of J, as <shd/lookup.h> says; ceil(r - 1/8) probes for a footprint r times as long as wide. */
+    /** Singular values of J (shd/lookup.h); ceil(r - 1/8) probes for a footprint r times as long as wide. */
     SHD_PROFILE_EXACT = 0,
     /**
      * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: with the longer and the
@@ -115,19 +125,19 @@ typedef enum shd_profile {
     /**
      * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
      * ellipse, for parallel x and y the longer of both. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m / r),
-     * ceil(min(r, max(m, 1))) probes along m, where and weighted as in SHD_PROFILE_VULKAN, which that specification
-     * leaves open. Fractions and weights as there; the nearest level is floor(lod + 1/2) with 8 bits too.
+     * ceil(min(r, max(m, 1))) probes along m. The specification leaves the places and weights of probes open; they are
+     * those of SHD_PROFILE_VULKAN. Fractions and weights have 8 bits, and the nearest level is floor(lod + 1/2).
      */
     SHD_PROFILE_D3D11 = 2,
     /**
      * OpenImageIO 2.4, TextureSystem with default options. The width w of the filter, in units of the texture, is the
-     * largest of |du/dx| .. |dv/dy| plus the larger blur. Between the first level where w is at most a texel of the
-     * smaller side and the one before, 2 w - 1 of the way to the coarser one with w in texels of that; NEAREST_MIP and
-     * BILINEAR_MIP: the coarser one. ANISOTROPIC: axes m >= n of the ellipse in units of the texture, lengthened by
-     * blur, and where m > a n replaced by m' = (m + a n) / 2 and n' = m' / a; levels by w = n; N = floor(2 m / n - 1)
-     * probes, at least 1 and no more than half texels of level 0 ask for, at p (m - n), p = (2 k + 1 - N) / N, k = 0
-     * to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y` scale the derivatives of u and of
-     * v, as swidth and twidth do.
+     * largest of |du/dx| .. |dv/dy| plus the larger blur. The coarser level is the first one where w is at most a texel
+     * of the smaller side, the finer level the one before. The blend is 2 w - 1 of the way to the coarser level, with w
+     * in texels of it; NEAREST_MIP and BILINEAR_MIP use the coarser level. ANISOTROPIC: axes m >= n of the ellipse in
+     * units of the texture, lengthened by blur; where m > a n they become m' = (m + a n) / 2 and n' = m' / a. Levels by
+     * w = n. N = floor(2 m / n - 1) probes, at least 1 and at most one per half texel of level 0, at p (m - n),
+     * p = (2 k + 1 - N) / N, k = 0 to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y`
+     * scale the derivatives of u and of v, as swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
@@ -140,29 +150,28 @@ typedef struct shd_sampler_desc {
     shd_magnification magnification; /**< default SHD_MAGNIFICATION_DEFAULT */
     shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
     shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
-    float border[4];                 /**< r, g, b, a of the texels outside, linear; finite; default 0 */
+    float border[4];                 /**< r, g, b, a of SHD_WRAP_BORDER, linear; finite; default 0 */
+    shd_profile profile;             /**< default SHD_PROFILE_EXACT. It also decides which lookups are magnified: those
+                                          with lambda <= 0 after bias and clamps */
     float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */
     float lod_min;                   /**< lowest level of detail, 0..32; default 0; wins over lod_max */
     float lod_max;                   /**< highest level of detail, 0..32; default 32 */
-    float width_x;                   /**< factor on the derivatives in x, 0..64; default 1 */
-    float width_y;                   /**< factor on the derivatives in y, 0..64; default 1 */
+    float width_x;                   /**< factor of the derivatives in x, 0..64; default 1 */
+    float width_y;                   /**< factor of the derivatives in y, 0..64; default 1 */
     float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
-    float blur_v;                    /**< blur in v, likewise */
+    float blur_v;                    /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
     float max_anisotropy;            /**< longest footprint in units of its shorter axis, 1..64; default 16 */
-    shd_probe_weights probe_weights; /**< of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
-    shd_cubic cubic;                 /**< of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
-    shd_box box;                     /**< of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
+    shd_probe_weights
+        probe_weights; /**< weights of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
+    shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
+    shd_box box;       /**< area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
+    float tolerance;   /**< tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
     /**
-     * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC, EWA;
+     * Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter stochastic_filter;
-    uint32_t seed;   /**< of SHD_FILTER_STOCHASTIC; default 0 */
-    float tolerance; /**< of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
-    /**
-     * Default SHD_PROFILE_EXACT. Decides what is magnified too: lambda <= 0 of the filter, bias and clamps included.
-     */
-    shd_profile profile;
+    uint32_t seed; /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

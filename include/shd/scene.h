@@ -4,14 +4,15 @@
  * @brief Model files: meshes, materials, textures, lights, cameras and instances, ready to render (libshd_scene, over
  *        assimp).
  *
- * A shd_scene holds what a file of any format that assimp reads describes (glTF, OBJ, Collada, FBX, PLY, STL ...), as
- * ordinary handles that the caller may use with or without the scene. World space is that of the file; glTF's is shd's.
+ * A shd_scene holds the contents of a file of any format that assimp reads (glTF, OBJ, Collada, FBX, PLY, STL ...), as
+ * ordinary handles that the caller may use with or without the scene. World space is that of the file; glTF uses the
+ * world space of shd.
  *
- * Files are untrusted. Sizes, counts and time have budgets. Indices out of range, positions that are not finite and
- * matrices that are not finite cost the triangles or instances that have them; a texture that cannot be read costs the
- * slot that names it. Each is a warning of the scene. The model may name other files, which are read if they are
- * regular: its materials, buffers and textures, by any path. assimp itself can still crash, run out of stack or never
- * end on a hostile file: load models of strangers in a process of their own.
+ * Files are untrusted. Sizes, counts and time have budgets. Triangles with indices out of range or positions that are
+ * not finite are dropped, as are instances whose matrices are not finite, and slots whose textures cannot be read. Each
+ * gives a warning of the scene. The model may name other files, which are read if they are
+ * regular: its materials, buffers and textures, by any path. assimp itself can still crash, run out of stack or hang
+ * on a hostile file: load untrusted models in a separate process.
  *
  * Memory:        assimp and the tables of a scene use malloc; handles use the context's allocator.
  * Lifetime:      reference counted; load returns an owned reference.
@@ -28,29 +29,29 @@ SHD_BEGIN_DECLS
 /** A model file in memory. */
 typedef struct shd_scene shd_scene;
 
-/** How to load; combine with |. */
+/** Options of a load; combine with |. */
 typedef enum shd_scene_flag {
     SHD_SCENE_NONE = 0,
     SHD_SCENE_REQUIRE_TEXTURES = 1, /**< a texture that cannot be read makes the load fail */
     SHD_SCENE_FLAG_MAX_ENUM = 0x7fffffff
 } shd_scene_flag;
+typedef uint32_t shd_scene_flags; /**< shd_scene_flag bits */
 
 /** Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT. */
 typedef struct shd_scene_desc {
     uint32_t struct_size;            /**< set by shd_scene_desc_default() */
-    uint32_t flags;                  /**< shd_scene_flag bits; default none */
-    uint32_t mesh_flags;             /**< shd_mesh_flag bits of all meshes; those with uv have tangents without it */
-    uint32_t reserved;               /**< 0 */
-    const shd_sampler_desc *sampler; /**< of all textures; its wraps do not count: the file says them. Borrowed for
-                                           the call; NULL = trilinear */
-    const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space does
-                                          not count. Borrowed for the call; NULL = defaults */
-    uint64_t max_file_bytes;         /**< of the model and the files that assimp reads with it, together; 0 = 2^30 */
-    uint64_t max_vertices;           /**< of all meshes; 0 = 2^26 */
-    uint64_t max_triangles;          /**< of all meshes; 0 = 2^26 */
+    shd_scene_flags flags;           /**< default none */
+    shd_mesh_flags mesh_flags;       /**< flags of all meshes; meshes with uv always have tangents; default none */
+    const shd_sampler_desc *sampler; /**< sampler of all textures; its wraps are replaced by those of the file.
+                                           Borrowed for the call; NULL = trilinear */
+    const shd_load_desc *texture;    /**< formats, flags, tables and budgets of each texture file; its color_space is
+                                          ignored. Borrowed for the call; NULL = defaults */
+    uint64_t max_file_bytes;         /**< sum of the model and the files that assimp reads with it; 0 = 2^30 */
+    uint64_t max_vertices;           /**< sum over all meshes; 0 = 2^26 */
+    uint64_t max_triangles;          /**< sum over all meshes; 0 = 2^26 */
     uint64_t max_nodes;              /**< 0 = 2^18; no more than 512 deep in any case */
     uint64_t max_instances;          /**< up to 2^20, as many as a frame has; 0 = 2^18 */
-    uint64_t max_texture_bytes;      /**< of all textures with their mip levels; 0 = 2^32 */
+    uint64_t max_texture_bytes;      /**< all textures with their mip levels; 0 = 2^32 */
     double time_limit;               /**< [s] 0 = 60. Checked between the steps of assimp, meshes and textures */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_desc;
@@ -67,9 +68,9 @@ static inline shd_scene_desc shd_scene_desc_default(void)
  * Read a model file.
  *
  * Materials: those that state roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG with
- * ambient light as their diffuse colour. Every slot that the file has a texture for is set; heights are in their slot,
- * but tilt and move nothing until a material says how. An opacity below 1, a map of it or glTF's BLEND is
- * SHD_BLEND_SORTED; glTF's MASK is alpha_cutoff. Of texture coordinates the first two sets count.
+ * ambient light as their diffuse colour. Every slot whose texture is in the file is set. Heights are in their slot, but
+ * have no effect until a material enables bump, parallax or displacement. An opacity below 1, an opacity map and glTF's
+ * BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two sets of texture coordinates are used.
  *
  * Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. Where a light does not
  * fade with the square of its distance, it has the file's strength at the distance of half the diagonal of the model.
@@ -79,8 +80,8 @@ static inline shd_scene_desc shd_scene_desc_default(void)
  * @param path       UTF-8 or any bytes the system accepts; a regular file; borrowed for the call
  * @param desc       borrowed for the call; NULL = all defaults
  * @param out_scene  owned; NULL on failure
- * @return SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for one that assimp refuses, SHD_ERROR_UNSUPPORTED
- *         for a format that it does not know and for a file without triangles
+ * @return SHD_ERROR_NOT_FOUND for a missing file, SHD_ERROR_CORRUPT for a file that assimp refuses,
+ *         SHD_ERROR_UNSUPPORTED for an unknown format and for a file without triangles
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_load(shd_context *context, const char *path, const shd_scene_desc *desc,
@@ -92,7 +93,7 @@ SHD_API void shd_scene_retain(shd_scene *scene);
 /** Drop a reference; NULL is ignored. Handles that the caller retained stay. Any thread. @since 0.1 */
 SHD_API void shd_scene_release(shd_scene *scene);
 
-/** What a file turned out to hold. */
+/** Contents of a file. */
 typedef struct shd_scene_info {
     uint32_t struct_size;    /**< set by shd_scene_info_default() */
     uint32_t mesh_count;     /**< with triangles */
@@ -102,10 +103,10 @@ typedef struct shd_scene_info {
     uint32_t camera_count;
     uint32_t instance_count; /**< at least 1; as many as draws */
     uint32_t warning_count;
-    uint64_t vertex_count;   /**< of all meshes, each once */
-    uint64_t triangle_count; /**< the same */
-    float bounds_min[3];     /**< of all instances, world space */
-    float bounds_max[3];     /**< the same */
+    uint64_t vertex_count;   /**< sum over all meshes, each counted once */
+    uint64_t triangle_count; /**< sum over all meshes, each counted once */
+    float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
+    float bounds_max[3];     /**< highest x, y, z of all instances, world space */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_info;
 
@@ -119,13 +120,13 @@ static inline shd_scene_info shd_scene_info_default(void)
 
 /**
  * Counts and bounds of a scene.
- * @param out_info  its struct_size is set; all else zero on failure
+ * @param out_info  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_info(const shd_scene *scene, shd_scene_info *out_info);
 
 /**
- * What is wrong with a part of the file, one line of UTF-8. The context's log has them too.
+ * A problem with a part of the file, as one line of UTF-8. The log of the context gets all of them too.
  * @return borrowed until release of the scene; NULL if there is none
  * @since 0.1
  */
@@ -161,25 +162,26 @@ SHD_API shd_texture *shd_scene_texture(const shd_scene *scene, uint32_t index);
 SHD_API shd_light *shd_scene_light(const shd_scene *scene, uint32_t index);
 
 /**
- * What a material was made from, to make variants of it.
- * @param out_desc  its struct_size is set; textures and samplers in it are borrowed until release of the scene
+ * The desc of a material, for variants of it.
+ * @param out_desc  its struct_size is read; the rest is written, all zero on failure. Slots, textures and samplers are
+ *                  borrowed until release of the scene
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_material_desc(const shd_scene *scene, uint32_t index,
                                                              shd_material_desc *out_desc);
 
 /**
- * What a light was made from.
- * @param out_desc  its struct_size is set
+ * The desc of a light.
+ * @param out_desc  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_light_desc(const shd_scene *scene, uint32_t index,
                                                           shd_light_desc *out_desc);
 
 /**
- * A camera of the file. Its aspect is 0, that of the picture, unless the file says one. Planes that the file lacks hold
- * the whole model.
- * @param out_camera  its struct_size is set
+ * A camera of the file. Its aspect is 0, which means that of the picture, unless the file contains one. Planes that are
+ * not in the file enclose the whole model.
+ * @param out_camera  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_camera(const shd_scene *scene, uint32_t index, shd_camera *out_camera);
@@ -189,7 +191,6 @@ typedef struct shd_scene_instance {
     uint32_t struct_size;      /**< set by shd_scene_instance_default() */
     uint32_t mesh;             /**< index for shd_scene_mesh() */
     uint32_t material;         /**< index for shd_scene_material() */
-    uint32_t reserved;         /**< 0 */
     float object_to_world[16]; /**< affine, finite */
     /* ---- end of 0.1; append below ---- */
 } shd_scene_instance;
@@ -204,7 +205,7 @@ static inline shd_scene_instance shd_scene_instance_default(void)
 
 /**
  * An instance of the scene.
- * @param out_instance  its struct_size is set
+ * @param out_instance  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_get_instance(const shd_scene *scene, uint32_t index,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Shadow maps: depths of a scene as a light sees it, and the part of the light that reaches a point.
+ * @brief Shadow maps: depths of a scene in the view of a light, and the part of the light that reaches a point.
  *
  * A map is drawn by shd_shadow_render with the rasteriser of shd_render (Williams, "Casting Curved Shadows on Curved
  * Surfaces", 1978), looked up by shd_shadow_sample, and used by frames that name it in shd_render_desc.shadows. A
@@ -16,8 +16,17 @@
  * not finite counts as no normal.
  *
  * Lifetime:      reference counted; create returns an owned reference.
- * Thread safety: retain/release from any thread; concurrent reads; shd_shadow_render needs the shadow for itself (one
- *                thread at a time per object).
+ * Thread safety: retain/release from any thread; concurrent reads; shd_shadow_render needs the shadow for itself
+ *                (exclusive use of the object).
+ *
+ * @code
+ * shd_shadow_render_desc desc = shd_shadow_render_desc_default();
+ * result = shd_shadow_create(context, NULL, &shadow);
+ * desc.light = sun;
+ * desc.draws = draws, desc.draw_count = draw_count;
+ * result = shd_shadow_render(context, shadow, &desc);
+ * render.shadows = shadows; // [light_count], with `shadow` at the place of the sun
+ * @endcode
  */
 #ifndef SHD_SHADOW_H
 #define SHD_SHADOW_H
@@ -26,30 +35,30 @@
 
 SHD_BEGIN_DECLS
 
-/** Depths as a light sees them. */
+/** Depths in the view of a light. */
 typedef struct shd_shadow shd_shadow;
 
-/** How visibility is computed from depths. */
+/** Computation of visibility from depths. */
 typedef enum shd_shadow_filter {
-    SHD_SHADOW_HARD = 0, /**< the nearest texel, 0 or 1 */
+    SHD_SHADOW_FILTER_HARD = 0, /**< the nearest texel, 0 or 1 */
     /**
      * The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows
      * with Depth Maps", 1987). It varies continuously. (n + 1)^2 texels, n = taps.
      */
-    SHD_SHADOW_PCF = 1,
+    SHD_SHADOW_FILTER_PCF = 1,
     /**
      * Chebyshev's bound of the distribution of depths in n x n texels, n = taps, interpolated from four neighbours
      * (Donnelly and Lauritzen, "Variance Shadow Maps", 2006).
      */
-    SHD_SHADOW_VARIANCE = 2,
+    SHD_SHADOW_FILTER_VARIANCE = 2,
     /** The bound over a square of filter_size around the point, by a table of sums (Lauritzen, GPU Gems 3, 2007, 8). */
-    SHD_SHADOW_SUMMED_AREA_VARIANCE = 3,
+    SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE = 3,
     /**
      * Penumbras that widen with the distance to the blockers (Fernando, "Percentage-Closer Soft Shadows", 2005): the
      * mean depth of blockers from n x n texels, then the mean of n x n bilinear comparisons over the width of the
      * penumbra, n = taps. Always 5 n^2 texels; in wide penumbras they are not adjacent.
      */
-    SHD_SHADOW_PCSS = 4,
+    SHD_SHADOW_FILTER_PCSS = 4,
     SHD_SHADOW_FILTER_MAX_ENUM = 0x7fffffff
 } shd_shadow_filter;
 
@@ -57,7 +66,7 @@ typedef enum shd_shadow_filter {
 typedef struct shd_shadow_desc {
     uint32_t struct_size;     /**< set by shd_shadow_desc_default() */
     uint32_t size;            /**< edge length of each face [texels], 16..8192; default 1024 */
-    shd_shadow_filter filter; /**< default SHD_SHADOW_HARD */
+    shd_shadow_filter filter; /**< default SHD_SHADOW_FILTER_HARD */
     uint32_t taps;            /**< n of PCF, VARIANCE and PCSS, 1..15; default 3 */
     /**
      * SUMMED_AREA_VARIANCE: edge length of the averaged square, world length at the point, 0..1e9; clamped to one texel
@@ -71,10 +80,12 @@ typedef struct shd_shadow_desc {
      */
     float light_size;
     float bias; /**< points are moved towards the light by this depth, world length, 0..1e9; default 0 */
-    float
-        bias_slope; /**< additional bias: the factor of the edge length of a texel at the point times (1/4 + |slope| of
-                           the surface across the map + |slope| along the map), each slope at most 64. Without a normal
-                           the sum is 2, for PCF n + 1. 0..1000; default 1 */
+    /**
+     * Factor of a further bias: the edge length of a texel at the point times (1/4 + |slope| of the surface across the
+     * map + |slope| along the map), each slope at most 64. Without a normal the sum is 2, for PCF n + 1. 0..1000;
+     * default 1.
+     */
+    float bias_slope;
     float normal_offset;  /**< points are moved along their normal first, world length, 0..1e9; default 0 */
     shd_cull caster_cull; /**< faces that cast no shadow: BACK faces look away from the light, FRONT faces towards it.
                                Replaces the culling of the draws. Default SHD_CULL_NONE */
@@ -110,10 +121,9 @@ SHD_API void shd_shadow_retain(shd_shadow *shadow);
 /** Drop a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_shadow_release(shd_shadow *shadow);
 
-/** What a map is rendered from; borrowed for the call. */
+/** Light and draws of a map; borrowed for the call. Required: light. */
 typedef struct shd_shadow_render_desc {
     uint32_t struct_size;   /**< set by shd_shadow_render_desc_default() */
-    uint32_t reserved;      /**< 0 */
     const shd_light *light; /**< required; directional, spot or point */
     /**
      * Draws that cast shadows, as in shd_render_desc; NULL if draw_count is 0. Depth comparison, depth biases and
@@ -166,8 +176,7 @@ SHD_NODISCARD SHD_API shd_result shd_shadow_render(shd_context *context, shd_sha
 /** Points on surfaces; borrowed for the call. */
 typedef struct shd_shadow_lookups {
     uint32_t struct_size;   /**< set by shd_shadow_lookups_default() */
-    uint32_t reserved;      /**< 0 */
-    size_t count;           /**< 0 is fine */
+    size_t count;           /**< number of points; 0 is allowed */
     shd_f32_in position[3]; /**< x, y, z, world space; required unless count is 0 */
     shd_f32_in normal[3];   /**< unit, world space; all three columns or none */
     /* ---- end of 0.1; append below ---- */
@@ -182,13 +191,14 @@ static inline shd_shadow_lookups shd_shadow_lookups_default(void)
 }
 
 /**
- * Part of the light that arrives at each point, 0 (in shadow) to 1 (lit), as in frames. Runs on the executor of the
- * shadow's context.
- * @param out  [count]; must not overlap the points
+ * Compute the part of the light that arrives at each point, 0 (in shadow) to 1 (lit), as in frames.
+ *
+ * Runs on the executor of the shadow's context.
+ * @param out  column of `count` elements; must not overlap the points (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_shadow_sample(const shd_shadow *shadow, const shd_shadow_lookups *lookups,
-                                                   shd_f32_out out);
+                                                   const shd_f32_out *out);
 
 SHD_END_DECLS
 

@@ -3,7 +3,7 @@
  * @file
  * @brief Vertices and triangles of common shapes, in the caller's columns.
  *
- * A call of shd_shape_count() says how much memory a shape needs; shd_shape_fill() writes it. The columns are those of
+ * shd_shape_count() returns the numbers of vertices and indices of a shape; shd_shape_fill() writes the shape. The columns are those of
  * shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen from outside, uv with v down.
  *
  * | shape   | where                                                   | uv                                            |
@@ -30,10 +30,10 @@
 
 SHD_BEGIN_DECLS
 
-/** Which shape. */
+/** Kinds of shapes. */
 typedef enum shd_shape {
-    SHD_SHAPE_SPHERE = 0, /**< of `radius` */
-    SHD_SHAPE_BOX = 1,    /**< of `size` */
+    SHD_SHAPE_SPHERE = 0, /**< uses `radius` */
+    SHD_SHAPE_BOX = 1,    /**< uses `size` */
     SHD_SHAPE_PLANE = 2,  /**< a rectangle, size[0] by size[2] */
     SHD_SHAPE_TORUS = 3,  /**< `radius` of the circle in the middle of the tube, `tube_radius` */
     /**
@@ -45,26 +45,28 @@ typedef enum shd_shape {
     SHD_SHAPE_MAX_ENUM = 0x7fffffff
 } shd_shape;
 
-/** Limits of shapes. */
-enum {
-    SHD_SHAPE_MAX_SEGMENTS = 4096,       /**< of one direction */
-    SHD_SHAPE_MAX_TEAPOT_SEGMENTS = 256, /**< of a patch of the teapot */
-    SHD_SHAPE_MAX_DIRECTIONS = 3
-};
+/** Largest number of parts in one direction of a shape. */
+#define SHD_MAX_SHAPE_SEGMENTS 4096
 
-/** A shape and how finely it is cut. */
+/** Largest number of parts per side of a patch of the teapot. */
+#define SHD_MAX_TEAPOT_SEGMENTS 256
+
+/** Directions in which shapes are divided. */
+#define SHD_SHAPE_DIRECTIONS 3
+
+/** A shape and its subdivision. */
 typedef struct shd_shape_desc {
     uint32_t struct_size; /**< set by shd_shape_desc_default() */
     shd_shape shape;      /**< default sphere */
-    float radius;         /**< of spheres and tori, 1e-30..1e30; default 1 */
-    float tube_radius;    /**< of tori, 1e-30..1e30, below `radius`; default 0.25 */
-    float size[3];        /**< of boxes and planes, along x, y, z, 1e-30..1e30; default 2 */
+    float radius;         /**< spheres and tori: 1e-30..1e30; default 1 */
+    float tube_radius;    /**< tori: 1e-30..1e30, below `radius`; default 0.25 */
+    float size[3];        /**< boxes and planes: length along x, y, z, 1e-30..1e30; default 2 */
     /**
      * Parts; 0 = the number in brackets. Sphere: around, 3..4096 [32], and from pole to pole, 2..4096 [16]. Box: along
      * x, y and z, 1..4096 [1]. Plane: along x and z, 1..4096 [1]. Torus: around the axis, 3..4096 [48], and around the
-     * tube, 3..4096 [24]. Teapot: of each side of a patch, 2..256 [8]. Those that a shape does not name do not count.
+     * tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Numbers that a shape does not use are ignored.
      */
-    uint32_t segments[SHD_SHAPE_MAX_DIRECTIONS];
+    uint32_t segments[SHD_SHAPE_DIRECTIONS];
     /* ---- end of 0.1; append below ---- */
 } shd_shape_desc;
 
@@ -79,7 +81,7 @@ static inline shd_shape_desc shd_shape_desc_default(void)
     return desc;
 }
 
-/** Where a shape is written. Columns do not overlap; each may be absent. */
+/** Output columns of a shape. They do not overlap; each may be absent. */
 typedef struct shd_shape_columns {
     uint32_t struct_size;    /**< set by shd_shape_columns_default() */
     uint32_t vertex_count;   /**< room in each column of vertices, at least that of shd_shape_count() */
@@ -100,7 +102,7 @@ static inline shd_shape_columns shd_shape_columns_default(void)
 }
 
 /**
- * How many vertices and indices a shape has.
+ * Compute the numbers of vertices and indices of a shape.
  * @param desc              borrowed for the call; NULL = all defaults
  * @param out_vertex_count  0 on failure
  * @param out_index_count   three for each triangle; 0 on failure

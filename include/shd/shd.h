@@ -1,28 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief All of libshd. libshd_color, libshd_io and libshd_scene have their own headers, shd/color.h, shd/io.h and
- *        shd/scene.h.
+ * @brief All headers of libshd. libshd_color, libshd_io and libshd_scene have headers of their own: shd/color.h,
+ *        shd/io.h and shd/scene.h.
  *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,
  * depth 0..1. Front faces are counter-clockwise seen with y up. Images and textures: row 0 on top, centres at
  * +1/2, (u, v) = (0, 0) at the outer corner of the first texel of row 0, v downwards. Angles in radians.
  *
+ * @page names Names
+ * Types are `shd_<noun>`, functions `shd_<noun>_<verb>`. Constants of an enum are `SHD_<NOUN>_<VALUE>`; the noun is the
+ * name of the enum, without `_flag` or `_target`. The results are the exception: SHD_OK and SHD_ERROR_<VALUE>. Every
+ * enum ends with a `_MAX_ENUM`. Words of flags have the type `shd_<noun>_flags`.
+ *
+ * @page growth Growth
+ * Structs that may grow begin with `struct_size`; shd/desc.h states the rules. All other structs are frozen.
+ *
  * @page ownership Ownership
  * *Copied*: shd keeps its own copy. *Borrowed for the call* / *until release*: the caller keeps it alive that
  * long. *Retained*: shd adds a reference. *Owned*: the caller must release it. Releasing NULL does nothing.
- * A handle that is NULL or of another type is refused with SHD_ERROR_INVALID_ARGUMENT, and so is a released one
- * while its context lives, until its place is given to a new handle. A context whose last reference is gone must
- * not be used, nor a pointer that never was a handle.
+ * A handle that is NULL or of another type is refused with SHD_ERROR_INVALID_ARGUMENT. A released handle is refused
+ * while its context lives, until a new handle takes its place. A context whose last reference was released must not be
+ * used, nor a pointer that never was a handle.
  *
  * @page errors Errors
- * Every call that can fail returns shd_result; shd_last_error() has the text, per thread. A failed call
+ * Every call that can fail returns shd_result; shd_last_error() returns the text, per thread. A failed call
  * changes nothing and nulls its out handle. No exception, signal or output on stdout crosses the boundary.
  *
  * @page threads Threads
- * *Any thread*; *concurrent reads* (functions on const handles); *one thread at a time per object*. Callbacks
- * say where they run. shd leaves floating-point control, locale, signal masks and errno as it found them.
+ * *Any thread*; *concurrent reads* (functions on const handles); *exclusive use of the object*. Each callback
+ * documents its threads. shd restores floating-point control and errno, and does not change locale or signal masks.
  *
  * @page streams Streams
  * Batches are columns with byte strides (shd/column.h); a batch of n lookups costs one call.
@@ -34,6 +42,10 @@
  * @page determinism Determinism
  * For the same inputs libshd gives the same bits for any worker count, any way of splitting a batch and any
  * SIMD target. libshd_color is outside this promise: OpenColorIO's own kernels run there.
+ *
+ * @code
+ * #include <shd/shd.h>
+ * @endcode
  */
 #ifndef SHD_SHD_H
 #define SHD_SHD_H

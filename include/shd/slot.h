@@ -1,10 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Sources of coefficients that vary over a surface: textures, columns of the mesh, functions.
+ * @brief Slots: textures, columns of the mesh or functions that feed the coefficients of a material.
  *
  * Thread safety: a slot's function runs on any worker of the executor, and calls may be concurrent. It must not throw
  *                or longjmp. The only function of shd that it may call is shd_texture_sample().
+ *
+ * @code
+ * shd_slot slots[2];
+ * slots[0] = shd_slot_texture(SHD_SLOT_DIFFUSE, bricks, sampler);
+ * slots[1] = shd_slot_vertex(SHD_SLOT_OCCLUSION, 0); // attribute 0 of the mesh
+ * desc.slots = slots, desc.slot_count = 2;
+ * @endcode
  */
 #ifndef SHD_SLOT_H
 #define SHD_SLOT_H
@@ -16,10 +23,12 @@
 SHD_BEGIN_DECLS
 
 /**
- * Coefficients of a material. The value of a slot multiplies the constant of the same name in shd_material_desc, if
- * that exists. Colours have three channels, scalars one.
+ * Coefficient of a material that a slot feeds.
+ *
+ * The value of the slot multiplies the constant of the same name in shd_material_desc, if there is one. Colours have
+ * three channels, scalars one.
  */
-enum {
+typedef enum shd_slot_target {
     SHD_SLOT_DIFFUSE = 0,   /**< colour k_d or base colour; the fourth channel multiplies opacity */
     SHD_SLOT_AMBIENT = 1,   /**< colour k_a */
     SHD_SLOT_SPECULAR = 2,  /**< colour k_s */
@@ -30,29 +39,29 @@ enum {
     SHD_SLOT_ROUGHNESS = 7, /**< scalar */
     SHD_SLOT_OCCLUSION = 8, /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
     SHD_SLOT_NORMAL = 9,    /**< tangent-space normal in shd_material_desc.normal_encoding */
-    SHD_SLOT_HEIGHT = 10,   /**< scalar height, for bumps and parallax; a texture or nothing */
-    SHD_SLOT_MATCAP = 11,   /**< colour by the direction of the normal in view space: a texture or nothing */
-    SHD_SLOT_COUNT = 12
-};
+    SHD_SLOT_HEIGHT = 10,   /**< scalar height, for bumps and parallax; takes textures only */
+    SHD_SLOT_MATCAP = 11,   /**< colour by the direction of the normal in view space; takes textures only */
+    SHD_SLOT_TARGET_MAX_ENUM = 0x7fffffff
+} shd_slot_target;
 
-/** What a slot reads. */
+/** Source of the values of a slot. */
 typedef enum shd_slot_source {
-    SHD_SOURCE_CONSTANT = 0,  /**< 1; for the normal (0, 0, 1) in tangent space */
-    SHD_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler` */
-    SHD_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 if the mesh lacks one */
-    SHD_SOURCE_PROCEDURE = 3, /**< `procedure` */
-    SHD_SOURCE_MAX_ENUM = 0x7fffffff
+    SHD_SLOT_SOURCE_CONSTANT = 0,  /**< 1; for the normal (0, 0, 1) in tangent space */
+    SHD_SLOT_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler` */
+    SHD_SLOT_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 for absent ones */
+    SHD_SLOT_SOURCE_PROCEDURE = 3, /**< `procedure` */
+    SHD_SLOT_SOURCE_MAX_ENUM = 0x7fffffff
 } shd_slot_source;
 
 /**
- * A slot as code: writes in->count values per column.
+ * A slot as a function: writes in->count values per column.
  * @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
  *             scalars; the others are NULL
  */
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *user_data);
 
 /**
- * A source for a coefficient.
+ * A source for a coefficient. Required: target and what the source reads.
  *
  * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
  * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, height) are looked up where
@@ -64,21 +73,63 @@ typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *
  * finite.
  */
 typedef struct shd_slot {
-    shd_slot_source source; /**< default SHD_SOURCE_CONSTANT */
-    uint32_t uv_set;        /**< 0 = uv of the mesh, 1 = uv1; default 0 */
-    shd_texture *texture;   /**< of SHD_SOURCE_TEXTURE, else NULL; retained */
-    shd_sampler *sampler;   /**< of SHD_SOURCE_TEXTURE: NULL = default sampler; retained */
+    uint32_t struct_size;   /**< set by shd_slot_default(); the same in every element of an array */
+    shd_slot_target target; /**< coefficient that it feeds; no two slots of a material have the same */
+    shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
+    uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
+    shd_texture *texture;   /**< texture of SHD_SLOT_SOURCE_TEXTURE, else NULL; retained by the material */
+    shd_sampler *sampler;   /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
+    shd_slot_fn procedure;  /**< function of SHD_SLOT_SOURCE_PROCEDURE */
+    void *user_data;        /**< passed to `procedure`; borrowed until release of the material */
+    uint32_t channel;       /**< channel of the texture for scalars, 0..3; default 0 */
+    uint32_t uv_set;        /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
     /**
      * (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
      * KHR_texture_transform is T R S, with the rotation r and v downwards
      * t = {sx cos r, sy sin r, ox, -sx sin r, sy cos r, oy}.
      */
     float uv_transform[6];
-    uint32_t channel;      /**< of the texture, 0..3, for scalars; default 0 */
-    uint32_t attribute;    /**< of SHD_SOURCE_VERTEX: first column, 0..7 */
-    shd_slot_fn procedure; /**< of SHD_SOURCE_PROCEDURE */
-    void *user_data;       /**< passed to `procedure`; borrowed until release */
+    /* ---- end of 0.1; append below ---- */
 } shd_slot;
+
+/** A constant slot of a coefficient. Compiled into the caller so that struct_size is the caller's. */
+static inline shd_slot shd_slot_default(shd_slot_target target)
+{
+    shd_slot slot = SHD_ZERO_INIT;
+    slot.struct_size = (uint32_t)sizeof slot;
+    slot.target = target;
+    slot.uv_transform[0] = slot.uv_transform[4] = 1.0f;
+    return slot;
+}
+
+/** A slot that reads a texture; `sampler` NULL = the default sampler. */
+static inline shd_slot shd_slot_texture(shd_slot_target target, shd_texture *texture, shd_sampler *sampler)
+{
+    shd_slot slot = shd_slot_default(target);
+    slot.source = SHD_SLOT_SOURCE_TEXTURE;
+    slot.texture = texture;
+    slot.sampler = sampler;
+    return slot;
+}
+
+/** A slot that reads the columns of the mesh from `attribute` on. */
+static inline shd_slot shd_slot_vertex(shd_slot_target target, uint32_t attribute)
+{
+    shd_slot slot = shd_slot_default(target);
+    slot.source = SHD_SLOT_SOURCE_VERTEX;
+    slot.attribute = attribute;
+    return slot;
+}
+
+/** A slot that calls a function. */
+static inline shd_slot shd_slot_procedure(shd_slot_target target, shd_slot_fn procedure, void *user_data)
+{
+    shd_slot slot = shd_slot_default(target);
+    slot.source = SHD_SLOT_SOURCE_PROCEDURE;
+    slot.procedure = procedure;
+    slot.user_data = user_data;
+    return slot;
+}
 
 SHD_END_DECLS
 

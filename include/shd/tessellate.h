@@ -1,10 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Meshes cut into smaller triangles, and moved along their normals by a texture.
+ * @brief Tessellation: meshes cut into smaller triangles, and displaced along their normals by a texture.
  *
- * Lifetime:      the mesh that comes out is a mesh of its own.
- * Thread safety: any thread; concurrent reads of the mesh and the texture that go in.
+ * Lifetime:      the result is a mesh of its own.
+ * Thread safety: any thread; concurrent reads of the mesh and the texture.
+ *
+ * @code
+ * shd_tessellation_desc desc = shd_tessellation_desc_default();
+ * desc.segments = 8;
+ * desc.displacement = heights, desc.amplitude = 0.05f;
+ * result = shd_mesh_tessellate(context, mesh, &desc, &fine);
+ * @endcode
  */
 #ifndef SHD_TESSELLATE_H
 #define SHD_TESSELLATE_H
@@ -16,60 +23,60 @@
 
 SHD_BEGIN_DECLS
 
-/** How many parts an edge is cut into. */
+/** Number of parts of an edge. */
 typedef enum shd_tessellation_mode {
-    SHD_TESSELLATION_UNIFORM = 0, /**< `segments` for each edge, so that a triangle becomes segments^2 */
+    SHD_TESSELLATION_MODE_UNIFORM = 0, /**< `segments` for each edge: a triangle becomes segments^2 */
     /**
-     * As many as bring the parts to `edge_length`: a function of the positions of the edge's two ends alone, so that
-     * triangles on both sides agree and no cracks open, wherever uv or normals differ.
+     * The smallest number whose parts are at most `edge_length` long. It depends only on the positions of the edge's
+     * two ends, so triangles on both sides agree and no cracks open, even where uv or normals differ.
      */
-    SHD_TESSELLATION_ADAPTIVE = 1,
+    SHD_TESSELLATION_MODE_ADAPTIVE = 1,
     SHD_TESSELLATION_MODE_MAX_ENUM = 0x7fffffff
 } shd_tessellation_mode;
 
 /**
- * Normals of a displaced mesh. Faces count by area, over the vertices that shared position and normal before they were
- * moved, so that seams of uv stay smooth and creases stay creases.
+ * Normals of a displaced mesh.
+ *
+ * Faces are weighted by area, over the vertices that shared position and normal before displacement. Seams of uv
+ * therefore stay smooth, and creases stay sharp.
  */
 typedef enum shd_displaced_normals {
     /**
-     * The normals there were, tilted by the slope of the heights: n - grad h, with the gradient on the faces around
-     * before they were moved. Coarse triangles with smooth normals do not show.
+     * The previous normals, tilted by the slope of the heights: n - grad h, with the gradient on the faces around the
+     * vertex before displacement. Coarse triangles with smooth normals do not become visible.
      */
     SHD_DISPLACED_NORMALS_TILTED = 0,
-    SHD_DISPLACED_NORMALS_KEPT = 1,  /**< as they were */
-    SHD_DISPLACED_NORMALS_FACES = 2, /**< those of the faces around after they were moved */
+    SHD_DISPLACED_NORMALS_KEPT = 1,  /**< the previous normals */
+    SHD_DISPLACED_NORMALS_FACES = 2, /**< the normals of the faces around the vertex after displacement */
     SHD_DISPLACED_NORMALS_MAX_ENUM = 0x7fffffff
 } shd_displaced_normals;
 
-/** Limits of tessellation. */
-enum {
-    SHD_MAX_SEGMENTS = 1024 /**< parts of one edge */
-};
+/** Largest number of parts of an edge. */
+#define SHD_MAX_SEGMENTS 1024
 
-/** How a mesh is cut and moved. */
+/** Options of tessellation and displacement. */
 typedef struct shd_tessellation_desc {
-    uint32_t struct_size;          /**< set by shd_tessellation_desc_default() */
-    shd_tessellation_mode mode;    /**< default uniform */
-    uint32_t segments;             /**< UNIFORM: parts of an edge, 1..SHD_MAX_SEGMENTS; default 1 */
-    uint32_t max_segments;         /**< ADAPTIVE: no more of them, 1..SHD_MAX_SEGMENTS; default 64 */
-    float edge_length;             /**< ADAPTIVE: longest part [pixels], without `view` [world units]; > 0; default 8 */
-    uint32_t width;                /**< ADAPTIVE with `view`: of the picture, 1..65536; default 1024 */
-    uint32_t height;               /**< ADAPTIVE with `view`: of the picture, 1..65536; default 1024 */
-    shd_displaced_normals normals; /**< default tilted; used where displacement takes place */
+    uint32_t struct_size;       /**< set by shd_tessellation_desc_default() */
+    shd_tessellation_mode mode; /**< default SHD_TESSELLATION_MODE_UNIFORM */
+    uint32_t segments;          /**< UNIFORM: parts of an edge, 1..SHD_MAX_SEGMENTS; default 1 */
+    uint32_t max_segments;      /**< ADAPTIVE: largest number of parts of an edge, 1..SHD_MAX_SEGMENTS; default 64 */
+    float edge_length;          /**< ADAPTIVE: longest part [pixels], without `view` [world units]; > 0; default 8 */
+    uint32_t width;             /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
+    uint32_t height;            /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
+    uint32_t max_triangles;     /**< the call is refused if there would be more, 1..2^28; default 2^24 */
     /**
-     * ADAPTIVE: the size of an edge in the picture is that of a line of its length across the line of sight at its
-     * middle; one that passes the eye has max_segments, one behind it 1. Borrowed for the call; NULL = world units.
+     * ADAPTIVE: the length of an edge in the picture is the projected length of a line of its length across the line of
+     * sight at its middle. An edge that passes the eye has max_segments parts, an edge behind the eye 1. Borrowed for
+     * the call; NULL = lengths in world units.
      */
     const shd_view *view;
     const float *object_to_world;    /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
-    const shd_texture *displacement; /**< channel r is the height; borrowed for the call; NULL = nothing moves */
-    const shd_sampler *sampler;      /**< of `displacement`; borrowed for the call; NULL = the default sampler */
-    size_t max_triangles;            /**< refused if there would be more; 1..2^28; default 2^24 */
-    float amplitude;                 /**< [object units], -1e12..1e12; 0 = nothing moves; default 0 */
-    float offset;                    /**< height that stays where it is, -1e12..1e12; default 0 */
-    float lod;                       /**< of the lookups, log2 of base texels, -32..32; default 0 */
-    uint32_t reserved;               /**< 0 */
+    const shd_texture *displacement; /**< channel r is the height; borrowed for the call; NULL = no displacement */
+    const shd_sampler *sampler;    /**< sampler of `displacement`; borrowed for the call; NULL = the default sampler */
+    float lod;                     /**< level of detail of the lookups, log2 of base texels, -32..32; default 0 */
+    float amplitude;               /**< factor of heights [object units], -1e12..1e12; default 0 = no displacement */
+    float offset;                  /**< height that is not displaced, -1e12..1e12; default 0 */
+    shd_displaced_normals normals; /**< used with displacement; default SHD_DISPLACED_NORMALS_TILTED */
     /* ---- end of 0.1; append below ---- */
 } shd_tessellation_desc;
 
@@ -83,25 +90,27 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
     desc.edge_length = 8.0f;
     desc.width = 1024;
     desc.height = 1024;
-    desc.max_triangles = (size_t)1 << 24;
+    desc.max_triangles = (uint32_t)1 << 24;
     return desc;
 }
 
 /**
- * A mesh of smaller triangles on those of `mesh`. Triangles come in the order of those that they are parts of. The
- * vertices of `mesh` come first, with their numbers and columns; those on edges and inside follow, every column
- * interpolated linearly, normals and tangents made unit again, handedness its sign. Where the edges of a triangle have
- * different numbers of parts, it is cut into rows across its two most finely cut edges. Parts meet at vertices only, so
- * that a closed mesh stays closed.
+ * Make a mesh of smaller triangles.
  *
- * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv; a height
- * that is not finite, or moves it beyond the range of float, counts as 0. Vertices at one position move together, by
- * the mean of what each would move by, so that seams of uv and creases stay closed; a sheet whose two sides are faces
- * at the same positions does not move. Tangents are laid into the plane of the new normals. Heights are looked up at
- * the vertices alone: parts longer than two texels of the level `lod` skip some.
+ * Triangles are in the order of the original triangles. The vertices of `mesh` come first, with their numbers and
+ * columns; vertices on edges and inside follow. Every column is interpolated linearly, normals and tangents are
+ * normalised, and handedness is the sign of the interpolated value. A triangle whose edges have different numbers of
+ * parts is cut into rows across its two most finely cut edges. Parts meet at vertices only, so a closed mesh stays
+ * closed.
  *
- * Refused with the field named, before anything is allocated: more than max_triangles. An edge with an end that is not
- * finite has 1 part in ADAPTIVE mode. normalless_count, tangentless_count and split_count of the new mesh's info are
+ * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv. A height
+ * that is not finite, or moves a vertex beyond the range of float, counts as 0. Vertices at one position move together
+ * by the mean of their displacements, so seams of uv and creases stay closed. A sheet whose two sides are faces at the
+ * same positions therefore does not move. Tangents are projected into the planes of the new normals. Heights are looked
+ * up at the vertices alone: parts longer than two texels of the level `lod` skip texels.
+ *
+ * Refused with the field named, before anything is allocated: more than max_triangles. In ADAPTIVE mode an edge with an
+ * end that is not finite has 1 part. normalless_count, tangentless_count and split_count of the new mesh's info are
  * those of `mesh`.
  * @param context   retained by the new mesh
  * @param mesh      concurrent reads

@@ -8,7 +8,7 @@
  * camera looks along -Z of view space. In clip space NDC y is up and depth is 0..1.
  *
  * Every function computes in double and rounds once, with the same bits on every machine. Inputs must be finite unless
- * the function says otherwise. An output may be the memory of an input. A call that fails leaves the output as it was.
+ * the function allows otherwise. An output may be the memory of an input. A call that fails leaves the output as it was.
  * Nothing is allocated.
  *
  * Thread safety: any thread.
@@ -20,7 +20,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Which depths the near and far plane get. */
+/** Depths of the near and far plane. */
 typedef enum shd_depth_order {
     SHD_DEPTH_ORDER_FORWARD = 0, /**< 0 near .. 1 far */
     /** 1 near .. 0 far, for draws that compare with SHD_COMPARE_GREATER and a clear_depth of 0. */
@@ -89,8 +89,8 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_multiply(const float *a, const float
  * The inverse. An affine matrix, with (0, 0, 0, 1) as its last row, has an affine inverse.
  * @param matrix      [16]
  * @param out_matrix  [16]
- * @return SHD_ERROR_INVALID_ARGUMENT for a matrix that is singular, or that arithmetic in double cannot tell from a
- *         singular one, and for an inverse beyond the range of float
+ * @return SHD_ERROR_INVALID_ARGUMENT for a matrix that is singular, or indistinguishable from a singular one in double
+ *         precision, and for an inverse beyond the range of float
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_matrix_invert(const float *matrix, float *out_matrix);

@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief From world to clip space, as a plain struct, and a camera that fills it.
+ * @brief Views: the transforms from world to clip space, and a camera that fills one.
  *
- * Matrices are float[16], column-major, acting on column vectors. World and view space are right-handed
- * with +Y up; the camera looks along -Z of view space. Clip space: NDC y up, depth 0 near .. 1 far.
+ * Matrices are float[16], column-major, acting on column vectors. World and view space are right-handed with +Y up; the
+ * camera looks along -Z of view space. Clip space: NDC y up, depth 0 near .. 1 far.
  *
  * Thread safety: any thread.
+ *
+ * @code
+ * shd_camera camera = shd_camera_default();
+ * camera.eye[2] = 5.0f;
+ * result = shd_view_from_camera(&camera, &render.view);
+ * @endcode
  */
 #ifndef SHD_VIEW_H
 #define SHD_VIEW_H
@@ -15,24 +21,26 @@
 
 SHD_BEGIN_DECLS
 
-/** What the eye sees. */
+/**
+ * Transforms from world to clip space. Frozen: it is a member of shd_render_desc, where later options of a picture are
+ * appended.
+ */
 typedef struct shd_view {
     float world_to_view[16]; /**< rigid, finite */
     float view_to_clip[16];  /**< projection, finite */
-    float eye[3];            /**< world space; wo points there */
-    float reserved;          /**< 0 */
+    float eye[3];            /**< world space; the point at which wo ends */
 } shd_view;
 
 /** A perspective camera. */
 typedef struct shd_camera {
     uint32_t struct_size; /**< set by shd_camera_default() */
+    float eye[3];         /**< world space; default (0, 0, 3) */
+    float target[3];      /**< world space, different from the eye; default 0 */
+    float up[3];          /**< world space, any length, not along the line of sight; default (0, 1, 0) */
     float fov_y;          /**< vertical field of view [rad], (0, pi); default 0.8 */
     float aspect;         /**< width / height, > 0; 0 = that of the picture, or 1 where there is none; default 0 */
     float near_plane;     /**< distance, > 0; default 0.1 */
     float far_plane;      /**< distance, > near_plane; default 100 */
-    float eye[3];         /**< world space; default (0, 0, 3) */
-    float target[3];      /**< world space, not the eye; default 0 */
-    float up[3];          /**< world space, any length, not along the line of sight; default (0, 1, 0) */
     /* ---- end of 0.1; append below ---- */
 } shd_camera;
 
@@ -41,17 +49,17 @@ static inline shd_camera shd_camera_default(void)
 {
     shd_camera camera = SHD_ZERO_INIT;
     camera.struct_size = (uint32_t)sizeof camera;
+    camera.eye[2] = 3.0f;
+    camera.up[1] = 1.0f;
     camera.fov_y = 0.8f;
     camera.near_plane = 0.1f;
     camera.far_plane = 100.0f;
-    camera.eye[2] = 3.0f;
-    camera.up[1] = 1.0f;
     return camera;
 }
 
 /**
- * Matrices of a camera; the same bits on every machine. An aspect of 0 counts as 1 here: no picture is known. Frames
- * that take the camera itself (shd_render_desc.camera) have one.
+ * Compute the view of a camera; the same bits on every machine. An aspect of 0 counts as 1 here, because there is no
+ * picture. Frames that take the camera itself (shd_render_desc.camera) use the aspect of their picture.
  * @param out_view  all zero on failure
  * @since 0.1
  */

@@ -1,7 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief What lies outside an image, for lookups and for mip kernels.
+ * @brief Texels outside an image, for lookups and for mip kernels.
+ *
+ * Thread safety: there are no functions here.
+ *
+ * @code
+ * shd_sampler_desc desc = shd_sampler_desc_default();
+ * desc.wrap_u = SHD_WRAP_REPEAT, desc.wrap_v = SHD_WRAP_CLAMP;
+ * @endcode
  */
 #ifndef SHD_WRAP_H
 #define SHD_WRAP_H
@@ -10,7 +17,7 @@
 
 SHD_BEGIN_DECLS
 
-/** What lies outside [0, 1), for texel index i of n (Vulkan specification, "Wrapping Operation"). */
+/** Texel that index i reads along an axis of n texels (Vulkan specification, "Wrapping Operation"). */
 typedef enum shd_wrap {
     SHD_WRAP_REPEAT = 0,      /**< i mod n */
     SHD_WRAP_CLAMP = 1,       /**< clamp(i, 0, n - 1) */

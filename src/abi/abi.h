@@ -10,7 +10,7 @@
 ///             and no folder includes it. Functions of libshd that are named check_<what> and read_<what> return a
 ///             result; those of color/ and io/ throw a Failure.
 ///
-/// | file             | what                                                                              |
+/// | file             | content                                                                           |
 /// |------------------|-----------------------------------------------------------------------------------|
 /// | guard.h          | the guard of libshd's functions                                                   |
 /// | desc.h           | descs of any version in and out, checks that name the field, shd_desc_init        |

@@ -18,7 +18,7 @@ namespace shd::abi {
 /// A column of a caller, of float or uint32_t. Void is const void for inputs and void for outputs.
 template <class Void>
 struct BatchColumn {
-  const char* name;  // of its field, in messages
+  const char* name;  // name of its field, in messages
   int index;         // in an array of columns with that name; -1 = none
   bool required;
   Void* data;     // null = absent

@@ -14,8 +14,6 @@ using namespace shd::abi;
 shd_result check_context_desc(const shd_context_desc& desc) {
   SHD_TRY(check_count("context.worker_count", desc.worker_count, 0, 1024));
   SHD_TRY(check_enum("context.simd", desc.simd, SHD_SIMD_BEST, SHD_SIMD_WASM));
-  SHD_TRY(check_zero("context.reserved", desc.reserved));
-  SHD_TRY(check_zero("context.executor.reserved", desc.executor.reserved));
   if (!desc.allocator.allocate != !desc.allocator.free) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "context.allocator.%s: NULL, but the other callback is set",
                       desc.allocator.allocate ? "free" : "allocate");
@@ -52,7 +50,7 @@ void shd_context_release(shd_context* context) {
   if (context && context_of(context).tag == core::kContextTag) core::release(context_of(context));
 }
 
-const char* shd_simd_target(const shd_context* context) {
+const char* shd_context_simd_target(const shd_context* context) {
   return check_context(context) == SHD_OK ? context_of(context).simd.name : "";
 }
 

@@ -82,18 +82,33 @@ shd_result read_image(const char* name, const shd_image* in, shd_image* out) {
   return image::read_image(core::fail, takes, name, in, out);
 }
 
+shd_result check_apart(const char* a_name, const shd_image& a, const char* b_name, const shd_image& b) {
+  const auto a_begin = reinterpret_cast<uintptr_t>(a.pixels), b_begin = reinterpret_cast<uintptr_t>(b.pixels);
+  const size_t a_row = a.width * image::format_info(a.format).pixel_size;
+  const size_t b_row = b.width * image::format_info(b.format).pixel_size;
+  for (uint32_t i = 0, j = 0; i < a.height && j < b.height;) {  // images may lie beside each other in a larger one
+    const uintptr_t a_at = a_begin + i * a.row_stride, b_at = b_begin + j * b.row_stride;
+    if (a_at + a_row <= b_at) {
+      ++i;
+    } else if (b_at + b_row <= a_at) {
+      ++j;
+    } else {
+      return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.pixels: overlaps %s.pixels", a_name, b_name);
+    }
+  }
+  return SHD_OK;
+}
+
 namespace {
 
 template <class Desc>
 shd_result write_defaults(const Desc& defaults, void* ptr, size_t size) {
-  if (size < sizeof(Desc)) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is below %zu", size, sizeof(Desc));
-  }
+  constexpr size_t kRequired = core::DescSize<Desc>::kRequired;
+  if (size < kRequired) return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is below %zu", size, kRequired);
   if (size > (1u << 16)) return fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.size: %zu is above 65536", size);
-  std::memset(ptr, 0, size);
-  std::memcpy(ptr, &defaults, sizeof defaults);
   const auto struct_size = static_cast<uint32_t>(size);
   std::memcpy(ptr, &struct_size, sizeof struct_size);
+  core::write_desc_bytes(&defaults, sizeof defaults, ptr);
   return SHD_OK;
 }
 
@@ -106,35 +121,46 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
   using shd::abi::write_defaults;
   SHD_TRY(shd::abi::check_not_null("desc_init.ptr", ptr));
   switch (shd::abi::enum_bits(kind)) {
-    case SHD_DESC_CONTEXT: return write_defaults(shd_context_desc_default(), ptr, size);
-    case SHD_DESC_TEXTURE: return write_defaults(shd_texture_desc_default(), ptr, size);
-    case SHD_DESC_SAMPLER: return write_defaults(shd_sampler_desc_default(), ptr, size);
-    case SHD_DESC_LOOKUPS: return write_defaults(shd_lookups_default(), ptr, size);
-    case SHD_DESC_MESH: return write_defaults(shd_mesh_desc_default(), ptr, size);
-    case SHD_DESC_MATERIAL: return write_defaults(shd_material_desc_default(), ptr, size);
-    case SHD_DESC_LIGHT: return write_defaults(shd_light_desc_default(), ptr, size);
-    case SHD_DESC_FRAMEBUFFER: return write_defaults(shd_framebuffer_desc_default(), ptr, size);
-    case SHD_DESC_DRAW: return write_defaults(shd_draw_default(), ptr, size);
-    case SHD_DESC_RENDER: return write_defaults(shd_render_desc_default(), ptr, size);
-    case SHD_DESC_IMAGE: return write_defaults(shd_image_default(), ptr, size);
-    case SHD_DESC_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
-    case SHD_DESC_COLOR: return write_defaults(shd_color_desc_default(), ptr, size);
-    case SHD_DESC_LOAD: return write_defaults(shd_load_desc_default(), ptr, size);
-    case SHD_DESC_SAVE: return write_defaults(shd_save_desc_default(), ptr, size);
-    case SHD_DESC_RAY_DIFFERENTIALS: return write_defaults(shd_ray_differentials_default(), ptr, size);
-    case SHD_DESC_RAY_CONES: return write_defaults(shd_ray_cones_default(), ptr, size);
-    case SHD_DESC_EXPLANATION: return write_defaults(shd_explanation_default(), ptr, size);
-    case SHD_DESC_MIP: return write_defaults(shd_mip_desc_default(), ptr, size);
-    case SHD_DESC_EDGES: return write_defaults(shd_edges_desc_default(), ptr, size);
-    case SHD_DESC_SHADOW: return write_defaults(shd_shadow_desc_default(), ptr, size);
-    case SHD_DESC_SHADOW_RENDER: return write_defaults(shd_shadow_render_desc_default(), ptr, size);
-    case SHD_DESC_SHADOW_LOOKUPS: return write_defaults(shd_shadow_lookups_default(), ptr, size);
-    case SHD_DESC_TESSELLATION: return write_defaults(shd_tessellation_desc_default(), ptr, size);
-    case SHD_DESC_SHAPE: return write_defaults(shd_shape_desc_default(), ptr, size);
-    case SHD_DESC_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
-    case SHD_DESC_SCENE: return write_defaults(shd_scene_desc_default(), ptr, size);
-    case SHD_DESC_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
-    case SHD_DESC_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
+    case SHD_DESC_KIND_CONTEXT_DESC: return write_defaults(shd_context_desc_default(), ptr, size);
+    case SHD_DESC_KIND_IMAGE: return write_defaults(shd_image_default(), ptr, size);
+    case SHD_DESC_KIND_TEXTURE_DESC: return write_defaults(shd_texture_desc_default(), ptr, size);
+    case SHD_DESC_KIND_TEXTURE_INFO: return write_defaults(shd_texture_info_default(), ptr, size);
+    case SHD_DESC_KIND_MIP_DESC: return write_defaults(shd_mip_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SAMPLER_DESC: return write_defaults(shd_sampler_desc_default(), ptr, size);
+    case SHD_DESC_KIND_LOOKUPS: return write_defaults(shd_lookups_default(), ptr, size);
+    case SHD_DESC_KIND_TEXELS: return write_defaults(shd_texels_default(), ptr, size);
+    case SHD_DESC_KIND_LEVELS: return write_defaults(shd_levels_default(), ptr, size);
+    case SHD_DESC_KIND_EXPLANATION: return write_defaults(shd_explanation_default(), ptr, size);
+    case SHD_DESC_KIND_RAY_DIFFERENTIALS: return write_defaults(shd_ray_differentials_default(), ptr, size);
+    case SHD_DESC_KIND_RAY_CONES: return write_defaults(shd_ray_cones_default(), ptr, size);
+    case SHD_DESC_KIND_DERIVATIVES: return write_defaults(shd_derivatives_default(), ptr, size);
+    case SHD_DESC_KIND_MESH_DESC: return write_defaults(shd_mesh_desc_default(), ptr, size);
+    case SHD_DESC_KIND_MESH_INFO: return write_defaults(shd_mesh_info_default(), ptr, size);
+    case SHD_DESC_KIND_EDGES_DESC: return write_defaults(shd_edges_desc_default(), ptr, size);
+    case SHD_DESC_KIND_EDGES: return write_defaults(shd_edges_default(), ptr, size);
+    case SHD_DESC_KIND_TESSELLATION_DESC: return write_defaults(shd_tessellation_desc_default(), ptr, size);
+    case SHD_DESC_KIND_MATERIAL_DESC: return write_defaults(shd_material_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SLOT: return write_defaults(shd_slot_default(SHD_SLOT_DIFFUSE), ptr, size);
+    case SHD_DESC_KIND_LIGHT_DESC: return write_defaults(shd_light_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SHADOW_DESC: return write_defaults(shd_shadow_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SHADOW_RENDER_DESC: return write_defaults(shd_shadow_render_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SHADOW_LOOKUPS: return write_defaults(shd_shadow_lookups_default(), ptr, size);
+    case SHD_DESC_KIND_FRAMEBUFFER_DESC: return write_defaults(shd_framebuffer_desc_default(), ptr, size);
+    case SHD_DESC_KIND_FRAMEBUFFER_INFO: return write_defaults(shd_framebuffer_info_default(), ptr, size);
+    case SHD_DESC_KIND_PLANE_VIEW: return write_defaults(shd_plane_view_default(), ptr, size);
+    case SHD_DESC_KIND_CAMERA: return write_defaults(shd_camera_default(), ptr, size);
+    case SHD_DESC_KIND_DRAW: return write_defaults(shd_draw_default(), ptr, size);
+    case SHD_DESC_KIND_RENDER_DESC: return write_defaults(shd_render_desc_default(), ptr, size);
+    case SHD_DESC_KIND_RENDER_STATS: return write_defaults(shd_render_stats_default(), ptr, size);
+    case SHD_DESC_KIND_COLOR_DESC: return write_defaults(shd_color_desc_default(), ptr, size);
+    case SHD_DESC_KIND_LOAD_DESC: return write_defaults(shd_load_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SAVE_DESC: return write_defaults(shd_save_desc_default(), ptr, size);
+    case SHD_DESC_KIND_BITMAP_INFO: return write_defaults(shd_bitmap_info_default(), ptr, size);
+    case SHD_DESC_KIND_SHAPE_DESC: return write_defaults(shd_shape_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
+    case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
+    case SHD_DESC_KIND_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

@@ -9,6 +9,7 @@
 #include <shd/column.h>
 #include <shd/image.h>
 
+#include "core/desc_size.h"
 #include "core/read_desc.h"
 #include "core/status.h"
 
@@ -23,15 +24,24 @@ shd_result read_desc(const char* name, const Desc* in, bool optional, Desc* out)
     if (optional) return SHD_OK;
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
   }
-  return core::read_desc_bytes(core::fail, name, in, sizeof(Desc), out, sizeof(Desc));
+  return core::read_desc_bytes(core::fail, name, in, core::DescSize<Desc>::kRequired, out, sizeof(Desc));
 }
 
-/// Writes a desc back into the caller's, of which it fills no more than struct_size bytes.
+/// Checks a struct that the library only writes, and clears it: calls that fail leave it zero.
+template <class Desc>
+shd_result begin_output(const char* name, Desc* out) {
+  if (!out) return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
+  if (const shd_result result = core::check_desc_size(core::fail, name, out, core::DescSize<Desc>::kRequired)) {
+    return result;
+  }
+  core::clear_desc_bytes(out);
+  return SHD_OK;
+}
+
+/// Writes a struct into the caller's, which was read by read_desc or begun by begin_output.
 template <class Desc>
 void write_desc(const Desc& from, Desc* to) {
-  const uint32_t size = to->struct_size;
-  std::memcpy(static_cast<void*>(to), &from, size < sizeof from ? size : sizeof from);
-  to->struct_size = size;
+  core::write_desc_bytes(&from, sizeof from, to);
 }
 
 /// Checks that name the field: each answers SHD_OK or SHD_ERROR_INVALID_ARGUMENT.
@@ -44,7 +54,7 @@ shd_result check_enum(const char* field, const Enum& value, uint32_t low, uint32
 shd_result check_zero(const char* field, uint64_t value);
 shd_result check_flags(const char* field, uint32_t value, uint32_t known);
 shd_result check_not_null(const char* field, const void* pointer);
-/// Every one of `count` values is finite; the message says which is not.
+/// Every one of `count` values is finite; the message names the first other one.
 shd_result check_finite(const char* field, const float* values, size_t count);
 /// Every one of `count` values lies in [low, high]; NaN does not.
 shd_result check_values(const char* field, const float* values, size_t count, double low, double high);
@@ -56,6 +66,8 @@ shd_result check_column(const char* field, const Column& column, size_t count) {
 }
 /// Checks a caller's image of any known format and copies it, with its row stride filled in.
 shd_result read_image(const char* name, const shd_image* in, shd_image* out);
+/// That two images that read_image has read share no byte.
+shd_result check_apart(const char* a_name, const shd_image& a, const char* b_name, const shd_image& b);
 
 }  // namespace shd::abi
 

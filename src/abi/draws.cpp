@@ -18,7 +18,7 @@ shd_result check_matrix(const char* field, const float m[16]) {
   return SHD_OK;
 }
 
-/// What a draw is drawn with: its own matrix, or those of its instances.
+/// Matrices of a draw: its own, or those of its instances.
 struct Instances {
   const float* matrices;
   size_t count;
@@ -33,7 +33,6 @@ shd_result read_draw(const shd_draw* in, frame::Draw* out, Instances* instances)
   SHD_TRY(check_flags("draw.flags", draw.flags, SHD_DRAW_KEEP_DEPTH | SHD_DRAW_SAMPLE_SHADING));
   SHD_TRY(check_range("draw.depth_bias", static_cast<double>(draw.depth_bias), -1.0, 1.0));
   SHD_TRY(check_finite("draw.depth_bias_slope", &draw.depth_bias_slope, 1));
-  SHD_TRY(check_zero("draw.reserved", draw.reserved));
   SHD_TRY(check_matrix("draw.object_to_world", draw.object_to_world));
   SHD_TRY(read_handle("draw.mesh", draw.mesh, core::ObjectType::kMesh, &out->mesh));
   out->begin = 0;

@@ -14,13 +14,12 @@ using namespace shd;
 using namespace shd::abi;
 
 shd_result check_edges_desc(const shd_edges_desc& desc) {
-  SHD_TRY(check_flags("edges.kinds", desc.kinds, SHD_EDGE_ALL));
+  SHD_TRY(check_flags("edges.edges", desc.edges, SHD_EDGE_ALL));
   SHD_TRY(check_finite("edges.eye", desc.eye, 4));
   if (desc.eye[0] == 0.0f && desc.eye[1] == 0.0f && desc.eye[2] == 0.0f && desc.eye[3] == 0.0f) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "edges.eye: 0 is neither a point nor a direction");
   }
-  SHD_TRY(check_range("edges.crease_cosine", static_cast<double>(desc.crease_cosine), -1.0, 1.0));
-  return check_zero("edges.reserved", desc.reserved);
+  return check_range("edges.crease_cosine", static_cast<double>(desc.crease_cosine), -1.0, 1.0);
 }
 
 shd_result check_edge_columns(const shd_edges& out, size_t capacity) {
@@ -60,11 +59,11 @@ extern "C" shd_result shd_mesh_find_edges(const shd_mesh* mesh, const shd_edges_
     shd_edges_desc read = shd_edges_desc_default();
     SHD_TRY(read_desc("edges", desc, false, &read));
     SHD_TRY(check_edges_desc(read));
-    if (capacity) SHD_TRY(check_not_null("out", out));
-    const shd_edges columns = capacity ? *out : shd_edges{};
+    shd_edges columns = shd_edges_default();
+    SHD_TRY(read_desc("out", out, capacity == 0, &columns));
     SHD_TRY(check_edge_columns(columns, capacity));
     const geometry::EdgeQuery query = {
-        read.kinds,
+        read.edges,
         static_cast<double>(read.crease_cosine),
         {double{read.eye[0]}, double{read.eye[1]}, double{read.eye[2]}, double{read.eye[3]}}};
     size_t count = 0;

@@ -11,7 +11,7 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-/// Body of an extension's handle: what it stands for and how it ends.
+/// Body of an extension's handle: the object behind the handle and its destructor.
 struct ExtensionBody {
   void* body;
   void (*destroy)(void* body);

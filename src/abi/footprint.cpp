@@ -15,7 +15,7 @@ using texture::Surface;
 
 constexpr size_t kOutputs = 4;
 
-/// Columns of shd_ray_differentials. Those of three components begin at x.
+/// Columns of shd_ray_differentials. Columns of three components begin at x.
 enum DifferentialColumn {
   kDpdu = 0,
   kDpdv = 3,
@@ -90,8 +90,8 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
   return guard([&]() -> shd_result {
     shd_ray_differentials in = shd_ray_differentials_default();
     SHD_TRY(read_desc("rays", rays, false, &in));
-    SHD_TRY(check_zero("rays.reserved", in.reserved));
-    SHD_TRY(check_not_null("derivatives", out));
+    shd_derivatives derivatives = shd_derivatives_default();
+    SHD_TRY(read_desc("derivatives", out, false, &derivatives));
     Batch<kDifferentialColumns, kOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
@@ -103,7 +103,7 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     set_vector("rays.origin_dy", in.origin_dy, Need::kOptional, columns + kOriginDy);
     set_vector("rays.direction_dx", in.direction_dx, Need::kOptional, columns + kDirectionDx);
     set_vector("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
-    set_derivatives(*out, &batch);
+    set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
     for_each_piece(batch, 0, batch.count, trace_differentials);
     return SHD_OK;
@@ -114,8 +114,8 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
   return guard([&]() -> shd_result {
     shd_ray_cones in = shd_ray_cones_default();
     SHD_TRY(read_desc("cones", cones, false, &in));
-    SHD_TRY(check_zero("cones.reserved", in.reserved));
-    SHD_TRY(check_not_null("derivatives", out));
+    shd_derivatives derivatives = shd_derivatives_default();
+    SHD_TRY(read_desc("derivatives", out, false, &derivatives));
     Batch<kConeColumns, kOutputs> batch;
     batch.count = in.count;
     InColumn* const columns = batch.in.data();
@@ -123,7 +123,7 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     set_vector("cones.dpdv", in.dpdv, Need::kRequired, columns + kDpdv);
     set_vector("cones.direction", in.direction, Need::kRequired, columns + kDirection);
     columns[kWidth] = in_column("cones.width", in.width, Need::kRequired);
-    set_derivatives(*out, &batch);
+    set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
     for_each_piece(batch, 0, batch.count, trace_cones);
     return SHD_OK;

@@ -31,8 +31,7 @@ shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
   SHD_TRY(check_samples(desc.samples));
-  SHD_TRY(check_flags("framebuffer.aovs", desc.aovs, film::all_aovs()));
-  return check_zero("framebuffer.reserved", desc.reserved);
+  return check_flags("framebuffer.aovs", desc.aovs, film::all_aovs());
 }
 
 shd_result read_framebuffer(const shd_framebuffer* handle, const Framebuffer** out) {
@@ -91,57 +90,65 @@ void shd_framebuffer_release(shd_framebuffer* framebuffer) {
 
 shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_framebuffer_info* out_info) {
   return guard([&]() -> shd_result {
-    SHD_TRY(check_not_null("out_info", out_info));
-    *out_info = {};
+    SHD_TRY(begin_output("out_info", out_info));
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
-    *out_info = {body->width, body->height, body->samples, body->aovs, film::byte_size(*body)};
+    shd_framebuffer_info info = shd_framebuffer_info_default();
+    info.width = body->width;
+    info.height = body->height;
+    info.samples = body->samples;
+    info.aovs = body->aovs;
+    info.byte_size = film::byte_size(*body);
+    write_desc(info, out_info);
     return SHD_OK;
   });
 }
 
 shd_result shd_framebuffer_view_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_plane_view* out_view) {
   return guard([&]() -> shd_result {
-    SHD_TRY(check_not_null("out_view", out_view));
-    *out_view = {};
+    SHD_TRY(begin_output("out_view", out_view));
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
     SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_plane(*body, plane));
-    out_view->row_stride = body->stride * sizeof(float);
+    shd_plane_view view = shd_plane_view_default();
+    view.row_stride = body->stride * sizeof(float);
     if (film::kPlanes[plane].is_integer) {
-      out_view->u32 = body->u32_plane[plane].data();
+      view.u32 = body->u32_plane[plane].data();
     } else {
-      out_view->f32 = body->plane[plane].data();
+      view.f32 = body->plane[plane].data();
     }
+    write_desc(view, out_view);
     return SHD_OK;
   });
 }
 
-shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_f32_out out) {
+shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_plane plane, const shd_f32_out* out) {
   return guard([&]() -> shd_result {
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
     SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_kind(plane, false));
     SHD_TRY(check_plane(*body, plane));
-    SHD_TRY(check_not_null("out.data", out.data));
-    SHD_TRY(check_column("out", out, pixel_count(*body)));
-    film::read_plane(*body, plane, out);
+    SHD_TRY(check_not_null("out", out));
+    SHD_TRY(check_not_null("out.data", out->data));
+    SHD_TRY(check_column("out", *out, pixel_count(*body)));
+    film::read_plane(*body, plane, *out);
     return SHD_OK;
   });
 }
 
-shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer* framebuffer, shd_plane plane, shd_u32_out out) {
+shd_result shd_framebuffer_read_u32_plane(const shd_framebuffer* framebuffer, shd_plane plane, const shd_u32_out* out) {
   return guard([&]() -> shd_result {
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
     SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_kind(plane, true));
     SHD_TRY(check_plane(*body, plane));
-    SHD_TRY(check_not_null("out.data", out.data));
-    SHD_TRY(check_column("out", out.data, out.stride, pixel_count(*body)));
-    film::read_u32_plane(*body, plane, out);
+    SHD_TRY(check_not_null("out", out));
+    SHD_TRY(check_not_null("out.data", out->data));
+    SHD_TRY(check_column("out", *out, pixel_count(*body)));
+    film::read_u32_plane(*body, plane, *out);
     return SHD_OK;
   });
 }

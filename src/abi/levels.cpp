@@ -43,9 +43,10 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     LevelBatch batch;
     SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
-    SHD_TRY(check_not_null("levels", out));
-    batch.out[kLod] = out_column("levels.lod", out->lod, Need::kOptional);
-    batch.out[kLevel] = out_column("levels.level", out->level, Need::kOptional);
+    shd_levels levels = shd_levels_default();
+    SHD_TRY(read_desc("levels", out, false, &levels));
+    batch.out[kLod] = out_column("levels.lod", levels.lod, Need::kOptional);
+    batch.out[kLevel] = out_column("levels.level", levels.level, Need::kOptional);
     SHD_TRY(check_batch(batch));
     const core::Context& context = *object_of(texture)->context;
     run_batch(context, batch,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shd/light.h>
 
-#include <algorithm>
-
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -32,27 +30,26 @@ shd_result check_texture(const shd_light_desc& desc) {
   if (desc.sampler && !desc.texture) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "light.sampler: set, but light.texture is NULL");
   }
-  if (desc.texture && desc.kind != SHD_LIGHT_SPOT && desc.kind != SHD_LIGHT_DIRECTIONAL) {
+  if (desc.texture && desc.kind != SHD_LIGHT_KIND_SPOT && desc.kind != SHD_LIGHT_KIND_DIRECTIONAL) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                      "light.texture: set, but the kind is neither SHD_LIGHT_SPOT nor SHD_LIGHT_DIRECTIONAL");
+                      "light.texture: set, but the kind is neither SHD_LIGHT_KIND_SPOT nor SHD_LIGHT_KIND_DIRECTIONAL");
   }
   return SHD_OK;
 }
 
 shd_result check_light_desc(const shd_light_desc& desc) {
-  SHD_TRY(check_enum("light.kind", desc.kind, SHD_LIGHT_POINT, SHD_LIGHT_SPOT));
+  SHD_TRY(check_enum("light.kind", desc.kind, SHD_LIGHT_KIND_POINT, SHD_LIGHT_KIND_SPOT));
   SHD_TRY(check_values("light.intensity", desc.intensity, 3, 0.0, 1e12));
   SHD_TRY(check_finite("light.position", desc.position, 3));
   SHD_TRY(check_finite("light.direction", desc.direction, 3));
   SHD_TRY(check_finite("light.up", desc.up, 3));
-  if ((desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT) && is_zero(desc.direction)) {
+  if ((desc.kind == SHD_LIGHT_KIND_DIRECTIONAL || desc.kind == SHD_LIGHT_KIND_SPOT) && is_zero(desc.direction)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "light.direction: (0, 0, 0) has no direction");
   }
   if (desc.range != 0.0f) SHD_TRY(check_range("light.range", double{desc.range}, kMinLength, 1e12));
   SHD_TRY(check_cone(desc));
   SHD_TRY(check_values("light.extent", desc.extent, 2, kMinLength, 1e12));
-  SHD_TRY(check_texture(desc));
-  return check_zero("light.reserved", desc.reserved);
+  return check_texture(desc);
 }
 
 shd_result fill(const shd_light_desc& desc, light::LightBody* out) {
@@ -64,15 +61,6 @@ shd_result fill(const shd_light_desc& desc, light::LightBody* out) {
   if (texture) SHD_TRY(check_tables(*texture, *sampler));
   out->light = light::make_light(desc, texture, sampler);
   return SHD_OK;
-}
-
-shd_light_desc point(float x, float y, float z, float intensity) {
-  shd_light_desc desc = shd_light_desc_default();
-  desc.position[0] = x;
-  desc.position[1] = y;
-  desc.position[2] = z;
-  for (float& channel : desc.intensity) channel = intensity;
-  return desc;
 }
 
 }  // namespace
@@ -94,20 +82,6 @@ shd_result shd_light_create(shd_context* context, const shd_light_desc* desc, sh
       return result;
     }
     make_handle(owner, kType, body, out_light);
-    return SHD_OK;
-  });
-}
-
-shd_result shd_light_preset_descs(shd_light_preset preset, size_t* count, shd_light_desc* descs) {
-  return guard([&]() -> shd_result {
-    SHD_TRY(check_not_null("count", count));
-    SHD_TRY(check_enum("preset", preset, SHD_LIGHT_PRESET_TWO_POINTS, SHD_LIGHT_PRESET_TWO_POINTS));
-    shd_light_desc set[3] = {point(30.0f, 50.0f, 20.0f, 500.0f), point(-30.0f, 50.0f, 0.0f, 500.0f),
-                             point(0.0f, 0.0f, 0.0f, 10.0f)};
-    set[2].kind = SHD_LIGHT_AMBIENT;
-    const size_t room = descs ? std::min<size_t>(*count, 3) : 0;
-    for (size_t i = 0; i < room; ++i) descs[i] = set[i];
-    *count = 3;
     return SHD_OK;
   });
 }

@@ -16,9 +16,6 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-/// Bytes of the shd_texels of 0.1.
-constexpr size_t kTexelsSize01 = offsetof(shd_texels, nonfinite_count) + sizeof(size_t);
-
 constexpr size_t kOutputs = texture::kOutputColumns;
 using LookupBatch = Batch<kLookupColumns, kOutputs>;
 
@@ -39,7 +36,7 @@ shd_result check_outputs(const LookupBatch& batch) {
   return check_overlap(batch.in.data(), kLookupColumns, batch.out.data(), kOutputs, batch.count);
 }
 
-/// Whether the sampler has the derivatives that a batch asks for.
+/// Whether the sampler has the derivatives that a batch requests.
 shd_result check_gradient(const LookupBatch& batch, const texture::Sampler& sampler) {
   bool wanted = false;
   for (size_t c = 4; c < kOutputs; ++c) wanted = wanted || batch.out[c].data;
@@ -54,17 +51,18 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Sampler& samp
   return SHD_OK;
 }
 
-/// Reads the caller's texels. A struct_size of 0 stands for that of 0.1.
+/// Reads the caller's texels. A struct_size of 0 is that of 0.1.
 shd_result read_texels(const shd_texels* in, shd_texels* out) {
   SHD_TRY(check_not_null("texels", in));
-  uint32_t size;
-  std::memcpy(&size, in, sizeof size);
-  if (size == 0) {
-    std::memcpy(out, in, kTexelsSize01);
-  } else {
-    SHD_TRY(read_desc("texels", in, false, out));
-  }
-  return check_zero("texels.reserved", out->reserved);
+  if (core::struct_size_of(in) != 0) return read_desc("texels", in, false, out);
+  std::memcpy(static_cast<void*>(out), in, core::DescSize<shd_texels>::kFirst);
+  return SHD_OK;
+}
+
+/// Stores the count in the caller's texels if they have the field.
+void write_nonfinite(size_t count, shd_texels* out) {
+  constexpr size_t kEnd = offsetof(shd_texels, nonfinite_count) + sizeof out->nonfinite_count;
+  if (out->struct_size == 0 || out->struct_size >= kEnd) out->nonfinite_count = count;
 }
 
 /// Samples a batch on the executor; returns how many lookups were not finite.
@@ -96,7 +94,7 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     set_outputs(texels, &batch);
     SHD_TRY(check_gradient(batch, *sampler_body));
     SHD_TRY(check_outputs(batch));
-    out->nonfinite_count = sample_batch(*object_of(texture)->context, *texture_body, *sampler_body, batch);
+    write_nonfinite(sample_batch(*object_of(texture)->context, *texture_body, *sampler_body, batch), out);
     return SHD_OK;
   });
 }

@@ -45,7 +45,6 @@ shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sample
 shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count) {
   shd_lookups read = shd_lookups_default();
   SHD_TRY(read_desc("lookups", in, false, &read));
-  SHD_TRY(check_zero("lookups.reserved", read.reserved));
   InColumn* next = columns->data();
   for (const auto& row : kFloatRows) *next++ = in_column(row.name, read.*row.given, row.need);
   for (const auto& row : kIntegerRows) *next++ = in_column(row.name, read.*row.given, row.need);

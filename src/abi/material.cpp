@@ -15,19 +15,18 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr core::ObjectType kType = core::ObjectType::kMaterial;
-constexpr uint32_t kFlags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS |
-                            SHD_ALPHA_TO_COVERAGE | SHD_DOUBLE_SIDED | SHD_NORMAL_Y_DOWN;
+constexpr uint32_t kFlags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT | SHD_MATERIAL_DISCARDS |
+                            SHD_MATERIAL_ALPHA_TO_COVERAGE | SHD_MATERIAL_DOUBLE_SIDED | SHD_MATERIAL_NORMAL_Y_DOWN;
 
 shd_result check_programs(const shd_material_desc& desc) {
   SHD_TRY(check_count("material.varying_count", desc.varying_count, 0, SHD_MAX_VARYINGS));
-  for (int i = 0; i < SHD_MAX_VARYINGS; ++i) {
-    char field[40];
-    std::snprintf(field, sizeof field, "material.interpolation[%d]", i);
+  for (size_t i = 0; desc.interpolation && i < desc.varying_count; ++i) {
+    char field[48];
+    std::snprintf(field, sizeof field, "material.interpolation[%zu]", i);
     SHD_TRY(check_enum(field, desc.interpolation[i], 0, SHD_INTERPOLATION_FLAT));
   }
-  SHD_TRY(check_zero("material.reserved", desc.reserved));
   if (desc.varying_count && !desc.program.vertex) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "material.varying_count: %u, but material.program.vertex is NULL",
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "material.varying_count: %zu, but material.program.vertex is NULL",
                       desc.varying_count);
   }
   if (desc.model == SHD_MODEL_PROGRAM && !desc.program.fragment) {
@@ -58,7 +57,7 @@ shd_result check_drawing(const shd_material_desc& desc) {
 }
 
 shd_result check_surface(const shd_material_desc& desc) {
-  SHD_TRY(check_enum("material.normal_encoding", desc.normal_encoding, 0, SHD_NORMAL_MOMENTS));
+  SHD_TRY(check_enum("material.normal_encoding", desc.normal_encoding, 0, SHD_NORMAL_ENCODING_MOMENTS));
   SHD_TRY(check_range("material.normal_scale", double{desc.normal_scale}, -1e3, 1e3));
   SHD_TRY(check_enum("material.bump", desc.bump, 0, SHD_BUMP_TEXEL));
   SHD_TRY(check_range("material.bump_scale", double{desc.bump_scale}, -1e6, 1e6));
@@ -68,6 +67,7 @@ shd_result check_surface(const shd_material_desc& desc) {
 
 shd_result check_material_desc(const shd_material_desc& desc) {
   SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, material::last_model()));
+  SHD_TRY(check_enum("material.debug_view", desc.debug_view, 0, SHD_DEBUG_VIEW_BARYCENTRICS));
   SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
   SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
@@ -86,53 +86,83 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   return check_programs(desc);
 }
 
-/// A message about a field of a slot.
+/// The name of a field of a slot, for messages.
 struct SlotField {
-  SlotField(uint32_t slot, const char* name) { std::snprintf(text, sizeof text, "material.slot[%u].%s", slot, name); }
+  SlotField(uint32_t index, const char* name) {
+    std::snprintf(text, sizeof text, "material.slots[%u].%s", index, name);
+  }
   char text[48];
 };
 
 /// Texture and sampler of a slot, retained.
-shd_result take_parts(const shd_slot& desc, uint32_t slot, material::SlotParts* parts, material::Material* out) {
-  const SlotField texture(slot, "texture"), sampler(slot, "sampler");
+shd_result take_parts(const shd_slot& desc, material::SlotInput* slot, material::Material* out) {
+  const SlotField texture(slot->index, "texture"), sampler(slot->index, "sampler");
   if (!desc.texture)
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL, but the source is a texture", texture.text);
-  SHD_TRY(check_count(SlotField(slot, "uv_set").text, desc.uv_set, 0, 1));
-  SHD_TRY(check_count(SlotField(slot, "channel").text, desc.channel, 0, 3));
-  SHD_TRY(check_finite(SlotField(slot, "uv_transform").text, desc.uv_transform, 6));
-  SHD_TRY(
-      retain_part(texture.text, desc.texture, core::ObjectType::kTexture, &parts->texture, &out->texture_object[slot]));
-  SHD_TRY(
-      retain_part(sampler.text, desc.sampler, core::ObjectType::kSampler, &parts->sampler, &out->sampler_object[slot]));
-  if (!parts->sampler || check_tables(*parts->texture, *parts->sampler) == SHD_OK) return SHD_OK;
+  SHD_TRY(check_count(SlotField(slot->index, "uv_set").text, desc.uv_set, 0, 1));
+  SHD_TRY(check_count(SlotField(slot->index, "channel").text, desc.channel, 0, 3));
+  SHD_TRY(check_finite(SlotField(slot->index, "uv_transform").text, desc.uv_transform, 6));
+  SHD_TRY(retain_part(texture.text, desc.texture, core::ObjectType::kTexture, &slot->texture,
+                      &out->texture_object[desc.target]));
+  SHD_TRY(retain_part(sampler.text, desc.sampler, core::ObjectType::kSampler, &slot->sampler,
+                      &out->sampler_object[desc.target]));
+  if (!slot->sampler || check_tables(*slot->texture, *slot->sampler) == SHD_OK) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: its filter needs a table that the texture lacks", sampler.text);
 }
 
-shd_result take_slot(const shd_slot& desc, uint32_t slot, material::SlotParts* parts, material::Material* out) {
-  const SlotField source(slot, "source");
-  SHD_TRY(check_enum(source.text, desc.source, SHD_SOURCE_CONSTANT, SHD_SOURCE_PROCEDURE));
-  const bool only_textures = slot == SHD_SLOT_HEIGHT || slot == SHD_SLOT_MATCAP;
-  if (only_textures && desc.source != SHD_SOURCE_CONSTANT && desc.source != SHD_SOURCE_TEXTURE) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes a texture or nothing", source.text,
+/// Checks a slot and retains its objects.
+shd_result take_slot(material::SlotInput* slot, material::Material* out) {
+  const shd_slot& desc = slot->desc;
+  const SlotField source(slot->index, "source");
+  SHD_TRY(check_enum(source.text, desc.source, SHD_SLOT_SOURCE_CONSTANT, SHD_SLOT_SOURCE_PROCEDURE));
+  const bool only_textures = desc.target == SHD_SLOT_HEIGHT || desc.target == SHD_SLOT_MATCAP;
+  if (only_textures && desc.source != SHD_SLOT_SOURCE_CONSTANT && desc.source != SHD_SLOT_SOURCE_TEXTURE) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes textures only", source.text,
                       enum_bits(desc.source));
   }
-  if (desc.source != SHD_SOURCE_TEXTURE && (desc.texture || desc.sampler)) {
+  if (desc.source != SHD_SLOT_SOURCE_TEXTURE && (desc.texture || desc.sampler)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but a texture or sampler is set", source.text,
                       enum_bits(desc.source));
   }
-  if (desc.source == SHD_SOURCE_TEXTURE) return take_parts(desc, slot, parts, out);
-  if (desc.source == SHD_SOURCE_VERTEX) {
-    return check_count(SlotField(slot, "attribute").text, desc.attribute, 0, SHD_MAX_ATTRIBUTES - 1);
+  if (desc.source == SHD_SLOT_SOURCE_TEXTURE) return take_parts(desc, slot, out);
+  if (desc.source == SHD_SLOT_SOURCE_VERTEX) {
+    return check_count(SlotField(slot->index, "attribute").text, desc.attribute, 0, SHD_MAX_ATTRIBUTES - 1);
   }
-  if (desc.source == SHD_SOURCE_PROCEDURE)
-    return check_not_null(SlotField(slot, "procedure").text, reinterpret_cast<const void*>(desc.procedure));
+  if (desc.source == SHD_SLOT_SOURCE_PROCEDURE)
+    return check_not_null(SlotField(slot->index, "procedure").text, reinterpret_cast<const void*>(desc.procedure));
   return SHD_OK;
 }
 
+/// Reads slot `index` of the caller's, which are struct_size apart, into its place among `slots`.
+shd_result read_slot(const shd_slot* first, uint32_t index, bool* is_taken, material::SlotInput* slots,
+                     material::Material* out) {
+  const uint32_t stride = core::struct_size_of(first);
+  const char* const in = reinterpret_cast<const char*>(first) + size_t{index} * stride;
+  char name[32];
+  std::snprintf(name, sizeof name, "material.slots[%u]", index);
+  shd_slot desc = shd_slot_default(SHD_SLOT_DIFFUSE);
+  SHD_TRY(read_desc(name, reinterpret_cast<const shd_slot*>(in), false, &desc));
+  if (desc.struct_size != stride) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of material.slots[0]", name,
+                      desc.struct_size, stride);
+  }
+  SHD_TRY(check_enum(SlotField(index, "target").text, desc.target, 0, material::kSlotCount - 1));
+  if (is_taken[desc.target]) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.target: %u is that of material.slots[%u] too", name,
+                      enum_bits(desc.target), slots[desc.target].index);
+  }
+  is_taken[desc.target] = true;
+  slots[desc.target] = {desc, index, nullptr, nullptr};
+  return take_slot(&slots[desc.target], out);
+}
+
 shd_result fill(const shd_material_desc& desc, material::Material* out) {
-  material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) SHD_TRY(take_slot(desc.slot[i], i, &parts[i], out));
-  material::build(desc, parts, out);
+  SHD_TRY(check_count("material.slot_count", desc.slot_count, 0, material::kSlotCount));
+  if (desc.slot_count) SHD_TRY(check_not_null("material.slots", desc.slots));
+  material::SlotInput slots[material::kSlotCount] = {};
+  bool is_taken[material::kSlotCount] = {};
+  for (uint32_t i = 0; i < desc.slot_count; ++i) SHD_TRY(read_slot(desc.slots, i, is_taken, slots, out));
+  material::build(desc, slots, out);
   return SHD_OK;
 }
 

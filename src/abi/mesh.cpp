@@ -44,10 +44,12 @@ shd_result check_columns(const shd_mesh_desc& desc) {
   SHD_TRY(check_attribute("normal", desc.normal, 3, desc.vertex_count));
   SHD_TRY(check_attribute("uv", desc.uv, 2, desc.vertex_count));
   SHD_TRY(check_attribute("uv1", desc.uv1, 2, desc.vertex_count));
-  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
+  SHD_TRY(check_count("mesh.attribute_count", desc.attribute_count, 0, SHD_MAX_ATTRIBUTES));
+  if (desc.attribute_count) SHD_TRY(check_not_null("mesh.attributes", desc.attributes));
+  for (uint32_t c = 0; c < desc.attribute_count; ++c) {
     char field[32];
-    std::snprintf(field, sizeof field, "mesh.attribute[%d]", c);
-    SHD_TRY(check_column(field, desc.attribute[c], desc.vertex_count));
+    std::snprintf(field, sizeof field, "mesh.attributes[%u]", c);
+    SHD_TRY(check_column(field, desc.attributes[c], desc.vertex_count));
   }
   return check_attribute("tangent", desc.tangent, 4, desc.vertex_count);
 }
@@ -80,7 +82,6 @@ shd_result check_mesh_desc(const shd_mesh_desc& desc) {
   SHD_TRY(check_enum("mesh.normal_weight", desc.normal_weight, SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_ANGLE));
   SHD_TRY(check_flags("mesh.flags", desc.flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY));
   SHD_TRY(check_enum("mesh.topology", desc.topology, SHD_TOPOLOGY_TRIANGLES, SHD_TOPOLOGY_FAN));
-  SHD_TRY(check_zero("mesh.reserved", desc.reserved));
   SHD_TRY(check_columns(desc));
   return check_indices(desc);
 }
@@ -135,16 +136,15 @@ void shd_mesh_release(shd_mesh* mesh) {
 
 shd_result shd_mesh_get_info(const shd_mesh* mesh, shd_mesh_info* out_info) {
   return guard([&]() -> shd_result {
-    SHD_TRY(check_not_null("out_info", out_info));
-    *out_info = {};
+    SHD_TRY(begin_output("out_info", out_info));
     const geometry::Mesh* body = nullptr;
     SHD_TRY(read_handle("mesh", mesh, kType, &body));
-    *out_info = body->info;
+    write_desc(body->info, out_info);
     return SHD_OK;
   });
 }
 
-shd_result shd_mesh_read_normals(const shd_mesh* mesh, const shd_f32_out out[3]) {
+shd_result shd_mesh_read_normals(const shd_mesh* mesh, const shd_f32_out* out) {
   return guard([&] {
     return read_columns(mesh, out, 3, [](const geometry::Mesh& body, const Column** columns) {
       columns[0] = &body.nx, columns[1] = &body.ny, columns[2] = &body.nz;
@@ -152,7 +152,7 @@ shd_result shd_mesh_read_normals(const shd_mesh* mesh, const shd_f32_out out[3])
   });
 }
 
-shd_result shd_mesh_read_positions(const shd_mesh* mesh, const shd_f32_out out[3]) {
+shd_result shd_mesh_read_positions(const shd_mesh* mesh, const shd_f32_out* out) {
   return guard([&] {
     return read_columns(mesh, out, 3, [](const geometry::Mesh& body, const Column** columns) {
       columns[0] = &body.px, columns[1] = &body.py, columns[2] = &body.pz;
@@ -160,7 +160,7 @@ shd_result shd_mesh_read_positions(const shd_mesh* mesh, const shd_f32_out out[3
   });
 }
 
-shd_result shd_mesh_read_uv(const shd_mesh* mesh, const shd_f32_out out[2]) {
+shd_result shd_mesh_read_uv(const shd_mesh* mesh, const shd_f32_out* out) {
   return guard([&] {
     return read_columns(mesh, out, 2, [](const geometry::Mesh& body, const Column** columns) {
       columns[0] = &body.u, columns[1] = &body.v;
@@ -168,7 +168,7 @@ shd_result shd_mesh_read_uv(const shd_mesh* mesh, const shd_f32_out out[2]) {
   });
 }
 
-shd_result shd_mesh_read_tangents(const shd_mesh* mesh, const shd_f32_out out[4]) {
+shd_result shd_mesh_read_tangents(const shd_mesh* mesh, const shd_f32_out* out) {
   return guard([&] {
     return read_columns(mesh, out, 4, [](const geometry::Mesh& body, const Column** columns) {
       columns[0] = &body.tx, columns[1] = &body.ty, columns[2] = &body.tz, columns[3] = &body.tw;
@@ -176,7 +176,7 @@ shd_result shd_mesh_read_tangents(const shd_mesh* mesh, const shd_f32_out out[4]
   });
 }
 
-shd_result shd_mesh_read_uv1(const shd_mesh* mesh, const shd_f32_out out[2]) {
+shd_result shd_mesh_read_uv1(const shd_mesh* mesh, const shd_f32_out* out) {
   return guard([&] {
     return read_columns(mesh, out, 2, [](const geometry::Mesh& body, const Column** columns) {
       columns[0] = &body.u1, columns[1] = &body.v1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <shd/mip.h>
 
+#include <cstdio>
+
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -18,18 +20,32 @@ using namespace shd::abi;
 constexpr uint64_t kMaxPixels = uint64_t{1} << 28;
 
 shd_result check_mip_desc(const shd_mip_desc& desc, size_t channels) {
-  SHD_TRY(check_enum("mip.kernel", desc.kernel, SHD_MIP_BOX, SHD_MIP_LANCZOS));
-  SHD_TRY(check_enum("mip.source", desc.source, SHD_MIP_FROM_BASE, SHD_MIP_FROM_PREVIOUS));
-  SHD_TRY(check_enum("mip.semantic", desc.semantic, SHD_SEMANTIC_COLOR, SHD_SEMANTIC_ALPHA_COVERAGE));
+  SHD_TRY(check_enum("mip.kernel", desc.kernel, SHD_MIP_KERNEL_BOX, SHD_MIP_KERNEL_LANCZOS));
+  SHD_TRY(check_enum("mip.source", desc.source, SHD_MIP_SOURCE_BASE, SHD_MIP_SOURCE_PREVIOUS));
+  SHD_TRY(check_enum("mip.content", desc.content, SHD_TEXEL_CONTENT_COLOR, SHD_TEXEL_CONTENT_ALPHA_COVERAGE));
   SHD_TRY(check_enum("mip.wrap_u", desc.wrap_u, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_enum("mip.wrap_v", desc.wrap_v, SHD_WRAP_REPEAT, SHD_WRAP_MIRROR_ONCE));
   SHD_TRY(check_range("mip.alpha_cutoff", static_cast<double>(desc.alpha_cutoff), 0, 1));
-  SHD_TRY(check_zero("mip.reserved", desc.reserved));
-  if (desc.semantic == SHD_SEMANTIC_NORMAL && channels < 3) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: normals need 3 or 4 channels, not %zu", channels);
+  if (desc.content == SHD_TEXEL_CONTENT_NORMAL && channels < 3) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.content: normals need 3 or 4 channels, not %zu", channels);
   }
-  if (desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE && channels != 4) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: alpha coverage needs 4 channels, not %zu", channels);
+  if (desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE && channels != 4) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "mip.content: alpha coverage needs 4 channels, not %zu", channels);
+  }
+  return SHD_OK;
+}
+
+/// That levels overlap neither the base nor each other.
+shd_result check_levels_apart(const shd_image& base, uint32_t count, const shd_image* levels) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const shd_image level = texture::image_at(levels, i);
+    char name[32], other[32];
+    std::snprintf(name, sizeof name, "levels[%u]", i);
+    SHD_TRY(check_apart(name, level, "base", base));
+    for (uint32_t j = 0; j < i; ++j) {
+      std::snprintf(other, sizeof other, "levels[%u]", j);
+      SHD_TRY(check_apart(name, level, other, texture::image_at(levels, j)));
+    }
   }
   return SHD_OK;
 }
@@ -50,6 +66,7 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
     SHD_TRY(check_mip_desc(read, image::format_info(image.format).channels));
     SHD_TRY(check_count("level_count", level_count, 0, texture::full_level_count(image.width, image.height) - 1));
     SHD_TRY(check_levels("levels", levels, 1, level_count, image.format, image.width, image.height));
+    SHD_TRY(check_levels_apart(image, level_count, levels));
     texture::build_levels(context_of(context), image, read, level_count,
                           [&](uint32_t level) { return texture::image_at(levels, level - 1); });
     return SHD_OK;
@@ -72,6 +89,7 @@ shd_result shd_normal_moments(shd_context* context, const shd_image* normals, co
     }
     SHD_TRY(check_count("out.width", to.width, from.width, from.width));
     SHD_TRY(check_count("out.height", to.height, from.height, from.height));
+    SHD_TRY(check_apart("out", to, "normals", from));
     texture::write_moments(context_of(context), from, to);
     return SHD_OK;
   });

@@ -25,7 +25,7 @@ constexpr uint32_t kMaxPicture = 65536;
 constexpr uint32_t kMaxSupersampling = 16;
 constexpr uint32_t kMinPass = 1024, kMaxPass = 0x7fffffff, kDefaultPass = 1u << 21;  // triangles
 
-/// Draws whose blend goes by order are painted over what is there.
+/// Draws with a blend in the order of draws are painted over the previous ones.
 void ignore_depth(core::Buffer<frame::Draw>* draws) {
   for (size_t i = 0; i < draws->size(); ++i) {
     frame::Draw& draw = (*draws)[i];
@@ -84,18 +84,15 @@ shd_result read_view(const shd_render_desc& desc, frame::Frame* frame) {
   SHD_TRY(check_finite("render.view.world_to_view", desc.view.world_to_view, 16));
   SHD_TRY(check_finite("render.view.view_to_clip", desc.view.view_to_clip, 16));
   SHD_TRY(check_finite("render.view.eye", desc.view.eye, 3));
-  SHD_TRY(check_range("render.view.reserved", static_cast<double>(desc.view.reserved), 0.0, 0.0));
   frame->view = desc.view;
   return SHD_OK;
 }
 
 shd_result check_render_desc(const shd_render_desc& desc) {
-  SHD_TRY(check_count("render.load", desc.load, 0, 1));
   SHD_TRY(check_enum("render.visibility", desc.visibility, 0, SHD_VISIBILITY_NEWELL));
   SHD_TRY(check_count("render.supersampling", desc.supersampling, 0, kMaxSupersampling));
   if (desc.pass_triangles) SHD_TRY(check_count("render.pass_triangles", desc.pass_triangles, kMinPass, kMaxPass));
-  SHD_TRY(check_zero("render.reserved", desc.reserved));
-  SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN));
+  SHD_TRY(check_flags("render.flags", desc.flags, SHD_RENDER_COUNT_HIDDEN | SHD_RENDER_LOAD));
   SHD_TRY(check_finite("render.clear_color", desc.clear_color, 4));
   SHD_TRY(check_range("render.clear_depth", static_cast<double>(desc.clear_depth), 0.0, 1.0));
   SHD_TRY(check_count("render.draw_count", desc.draw_count, 0, kMaxItems));
@@ -141,7 +138,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   for (size_t i = 0; i < shadows.size(); ++i) {
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
-  frame.load = desc.load != 0;
+  frame.load = (desc.flags & SHD_RENDER_LOAD) != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;
   frame.draws = draws.data();
@@ -172,13 +169,13 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
     SHD_TRY(check_context(context));
     shd_render_desc read = shd_render_desc_default();
     SHD_TRY(read_desc("render", desc, false, &read));
+    if (read.stats) SHD_TRY(begin_output("render.stats", read.stats));
     wanted = read.stats;
     frame::FrameMemory memory(context_of(context));
     SHD_TRY(render(memory.context, read, &stats));
     stats.scratch_bytes = memory.peak();
     return SHD_OK;
   });
-  if (result != SHD_OK) stats = {};
-  if (wanted) *wanted = stats;
+  if (result == SHD_OK && wanted) write_desc(stats, wanted);
   return result;
 }

@@ -23,7 +23,7 @@ shd_result check_length(const char* field, float value) {
 
 shd_result check_shadow_desc(const shd_shadow_desc& desc) {
   SHD_TRY(check_count("shadow.size", desc.size, 16, 8192));
-  SHD_TRY(check_enum("shadow.filter", desc.filter, 0, SHD_SHADOW_PCSS));
+  SHD_TRY(check_enum("shadow.filter", desc.filter, 0, SHD_SHADOW_FILTER_PCSS));
   SHD_TRY(check_count("shadow.taps", desc.taps, 1, 15));
   SHD_TRY(check_length("shadow.filter_size", desc.filter_size));
   SHD_TRY(check_length("shadow.light_size", desc.light_size));
@@ -47,7 +47,7 @@ shd_result check_planes(const shd_shadow_render_desc& desc, const light::Light& 
   out->has_planes = desc.near_plane != 0.0f || desc.far_plane != 0.0f;
   if (!out->has_planes) return SHD_OK;
   const double near = static_cast<double>(desc.near_plane), far = static_cast<double>(desc.far_plane);
-  if (light.kind == SHD_LIGHT_DIRECTIONAL) {
+  if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) {
     SHD_TRY(check_range("shadow_render.near_plane", near, -kMaxLength, kMaxLength));
   } else {
     SHD_TRY(check_range("shadow_render.near_plane", near, 1e-9, kMaxLength));
@@ -76,12 +76,11 @@ shd_result check_bounds(const shd_shadow_render_desc& desc, frame::ShadowFrame* 
 
 shd_result render_shadow(const core::Context& context, const core::Context& owner, const shd_shadow_render_desc& desc,
                          light::Shadow* shadow) {
-  SHD_TRY(check_zero("shadow_render.reserved", desc.reserved));
   SHD_TRY(check_count("shadow_render.draw_count", desc.draw_count, 0, kMaxItems));
   if (desc.draw_count) SHD_TRY(check_not_null("shadow_render.draws", desc.draws));
   const light::LightBody* body = nullptr;
   SHD_TRY(read_handle("shadow_render.light", desc.light, core::ObjectType::kLight, &body));
-  if (body->light.kind == SHD_LIGHT_AMBIENT) {
+  if (body->light.kind == SHD_LIGHT_KIND_AMBIENT) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "shadow_render.light: AMBIENT casts no shadows");
   }
   frame::ShadowFrame frame = {};
@@ -99,10 +98,9 @@ shd_result render_shadow(const core::Context& context, const core::Context& owne
 /// Positions and normals in, light out.
 using ShadowBatch = Batch<6, 1>;
 
-shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out& out, ShadowBatch* batch) {
+shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out* out, ShadowBatch* batch) {
   shd_shadow_lookups read = shd_shadow_lookups_default();
   SHD_TRY(read_desc("shadow_lookups", in, false, &read));
-  SHD_TRY(check_zero("shadow_lookups.reserved", read.reserved));
   const bool has_normals = read.normal[0].data || read.normal[1].data || read.normal[2].data;
   batch->count = read.count;
   for (int c = 0; c < 3; ++c) {
@@ -110,7 +108,8 @@ shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out& out, Shad
     batch->in[3 + c] =
         in_column("shadow_lookups.normal", read.normal[c], has_normals ? Need::kRequired : Need::kOptional, c);
   }
-  batch->out[0] = out_column("out", out, Need::kRequired);
+  SHD_TRY(check_not_null("out", out));
+  batch->out[0] = out_column("out", *out, Need::kRequired);
   return check_batch(*batch);
 }
 
@@ -166,7 +165,7 @@ shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd
   });
 }
 
-shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, shd_f32_out out) {
+shd_result shd_shadow_sample(const shd_shadow* shadow, const shd_shadow_lookups* lookups, const shd_f32_out* out) {
   return guard([&]() -> shd_result {
     const light::Shadow* body = nullptr;
     SHD_TRY(read_handle("shadow", shadow, kType, &body));

@@ -12,22 +12,22 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-/// Parts in one direction: the number that stands for 0, and the range.
+/// Parts in one direction: the default for 0, and the range.
 struct Segments {
   uint32_t usual, low, high;
 };
 constexpr Segments kUnused = {0, 0, 0};
-constexpr Segments kSide = {1, 1, SHD_SHAPE_MAX_SEGMENTS};
+constexpr Segments kSide = {1, 1, SHD_MAX_SHAPE_SEGMENTS};
 
-/// What each shd_shape is made of, and by which functions.
+/// Parameters and functions of each shd_shape.
 struct Shape {
-  Segments segments[SHD_SHAPE_MAX_DIRECTIONS];
+  Segments segments[SHD_SHAPE_DIRECTIONS];
   bool has_radius, has_tube, has_size[3];
   shapes::Counts (*count)(const shd_shape_desc& desc);
   void (*fill)(const shd_shape_desc& desc, shapes::Sink& out);
 };
 constexpr Shape kShapes[] = {
-    {{{32, 3, SHD_SHAPE_MAX_SEGMENTS}, {16, 2, SHD_SHAPE_MAX_SEGMENTS}, kUnused},
+    {{{32, 3, SHD_MAX_SHAPE_SEGMENTS}, {16, 2, SHD_MAX_SHAPE_SEGMENTS}, kUnused},
      true,
      false,
      {false, false, false},
@@ -35,13 +35,13 @@ constexpr Shape kShapes[] = {
      shapes::fill_sphere},
     {{kSide, kSide, kSide}, false, false, {true, true, true}, shapes::count_box, shapes::fill_box},
     {{kSide, kSide, kUnused}, false, false, {true, false, true}, shapes::count_plane, shapes::fill_plane},
-    {{{48, 3, SHD_SHAPE_MAX_SEGMENTS}, {24, 3, SHD_SHAPE_MAX_SEGMENTS}, kUnused},
+    {{{48, 3, SHD_MAX_SHAPE_SEGMENTS}, {24, 3, SHD_MAX_SHAPE_SEGMENTS}, kUnused},
      true,
      true,
      {false, false, false},
      shapes::count_torus,
      shapes::fill_torus},
-    {{{8, 2, SHD_SHAPE_MAX_TEAPOT_SEGMENTS}, kUnused, kUnused},
+    {{{8, 2, SHD_MAX_TEAPOT_SEGMENTS}, kUnused, kUnused},
      false,
      false,
      {false, false, false},
@@ -77,7 +77,7 @@ shd_result read_shape(const shd_shape_desc* in, shd_shape_desc* desc, const Shap
   SHD_TRY(check_enum("shape.shape", desc->shape, 0, SHD_SHAPE_TEAPOT));
   *shape = &kShapes[desc->shape];
   SHD_TRY(check_lengths(**shape, *desc));
-  for (int i = 0; i < SHD_SHAPE_MAX_DIRECTIONS; ++i) {
+  for (int i = 0; i < SHD_SHAPE_DIRECTIONS; ++i) {
     const Segments& segments = (*shape)->segments[i];
     if (segments.high == 0) continue;
     char field[24];

@@ -25,12 +25,11 @@ shd_result check_number(const char* field, float value, double limit) {
 shd_result check_view(const shd_view& view) {
   SHD_TRY(check_finite("tessellation.view.world_to_view", view.world_to_view, 16));
   SHD_TRY(check_finite("tessellation.view.view_to_clip", view.view_to_clip, 16));
-  SHD_TRY(check_finite("tessellation.view.eye", view.eye, 3));
-  return check_range("tessellation.view.reserved", static_cast<double>(view.reserved), 0.0, 0.0);
+  return check_finite("tessellation.view.eye", view.eye, 3);
 }
 
 shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
-  SHD_TRY(check_enum("tessellation.mode", desc.mode, 0, SHD_TESSELLATION_ADAPTIVE));
+  SHD_TRY(check_enum("tessellation.mode", desc.mode, 0, SHD_TESSELLATION_MODE_ADAPTIVE));
   SHD_TRY(check_count("tessellation.segments", desc.segments, 1, SHD_MAX_SEGMENTS));
   SHD_TRY(check_count("tessellation.max_segments", desc.max_segments, 1, SHD_MAX_SEGMENTS));
   if (!(desc.edge_length > 0.0f && std::isfinite(desc.edge_length))) {
@@ -45,8 +44,7 @@ shd_result check_tessellation_desc(const shd_tessellation_desc& desc) {
   SHD_TRY(check_count("tessellation.max_triangles", desc.max_triangles, 1, kMaxTriangles));
   SHD_TRY(check_number("tessellation.amplitude", desc.amplitude, 1e12));
   SHD_TRY(check_number("tessellation.offset", desc.offset, 1e12));
-  SHD_TRY(check_number("tessellation.lod", desc.lod, 32.0));
-  return check_zero("tessellation.reserved", desc.reserved);
+  return check_number("tessellation.lod", desc.lod, 32.0);
 }
 
 /// The texture and sampler of a desc; the texture stays null without one.

@@ -61,24 +61,27 @@ shd_result check_rows(const shd_texture_desc& desc, const image::FormatInfo& for
   return SHD_OK;
 }
 
-/// Of texels that are not copied; their rows are checked.
+/// Checks texels that are not copied; their rows are checked already.
 shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& format) {
-  SHD_TRY(check_count("texture.borrow", desc.borrow, 0, 1));
-  if (!desc.borrow) return SHD_OK;
+  SHD_TRY(check_flags("texture.flags", desc.flags, SHD_TEXTURE_BORROW));
+  if (!(desc.flags & SHD_TEXTURE_BORROW)) return SHD_OK;
   if (format.channels == 3) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: format %u has three channels", desc.format);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but format %u has three channels",
+                      desc.format);
   }
   if (desc.layers != 1) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: %u layers, not 1", desc.layers);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.flags: SHD_TEXTURE_BORROW, but %u layers, not 1",
+                      desc.layers);
   }
   const size_t row = desc.width * format.pixel_size;
   if (desc.row_stride != 0 && desc.row_stride != row) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: texture.row_stride %zu, not %zu", desc.row_stride,
-                      row);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride %zu, not %zu", desc.row_stride, row);
   }
   const size_t alignment = format.pixel_size < 4 ? format.pixel_size : 4;
   if (reinterpret_cast<uintptr_t>(desc.texels) % alignment != 0) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.borrow: texture.texels not aligned to %zu bytes", alignment);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.flags: SHD_TEXTURE_BORROW, but texture.texels not aligned to %zu bytes", alignment);
   }
   return SHD_OK;
 }
@@ -180,17 +183,19 @@ void shd_texture_release(shd_texture* texture) {
 
 shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* out_info) {
   return guard([&]() -> shd_result {
-    SHD_TRY(check_not_null("out_info", out_info));
-    *out_info = shd_texture_info{};
+    SHD_TRY(begin_output("out_info", out_info));
     const texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
-    *out_info = {body->format,
-                 body->width,
-                 body->height,
-                 body->layers,
-                 body->level_count,
-                 body->tables,
-                 texture::byte_size(*body)};
+    shd_texture_info info = shd_texture_info_default();
+    info.format = body->format;
+    info.width = body->width;
+    info.height = body->height;
+    info.layers = body->layers;
+    info.level_count = body->level_count;
+    info.tables = body->tables;
+    info.flags = body->borrowed ? SHD_TEXTURE_BORROW : SHD_TEXTURE_NONE;
+    info.byte_size = texture::byte_size(*body);
+    write_desc(info, out_info);
     return SHD_OK;
   });
 }

@@ -45,7 +45,7 @@ function(shd_kernel_options)
     file(STRINGS ${source} kernel REGEX "hwy/foreach_target.h")
     if(kernel)
       set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS
-        "-g1;-fno-sanitize=null,alignment,object-size;-fno-sanitize-address-use-after-scope;$<$<CXX_COMPILER_ID:GNU>:-fno-var-tracking>")
+        "-fno-sanitize=null,alignment,object-size;-fno-sanitize-address-use-after-scope;$<$<CXX_COMPILER_ID:GNU>:-fno-var-tracking>")
     endif()
   endforeach()
 endfunction()

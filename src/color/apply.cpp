@@ -11,17 +11,17 @@
 namespace shd::color {
 namespace {
 
-/// Pixels of one task. Fixed, so that blocks start at the same pixels whatever the number of workers.
+/// Pixels of one task. The number is fixed, so that blocks start at the same pixels for any number of workers.
 constexpr size_t kTaskPixels = 16 * kBlockPixels;
 
-/// run(first, count, block) over all pixels, in blocks.
+/// Calls run(first, count, block) over all pixels, in blocks.
 template <class Run>
 void for_each_block(shd_context* context, size_t pixels, const Run& run) {
   struct Job {
     const Run& run;
     size_t pixels;
     std::atomic<bool> failed{false};
-    char text[512] = "";  // written by the one task that sets failed
+    char text[512] = "";  // written by the single task that sets failed
   };
   Job job{run, pixels};
   const auto task = [](void* data, uint32_t index, uint32_t) {

@@ -9,11 +9,11 @@
 
 namespace shd::color {
 
-// Each runs a transform over a whole image on the context's executor; sizes have been checked. Throws Failure.
+// Each function runs a transform over a whole image on the context's executor. Sizes must be checked. Throws Failure.
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out);
 void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out);
-/// Alpha takes no part.
+/// Leaves alpha unchanged.
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out);
 
 }  // namespace shd::color

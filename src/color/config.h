@@ -12,11 +12,11 @@
 
 namespace shd::color {
 
-/// A transform ready to run. apply() may run on several threads concurrently.
+/// A transform that can be applied. apply() may run on several threads concurrently.
 class Transform {
  public:
   virtual ~Transform() = default;
-  /// In place, planes of `count` values each.
+  /// Transforms planes of `count` values in place.
   virtual void apply(float* r, float* g, float* b, size_t count) const = 0;
 };
 using TransformRef = std::shared_ptr<const Transform>;
@@ -33,14 +33,14 @@ struct Catalog {
   std::vector<std::string> spaces;
   const Display* default_display = nullptr;
 
-  /// null = the default display; throws Failure (SHD_ERROR_NOT_FOUND) with the names of all displays.
+  /// A null name selects the default display. Throws Failure (SHD_ERROR_NOT_FOUND) with the names of all displays.
   const Display& display(const char* name) const;
-  /// null = the default display; returns null when there is no such display.
+  /// A null name selects the default display. Returns null if there is no such display.
   const Display* find_display(const char* name) const;
   static const std::string& view(const Display& display, const char* name);
 };
 
-/// 'a', 'b', 'c': as many names as fit a message.
+/// Names as 'a', 'b', 'c'; as many as fit into a message.
 std::string quoted_list(const std::vector<std::string>& names);
 
 /// A loaded config with a cache of the transforms built from it.
@@ -49,9 +49,9 @@ class Config {
   virtual ~Config() = default;
 
   const Catalog& catalog() const { return catalog_; }
-  /// Proper name of a colour space, alias or role; throws Failure (SHD_ERROR_NOT_FOUND) that names `field`.
+  /// Canonical name of a colour space, alias or role. Throws Failure (SHD_ERROR_NOT_FOUND) that names `field`.
   virtual std::string space(const char* field, const char* name) const = 0;
-  /// From colour space `from` to a display and view; the names as in the catalog.
+  /// Transform from colour space `from` to a display and view; the names must be names of the catalog.
   TransformRef to_display(const std::string& from, const std::string& display, const std::string& view) const;
   TransformRef between(const std::string& from, const std::string& to) const;
 
@@ -65,7 +65,7 @@ class Config {
   template <class Build>
   TransformRef cached(const std::vector<std::string>& key, Build&& build) const;
 
-  mutable std::mutex mutex_;  // guards cache_, and building: OpenColorIO's own caches are shared
+  mutable std::mutex mutex_;  // guards cache_, and the building of transforms, because OpenColorIO shares its caches
   mutable std::map<std::vector<std::string>, TransformRef> cache_;
 };
 

@@ -3,7 +3,7 @@
 
 namespace shd::color {
 
-// OpenColorIO has no built-in transform from linear Rec.709 to ACES; the inverse of the one from AP1 serves.
+// OpenColorIO has no built-in transform from linear Rec.709 to ACES, so that the config inverts the transform from AP1.
 // sRGB: IEC 61966-2-1. Rec.709 display: ITU-R BT.1886 with black at 0. ACES: Academy SDR output transform 1.0.
 const char kDefaultConfig[] = R"(ocio_profile_version: 2
 environment: {}

@@ -3,7 +3,7 @@
 
 namespace shd::color {
 
-/// The built-in config: YAML of OpenColorIO profile version 2, made of built-in transforms alone (no files).
+/// The built-in config: YAML of OpenColorIO profile version 2. It uses only built-in transforms, no files.
 extern const char kDefaultConfig[];
 
 }  // namespace shd::color

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one file that sees OpenColorIO.
+// The only file that includes OpenColorIO.
 #include <locale.h>
 
 #include <exception>
@@ -20,8 +20,9 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 using extension::refuse;
 
-/// OpenColorIO silent, and numbers read with decimal points, for the life of a scope. What it changes is
-/// process-wide, so the scopes of all threads share one count: the first changes, the last puts back.
+/// Silences OpenColorIO and makes it read numbers with decimal points, for the duration of a scope. Both settings are
+/// process-wide, so that the scopes of all threads share one count: the first scope changes them, the last restores
+/// them.
 class GlobalScope {
  public:
   GlobalScope() {
@@ -43,8 +44,8 @@ class GlobalScope {
   GlobalScope& operator=(const GlobalScope&) = delete;
 
  private:
-  // yaml-cpp reads numbers through streams of the global C++ locale. It is left alone unless it would misread; the
-  // one swapped in has no name, because a named one would change the C locale too.
+  // yaml-cpp reads numbers through streams of the global C++ locale. The locale is replaced only if it would read
+  // numbers wrongly. The replacement has no name, because a named locale would also change the C locale.
   static void swap_locale_in() {
     const std::locale host;
     const auto& numbers = std::use_facet<std::numpunct<char>>(host);
@@ -66,14 +67,14 @@ class GlobalScope {
   static std::mutex s_mutex;
   static int s_depth;
   static ocio::LoggingLevel s_level;
-  static std::locale* s_locale;  // the host's, while swapped out
+  static std::locale* s_locale;  // the host's locale while it is replaced
 };
 std::mutex GlobalScope::s_mutex;
 int GlobalScope::s_depth = 0;
 ocio::LoggingLevel GlobalScope::s_level = ocio::LOGGING_LEVEL_DEFAULT;
 std::locale* GlobalScope::s_locale = nullptr;
 
-/// Decimal points in the C library on this thread.
+/// Sets the C locale on this thread, so that the C library uses decimal points.
 class ThreadLocale {
  public:
 #if defined(__unix__) || defined(__APPLE__)
@@ -124,7 +125,7 @@ class OcioTransform final : public Transform {
   ocio::ConstCPUProcessorRcPtr cpu_;
 };
 
-/// Collects what each definition of a config uses, direction by direction, as OpenColorIO will follow it.
+/// Collects the definitions that each definition of a config uses, for each direction, as OpenColorIO follows them.
 class ReferenceReader {
  public:
   explicit ReferenceReader(const ocio::Config& config) : config_(config) {}
@@ -172,7 +173,7 @@ class ReferenceReader {
     collect(transform, inverse, references_[node]);
   }
 
-  /// The definition that converts between `name` and its reference space.
+  /// Adds the definition that converts between `name` and its reference space.
   void collect_space(const char* name, bool to_reference, std::vector<std::string>& out) const {
     const char* resolved = config_.getCurrentContext()->resolveStringVar(name);
     if (const auto space = config_.getColorSpace(resolved)) {
@@ -182,7 +183,7 @@ class ReferenceReader {
     }
   }
 
-  /// Looks are written as "a, -b | c".
+  /// Looks are separated as in "a, -b | c".
   void collect_looks(const std::string& looks, std::vector<std::string>& out) const {
     for (int i = 0; i < config_.getNumLooks(); ++i) {
       const std::string name = config_.getLookNameByIndex(i);
@@ -221,7 +222,7 @@ class ReferenceReader {
     }
   }
 
-  /// Scene-referred to display-referred or back goes through the default view transform.
+  /// Whether a conversion is between scene-referred and display-referred, which uses the default view transform.
   bool crosses_references(const char* a, const char* b) const {
     const auto context = config_.getCurrentContext();
     const auto left = config_.getColorSpace(context->resolveStringVar(a));

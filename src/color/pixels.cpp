@@ -28,7 +28,7 @@ Channel* pixel_at(const shd_image& image, size_t row, size_t column) {
   return reinterpret_cast<Channel*>(static_cast<unsigned char*>(image.pixels) + row * image.row_stride) + column * 4;
 }
 
-/// NaN becomes 0.
+/// Clamps to low..high; NaN becomes 0.
 float clean(float value, float low, float high) {
   const float number = value == value ? value : 0.0f;
   return number < low ? low : (number > high ? high : number);
@@ -45,7 +45,7 @@ void encode(float value, float* out) {
   *out = clean(value, -FLT_MAX, FLT_MAX);
 }
 
-/// Channel type that tells binary16 from 16-bit unorm.
+/// Channel type that distinguishes binary16 from 16-bit unorm.
 struct Half {
   uint16_t bits;
 };

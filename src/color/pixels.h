@@ -8,7 +8,7 @@
 
 namespace shd::color {
 
-/// Pixels handled together: four planes of this many floats stay in the first-level cache.
+/// Number of pixels in a block: four planes of this many floats stay in the first-level cache.
 constexpr size_t kBlockPixels = 1024;
 
 struct PixelBlock {
@@ -26,20 +26,20 @@ struct Planes {
   uint32_t height;
 };
 
-// Pixels `first` .. `first + count` are counted row by row from the top; count <= kBlockPixels.
+// Pixels `first` .. `first + count` are numbered row by row from the top; count <= kBlockPixels.
 
 void load_planes(const Planes& planes, size_t first, size_t count, PixelBlock* out);
-/// RGBA16F or RGBA32F.
+/// @param image  RGBA16F or RGBA32F
 void load_image(const shd_image& image, size_t first, size_t count, PixelBlock* out);
 
-/// NaN to 0, clamped to +-1e12: large enough for any light, and small enough for no transform to overflow on the way.
+/// Replaces NaN by 0 and clamps colour to +-1e12: large enough for any light, small enough that no transform overflows.
 void clean_color(PixelBlock* block, size_t count);
-/// Alpha to [0, 1], NaN to 0; colour cleaned and divided by alpha, 0 where alpha is 0.
+/// Clamps alpha to [0, 1] with NaN as 0. Cleans colour and divides it by alpha; colour is 0 where alpha is 0.
 void unpremultiply(PixelBlock* block, size_t count);
 
-/// Any four-channel format; finite, clamped to its range, 0 where alpha is 0.
+/// Stores to any four-channel format: finite values, clamped to the range of the format; colour is 0 where alpha is 0.
 void store_pixels(const PixelBlock& block, const shd_image& image, size_t first, size_t count);
-/// RGBA16F or RGBA32F; finite, clamped to its range; alpha in memory stays.
+/// Stores colour to RGBA16F or RGBA32F: finite values, clamped to the range of the format. Alpha in memory is kept.
 void store_color(const PixelBlock& block, const shd_image& image, size_t first, size_t count);
 
 }  // namespace shd::color

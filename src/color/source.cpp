@@ -22,7 +22,7 @@ std::string read_file(const char* field, const char* path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) refuse(SHD_ERROR_NOT_FOUND, "%s: no file \"%.256s\"", field, path);
-  // Anything else could block for ever or never end.
+  // Other kinds of files could block forever or be endless.
   if (!fs::is_regular_file(status)) refuse(SHD_ERROR_IO, "%s: \"%.256s\" is not a regular file", field, path);
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -9,12 +9,12 @@ namespace shd::color {
 
 /// A config before it is parsed.
 struct Source {
-  std::string name;       // for messages
+  std::string name;       // used in messages
   std::string text;       // YAML
-  std::string directory;  // where relative file names in it start; empty = nowhere
+  std::string directory;  // base of relative file names in the text; empty = none
 };
 
-/// Finds and reads the config a desc asks for. Throws Failure.
+/// Finds and reads the config that a desc selects. Throws Failure.
 Source read_source(const shd_color_desc& desc);
 
 }  // namespace shd::color

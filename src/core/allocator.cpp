@@ -12,10 +12,11 @@
 namespace shd::core {
 namespace {
 
-/// Of Linux on x86-64 and most of aarch64.
+/// Size of a huge page on x86-64 and most aarch64 Linux systems.
 constexpr size_t kHugePage = size_t{1} << 21;
 
-/// Blocks of many huge pages ask for them: the first use of 8192 x 8192 RGBA8 texels then takes a fifth of the time.
+/// Requests huge pages for blocks of several huge pages. The first use of 8192 x 8192 RGBA8 texels then takes a fifth
+/// of the time.
 void* default_allocate(void*, size_t size, size_t alignment) {
   const bool huge = size >= 4 * kHugePage;
   void* memory = nullptr;

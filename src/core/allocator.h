@@ -15,26 +15,26 @@ namespace shd::core {
 /// Alignment of every block: a cache line, and a whole AVX-512 vector.
 constexpr size_t kAlignment = 64;
 
-/// a * b; throws std::bad_alloc when it does not fit.
+/// a * b. Throws std::bad_alloc if the product overflows.
 inline size_t checked_mul(size_t a, size_t b) {
   size_t product;
   if (__builtin_mul_overflow(a, b, &product)) throw std::bad_alloc();
   return product;
 }
 
-/// The host's allocator. Copyable; the context that owns it outlives every block.
+/// The host's allocator. Copyable. The context that owns it outlives every block.
 struct Allocator {
   shd_allocator callbacks;
 
-  /// Aligned to kAlignment; throws std::bad_alloc. size 0 gives null.
+  /// Returns memory aligned to kAlignment, or null for size 0. Throws std::bad_alloc.
   void* allocate(size_t size) const;
   void free(void* memory, size_t size) const noexcept;
 };
 
-/// malloc and free with alignment.
+/// Aligned memory of the C library; large blocks use huge pages.
 shd_allocator default_allocator() noexcept;
 
-/// A new T in the allocator's memory.
+/// Creates a T in memory of the allocator.
 template <class T, class... Arguments>
 T* create(const Allocator& allocator, Arguments&&... arguments) {
   void* memory = allocator.allocate(sizeof(T));
@@ -53,7 +53,7 @@ void destroy(const Allocator& allocator, T* object) noexcept {
   allocator.free(object, sizeof(T));
 }
 
-/// Owns a fixed number of T, uninitialised, aligned to kAlignment. T is plain data.
+/// Owns a fixed number of uninitialised T, aligned to kAlignment. T is trivially copyable.
 template <class T>
 class Array {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -131,7 +131,7 @@ class Objects {
   size_t size_ = 0;
 };
 
-/// Array that grows at its end.
+/// An Array that grows at its end.
 template <class T>
 class Buffer {
  public:

@@ -17,7 +17,7 @@ struct Context {
   std::atomic<uint32_t> references;
   Allocator allocator;
   shd_executor executor;    // parallel_for is never null
-  void* built_in_executor;  // body of the built-in executor, or null when the host's runs
+  void* built_in_executor;  // body of the built-in executor; null if the host provides the executor or none is needed
   shd_log log;
   SimdTarget simd;
   ObjectPool objects;
@@ -25,13 +25,13 @@ struct Context {
 
 constexpr uint32_t kContextTag = 0x43646873;  // "shdC"
 
-/// Reads a checked desc. Throws std::bad_alloc, or Failure for a SIMD target that cannot run.
+/// Creates a context from a checked desc. Throws std::bad_alloc, or Failure for a SIMD target that cannot run.
 Context* create_context(const shd_context_desc& desc);
 
 void retain(Context& context) noexcept;
 void release(Context& context) noexcept;
 
-/// Formats one line for the host's log, if there is one.
+/// Formats one line for the host's log; does nothing without a log.
 void log(const Context& context, shd_log_level level, const char* format, ...) noexcept SHD_PRINTF(3, 4);
 
 }  // namespace shd::core

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: core, what every other folder uses.
+/// Stage contract: core, the base of all other folders.
 ///
 /// Input:      the host's callbacks (allocator, executor, log).
 /// Output:     a Context with checked memory, tasks, handles and errors for every other folder.
-/// Invariants: no global state except the per-thread error text; no static constructors; every byte comes from
-///             the context's allocator; exceptions end in guard.h.
+/// Invariants: no global state except the per-thread error text; no static constructors; every byte is allocated by the
+///             context's allocator; exceptions end in guard.h.
 ///
-/// | file          | what                                                              |
+/// | file          | contents                                                          |
 /// |---------------|-------------------------------------------------------------------|
 /// | failure.h     | Failure, a result as an exception, and refuse(), which throws it  |
 /// | status.h      | fail(), which returns a result, and the per-thread error text     |
@@ -15,13 +15,14 @@
 /// | errno_scope.h | the host's errno, restored at the end of a scope                  |
 /// | fp_env.h      | IEEE default floating-point control for a scope                   |
 /// | printable.h   | bytes as one line of UTF-8                                        |
-/// | read_desc.h   | sized structs of the caller                                       |
+/// | desc_size.h   | smallest sizes of the structs that carry their size               |
+/// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
 /// | context.h     | Context: allocator, executor, log, target, handle slabs           |
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |
 ///
-/// All up to read_desc.h except status.h link to nothing: libshd_color, libshd_io and its worker process include them
-/// as well.
+/// The headers up to read_desc.h, except status.h, need no library: libshd_color, libshd_io and its worker process
+/// include them as well.
 #pragma once

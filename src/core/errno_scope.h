@@ -5,7 +5,7 @@
 
 namespace shd::core {
 
-/// Restores the host's errno at the end of a scope: a failing malloc sets it, for example.
+/// Restores the host's errno at the end of a scope. For example, a failing malloc sets errno.
 class ErrnoScope {
  public:
   ErrnoScope() : saved_(errno) {}

@@ -28,7 +28,7 @@ struct Arena {
   const pid_t process;  // threads do not survive a fork
 };
 
-/// Hands out the tasks of one parallel_for.
+/// Distributes the tasks of one parallel_for.
 struct Queue {
   uint32_t count;
   shd_task_fn task;
@@ -53,13 +53,13 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
       queue.drain(static_cast<uint32_t>(tbb::this_task_arena::current_thread_index()));
     };
     const uint32_t drains = std::min(count, static_cast<uint32_t>(arena.max_concurrency()));
-    // Isolated: a nested call that waits must not pick up tasks of the outer one, whose scratch is in use.
+    // Isolated: a nested call that waits must not run tasks of the outer call, whose scratch memory is in use.
     arena.execute([&] {
       tbb::this_task_arena::isolate([&] { tbb::parallel_for(uint32_t{0}, drains, drain, tbb::simple_partitioner()); });
     });
   } catch (...) {
-    // Tasks do not throw: oneTBB could not start a thread or had no memory. What it began is done, as it waits for
-    // that before it throws.
+    // Tasks do not throw: an exception means that oneTBB could not start a thread or had no memory. oneTBB waits for all
+    // tasks that it has begun before it throws.
     queue.drain(0);
   }
   return SHD_OK;
@@ -69,14 +69,14 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
 }  // namespace
 
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out) {
-  *out = {serial_parallel_for, nullptr, 1, 0};
+  *out = {serial_parallel_for, nullptr, 1};
 #ifdef SHD_WITH_TBB
-  // oneTBB has no more threads than that, and would say so on stderr.
+  // oneTBB has no more threads than default_concurrency(), and prints a warning to stderr for larger requests.
   const auto max_workers = static_cast<uint32_t>(tbb::info::default_concurrency());
   if (worker_count == 0 || worker_count > max_workers) worker_count = max_workers;
   if (worker_count <= 1) return nullptr;
   Arena* arena = create<Arena>(allocator, static_cast<int>(worker_count));
-  *out = {tbb_parallel_for, arena, worker_count, 0};
+  *out = {tbb_parallel_for, arena, worker_count};
   return arena;
 #else
   (void)allocator;

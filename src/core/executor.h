@@ -10,12 +10,13 @@
 
 namespace shd::core {
 
-/// The built-in executor: oneTBB in an arena of its own if built in, else the calling thread.
-/// worker_count 0, or more than there are cores = one per core. Returns its body, null if it needs none; fills `out`.
+/// Creates the built-in executor: a separate oneTBB arena if oneTBB is built in, otherwise the calling thread.
+/// worker_count 0, or more than the number of cores = one per core. Returns the body of the executor, null if it needs
+/// none; fills `out`.
 void* create_executor(const Allocator& allocator, uint32_t worker_count, shd_executor* out);
 void destroy_executor(const Allocator& allocator, void* body) noexcept;
 
-/// First failure of a parallel_for, carried from the worker to the calling thread.
+/// First failure of a parallel_for, passed from the worker to the calling thread.
 struct TaskFailure {
   std::atomic<bool> failed{false};
   shd_result code = SHD_OK;
@@ -31,13 +32,13 @@ struct TaskFailure {
 
 namespace detail {
 
-/// Which tasks have begun: a host's executor may run one twice, and tasks may count on running once.
+/// The tasks that have begun. A host's executor may run a task twice by mistake, and tasks may rely on running once.
 class Claims {
  public:
   /// Throws std::bad_alloc for more than kInline tasks.
   Claims(const Allocator& allocator, uint32_t count) : many_(allocator, count > kInline ? (count + 31) / 32 : 0) {}
 
-  /// False if `index` was claimed before.
+  /// Returns false if `index` was already claimed.
   bool claim(uint32_t index) noexcept {
     std::atomic<uint32_t>* words = many_.size() ? many_.data() : few_;
     const uint32_t bit = 1u << (index % 32);
@@ -87,7 +88,7 @@ struct Job {
 
 }  // namespace detail
 
-/// Runs body(index, worker) for every index in [0, count) on the context's executor; returns when all are done.
+/// Runs body(index, worker) for every index in [0, count) on the context's executor; returns after all have finished.
 /// Throws Failure with the first failure of a task or of the executor. Tasks after a failure are skipped.
 template <class Body>
 void parallel_for(const Context& context, uint32_t count, Body&& body) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Errors that are thrown. In all three libraries `fail` stores a text and returns a result, `refuse` throws a Failure,
-/// and a guard (core/guard.h) turns what was thrown into a result. This header links to nothing.
+/// and a guard (core/guard.h) turns exceptions into results. This header needs no library.
 #pragma once
 
 #include <cstdarg>
@@ -19,10 +19,10 @@
 
 namespace shd::core {
 
-/// Bytes of an error text with its terminator; a longer text is cut.
+/// Size of an error text in bytes, including its terminator; longer texts are truncated.
 constexpr size_t kErrorTextSize = 1024;
 
-/// A result on its way to a guard. It owns its text, because the worker process of libshd_io has no shd_last_error().
+/// A result as an exception. It owns its text, because the worker process of libshd_io has no shd_last_error().
 class Failure : public std::exception {
  public:
   Failure(shd_result result, const char* text) noexcept : code(result) {

@@ -9,8 +9,8 @@
 
 namespace shd::core {
 
-/// IEEE 754 defaults (round to nearest, no flush-to-zero, all exceptions masked) for the life of a scope;
-/// the host's control and status bits come back at its end.
+/// Sets the IEEE 754 defaults (round to nearest, no flush-to-zero, all exceptions masked) for the duration of a scope,
+/// and restores the host's control and status bits at its end.
 class FpScope {
  public:
 #if defined(__SSE__) || defined(_M_X64)

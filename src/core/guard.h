@@ -10,9 +10,9 @@
 
 namespace shd::core {
 
-/// Runs `body` and turns what it throws into a result: shd_result report(shd_result code, const char* text), which
-/// does not throw, stores the text and returns the code. Every exception of shd ends here. Floating-point control is
-/// the IEEE default inside; the host's control bits and errno are back afterwards.
+/// Runs `body` and turns exceptions into results. report is shd_result report(shd_result code, const char* text): it
+/// stores the text, returns the code, and must not throw. Every exception of shd ends here. `body` runs with the IEEE
+/// default floating-point control; the host's control bits and errno are restored afterwards.
 template <class Report, class Body>
 shd_result guard(Report&& report, Body&& body) noexcept {
   const ErrnoScope host_errno;

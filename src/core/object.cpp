@@ -9,7 +9,7 @@ namespace shd::core {
 
 Object* ObjectPool::take(const Allocator& allocator) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // Unused handles go first; then dead ones, the one that died first before the others; then a new slab.
+  // Unused handles are taken first, then dead handles, the longest dead one first, then a new slab.
   if (fresh_ == kSlabSize && !oldest_) {
     Slab* slab = new (allocator.allocate(sizeof(Slab))) Slab();
     slab->next = slabs_;

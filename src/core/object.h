@@ -12,7 +12,7 @@ namespace shd::core {
 
 struct Context;
 
-/// What a handle of libshd stands for. Extensions use values above 0xffff.
+/// Type of the object behind a handle of libshd. Extensions use values above 0xffff.
 enum class ObjectType : uint32_t {
   kNone = 0,
   kTexture = 1,
@@ -24,21 +24,22 @@ enum class ObjectType : uint32_t {
   kShadow = 7,
 };
 
-/// The memory behind every handle but a context's. It stays mapped, in its context's slabs, until the context
-/// is gone, so that a released or mistyped handle is recognised instead of followed.
+/// The memory behind every handle except a context's. It stays mapped, in its context's slabs, until the context is
+/// released, so that a released or mistyped handle is recognised instead of followed.
 struct Object {
-  std::atomic<uint32_t> type;        // ObjectType, or 0 when dead
-  std::atomic<uint32_t> references;  // 0 when dead
+  std::atomic<uint32_t> type;        // ObjectType, or 0 if dead
+  std::atomic<uint32_t> references;  // 0 if dead
   Context* context;
   void* body;
-  void (*destroy)(Context& context, void* body);  // runs on the thread that drops the last reference
+  void (*destroy)(Context& context, void* body);  // runs on the thread that releases the last reference
   Object* next_free;
 };
 
-/// Slabs of handles, reused oldest first, so that a stale handle is caught for as long as possible.
+/// Slabs of handles. The handle that has been dead longest is reused first, so that stale handles are detected for as
+/// long as possible.
 class ObjectPool {
  public:
-  /// A dead object; throws std::bad_alloc.
+  /// Returns a dead object. Throws std::bad_alloc.
   Object* take(const Allocator& allocator);
   void give_back(Object* object) noexcept;
   void free_all(const Allocator& allocator) noexcept;
@@ -54,18 +55,18 @@ class ObjectPool {
   Slab* slabs_ = nullptr;
   Object* oldest_ = nullptr;
   Object* newest_ = nullptr;
-  size_t fresh_ = kSlabSize;  // objects of the newest slab already handed out
+  size_t fresh_ = kSlabSize;  // number of objects of the newest slab already in use
 };
 
-/// A live handle with one reference, which retains `context`. Throws std::bad_alloc; `body` is then untouched.
+/// Creates a live handle with one reference, which retains `context`. Throws std::bad_alloc; then `body` is unchanged.
 Object* make_object(Context& context, uint32_t type, void* body, void (*destroy)(Context&, void*));
 
-/// Body of a live handle of that type, or null.
+/// Body of a live handle of the given type, otherwise null.
 inline void* body_of(const Object* object, uint32_t type) {
   return object && object->type.load(std::memory_order_acquire) == type ? object->body : nullptr;
 }
 
-/// False, and nothing done, for a dead or mistyped handle.
+/// Return false and do nothing for a dead or mistyped handle.
 bool retain(Object* object, uint32_t type) noexcept;
 bool release(Object* object, uint32_t type) noexcept;
 

@@ -5,8 +5,8 @@
 
 namespace shd::core {
 
-/// Bytes of the printable UTF-8 character at `text`, of which `size` bytes are left; 0 if there is none (RFC 3629,
-/// section 4; lone surrogates pass).
+/// Length in bytes of the printable UTF-8 character at `text`, of which `size` bytes are readable; 0 if there is none
+/// (RFC 3629, section 4; lone surrogates are accepted).
 inline size_t printable_length(const char* text, size_t size) {
   const auto lead = static_cast<unsigned char>(*text);
   if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
@@ -21,7 +21,7 @@ inline size_t printable_length(const char* text, size_t size) {
   return length;
 }
 
-/// Makes `size` bytes one line of UTF-8: line ends and tabs become spaces, other control and stray bytes '?'.
+/// Turns `size` bytes into one line of UTF-8: line ends and tabs become spaces, other control and invalid bytes '?'.
 inline void make_printable(char* text, size_t size) noexcept {
   for (size_t i = 0; i < size;) {
     const size_t length = printable_length(text + i, size - i);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Structs of callers whose headers may be older or newer than the library. Links to nothing: `fail` is the fail() of
-/// the library, which stores a text for shd_last_error() and returns the code.
+/// Structs of callers whose headers may be older or newer than the library. This header needs no library: `fail` is the
+/// fail() of the library, which stores a text for shd_last_error() and returns the code.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace shd::core {
 
-/// The number behind an enum of the caller, who may have set it to anything. Loading it as an enum is undefined for
-/// numbers beyond the bits of the enumerators, so checks look at this number first.
+/// The number stored in an enum of the caller, which may be any number. Loading it as an enum is undefined for numbers
+/// beyond the bits of the enumerators, so that checks must use this number first.
 template <class Enum>
 uint32_t enum_bits(const Enum& value) {
   static_assert(sizeof value == sizeof(uint32_t));
@@ -22,32 +22,67 @@ uint32_t enum_bits(const Enum& value) {
   return bits;
 }
 
-/// Copies the caller's desc over the defaults in `out`. The desc begins with its size, struct_size, of which `minimum`
-/// is the smallest of any version; bytes that this version does not know must be zero.
+/// The struct_size with which a sized struct of the caller begins.
+inline uint32_t struct_size_of(const void* desc) {
+  uint32_t size;
+  std::memcpy(&size, desc, sizeof size);
+  return size;
+}
+
+/// Checks the alignment and the struct_size of a caller's struct. `minimum` is the smallest size of any version.
 template <class Fail>
-shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
-  if (reinterpret_cast<uintptr_t>(in) % alignof(uint32_t) != 0) {
+shd_result check_desc_size(Fail fail, const char* name, const void* desc, size_t minimum) {
+  if (reinterpret_cast<uintptr_t>(desc) % alignof(uint32_t) != 0) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s: not aligned to %zu bytes", name, alignof(uint32_t));
   }
-  uint32_t size;
-  std::memcpy(&size, in, sizeof size);
+  const uint32_t size = struct_size_of(desc);
   if (size < minimum) {
-    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name, size,
+    return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; use the defaults function", name, size,
                 minimum);
   }
   constexpr uint32_t kMaxSize = 1u << 16;
   if (size > kMaxSize) {
     return fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is above %u", name, size, kMaxSize);
   }
+  return SHD_OK;
+}
+
+/// Copies the caller's desc over the defaults in `out`. Bytes of a larger desc beyond this version's must be
+/// zero.
+template <class Fail>
+shd_result read_desc_bytes(Fail fail, const char* name, const void* in, size_t minimum, void* out, size_t out_size) {
+  if (const shd_result result = check_desc_size(fail, name, in, minimum)) return result;
+  const uint32_t size = struct_size_of(in);
   const auto* bytes = static_cast<const unsigned char*>(in);
   for (size_t i = out_size; i < size; ++i) {
     if (bytes[i] != 0) {
-      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version knows %zu bytes only", name, i,
+      return fail(SHD_ERROR_UNSUPPORTED, "%s: byte %zu is set, but this version reads only %zu bytes", name, i,
                   out_size);
     }
   }
   std::memcpy(out, in, size < out_size ? size : out_size);
   return SHD_OK;
+}
+
+/// Copies `from`, an element of this version, to an element of `to_size` bytes. Bytes beyond this version's
+/// become zero.
+inline void write_element_bytes(const void* from, size_t from_size, void* to, size_t to_size) {
+  std::memcpy(to, from, to_size < from_size ? to_size : from_size);
+  if (to_size > from_size) std::memset(static_cast<unsigned char*>(to) + from_size, 0, to_size - from_size);
+}
+
+/// Writes a struct of this version into the caller's, whose struct_size was checked. The size stays as it is, no byte
+/// beyond it is written, and bytes beyond this version's become zero.
+inline void write_desc_bytes(const void* from, size_t from_size, void* to) {
+  const uint32_t size = struct_size_of(to);
+  write_element_bytes(from, from_size, to, size);
+  std::memcpy(to, &size, sizeof size);
+}
+
+/// Sets a caller's struct, whose struct_size was checked, to zero behind its struct_size.
+inline void clear_desc_bytes(void* desc) {
+  const uint32_t size = struct_size_of(desc);
+  std::memset(static_cast<unsigned char*>(desc) + sizeof size, 0, size - sizeof size);
 }
 
 }  // namespace shd::core

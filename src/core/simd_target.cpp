@@ -17,7 +17,7 @@ static_assert(kSse2 == 1LL << 14, "src/cmake/ShdTargets.cmake keeps this bit");
 constexpr int64_t kSse2 = 0;  // Highway up to 1.0.3 has no such target
 #endif
 
-/// The Highway targets that a choice of an instruction set stands for.
+/// The Highway targets of an instruction set that a caller can choose.
 struct Row {
   shd_simd choice;
   int64_t bits;
@@ -40,12 +40,12 @@ constexpr bool has_choice(int64_t targets) {
 }
 static_assert(has_choice(HWY_TARGETS), "a compiled target has no shd_simd: see src/cmake/ShdTargets.cmake");
 
-/// Highway names AVX-512 by its number of operands.
+/// Name of a target. Highway names AVX-512 by its number of operands.
 const char* name_of(int64_t bit) {
   return bit == HWY_AVX3 ? "AVX512" : hwy::TargetName(bit);
 }
 
-/// Compiled in and able to run on this machine. hwy::SupportedTargets() is cached by Highway.
+/// Targets that are compiled in and can run on this machine. Highway caches hwy::SupportedTargets().
 int64_t available_targets() {
   int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
   return targets ? targets : HWY_STATIC_TARGET;
@@ -70,7 +70,7 @@ SimdTarget baseline_target() {
 
 SimdTarget find_simd_target(shd_simd choice) {
   const int64_t available = available_targets();
-  int64_t wanted = available;  // a lower bit is a better target
+  int64_t wanted = available;  // the lowest bit is the best target
   if (choice == SHD_SIMD_BASELINE) {
     wanted = HWY_STATIC_TARGET;
   } else if (choice != SHD_SIMD_BEST) {

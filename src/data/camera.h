@@ -8,9 +8,9 @@
 
 namespace shd::data {
 
-/// World-to-view matrix [16], column-major: the eye at the origin looking along -Z, +Y up. Computed in double
-/// and rounded once. Returns false and writes nothing when eye and target coincide, or when up lies within 1e-6 rad of
-/// the line of sight. Elements beyond the range of float are infinite.
+/// World-to-view matrix [16], column-major: the eye is at the origin and looks along -Z, with +Y up. Computed in double
+/// and rounded once. Returns false and writes nothing if eye and target coincide, or if up lies within 1e-6 rad of the
+/// line of sight. Elements beyond the range of float are infinite.
 inline bool look_at(const float eye[3], const float target[3], const float up[3], float out[16]) {
   const Vec3d origin = {double{eye[0]}, double{eye[1]}, double{eye[2]}};
   const Vec3d back = normalized(origin - Vec3d{double{target[0]}, double{target[1]}, double{target[2]}});

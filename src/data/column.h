@@ -9,7 +9,7 @@
 
 namespace shd::data {
 
-/// Element i of a checked column; the stride may put it anywhere on a multiple of 4 bytes.
+/// Element i of a checked column. The stride may place it at any multiple of 4 bytes.
 inline float load(const shd_f32_in& column, size_t i) {
   const size_t stride = column.stride ? column.stride : sizeof(float);
   float value;
@@ -31,7 +31,7 @@ inline void store(const shd_u32_out& column, size_t i, uint32_t value) {
   std::memcpy(reinterpret_cast<char*>(column.data) + i * stride, &value, sizeof value);
 }
 
-/// True when the elements lie next to each other, so that a kernel can read or write in place.
+/// Whether the elements are adjacent, so that a kernel can read or write in place.
 inline bool is_packed(size_t stride) {
   return stride == 0 || stride == 4;
 }

@@ -3,7 +3,7 @@
 
 namespace shd::data {
 
-/// product = a b of 4 x 4 matrices, column-major, [16]; of floats or doubles. `product` overlaps neither.
+/// product = a b for 4 x 4 matrices, column-major, [16], of floats or doubles. `product` must not overlap a or b.
 template <class A, class B>
 void multiply(const A* a, const B* b, double* product) {
   for (int c = 0; c < 4; ++c) {

@@ -9,11 +9,11 @@
 namespace shd::data {
 namespace {
 
-// Elements of a scaled matrix are at most 1. What elimination leaves of a singular one is below 2^-48.
+// Elements of a scaled matrix are at most 1. Elimination reduces a singular matrix to elements below 2^-48.
 constexpr double kMinPivot = 0x1p-46;
 
 /// A square matrix, column-major, whose rows and columns are scaled by powers of two so that the largest element of
-/// each is in [0.5, 1]: then pivots say how independent the rows are, whatever the units of the axes.
+/// each is in [0.5, 1]: then pivots measure the independence of the rows for any units of the axes.
 template <int kSize>
 struct Scaled {
   double m[kSize][kSize];  // [column][row]

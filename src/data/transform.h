@@ -8,7 +8,7 @@ namespace shd::data {
 /// View-to-clip matrix of a perspective projection. far_plane may be infinite. reversed: depth 1 near, 0 far.
 void perspective(double fov_y, double aspect, double near_plane, double far_plane, bool reversed, double out[16]);
 
-/// The same of floats with a finite far plane, depth 0 near .. 1 far, rounded once.
+/// Perspective projection of floats with a finite far plane, depth 0 near .. 1 far, rounded once.
 void perspective(float fov_y, float aspect, float near_plane, float far_plane, float out[16]);
 
 /// View-to-clip matrix of a parallel projection; rectangle: left, right, bottom, top.

@@ -8,10 +8,10 @@ namespace shd::data {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Angle of the vector (x, y) for y >= 0, in [0, pi] [rad]; 0 for the zero vector. Arguments are finite.
-/// Made of exact operations and sqrt only, so that the bits are the same on every machine:
-/// tan(a / 2) = sin a / (1 + cos a) brings the angle below pi / 32, where eight terms of the arctangent's Taylor series
-/// do. |error| <= 1e-15 * angle + 1e-300.
+/// Angle of the vector (x, y) for y >= 0, in [0, pi] [rad]; 0 for the zero vector. Arguments must be finite. Uses only
+/// exactly rounded operations and sqrt, so that the bits are the same on every machine. tan(a / 2) = sin a / (1 + cos
+/// a) reduces the angle below pi / 32, where eight terms of the Taylor series of the arctangent are sufficient. |error|
+/// <= 1e-15 * angle + 1e-300.
 inline double angle_of(double y, double x) {
   const double largest = std::fmax(y, std::fabs(x));
   if (!(largest > 0.0)) return 0.0;
@@ -42,14 +42,14 @@ inline double tan_octant(double x) {
 
 }  // namespace detail
 
-/// tan x for x in [0, pi / 2); the same bits on every machine. |error| <= 1e-15 * tan x.
+/// tan x for x in [0, pi / 2), bit-equal on all machines. |error| <= 1e-15 * tan x.
 inline double tan(double x) {
   if (x <= 0.25 * kPi) return detail::tan_octant(x);
-  constexpr double kHalfPiLow = 6.123233995736766e-17;  // pi / 2 less its double
+  constexpr double kHalfPiLow = 6.123233995736766e-17;  // pi / 2 minus its double
   return 1.0 / detail::tan_octant((0.5 * kPi - x) + kHalfPiLow);
 }
 
-/// cos x for x in [0, pi / 2]; the same bits on every machine. |error| <= 1e-15.
+/// cos x for x in [0, pi / 2], bit-equal on all machines. |error| <= 1e-15.
 inline double cos(double x) {
   const double t = tan(0.5 * x), square = t * t;
   return (1.0 - square) / (1.0 + square);
@@ -67,7 +67,7 @@ struct CirclePoint {
 };
 
 /// The point of the unit circle at angle 2 pi i / n, i <= n. Quarters are exact, and points that mirror each other in
-/// an axis or a diagonal have the same bits but for signs; no zero is negative. |error| <= 1e-15.
+/// an axis or a diagonal have the same bits except for signs; no zero is negative. |error| <= 1e-15.
 inline CirclePoint circle_point(uint32_t i, uint32_t n) {
   const uint64_t eighths = uint64_t{8} * i;
   const auto octant = static_cast<uint32_t>(eighths / n);

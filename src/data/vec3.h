@@ -6,13 +6,13 @@
 
 namespace shd::data {
 
-/// Three components of a point or direction, for setup code. Space and unit are the user's.
+/// Three components of a point or direction, for setup code. The user defines space and unit.
 template <class T>
 struct BasicVec3 {
   T x, y, z;
 };
 using Vec3 = BasicVec3<float>;
-/// In double, products of up to four differences of finite floats neither overflow nor vanish.
+/// In double, products of up to four differences of finite floats neither overflow nor underflow.
 using Vec3d = BasicVec3<double>;
 
 template <class T>
@@ -51,8 +51,8 @@ inline Vec3d normalized(const Vec3d& a) {
   return {a.x / size, a.y / size, a.z / size};
 }
 
-/// a / |a| for every length: the largest component divides first, so that squares neither overflow nor vanish. 0 for
-/// the zero vector, and for infinite components.
+/// a / |a| for every length: dividing by the largest component first keeps the squares from overflow and underflow. 0
+/// for the zero vector, and for infinite components.
 inline Vec3 normalized(const Vec3& a) {
   const float largest = std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z)));
   if (!(largest > 0.0f) || std::isinf(largest)) return {0.0f, 0.0f, 0.0f};

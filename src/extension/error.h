@@ -29,7 +29,7 @@ inline shd_result fail(shd_result code, const char* format, ...) noexcept {
   return shd_report_error(code, text);
 }
 
-/// Throws unless `result`, of a function of libshd that stored a text, is SHD_OK.
+/// Throws Failure unless `result` is SHD_OK. `result` must come from a function of libshd that stores a text.
 inline void require(shd_result result) {
   if (result != SHD_OK) throw Failure(result, shd_last_error());
 }

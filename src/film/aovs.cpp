@@ -11,7 +11,7 @@
 namespace shd::film {
 namespace {
 
-/// What shd_texture_query_levels has for the diffuse texture; 0 without.
+/// Level of detail and level of the diffuse texture, as shd_texture_query_levels reports them; 0 without a texture.
 void find_levels(const core::SimdTarget& simd, const material::Material& material, const raster::Fragments& f,
                  float* const scratch_uv[6], AovScratch* scratch) {
   material::find_levels(simd, material, f, scratch_uv, scratch->lod);

@@ -12,7 +12,7 @@
 
 namespace shd::film {
 
-/// Scratch of one batch, for frames with AOVs.
+/// Scratch of one batch, used by frames with AOVs.
 struct AovScratch {
   uint16_t row[raster::kBatch];  // fragments visible at the first sample of their pixel, in order
   size_t row_count;
@@ -21,7 +21,7 @@ struct AovScratch {
   uint32_t draw[raster::kBatch];
 };
 
-/// The columns, as raster::Interpolated bits, that the planes of shd_aov bits are taken from.
+/// The columns, as raster::Interpolated bits, from which the planes of shd_aov bits are written.
 uint32_t columns_of(uint32_t aovs);
 
 /// Lists the fragments that are visible at the first sample of their pixel.
@@ -32,7 +32,7 @@ void write_aovs(const core::SimdTarget& simd, const TileArea& area, const materi
                 const raster::Fragments& fragments, float* const scratch_uv[6], AovScratch* scratch,
                 Framebuffer* framebuffer);
 
-/// Counts one more draw of a pixel's first sample; the framebuffer has SHD_PLANE_OVERDRAW.
+/// Adds one to the overdraw count of a pixel; the framebuffer must have SHD_PLANE_OVERDRAW.
 void count_overdraw(const TileArea& area, uint32_t pixel, Framebuffer* framebuffer);
 
 }  // namespace shd::film

@@ -23,8 +23,8 @@ struct Destination {
   float* channel[4];
 };
 
-/// Blends a source over its destination, by a mode that depends on the order of draws.
-inline void blend(shd_blend_mode mode, const FragmentColor& c, const Destination& destination) {
+/// Blends a source over its destination. The mode must be one that depends on the order of draws.
+inline void blend(shd_blend mode, const FragmentColor& c, const Destination& destination) {
   const float rest = 1.0f - c.channel[3];
   for (int i = 0; i < 3; ++i) {
     float& d = *destination.channel[i];

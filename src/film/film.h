@@ -6,10 +6,10 @@
 /// Output:     the planes of a Framebuffer, row 0 on top; copies of planes in the caller's columns and images.
 /// Units:      colour scene-linear, premultiplied by alpha; depth 0 near .. 1 far; raster positions in pixels.
 /// Invariants: film/ stores and blends; frame/ decides what is drawn, and when. A pixel is the plain average of its
-///             samples; samples that are equal keep their bits. Reading changes nothing. Integer formats clamp to
-///             0..1, map NaN to 0 and round to nearest; float formats keep NaN and infinities.
+///             samples; if all samples are equal, the pixel keeps their bits. Reading changes nothing. Integer formats
+///             clamp to 0..1, map NaN to 0 and round to nearest; float formats keep NaN and infinities.
 ///
-/// | file             | what                                                                  |
+/// | file             | contents                                                              |
 /// |------------------|-----------------------------------------------------------------------|
 /// | framebuffer.h    | Framebuffer: the planes and targets of one image                      |
 /// | planes.h         | the list of planes: type, empty value and source of each              |

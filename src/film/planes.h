@@ -13,7 +13,7 @@ constexpr uint32_t kPlaneCount = SHD_PLANE_TARGET3_A + 1;
 constexpr uint32_t kNoTriangle = 0xffffffffu;
 constexpr uint32_t kNoDraw = 0xffffffffu;
 
-/// Columns of a shaded batch that planes are taken from.
+/// Columns of a shaded batch from which planes are written.
 struct AovColumns {
   const raster::Fragments& fragments;
   const float* lod;
@@ -21,15 +21,15 @@ struct AovColumns {
   const uint32_t* draw;
 };
 
-/// What one plane is.
+/// Properties of one plane.
 struct PlaneInfo {
   uint32_t aov;     // shd_aov bit; 0 = every framebuffer has it
   bool is_integer;  // uint32_t, not float
-  double empty;     // its value where nothing was drawn; colour and depth are the frame's
-  const void* (*column)(const AovColumns& batch);  // null: not a column of fragments
+  double empty;     // value where nothing was drawn; the frame's clear values replace it for colour and depth
+  const void* (*column)(const AovColumns& batch);  // null: not written from a column
 };
 
-/// By shd_plane.
+/// [shd_plane]
 constexpr PlaneInfo kPlanes[kPlaneCount] = {
     {0, false, 0.0, nullptr},
     {0, false, 0.0, nullptr},
@@ -71,12 +71,12 @@ constexpr PlaneInfo kPlanes[kPlaneCount] = {
     {SHD_AOV_TARGET3, false, 0.0, nullptr},
 };
 
-/// Whether a framebuffer of these shd_aov bits has the plane.
+/// Whether a framebuffer with these shd_aov bits has the plane.
 constexpr bool wants_plane(uint32_t aovs, uint32_t plane) {
   return plane < kPlaneCount && (!kPlanes[plane].aov || (aovs & kPlanes[plane].aov));
 }
 
-/// First plane of target 1, 2 or 3, and of colour as target 0.
+/// First plane of a target; target 0 is colour.
 constexpr uint32_t target_plane(uint32_t target) {
   return target == 0 ? 0 : static_cast<uint32_t>(SHD_PLANE_TARGET1_R) + 4 * (target - 1);
 }

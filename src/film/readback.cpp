@@ -24,7 +24,8 @@ void read_rows(const Framebuffer& framebuffer, const T* plane, const Column& out
   }
 }
 
-/// value * maximum in 0..maximum to the nearest integer; NaN gives 0. In double the product is exact.
+/// Clamps `value` to 0..1 and rounds it to the nearest multiple of 1 / maximum; NaN gives 0. The product is exact in
+/// double.
 template <class T>
 T to_unorm(float value) {
   constexpr double kMaximum = static_cast<T>(-1);
@@ -32,7 +33,7 @@ T to_unorm(float value) {
   return static_cast<T>(clamped * kMaximum + 0.5);
 }
 
-/// One pixel's channels as stored in a format.
+/// Conversion of one pixel's channels to a format.
 struct Unorm8 {
   using Channel = uint8_t;
   static Channel color(float value) { return to_unorm<uint8_t>(value); }

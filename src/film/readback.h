@@ -10,14 +10,14 @@ namespace shd::film {
 /// Copies a float plane to a checked column of width * height elements, row by row from the top.
 void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_out& out);
 
-/// read_plane() for planes of uint32_t.
+/// Like read_plane(), for integer planes.
 void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out);
 
-/// True for the formats that read_color writes.
+/// Whether read_color() can write the format.
 bool can_read_color(shd_format format);
 
-/// Copies colour to a checked image of the same size, in a format that can_read_color(): interleaved RGBA, linear
-/// except for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are the nearest to the clamped value, exactly.
+/// Copies colour to a checked image of the same size, in a format accepted by can_read_color(): interleaved RGBA,
+/// linear except for the sRGB curve of SHD_FORMAT_RGBA8_SRGB. Integers are exactly the nearest to the clamped value.
 void read_color(const Framebuffer& framebuffer, const shd_image& out);
 
 }  // namespace shd::film

@@ -6,7 +6,7 @@
 namespace shd::film {
 namespace {
 
-/// Colours of the pixels that are split.
+/// Copies the colours of the pixels that are split.
 void copy_split(const uint8_t* is_split, const float* from, size_t pixel_size, float* to) {
   for (size_t pixel = 0; pixel < raster::kTilePixels; ++pixel) {
     const size_t at = pixel * pixel_size;

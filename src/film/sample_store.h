@@ -10,25 +10,26 @@
 
 namespace shd::film {
 
-/// Depth, colour and targets of every sample, kept between the passes of a frame with several samples a pixel.
+/// Depth, colour and targets of every sample, kept between the passes of a frame with several samples per pixel.
 class SampleStore {
  public:
-  /// Room for `tiles` tiles, which may be none: 4 bytes a sample, 16 for each of its targets, and 1 a pixel. Throws
-  /// std::bad_alloc.
+  /// Allocates storage for `tiles` tiles, which may be 0: 4 bytes per sample, 16 per sample and target, and 1 per
+  /// pixel.
+  /// Throws std::bad_alloc.
   SampleStore(const core::Allocator& allocator, const Framebuffer& framebuffer, uint32_t tiles);
 
   bool is_empty() const { return is_saved_.size() == 0; }
-  /// Restores tile `index` as it was saved; false if it never was. Threads may load and save different tiles
-  /// concurrently.
+  /// Restores the saved state of tile `index`; returns false if it was never saved. Threads may load and save different
+  /// tiles concurrently.
   bool load(uint32_t index, raster::Tile* tile, SplitSamples* split) const;
   void save(uint32_t index, const raster::Tile& tile, const SplitSamples& split);
 
  private:
-  const size_t depths_, colors_;   // elements a pixel
+  const size_t depths_, colors_;   // elements per pixel
   core::Array<uint8_t> is_saved_;  // [tile]
   core::Array<float> depth_;       // [tile][kTilePixels][depths]
   core::Array<uint8_t> is_split_;  // [tile][kTilePixels]
-  core::Array<float> color_;       // [tile][kTilePixels][colors]; of split pixels
+  core::Array<float> color_;       // [tile][kTilePixels][colors], valid for split pixels
 };
 
 }  // namespace shd::film

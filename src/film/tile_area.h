@@ -9,7 +9,7 @@
 
 namespace shd::film {
 
-/// Pixels of a tile that lie in the framebuffer.
+/// The pixels of a tile that lie in the framebuffer.
 struct TileArea {
   uint32_t left, top;      // position in the framebuffer
   uint32_t width, height;  // 1..kTile
@@ -26,9 +26,9 @@ void clear_slots(raster::Tile* tile);
 
 /// Sets every sample to one depth.
 void fill_depth(float depth, raster::Tile* tile);
-/// Sets every sample to its pixel's depth in the framebuffer. Pixels outside the framebuffer stay.
+/// Sets every sample to the depth of its pixel in the framebuffer. Pixels outside the framebuffer keep their values.
 void load_depth(const TileArea& area, const Framebuffer& framebuffer, raster::Tile* tile);
-/// Writes the depth of each first sample to the framebuffer.
+/// Writes the depth of the first sample of each pixel to the framebuffer.
 void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* framebuffer);
 
 }  // namespace shd::film

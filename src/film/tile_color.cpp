@@ -7,7 +7,7 @@
 namespace shd::film {
 namespace {
 
-/// Average of colours spaced `stride` floats apart.
+/// Averages colours spaced `stride` floats apart.
 void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   const float share = 1.0f / static_cast<float>(samples);
   float sum[4] = {};
@@ -17,7 +17,7 @@ void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   for (size_t c = 0; c < 4; ++c) out[c] = sum[c] * share;
 }
 
-/// Whether colours spaced `stride` floats apart have the same bits.
+/// Whether colours spaced `stride` floats apart are bit-equal.
 bool are_same(const float* colors, uint32_t samples, size_t stride) {
   uint64_t different = 0, first[2];
   std::memcpy(first, colors, sizeof first);
@@ -59,13 +59,13 @@ void TileColor::load() {
   if (samples_ > 1) std::fill(split_.is_split.begin(), split_.is_split.end(), uint8_t{0});
 }
 
-/// All samples of a pixel that is not split.
+/// The destination in the framebuffer, for a pixel that is not split.
 Destination TileColor::whole(uint32_t pixel, uint32_t t) const {
   const size_t at_pixel = position(pixel);
   return {{plane_[t][0] + at_pixel, plane_[t][1] + at_pixel, plane_[t][2] + at_pixel, plane_[t][3] + at_pixel}};
 }
 
-/// The samples of a pixel, apart from each other.
+/// The separate samples of a pixel; splits the pixel if necessary.
 float* TileColor::split(uint32_t pixel) {
   float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
@@ -97,7 +97,7 @@ Destination TileColor::sample(uint32_t pixel, uint32_t sample) {
   return at(split(pixel) + 4 * size_t{sample} * target_count_);
 }
 
-void TileColor::blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
+void TileColor::blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
                       const shade::Radiance& from, size_t row) {
   const bool is_whole = mask == all_ && (samples_ == 1 || !split_.is_split[pixel]);
   float* samples = is_whole ? nullptr : split(pixel);

@@ -12,26 +12,26 @@
 
 namespace shd::film {
 
-/// Memory of a tile's pixels whose samples have several colours; empty with one sample a pixel.
+/// Storage of the pixels of a tile whose samples have several colours; empty with one sample per pixel.
 struct SplitSamples {
   core::Array<float> color;       // [kTilePixels][samples][targets][4]: r, g, b, a
   core::Array<uint8_t> is_split;  // [kTilePixels]
 };
 
-/// @param targets  bit t: there is target t
+/// @param targets  bit t is set if target t exists
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out);
 
-/// Colour and targets of the samples of a tile while it is drawn. A pixel whose samples are all equal lives in the
-/// framebuffer; a pixel whose samples may differ is split until the tile is resolved. Pixels are row-major in the tile,
-/// samples are bits of a mask.
+/// Colour and targets of the samples of a tile while it is drawn. A pixel whose samples are all equal is stored in the
+/// framebuffer. A pixel whose samples may differ is split until the tile is resolved. Pixels are numbered row-major in
+/// the tile, samples are bits of a mask.
 class TileColor {
  public:
   TileColor(const TileArea& area, Framebuffer* framebuffer, SplitSamples* split);
 
-  /// Starts every pixel as the framebuffer has it.
+  /// Marks every pixel as stored in the framebuffer.
   void load();
-  /// Writes colour and targets of a row of `from` to the samples of a mask.
+  /// Writes colour and targets of a row of `from` to the samples in a mask.
   void write(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
     if (mask == all_) {
       write_row(pixel, 1, from, row);
@@ -39,7 +39,7 @@ class TileColor {
       write_some(pixel, mask, from, row);
     }
   }
-  /// Writes rows of `from` to all samples of `count` neighbours in a pixel row, from `pixel` on.
+  /// Writes rows of `from` to all samples of `count` adjacent pixels of a pixel row, from `pixel` on.
   void write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
     const size_t at = position(pixel);
     for (uint32_t t = 0; t < target_count_; ++t) {
@@ -50,12 +50,12 @@ class TileColor {
     }
     for (size_t i = 0; i < count && samples_ > 1; ++i) split_.is_split[pixel + i] = 0;
   }
-  /// Blends a colour and the targets of a row of `from`.
-  void blend(shd_blend_mode mode, uint32_t pixel, uint32_t mask, const FragmentColor& color,
-             const shade::Radiance& from, size_t row);
-  /// The colour of one sample as a blend's destination.
+  /// Blends a colour, and the targets of a row of `from`, over the samples in a mask.
+  void blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color, const shade::Radiance& from,
+             size_t row);
+  /// The colour of one sample, as the destination of a blend.
   Destination sample(uint32_t pixel, uint32_t sample);
-  /// Writes the plain average of each split pixel to the framebuffer; equal samples keep their bits.
+  /// Writes the plain average of each split pixel to the framebuffer; if all samples are equal, it keeps their bits.
   void resolve();
 
  private:
@@ -67,8 +67,8 @@ class TileColor {
   const size_t corner_, stride_;
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;
-  uint32_t target_[shade::kMaxTargets];  // numbers of the targets that exist
-  float* plane_[shade::kMaxTargets][4];  // their planes
+  uint32_t target_[shade::kMaxTargets];  // indices of the existing targets
+  float* plane_[shade::kMaxTargets][4];  // [target_count_] planes of these targets
   SplitSamples& split_;
 };
 

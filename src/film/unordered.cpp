@@ -8,7 +8,7 @@ namespace {
 
 using raster::kTilePixels;
 
-/// Plane i of a sample's sums.
+/// Plane i of the sums of a sample.
 float* sums_of(Unordered* unordered, uint32_t sample, size_t i) {
   return unordered->sums.data() + (sample * kSums + i) * kTilePixels;
 }
@@ -16,14 +16,14 @@ const float* sums_of(const Unordered& unordered, uint32_t sample, size_t i) {
   return unordered.sums.data() + (sample * kSums + i) * kTilePixels;
 }
 
-/// McGuire and Bavoil (2013), equation 10, without its factor a, which premultiplied colours have.
+/// McGuire and Bavoil (2013), equation 10, without its factor a, which premultiplied colours already contain.
 float weight_at(float depth) {
   const float near = 1.0f - depth;
   const float weight = 3000.0f * (near * near * near);
   return weight > 0.01f ? weight : 0.01f;
 }
 
-/// By position, then from far to near, then in order of arrival: a total order.
+/// A total order: by position, then from far to near, then by order of arrival.
 bool comes_before(const SortedNode& a, const SortedNode& b) {
   if (a.position != b.position) return a.position < b.position;
   if (a.distance != b.distance) return a.distance > b.distance;

@@ -9,18 +9,18 @@
 
 namespace shd::film {
 
-/// One sample of one fragment that is to be sorted.
+/// One sample of one fragment, to be sorted.
 struct SortedNode {
   uint32_t position;  // sample * kTilePixels + pixel
   float distance;     // larger = farther from the eye
-  uint32_t order;     // of arrival
+  uint32_t order;     // number of arrival
   FragmentColor color;
 };
 
-/// Fragments of a tile whose blend is order-independent.
+/// Fragments of a tile with an order-independent blend.
 struct Unordered {
-  core::Array<float> sums;         // [samples][5][kTilePixels]: sums of w c (three), of w a, and the product of 1 - a
-  core::Buffer<SortedNode> nodes;  // at most kMaxNodes, unless one pixel has more
+  core::Array<float> sums;         // [samples][5][kTilePixels]: sums of w c (three) and w a, product of 1 - a
+  core::Buffer<SortedNode> nodes;  // at most kMaxNodes, unless a single pixel has more
 };
 constexpr size_t kMaxNodes = size_t{1} << 17;
 constexpr size_t kSums = 5;

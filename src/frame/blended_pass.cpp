@@ -6,8 +6,8 @@
 namespace shd::frame {
 namespace {
 
-/// A comparison whose early test rejects no fragment that may pass the late one: a NOT_EQUAL draw changes the depths
-/// that its own later fragments are compared with.
+/// The comparison of the early depth test. It must not reject a fragment that may pass the late test: a NOT_EQUAL draw
+/// changes the depths that its own later fragments are compared with.
 shd_compare early_compare(shd_compare compare) {
   return compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare;
 }
@@ -21,7 +21,7 @@ uint32_t covered_by_alpha(float alpha, uint32_t count) {
 
 }  // namespace
 
-/// Samples of a row that alpha and discard leave.
+/// Samples of a row that pass the alpha test, alpha to coverage and discard.
 uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   const shade::Columns& columns = tile_.worker.workspace.columns;
   const material::Material& material = *draw_.material;
@@ -30,7 +30,7 @@ uint32_t Survival::kept_samples(size_t row, film::FragmentColor* color) const {
   uint32_t mask = tile_.worker.workspace.fragments.mask[row];
   if (material.flags & SHD_MATERIAL_DISCARDS && columns.discard[row]) mask = 0;
   if (color->channel[3] < material.alpha_cutoff) mask = 0;
-  if (material.flags & SHD_ALPHA_TO_COVERAGE) mask &= covered_by_alpha(color->channel[3], tile_.pattern.count);
+  if (material.flags & SHD_MATERIAL_ALPHA_TO_COVERAGE) mask &= covered_by_alpha(color->channel[3], tile_.pattern.count);
   if (material.blend == SHD_BLEND_OPAQUE && material.model != SHD_MODEL_PROGRAM) color->channel[3] = 1.0f;
   return mask;
 }

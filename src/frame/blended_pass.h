@@ -10,10 +10,10 @@ namespace shd::frame {
 /// Shades a run whose material blends or drops fragments, and blends it over the colours, triangle by triangle.
 void blend_run(TileState* tile, const Run& run);
 
-/// A shaded fragment that passes the tests, and the samples at which it does.
+/// A shaded fragment that passes the tests, and the samples at which it passes.
 struct Survivor {
   uint32_t pixel, mask;
-  float depth[raster::kMaxSamples];  // of the samples in the mask
+  float depth[raster::kMaxSamples];  // valid for the samples in the mask
   film::FragmentColor color;
 };
 
@@ -23,7 +23,7 @@ class Survival {
   Survival(const Draw& draw, TileState* tile)
       : draw_(draw), tile_(*tile), test_(raster::depth_test(draw.depth.compare)) {}
 
-  /// Whether a row has samples left after alpha, discard and the current depths. Call once for each row, in order.
+  /// Whether any samples of a row pass alpha, discard and depth test. Must be called once for each row, in order.
   bool survives(size_t row, Survivor* out);
 
  private:
@@ -32,15 +32,15 @@ class Survival {
   const Draw& draw_;
   TileState& tile_;
   const raster::DepthTest test_;
-  const geometry::ScreenTriangle* triangle_ = nullptr;  // of the latest row
-  raster::DepthPlane plane_[raster::kMaxSamples];       // its depths, by sample
+  const geometry::ScreenTriangle* triangle_ = nullptr;  // triangle of the latest row
+  raster::DepthPlane plane_[raster::kMaxSamples];       // its depth planes, by sample
 };
 
-/// Lists the pixels, in worker.covered, where the depth of one triangle may pass.
+/// Lists in worker.covered the pixels where the depth of one triangle may pass.
 void cover_triangle(TileState* tile, const Draw& draw, const geometry::PixelBox& box,
                     const geometry::ScreenTriangle& triangle);
 
-/// Shades the fragments of a run in a box; done(draw) reads each shaded batch.
+/// Shades the fragments of a run in a box and calls done(draw) after each shaded batch.
 template <class Done>
 void shade_run(TileState* tile, const Run& run, const geometry::PixelBox& box, const Done& done) {
   FragmentBatch batch(*tile);

@@ -64,7 +64,7 @@ void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) co
   f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
 }
 
-/// Adds pixels of the latest triangle to the table, which has room for them.
+/// Appends pixels of the latest triangle to the table, which must have room for them.
 void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
                            const raster::VisiblePixel* pixels, size_t count) {
   raster::Fragments& f = worker_.workspace.fragments;
@@ -90,7 +90,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
 }
 
-/// Sets the depths that a program reads: those at the first sample that the triangle covers.
+/// Sets the depths that a program reads: the depth of a row is taken at the first sample that the triangle covers.
 void FragmentBatch::set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points,
                                size_t begin, size_t end) {
   raster::Fragments& f = worker_.workspace.fragments;

@@ -10,12 +10,12 @@
 
 namespace shd::frame {
 
-/// Where in its pixels a triangle is shaded: once at each sample, or once for the pixel, at the centre or at the
+/// Shading positions of a triangle in its pixels: each sample, or one point per pixel, which is the centre or the
 /// centroid of the covered samples.
 struct ShadingPoints {
   bool per_sample;
-  raster::EdgeLine line[3];   // set with several samples a pixel
-  raster::Edge at_centre[3];  // set with several samples a pixel
+  raster::EdgeLine line[3];   // set with several samples per pixel
+  raster::Edge at_centre[3];  // set with several samples per pixel
 };
 
 /// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
@@ -23,7 +23,7 @@ class FragmentBatch {
  public:
   explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
 
-  /// Adds pixels of one triangle: one fragment a pixel, or one for each of its samples.
+  /// Adds pixels of one triangle: one fragment per pixel, or one per sample.
   template <class Done>
   void add(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
            const Done& done) {
@@ -57,7 +57,7 @@ class FragmentBatch {
   }
 
  private:
-  /// Makes room for fragments of the latest triangle. Returns how many fit.
+  /// Makes room for fragments of the latest triangle. Returns the number of free rows.
   template <class Done>
   size_t make_room(const Done& done) {
     const raster::Fragments& f = worker_.workspace.fragments;

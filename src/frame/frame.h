@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: frame, (draws and lights -> film), the driver of all stages before it.
+/// Stage contract: frame, (draws and lights -> film), the driver of all earlier stages.
 ///
 /// Input:      Frame: a framebuffer, a view, checked draws and lights; or ShadowFrame: draws and one light.
 /// Output:     the planes of the framebuffer, or the depth map of a Shadow; shd_render_stats.
 /// Units:      positions in pixels of the picture, y down; times in seconds; memory in bytes.
-/// Invariants: triangles take effect in the order of the draws, unless the visibility method or an order-independent
-///             blend says otherwise. Tiles are drawn concurrently and share nothing that is written; neither passes,
-///             tiles, batches nor workers leave a trace in the bits.
+/// Invariants: triangles take effect in the order of the draws, except with another visibility method or an
+///             order-independent blend. Tiles are drawn concurrently and share no written data. The bits of the result
+///             do not depend on passes, tiles, batches or workers.
 ///
 /// A frame is drawn in passes of bounded size. Each pass transforms vertices, assembles, sorts and bins triangles
 /// (Scene), then draws its tiles concurrently (TileRenderer): opaque runs fill the visibility buffer and are shaded
 /// once; runs that blend or drop fragments are shaded triangle by triangle; unordered blends follow.
 ///
-/// | file             | what                                                                  |
+/// | file             | contents                                                              |
 /// |------------------|-----------------------------------------------------------------------|
 /// | frame.h          | Frame and Draw: a checked shd_render_desc; render()                   |
 /// | passes.h         | the draws of a frame in passes that fit in memory                     |
 /// | scene.h          | a pass after its geometry stages: vertices, triangles and bins        |
 /// | visibility.h     | the order of painting, for frames without a depth test                |
-/// | tile_renderer.h  | one tile from its first draw to its last                              |
-/// | tile_state.h     | a tile while it is drawn                                              |
-/// | worker.h         | the memory in which one worker draws tiles                            |
+/// | tile_renderer.h  | rendering of one tile, from its first draw to its last                |
+/// | tile_state.h     | state of a tile while it is drawn                                     |
+/// | worker.h         | memory of one worker for drawing tiles                                |
 /// | fragment_batch.h | fragments gathered into the table that is shaded                      |
 /// | opaque_pass.h    | draws that the visibility buffer resolves                             |
 /// | blended_pass.h   | draws that blend in order or drop fragments                           |
 /// | unordered_pass.h | draws whose blend is order-independent                                |
 /// | supersample.h    | frames averaged from a picture n times as large                       |
 /// | shadow_map.h     | depth maps of lights, drawn as frames                                 |
-/// | frame_memory.h   | the allocator of a frame, which counts its bytes                      |
-/// | stopwatch.h      | the time that stages take                                             |
-/// | stats.h          | the sum of shd_render_stats                                           |
+/// | frame_memory.h   | allocator of a frame, which counts its bytes                          |
+/// | stopwatch.h      | time spent in each stage                                              |
+/// | stats.h          | sum of shd_render_stats                                               |
 #pragma once
 
 #include <cstddef>
@@ -53,15 +53,15 @@ namespace shd::frame {
 /// A checked shd_draw, or one instance of it.
 struct Draw {
   uint32_t index;     // in the caller's draws
-  uint32_t instance;  // of the draw
+  uint32_t instance;  // index of the instance in the draw
   const geometry::Mesh* mesh;
-  const material::Material* material;  // null = depth alone
+  const material::Material* material;  // null = only depth is drawn
   shd_frequency frequency;
   shd_cull cull;
   raster::DepthState depth;
-  bool depth_falls;  // depth falls with the distance from the eye
+  bool depth_falls;  // depth decreases with the distance from the eye
   bool sample_shading;
-  const void* uniforms;  // of the programs of the material
+  const void* uniforms;  // input of the material's programs
   geometry::Outline outline;
   uint32_t begin, end;  // triangles of the mesh
   float object_to_world[16];
@@ -77,9 +77,9 @@ struct Frame {
   film::Framebuffer* framebuffer;
   Window window;
   geometry::Viewport viewport;
-  geometry::PixelBox scissor;  // of the picture
+  geometry::PixelBox scissor;  // pixels of the picture
   shd_view view;
-  bool load;  // the planes of the framebuffer; else they are cleared
+  bool load;  // keeps the planes of the framebuffer; otherwise they are cleared
   float clear_color[4];
   float clear_depth;
   const Draw* draws;
@@ -92,11 +92,11 @@ struct Frame {
   uint32_t supersampling;   // 0 and 1 = off
   bool counts_hidden;       // counts samples that fail the depth test before shading
   shd_visibility visibility;
-  bool counts_conflicts;  // counts conflicts of the order of painting
+  bool counts_conflicts;  // counts errors in the order of painting
 };
 
-/// Renders a frame on the context's executor, pass by pass; frame.supersampling is ignored.
-/// Throws Failure and std::bad_alloc; then the framebuffer may hold part of the frame.
+/// Renders a frame on the context's executor, pass by pass; frame.supersampling is ignored. Throws Failure and
+/// std::bad_alloc; then the framebuffer may hold a part of the frame.
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats);
 
 }  // namespace shd::frame

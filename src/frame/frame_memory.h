@@ -21,7 +21,7 @@ class FrameMemory {
   FrameMemory(const FrameMemory&) = delete;
   FrameMemory& operator=(const FrameMemory&) = delete;
 
-  /// The largest number of bytes in use so far.
+  /// The largest number of bytes allocated at any time so far.
   size_t peak() const { return peak_; }
 
   core::Context context{};

@@ -9,7 +9,7 @@
 namespace shd::frame {
 namespace {
 
-/// Draws one triangle of a run into the visibility buffer, and counts overdraw and hidden samples by its mask.
+/// Draws one triangle of a run into the visibility buffer; counts overdraw and hidden samples from its mask.
 void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, uint32_t slot) {
   Worker& worker = tile->worker;
   const raster::CoverArea area = tile->cover_area(tile->box());
@@ -25,7 +25,7 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
 }
 
-/// Counts rows with a channel that is not finite: x - x is 0 only for finite x.
+/// Counts rows with a non-finite channel: x - x is 0 only for finite x.
 uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
   const float* __restrict r = radiance.channel[0], * __restrict g = radiance.channel[1];
   const float* __restrict b = radiance.channel[2], * __restrict a = radiance.channel[3];
@@ -37,7 +37,7 @@ uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radi
   return f.count - finite;
 }
 
-/// Counts rows from `begin` on that are neighbours in a pixel row and cover all samples.
+/// Counts the rows from `begin` on that are adjacent in a pixel row and cover all samples.
 size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
   const uint32_t pixel = f.pixel[begin];
   const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);

@@ -5,10 +5,10 @@
 
 namespace shd::frame {
 
-/// Draws a run into the visibility buffer; its material is_plain(), or it draws depth alone.
+/// Draws a run into the visibility buffer. Its material must be is_plain(), or the run draws only depth.
 void cover_run(TileState* tile, const Run& run);
 
-/// Shades the visible fragments, and empties the visibility buffer.
+/// Shades the visible fragments, then empties the visibility buffer.
 void shade_visible(TileState* tile);
 
 }  // namespace shd::frame

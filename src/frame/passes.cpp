@@ -10,7 +10,7 @@ bool is_unordered(const Draw& draw) {
   return draw.material && material::is_unordered(*draw.material);
 }
 
-/// Triangles that a draw counts for.
+/// The number of triangles that a draw is counted as.
 uint64_t weight(uint64_t triangles) {
   return std::max(triangles, kMinTriangles);
 }

@@ -9,32 +9,32 @@
 
 namespace shd::frame {
 
-/// Cuts a frame into passes of at most frame.pass_triangles triangles, which are drawn one after the other. A pass has
-/// whole draws, or a part of one larger draw; each draw counts for at least kMinTriangles. Draws with order-independent
-/// blends share the last pass, however many triangles they have. Most frames are one pass.
+/// Divides a frame into passes of at most frame.pass_triangles triangles, which are drawn one after the other. A pass
+/// holds whole draws, or a part of one larger draw; each draw is counted as at least kMinTriangles. Draws with
+/// order-independent blends share the last pass, whatever their number of triangles. Most frames have one pass.
 class Passes {
  public:
   /// Throws std::bad_alloc.
   Passes(const core::Allocator& allocator, const Frame& frame);
 
   uint64_t count() const { return count_; }
-  /// The next of count() passes. Valid until the next call. Throws std::bad_alloc.
+  /// Returns the next of count() passes, valid until the next call. Throws std::bad_alloc.
   const Frame& next();
 
  private:
   /// Position of the next triangle to draw.
   struct Cursor {
-    size_t draw;     // draws blended in order come first, then the others from frame.draw_count on
-    uint32_t begin;  // its next triangle
+    size_t draw;     // draws blended in order come first; the other draws follow, from frame.draw_count on
+    uint32_t begin;  // next triangle of the draw
   };
 
-  /// take(draw, begin, end) for the draws of one pass. Returns where the next pass begins.
+  /// Calls take(draw, begin, end) for the draws of one pass. Returns the start of the next pass.
   template <class Take>
   Cursor advance(Cursor from, const Take& take) const;
   bool is_done(const Cursor& cursor) const { return cursor.draw >= 2 * frame_.draw_count; }
 
   const Frame& frame_;
-  uint64_t count_ = 1, unordered_ = 0;  // passes; triangles of order-independent draws
+  uint64_t count_ = 1, unordered_ = 0;  // number of passes; number of triangles of order-independent draws
   Cursor cursor_ = {0, 0};
   core::Buffer<Draw> draws_;
   Frame pass_;

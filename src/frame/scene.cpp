@@ -20,7 +20,7 @@ struct Range {
   size_t begin, end;
 };
 
-/// Part of a draw's rows of vertices or triangles.
+/// A part of the vertex rows or of the triangles of a draw.
 struct Part {
   uint32_t draw;
   size_t begin, end;
@@ -30,7 +30,7 @@ constexpr size_t kVerticesPerPart = 8192;  // a multiple of data::kRowPad
 constexpr size_t kTrianglesPerPart = 16384;
 constexpr size_t kMaxGroups = 256;  // bounds the bin table, whose size is tiles x groups
 
-/// Cuts the items of each draw, those in range_of(draw), into parts of at most `size`. Throws std::bad_alloc.
+/// Divides the items range_of(draw) of each draw into parts of at most `size`. Throws std::bad_alloc.
 template <class RangeOf>
 core::Buffer<Part> make_parts(const core::Context& context, const Frame& frame, size_t size, RangeOf range_of) {
   core::Buffer<Part> parts(context.allocator);
@@ -49,7 +49,7 @@ geometry::VertexProgram vertex_program(const Frame& frame, const Draw& draw) {
           draw.object_to_world, draw.index,        draw.instance, draw.material->varying_count};
 }
 
-/// Transforms vertices of a mesh, from `begin` on, to the rows of a part; by the draw's program if it has one.
+/// Transforms the vertices of a mesh from `begin` on to the rows of a part, with the program of the draw if it has one.
 void transform(const core::Context& context, const Frame& frame, const Part& part, const geometry::NumberedMesh& mesh,
                size_t begin, Scene* scene, geometry::VertexColumns* scratch) {
   const Draw& draw = frame.draws[part.draw];
@@ -113,7 +113,7 @@ geometry::Assembly make_assembly(const Frame& frame, uint32_t index, const geome
   return assembly;
 }
 
-/// Assembles parts into groups; consecutive parts share a group when there are many.
+/// Assembles parts into groups; if there are many parts, consecutive parts share a group.
 void assemble_all(const core::Context& context, const Frame& frame, const core::Buffer<Part>& parts, Scene* scene,
                   shd_render_stats* stats) {
   const size_t groups = scene->groups.size();

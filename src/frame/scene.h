@@ -10,7 +10,7 @@ namespace shd::frame {
 
 /// A pass after its geometry stages: the input of its tiles.
 struct Scene {
-  /// Empty; throws std::bad_alloc.
+  /// Creates an empty scene. Throws std::bad_alloc.
   Scene(const core::Allocator& allocator, const Frame& frame);
 
   core::Objects<geometry::Vertices> vertices;   // [draw]
@@ -19,12 +19,12 @@ struct Scene {
   raster::Bins bins;
 };
 
-/// The pixels of the picture that the framebuffer holds, and those of them that triangles may change; both may be
-/// empty.
+/// window_box(): the pixels of the picture that the framebuffer holds. visible_box(): the subset that triangles may
+/// change. Both may be empty.
 geometry::PixelBox window_box(const Frame& frame);
 geometry::PixelBox visible_box(const Frame& frame);
 
-/// Transforms, assembles, orders and bins every draw of a frame on the executor. Throws.
+/// Transforms, assembles, orders and bins every draw of a frame on the executor. Throws Failure and std::bad_alloc.
 void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd_render_stats* stats);
 
 }  // namespace shd::frame

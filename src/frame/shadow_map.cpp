@@ -11,7 +11,7 @@
 namespace shd::frame {
 namespace {
 
-constexpr uint32_t kBlock = 2048;  // texels a side of what is drawn at once
+constexpr uint32_t kBlock = 2048;  // [texels] edge length of the blocks that are drawn one by one
 constexpr uint32_t kPassTriangles = 1u << 21;
 
 /// Whether the depths of a draw depend on its material: it drops fragments, or a program moves its vertices.
@@ -19,7 +19,7 @@ bool needs_material(const material::Material& material) {
   return !material::is_unordered(material) && (material::drops_fragments(material) || material.program.vertex);
 }
 
-/// The caller's draws that cast shadows, as draws of depth alone where possible.
+/// The caller's draws that cast shadows, with only depth drawn where possible.
 core::Buffer<Draw> casters(const core::Context& context, const ShadowFrame& frame, const light::ShadowOptions& options,
                            bool falls) {
   core::Buffer<Draw> draws(context.allocator);
@@ -36,7 +36,7 @@ core::Buffer<Draw> casters(const core::Context& context, const ShadowFrame& fram
   return draws;
 }
 
-/// Corners of the bounds of a draw; false if its mesh has none.
+/// Corners of the bounds of a draw. Returns false if its mesh has no bounds.
 bool find_corners(const Draw& draw, double (&corners)[8][3]) {
   const shd_mesh_info& info = draw.mesh->info;
   if (info.nonfinite_count == info.vertex_count || draw.begin == draw.end) return false;
@@ -64,8 +64,8 @@ light::ShadowPlacement fit(const ShadowFrame& frame, const light::ShadowOptions&
   return fit.place(options);
 }
 
-/// From the world to a face, z 0..1: rising from near to far if orthographic, else falling, near (far - z) / ((far -
-/// near) z), which spreads the steps of floats over all distances.
+/// View of a face, with z in 0..1. Orthographic z increases from near to far. Perspective z decreases, near (far - z) /
+/// ((far - near) z), which distributes the precision of floats over all distances.
 shd_view view_of(const light::ShadowPlacement& placement, uint32_t face, uint32_t size) {
   const bool is_cube = placement.projection == light::ShadowProjection::kCube;
   const light::ShadowAxes axes = is_cube ? light::cube_axes(face) : placement.axes;

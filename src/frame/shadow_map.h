@@ -19,8 +19,9 @@ struct ShadowFrame {
   float bounds_min[3], bounds_max[3];
 };
 
-/// Renders the depth map of a shadow face by face on the context's executor, then builds the tables that its filter
-/// reads. Memory that the shadow keeps comes from `owner`. Throws; then the shadow is as before.
+/// Renders the depth map of a shadow face by face on the context's executor, then builds the tables for its filter.
+/// Memory that the shadow keeps is allocated from `owner`. Throws Failure and std::bad_alloc; then the shadow is
+/// unchanged.
 void render_shadow(const core::Context& context, const core::Context& owner, const ShadowFrame& frame,
                    light::Shadow* shadow);
 

@@ -5,7 +5,7 @@
 
 namespace shd::frame {
 
-/// Adds the counts and times of a part of a frame to those of the frame; scratch_bytes is left.
+/// Adds the counts and times of a part of a frame to the frame's statistics; scratch_bytes is not changed.
 inline void add(const shd_render_stats& piece, shd_render_stats* frame) {
   frame->triangles += piece.triangles;
   frame->nonfinite += piece.nonfinite;

@@ -8,7 +8,7 @@ namespace shd::frame {
 /// Measures the wall-clock time of the stages of a frame.
 class Stopwatch {
  public:
-  /// Seconds since the latest lap, or since construction.
+  /// Seconds since the previous lap, or since construction.
   double lap() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> passed = now - start_;

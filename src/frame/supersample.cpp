@@ -18,7 +18,7 @@ struct Block {
   uint32_t left, top, width, height;
 };
 
-/// body(plane, from, to) for every plane of two framebuffers with the same planes.
+/// Calls body(plane, from, to) for every plane of two framebuffers with the same planes.
 template <class Body>
 void for_each_plane(film::Framebuffer& from, film::Framebuffer& to, const Body& body) {
   for (uint32_t p = 0; p < film::kPlaneCount; ++p) {
@@ -111,13 +111,13 @@ class Supersampler {
     return large;
   }
 
-  /// body(row of the block) on the executor.
+  /// Runs body(row) for the rows of the block on the executor.
   template <class Body>
   void for_each_row(const Block& block, const Body& body) const {
     core::parallel_for(context_, block.height, [&](uint32_t y, uint32_t) { body(y); });
   }
 
-  /// Position of the first pixel of a row of the block: in the frame's planes, and in the large planes.
+  /// Position of the first pixel of a row of the block: in the planes of the frame, and in the large planes.
   size_t start_of(const Block& block, uint32_t y) const {
     return (block.top + size_t{y}) * frame_.framebuffer->stride + block.left;
   }
@@ -144,7 +144,7 @@ class Supersampler {
         return;
       }
       double sum[kBlockEdge / kMinFactor];
-      std::fill_n(sum, block.width, -0.0);  // -0 + x is x, its sign too
+      std::fill_n(sum, block.width, -0.0);  // -0 + x is x, including its sign
       for (uint32_t row = 0; row < n_; ++row, from += large_.stride) {
         for (uint32_t x = 0; x < block.width; ++x) {
           for (uint32_t i = 0; i < n_; ++i) sum[x] += static_cast<double>(from[size_t{x} * n_ + i]);
@@ -159,9 +159,9 @@ class Supersampler {
   const core::Context& context_;
   const Frame& frame_;
   const uint32_t n_;
-  core::Array<Draw> draws_;  // lines and points n times as wide
-  Block area_;               // what the scissor leaves of the framebuffer
-  film::Framebuffer large_;  // of one block
+  core::Array<Draw> draws_;  // lines and points are n times as wide
+  Block area_;               // part of the framebuffer inside the scissor
+  film::Framebuffer large_;  // holds one block
   double done_ = 0.0;        // pixels of finished blocks
 };
 

@@ -19,7 +19,7 @@ film::TileArea cleared_area(const TileState& tile) {
           static_cast<uint32_t>(box.max_y - box.min_y + 1)};
 }
 
-/// Sets depth and colours of a tile to their values before its first draw. False if no draw touches it.
+/// Initialises depth and colours of a tile before its first draw. Returns false if no draw touches it.
 bool begin(TileState* tile) {
   const Frame& frame = tile->renderer.frame;
   Worker& worker = tile->worker;
@@ -45,12 +45,12 @@ bool begin(TileState* tile) {
   return true;
 }
 
-/// Order-independent blends that the tile has.
+/// The kinds of order-independent blends in a tile.
 struct Unfinished {
   bool weighted, sorted;
 };
 
-/// Draws everything that takes effect in order. Returns which other blends follow.
+/// Draws everything that takes effect in order. Returns the blends that remain to be drawn.
 Unfinished draw_in_order(TileState* tile) {
   Unfinished unfinished = {false, false};
   tile->for_each_run([&](const Run& run) {

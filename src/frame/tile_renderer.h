@@ -15,11 +15,11 @@ struct TileRenderer {
   const Frame& frame;
   const Scene& scene;
   const shade::LightTable& lights;
-  film::SampleStore* samples;  // null with one pass or one sample a pixel
+  film::SampleStore* samples;  // null with one pass or one sample per pixel
 
-  /// Draws one tile; draws take effect in order. Opaque draws go to the visibility buffer, which is shaded before a
-  /// draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle. Order-independent
-  /// blends come last. Throws Failure and std::bad_alloc.
+  /// Draws one tile; draws take effect in order. Opaque draws are written to the visibility buffer, which is shaded
+  /// before a draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle.
+  /// Order-independent blends come last. Throws Failure and std::bad_alloc.
   void render(uint32_t index, Worker* worker) const;
 };
 

@@ -11,7 +11,7 @@
 
 namespace shd::frame {
 
-/// Neighbouring triangles of a tile's bin that belong to one draw.
+/// Consecutive triangles of a tile's bin that belong to one draw.
 struct Run {
   uint32_t draw;
   const geometry::ScreenTriangle* triangles;
@@ -19,7 +19,7 @@ struct Run {
   size_t count;
 };
 
-/// Whether the visibility buffer can resolve a material: opaque, without dropped fragments.
+/// Whether the visibility buffer can resolve a material: it is opaque and drops no fragments.
 inline bool is_plain(const material::Material& material) {
   return material.blend == SHD_BLEND_OPAQUE && !material::drops_fragments(material);
 }
@@ -28,7 +28,7 @@ inline uint32_t first_sample(uint32_t mask) {
   return static_cast<uint32_t>(__builtin_ctz(mask));
 }
 
-/// One tile while it is drawn: its area and contents.
+/// State of one tile while it is drawn: its area and contents.
 class TileState {
  public:
   TileState(const TileRenderer& renderer, uint32_t index, Worker* worker);
@@ -50,10 +50,10 @@ class TileState {
 
   /// Whether no triangle touches the tile.
   bool is_bare() const;
-  /// Clears colour, unless that was done.
+  /// Clears colour unless it is already cleared.
   void clear_color();
 
-  /// body(run) for the triangles of the tile, in order.
+  /// Calls body(run) for the triangles of the tile, in order.
   template <class Body>
   void for_each_run(const Body& body) const {
     const raster::Bins& bins = renderer.scene.bins;
@@ -70,7 +70,7 @@ class TileState {
     }
   }
 
-  /// body(pixel, mask) for the pixels of the worker's mask.
+  /// Calls body(pixel, mask) for the pixels of the worker's mask.
   template <class Body>
   void for_each_masked(const Body& body) const {
     const raster::CoverMask& mask = worker.mask;
@@ -83,7 +83,7 @@ class TileState {
   }
   /// Counts the samples of the mask.
   uint64_t count_masked() const;
-  /// Adds the covered samples that did not pass to the worker's statistics, if the frame wants them. Overwrites the
+  /// Adds the covered samples that did not pass to the worker's statistics, if frame.counts_hidden. Overwrites the
   /// mask.
   void count_hidden(const raster::CoverArea& area, const geometry::ScreenTriangle& triangle, uint64_t passed) const;
 
@@ -91,11 +91,11 @@ class TileState {
   film::Framebuffer& framebuffer;
   const raster::SamplePattern& pattern;
   const uint32_t index;
-  const film::TileArea area;  // in the framebuffer
-  const int32_t left, top;    // in the picture
+  const film::TileArea area;  // position and size in the framebuffer
+  const int32_t left, top;    // position in the picture
   Worker& worker;
   film::TileColor color;
-  bool color_is_unclear = false;  // the whole tile is still to be cleared
+  bool color_is_unclear = false;  // clearing the tile's colour is still pending
 };
 
 }  // namespace shd::frame

@@ -6,18 +6,18 @@
 namespace shd::frame {
 namespace {
 
-/// body(run) for the runs of one blend mode.
+/// Calls body(run) for the runs of one blend mode.
 template <class Body>
-void for_each_unordered(const TileState& tile, shd_blend_mode blend, const Body& body) {
+void for_each_unordered(const TileState& tile, shd_blend blend, const Body& body) {
   tile.for_each_run([&](const Run& run) {
     const material::Material* material = tile.draw_of(run).material;
     if (material && material->blend == blend) body(run);
   });
 }
 
-/// body(draw, sample, survivor) for every sample in a box that passes the tests of a draw of one blend mode.
+/// Calls body(draw, sample, survivor) for every sample in a box that passes the tests of a draw of one blend mode.
 template <class Body>
-void for_each_sample(TileState* tile, shd_blend_mode blend, const geometry::PixelBox& box, const Body& body) {
+void for_each_sample(TileState* tile, shd_blend blend, const geometry::PixelBox& box, const Body& body) {
   for_each_unordered(*tile, blend, [&](const Run& run) {
     shade_run(tile, run, box, [&](const Draw& draw) {
       Survival survival(draw, tile);
@@ -43,7 +43,7 @@ size_t count_sorted(TileState* tile, const geometry::PixelBox& box) {
   return count;
 }
 
-/// Draws a box; halves it first if it holds more samples than the table may.
+/// Draws a box. A box with more than film::kMaxNodes samples is halved first, down to one pixel.
 void draw_sorted_box(TileState* tile, const geometry::PixelBox& box) {
   const int32_t width = box.max_x - box.min_x + 1, height = box.max_y - box.min_y + 1;
   if (width * height > 1 && count_sorted(tile, box) > film::kMaxNodes) {

@@ -17,7 +17,7 @@ core::Array<raster::PaintRule> make_rules(const core::Context& context, const Fr
   return rules;
 }
 
-/// Distributes the painted triangles to the groups, then those that are not painted.
+/// Distributes the painted triangles to the groups, followed by the triangles that are not painted.
 void distribute_painted(const core::Context& context, const raster::Painting& painting, size_t painted, Scene* scene) {
   core::Buffer<geometry::ScreenTriangle> rest(context.allocator);
   size_t seen = 0;
@@ -34,7 +34,7 @@ void distribute_painted(const core::Context& context, const raster::Painting& pa
   raster::distribute(context, sorted + rest.size(), at, &scene->groups);
 }
 
-/// Sort triangles of the first `painted` triangles of the scene.
+/// Makes sort triangles of the first `painted` triangles of the scene.
 void make_sort_triangles(const Scene& scene, const raster::PaintRule* rules, size_t painted, raster::Painting* out) {
   out->triangles.reserve(painted);
   out->order.reserve(painted);

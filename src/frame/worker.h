@@ -17,20 +17,20 @@
 
 namespace shd::frame {
 
-/// The triangles behind a batch of fragments.
+/// The triangles that a batch of fragments belongs to.
 struct BatchTriangles {
   size_t count = 0;
   const geometry::ScreenTriangle* triangle[raster::kBatch];
-  uint16_t of[raster::kBatch];  // index of a fragment's triangle; unused for is_plain() materials
+  uint16_t of[raster::kBatch];  // [fragment] index into `triangle`; unused for is_plain() materials
 };
 
-/// The memory in which one worker draws tiles, allocated with its first tile.
+/// Memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
   raster::Tile tile;
   raster::TileOrder order;
-  raster::CoverMask mask;                               // of the latest triangle
-  core::Buffer<raster::VisiblePixel> covered;           // of one triangle that is blended
-  core::Buffer<const geometry::ScreenTriangle*> slots;  // triangles behind the tile's slots
+  raster::CoverMask mask;                               // mask of the latest triangle
+  core::Buffer<raster::VisiblePixel> covered;           // pixels of one blended triangle
+  core::Buffer<const geometry::ScreenTriangle*> slots;  // [slot] triangle
   film::SplitSamples split;
   shade::Workspace workspace;
   BatchTriangles triangles;
@@ -39,7 +39,7 @@ struct Worker {
   uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
-/// Workers by index; owns them.
+/// The workers by index. Owns them.
 class Workers {
  public:
   Workers(const core::Context& context, const Frame& frame);
@@ -55,7 +55,7 @@ class Workers {
   const core::Context& context_;
   const uint32_t samples_, targets_;
   const size_t light_count_;
-  uint32_t varying_count_ = 0;  // largest of all draws
+  uint32_t varying_count_ = 0;  // maximum over all draws
   core::Array<Worker*> workers_;
 };
 

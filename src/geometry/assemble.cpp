@@ -8,7 +8,7 @@
 namespace shd::geometry {
 namespace {
 
-/// Clips and emits the fan; the highest outcome of its pieces counts.
+/// Clips a triangle, emits the pieces as a fan and returns their highest outcome.
 TriangleOutcome clip_and_emit(const Assembly& assembly, const uint32_t row[3], uint32_t primitive,
                               core::Buffer<ScreenTriangle>* out) {
   ScreenVertex polygon[kMaxClipped];

@@ -11,7 +11,7 @@ bool has_any(const core::Array<float>* columns, size_t count) {
   return false;
 }
 
-/// Four columns to rows of four; absent ones read 0.
+/// Interleaves four columns into rows of four; absent columns read as 0.
 void interleave(const core::Array<float>* const columns[4], size_t begin, size_t end, float* rows) {
   for (size_t c = 0; c < 4; ++c) {
     const bool is_there = columns[c] && columns[c]->size();

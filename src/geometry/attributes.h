@@ -10,15 +10,15 @@
 
 namespace shd::geometry {
 
-/// Columns of vertices that only some materials read.
+/// Columns of vertices that only some materials read, as bits.
 enum Extra : uint32_t { kExtraTangent = 1, kExtraTexture1 = 2, kExtraAttributes = 4 };
 
-/// Room for the wanted columns (Extra bits) that the mesh has, for as many rows as the vertices have. Throws
+/// Allocates the wanted columns (Extra bits) that the mesh has, with as many rows as the vertices have. Throws
 /// std::bad_alloc.
 void allocate_attributes(const core::Allocator& allocator, const Mesh& mesh, uint32_t wanted, Vertices* out);
 
-/// Fills the columns that `out` has room for. Tangents pass through the matrix of world space; handedness is multiplied
-/// by its orientation.
+/// Fills the columns that are allocated in `out`. Tangents are transformed to world space; handedness is multiplied by
+/// the orientation of the matrix.
 void transform_attributes(const Mesh& mesh, const Transform& transform, const VertexRange& range, Vertices* out);
 
 }  // namespace shd::geometry

@@ -10,7 +10,7 @@ namespace shd::geometry {
 
 constexpr uint32_t kNoBucket = ~0u;
 
-/// Numbers in buckets: those of bucket b are item[start[b]] .. item[start[b + 1]], rising.
+/// Numbers sorted into buckets: item[start[b]] .. item[start[b + 1]] are the numbers of bucket b, ascending.
 struct Buckets {
   core::Array<uint32_t> start, item;
 
@@ -18,14 +18,14 @@ struct Buckets {
   const uint32_t* end(size_t bucket) const { return item.data() + start[bucket + 1]; }
 };
 
-/// The numbers below `count` by bucket_of(number), which is below bucket_count, or kNoBucket for those to leave out.
-/// Throws std::bad_alloc.
+/// Sorts the numbers below `count` by bucket_of(number), which is below bucket_count, or kNoBucket to leave the number
+/// out. Throws std::bad_alloc.
 template <class BucketOf>
 Buckets make_buckets(const core::Allocator& allocator, uint32_t count, uint32_t bucket_count,
                      const BucketOf& bucket_of) {
   Buckets out = {core::Array<uint32_t>(allocator, size_t{bucket_count} + 2), {}};
   out.start.fill_zero();
-  uint32_t* next = out.start.data() + 1;  // where the next number of a bucket goes; start[b + 1] once all are there
+  uint32_t* next = out.start.data() + 1;  // position of the next number of each bucket; start[b + 1] after the last one
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t bucket = bucket_of(i);
     if (bucket != kNoBucket) ++next[size_t{bucket} + 1];

@@ -16,7 +16,7 @@ struct Polygon {
   int count;
 };
 
-/// Signed distance to plane `plane`, up to a positive factor; inside is >= 0.
+/// Signed distance to a plane, up to a positive factor; >= 0 is inside.
 double distance(int plane, const ClipVertex& v) {
   const double guard = static_cast<double>(kGuardBand);
   switch (plane) {
@@ -30,8 +30,9 @@ double distance(int plane, const ClipVertex& v) {
   }
 }
 
-/// Where the edge meets the plane; always by the same sums, so that both neighbours compute the same. Steps start from
-/// the end that is nearer to the plane: from a far one they would lose all but its own digits.
+/// Intersection of an edge with a plane. The arithmetic is the same from either side of the edge, so that both
+/// neighbouring triangles get the same vertex. The interpolation starts from the end nearer to the plane: starting
+/// from a distant end cancels the low digits of the result.
 ClipVertex intersect(const ClipVertex& in, const ClipVertex& out, double in_distance, double out_distance) {
   const bool from_in = in_distance <= -out_distance;
   const ClipVertex &a = from_in ? in : out, &b = from_in ? out : in;

@@ -12,7 +12,7 @@ RowPattern pattern_of(const SplitEdges& edges, size_t triangle) {
   return RowPattern(segments);
 }
 
-/// Vertices and triangles as they are made.
+/// Builds the vertices and triangles of a CutMesh, triangle by triangle.
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const SplitEdges& edges, CutMesh* out)
@@ -33,7 +33,7 @@ class Cutter {
   void cut(uint32_t triangle);
 
  private:
-  /// A side of the triangle at hand, seen from one of its ends.
+  /// One side of the current triangle, walked from one of its ends.
   struct Side {
     const SplitEdge* edge;
     bool forward;
@@ -43,10 +43,10 @@ class Cutter {
       return k == 0 ? edge->start : k == edge->segments ? edge->end : edge->first + k - 1;
     }
   };
-  /// A row of the pattern: its ends and the first vertex between them.
+  /// One row of the pattern: its ends and the first vertex between them.
   struct Row {
     uint32_t parts, left, right, inner;
-    const Side* base;  // of the last row, or null
+    const Side* base;  // side of the last row, otherwise null
 
     uint32_t vertex(uint32_t i) const {
       if (base) return base->vertex(i);
@@ -54,7 +54,7 @@ class Cutter {
     }
   };
 
-  /// Side between two corners, seen from `from`.
+  /// The side between two corners, walked from corner `from`.
   Side side_from(uint32_t triangle, uint32_t side, uint32_t from) const {
     const SplitEdge& edge = edges_.edge[edges_.of_side[3 * size_t{triangle} + side]];
     return {&edge, edge.start == mesh_.indices[3 * size_t{triangle} + from]};
@@ -73,8 +73,8 @@ class Cutter {
   uint32_t* next_index_;
 };
 
-/// Triangles between two rows: always the one whose next part has its middle further to the left. Where the rows share
-/// an end, the triangle there has no third corner.
+/// Adds the triangles between two rows. Each step advances on the row whose next part has its middle further to the
+/// left. Where both rows share an end, the triangle there is degenerate and is left out.
 void Cutter::join(const Row& upper, const Row& lower, bool same_left, bool same_right) {
   const uint32_t steps = upper.parts + lower.parts;
   uint32_t i = 0, j = 0;

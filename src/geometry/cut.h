@@ -9,20 +9,21 @@
 
 namespace shd::geometry {
 
-/// Where a vertex comes from: a + s (b - a) + t (c - a), of every column.
+/// Origin of a new vertex: every column is a + s (b - a) + t (c - a).
 struct Origin {
   uint32_t a, b, c;
   float unused;
   double s, t;
 };
 
-/// The vertices of a mesh, those on its edges and those inside its triangles, in that order; and smaller triangles.
+/// Vertices and triangles of a subdivided mesh. The vertices of the original mesh come first, then the vertices on its
+/// edges, then the vertices inside its triangles.
 struct CutMesh {
   core::Array<Origin> origins;
   core::Array<uint32_t> indices;
 };
 
-/// Cuts every triangle into the rows of its RowPattern. Throws std::bad_alloc.
+/// Subdivides every triangle into the rows of its RowPattern. Throws std::bad_alloc.
 CutMesh cut_triangles(const core::Allocator& allocator, const Mesh& mesh, const SplitEdges& edges);
 
 }  // namespace shd::geometry

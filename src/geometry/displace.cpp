@@ -25,7 +25,7 @@ bool fits(Vec3d a) {
   return std::fabs(a.x) <= kMaxFloat && std::fabs(a.y) <= kMaxFloat && std::fabs(a.z) <= kMaxFloat;
 }
 
-/// The texture at the uv of every vertex, channel r.
+/// Channel r of the texture at the uv of every vertex.
 Column sample_heights(const core::Context& context, float lod, const texture::Texture& texture,
                       const texture::Sampler& sampler, const Mesh& mesh) {
   constexpr size_t kChunk = 4096;  // vertices per task
@@ -47,7 +47,7 @@ Column sample_heights(const core::Context& context, float lod, const texture::Te
   return heights;
 }
 
-/// How far the vertices of a place move, by its lowest vertex.
+/// Displacement of the vertices, one for each position.
 struct Moves {
   core::Array<uint32_t> place;
   core::Array<Vec3d> of_place;
@@ -85,7 +85,7 @@ void move_vertices(const Moves& moves, Mesh* mesh) {
   }
 }
 
-/// Which vertices share position and normal, by the lowest of them.
+/// Groups vertices that share position and normal; a group is named by its lowest vertex.
 core::Array<uint32_t> smooth_groups(const core::Allocator& allocator, const Mesh& mesh) {
   core::Array<uint32_t> group(allocator, mesh.vertex_count);
   const float* const columns[6] = {mesh.px.data(), mesh.py.data(), mesh.pz.data(),
@@ -94,9 +94,9 @@ core::Array<uint32_t> smooth_groups(const core::Allocator& allocator, const Mesh
   return group;
 }
 
-/// The corners of a triangle, their sides and its normal, as long as twice the area.
+/// Sides and normal of a triangle; the length of the normal is twice the area.
 struct Face {
-  Vec3d side[3];  // opposite to each corner
+  Vec3d side[3];  // [k] opposite to corner k
   Vec3d normal;
 };
 Face face_of(const Mesh& mesh, const uint32_t* v) {
@@ -106,8 +106,8 @@ Face face_of(const Mesh& mesh, const uint32_t* v) {
   return {{c - b, a - c, b - a}, data::cross(b - a, c - a)};
 }
 
-/// Tilts normals by the slope of the moves along them; on the faces before they are moved. Vertices whose faces have no
-/// area keep theirs.
+/// Tilts normals by the gradient of the displacement along them, computed on the faces before they move. A vertex whose
+/// faces have no area keeps its normal.
 void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>& group, const Moves& moves,
                   Mesh* mesh) {
   struct Slope {
@@ -143,7 +143,7 @@ void tilt_normals(const core::Allocator& allocator, const core::Array<uint32_t>&
   }
 }
 
-/// Normals from the sums of the faces around; vertices whose faces have no area keep theirs.
+/// Computes normals as sums of the surrounding face normals; a vertex whose faces have no area keeps its normal.
 void compute_face_normals(const core::Allocator& allocator, const core::Array<uint32_t>& group, Mesh* mesh) {
   core::Array<Vec3d> sums(allocator, mesh->vertex_count);
   sums.fill_zero();

@@ -9,9 +9,10 @@
 
 namespace shd::geometry {
 
-/// Moves the vertices of a mesh along their normals by amplitude * (texel - offset), those at one position by their
-/// mean; then tilts or computes normals if the desc says so, over the vertices that had one position and normal, and
-/// lays tangents into their planes. Sums run over vertices and faces in order, in double. Throws std::bad_alloc.
+/// Moves the vertices of a mesh along their normals by amplitude * (texel - offset). Vertices at one position move by
+/// their mean. Then tilts or computes normals if the desc selects it; vertices that had one position and normal share
+/// the new normal. Tangents are projected into the planes of the new normals. Sums run over vertices and faces in
+/// order, in double. Throws std::bad_alloc.
 void displace(const core::Context& context, const shd_tessellation_desc& desc, const texture::Texture& texture,
               const texture::Sampler& sampler, Mesh* mesh);
 

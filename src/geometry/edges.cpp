@@ -10,10 +10,10 @@
 namespace shd::geometry {
 namespace {
 
-/// The edges of a mesh by number: edge k of triangle t is 3 t + k.
+/// The edges of a mesh by number: 3 t + k is edge k of triangle t.
 struct Edges {
   const Mesh& mesh;
-  const core::Array<uint32_t>& first;  // vertices that stand for all at their place
+  const core::Array<uint32_t>& first;  // [vertex] lowest vertex at the same position
 
   uint32_t from(uint32_t edge) const { return first[mesh.indices[edge]]; }
   uint32_t to(uint32_t edge) const { return first[mesh.indices[edge % 3 == 2 ? edge - 2 : edge + 1]]; }
@@ -21,15 +21,15 @@ struct Edges {
   uint32_t high(uint32_t edge) const { return std::max(from(edge), to(edge)); }
 };
 
-/// The same edge, [begin, end) rising, of that many triangles.
-void tell(const Edges& edges, const uint32_t* begin, const uint32_t* end, core::Array<uint32_t>* across) {
-  uint32_t& told = (*across)[*begin];
+/// Stores the Across of one edge. [begin, end) are the numbers of the edge in all triangles that share it, ascending.
+void store_across(const Edges& edges, const uint32_t* begin, const uint32_t* end, core::Array<uint32_t>* across) {
+  uint32_t& entry = (*across)[*begin];
   if (end - begin == 1) {
-    told = kAcrossBorder;
+    entry = kAcrossBorder;
   } else if (end - begin > 2) {
-    told = kAcrossMany;
+    entry = kAcrossMany;
   } else {
-    told = begin[1] / 3 + (edges.from(begin[0]) == edges.from(begin[1]) ? kSameDirection : 0u);
+    entry = begin[1] / 3 + (edges.from(begin[0]) == edges.from(begin[1]) ? kSameDirection : 0u);
   }
 }
 
@@ -57,7 +57,7 @@ core::Array<uint32_t> find_across(const core::Allocator& allocator, const Mesh& 
     while (begin < end) {
       const uint32_t* same = begin;
       while (begin < end && edges.high(*begin) == edges.high(*same)) ++begin;
-      tell(edges, same, begin, &across);
+      store_across(edges, same, begin, &across);
     }
   }
   return across;

@@ -5,16 +5,16 @@
 
 namespace shd::geometry {
 
-/// What becomes of a triangle. Ordered: the outcome of a clipped triangle is the highest one of its pieces. kUnseen:
-/// all of it lies outside the visible pixels.
+/// Outcome of a triangle. Ordered: the outcome of a clipped triangle is the highest one of its pieces. kUnseen: the
+/// triangle lies outside the visible pixels.
 enum class TriangleOutcome { kUnseen, kCulled, kEmpty, kRasterised };
 
-/// Twice the signed area of a triangle on the pixel grid; > 0 if it is clockwise on the screen.
+/// Twice the signed area of a triangle on the pixel grid; positive if it is clockwise on the screen.
 inline int64_t twice_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) - (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
 }
 
-/// Appends the triangle unless it cannot be seen.
+/// Appends the triangle unless it is culled, covers no sample or lies outside the visible pixels.
 inline TriangleOutcome emit(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b,
                             const ScreenVertex& c, uint32_t primitive, core::Buffer<ScreenTriangle>* out) {
   const int64_t area = twice_area(a, b, c);

@@ -12,10 +12,10 @@ namespace {
 
 using data::Vec3d;
 
-/// A triangle as its edges see it.
+/// Plane of a triangle relative to the eye.
 struct Face {
   Vec3d normal;  // any length
-  double side;   // > 0 where the eye is before it
+  double side;   // > 0 if the eye is in front of the triangle
 };
 
 Face face_of(const Mesh& mesh, const EdgeQuery& query, size_t triangle) {
@@ -42,12 +42,12 @@ uint32_t kinds_between(const EdgeQuery& query, const Face& a, Face b, bool same_
   return kinds & query.kinds;
 }
 
-/// Rows x, y and w of a matrix product, each divided by its largest number.
+/// Rows x, y and w of a matrix product, each divided by its largest magnitude.
 struct Rows {
   double row[3][4];
 };
 
-/// left x right, column-major, of which only those rows are wanted.
+/// Rows x, y and w of left x right; both matrices are column-major.
 Rows project(const float* left, const double* right) {
   constexpr int kRow[3] = {0, 1, 3};
   Rows out;

@@ -16,7 +16,7 @@ uint32_t load(const shd_u16_in& column, size_t i) {
   return value;
 }
 
-/// The caller's indices, of either size or none, as numbers.
+/// The caller's indices as numbers: 16-bit, 32-bit, or 0, 1, 2, ... if there are none.
 struct Indices {
   const shd_mesh_desc& desc;
   size_t count;
@@ -37,7 +37,7 @@ struct Indices {
   static bool has_any(const shd_mesh_desc& desc) { return desc.indices.data || desc.indices16.data; }
 };
 
-/// body(first, second, third) for every triangle, as positions in the list.
+/// Calls body(first, second, third) for every triangle; the arguments are positions in the list.
 template <class Body>
 void for_each_triangle(const Indices& indices, const Body& body) {
   if (indices.desc.topology == SHD_TOPOLOGY_TRIANGLES) {

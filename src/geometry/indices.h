@@ -8,7 +8,7 @@
 
 namespace shd::geometry {
 
-/// Turns the indices of a checked desc, whatever their topology and size, into triples. Throws Failure for one that is
+/// Converts the indices of a checked desc, of any topology and size, into triples. Throws Failure for an index that is
 /// not below vertex_count, and std::bad_alloc.
 void copy_indices(const core::Allocator& allocator, const shd_mesh_desc& desc, Mesh* out);
 

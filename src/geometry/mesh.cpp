@@ -24,7 +24,7 @@ Column zero_column(const core::Allocator& allocator, size_t count) {
   return column;
 }
 
-/// The caller's column, packed and padded with zeros.
+/// Copies the caller's column, packed and padded with zeros.
 Column copy_column(const core::Allocator& allocator, const shd_f32_in& in, size_t count) {
   Column column(allocator, data::padded(count));
   if (data::is_packed(in.stride)) {
@@ -36,7 +36,7 @@ Column copy_column(const core::Allocator& allocator, const shd_f32_in& in, size_
   return column;
 }
 
-/// Copies a column; values that are not finite become 0.
+/// Copies a column; non-finite values become 0.
 Column copy_finite(const core::Allocator& allocator, const shd_f32_in& in, size_t count) {
   if (!in.data) return zero_column(allocator, count);
   Column column = copy_column(allocator, in, count);
@@ -62,7 +62,7 @@ void copy_positions(const core::Allocator& allocator, const shd_mesh_desc& desc,
   }
 }
 
-/// Normalises the caller's normals; (0, 0, 1) stands in for those that are 0. Returns how many were.
+/// Normalises the caller's normals. Zero and non-finite normals become (0, 0, 1); returns their number.
 uint32_t copy_normals(const shd_mesh_desc& desc, Mesh* out) {
   uint32_t normalless = 0;
   for (size_t i = 0; i < desc.vertex_count; ++i) {
@@ -93,14 +93,14 @@ void copy_tangents(const core::Allocator& allocator, const shd_mesh_desc& desc, 
   }
 }
 
-/// A second set of uv and the caller's own columns, where there are any.
+/// Copies the second uv set and the caller's own columns, if present.
 void copy_attributes(const core::Allocator& allocator, const shd_mesh_desc& desc, Mesh* out) {
   if (desc.uv1[0].data) {
     out->u1 = copy_finite(allocator, desc.uv1[0], desc.vertex_count);
     out->v1 = copy_finite(allocator, desc.uv1[1], desc.vertex_count);
   }
-  for (int c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
-    if (desc.attribute[c].data) out->attribute[c] = copy_finite(allocator, desc.attribute[c], desc.vertex_count);
+  for (uint32_t c = 0; c < desc.attribute_count; ++c) {
+    if (desc.attributes[c].data) out->attribute[c] = copy_finite(allocator, desc.attributes[c], desc.vertex_count);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace shd::geometry {
 
-/// Vertices as columns of data::padded(vertex_count) elements, the padding zero, and triangles as index triples.
+/// Vertices as columns of data::padded(vertex_count) elements, padded with zeros, and triangles as index triples.
 struct Mesh {
   uint32_t vertex_count;
   uint32_t triangle_count;
@@ -25,12 +25,12 @@ struct Mesh {
   shd_mesh_info info;
 
   bool has_adjacency;
-  core::Array<uint32_t> across;  // 3 * triangle_count: see edges.h; empty without adjacency
+  core::Array<uint32_t> across;  // [3 * triangle_count], see edges.h; empty without adjacency
 };
 
 constexpr size_t kMaxColumns = 14 + SHD_MAX_ATTRIBUTES;
 
-/// body(column) for every column of vertices, absent ones too. For Mesh and const Mesh.
+/// Calls body(column) for every column of vertices, including absent ones. AnyMesh is Mesh or const Mesh.
 template <class AnyMesh, class Body>
 void for_each_column(AnyMesh* mesh, const Body& body) {
   for (auto* column : {&mesh->px, &mesh->py, &mesh->pz, &mesh->nx, &mesh->ny, &mesh->nz, &mesh->u, &mesh->v, &mesh->tx,
@@ -40,10 +40,11 @@ void for_each_column(AnyMesh* mesh, const Body& body) {
   for (auto& column : mesh->attribute) body(&column);
 }
 
-/// Sets the counts and bounds of info that follow from the columns: all but those of normals and tangents.
+/// Sets the counts and bounds of info that follow from the columns; the counts of normals and tangents stay as they
+/// are.
 void measure(Mesh* mesh);
 
-/// Copies a desc whose fields are in range; throws Failure for indices and positions that are refused, and
+/// Builds a mesh from a desc whose fields are in range. Throws Failure for an invalid index or position, and
 /// std::bad_alloc.
 void build(const core::Context& context, const shd_mesh_desc& desc, Mesh* out);
 

@@ -12,13 +12,13 @@ namespace {
 
 using data::Vec3d;
 
-/// What one face adds to its corners.
+/// Contribution of one face to the normals of its corners.
 struct FaceNormal {
-  Vec3d normal;      // length as the weighting wants it, before `corner`
-  double corner[3];  // factor of each corner
+  Vec3d normal;      // weighted, except for the factor `corner`
+  double corner[3];  // weight of each corner
 };
 
-/// False for a face that contributes nothing.
+/// Returns false for a face that contributes nothing.
 bool face_normal(const Mesh& mesh, const uint32_t* triangle, shd_normal_weight weight, FaceNormal* out) {
   const Vec3d a = position(mesh, triangle[0]);
   const Vec3d b = position(mesh, triangle[1]);

@@ -9,9 +9,9 @@
 namespace shd::geometry {
 namespace {
 
-/// One triangle of the mesh, and where its pieces go.
+/// One triangle of the mesh, and the destination of its pieces.
 struct Outlined {
-  Assembly assembly;  // with SHD_CULL_NONE: pieces have no facing of their own
+  Assembly assembly;  // with SHD_CULL_NONE, because pieces have no facing of their own
   uint32_t primitive;
   core::Buffer<ScreenTriangle>* out;
 };
@@ -92,7 +92,7 @@ TriangleOutcome emit_points(const Outlined& o, const uint32_t row[3]) {
   return outcome;
 }
 
-/// Twice the area of what clipping leaves of a triangle.
+/// Twice the area of a triangle after clipping.
 int64_t clipped_area(const Vertices& vertices, const uint32_t row[3]) {
   ScreenVertex polygon[kMaxClipped];
   const int count = clip_triangle(vertices, row, polygon);
@@ -101,7 +101,7 @@ int64_t clipped_area(const Vertices& vertices, const uint32_t row[3]) {
   return area;
 }
 
-/// Whether everything that a triangle could draw lies beyond the visible pixels. The triangle needs no clipping.
+/// Whether all lines and points of a triangle lie outside the visible pixels. The triangle needs no clipping.
 bool is_far(const Assembly& assembly, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
   const int32_t reach = assembly.outline.reach;
   const GridBox box = {std::min({a.x, b.x, c.x}) - reach, std::min({a.y, b.y, c.y}) - reach,

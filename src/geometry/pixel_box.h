@@ -20,7 +20,7 @@ inline bool is_empty(const PixelBox& box) {
   return box.min_x > box.max_x || box.min_y > box.max_y;
 }
 
-/// width x height pixels from (x, y) on.
+/// width x height pixels with the top left pixel (x, y).
 inline PixelBox pixel_rectangle(int32_t x, int32_t y, uint32_t width, uint32_t height) {
   return {x, y, x + static_cast<int32_t>(width) - 1, y + static_cast<int32_t>(height) - 1};
 }

@@ -6,12 +6,12 @@
 
 namespace shd::geometry {
 
-/// A triangle in rows from an apex to the side with the fewest parts, its base: row r joins a place on the left side to
-/// one on the right side and has parts of its own. Row 0 is the apex, the last row the base. Of sides with the same
-/// number of parts this is the regular grid.
+/// Subdivision of a triangle into rows, from an apex to the base, which is the side with the fewest parts. Row r joins
+/// a place on the left side to a place on the right side and has its own number of parts. Row 0 is the apex, the last
+/// row is the base. For sides with equal numbers of parts the result is the regular grid.
 class RowPattern {
  public:
-  /// Parts of the three sides; side k goes from corner k to the next.
+  /// @param segments  parts of the three sides; side k goes from corner k to the next
   explicit RowPattern(const uint32_t segments[3]) {
     base_side = segments[1] <= segments[2] ? 1 : 2;
     if (segments[0] < segments[base_side]) base_side = 0;
@@ -23,8 +23,8 @@ class RowPattern {
 
   uint32_t apex_corner() const { return (base_side + 2) % 3; }
 
-  /// Places on the sides are counted from the apex. Each side leaves the apex with the first row, so that no row but
-  /// the base lies along a side.
+  /// Places on the sides are counted from the apex. Both sides leave the apex with the first row, so that only the base
+  /// lies along a side.
   uint32_t left_place(uint32_t row) const { return place(row, left); }
   uint32_t right_place(uint32_t row) const { return place(row, right); }
 
@@ -45,7 +45,7 @@ class RowPattern {
     for (uint32_t row = 0; row < rows; ++row) sum += strip_triangles(row);
     return sum;
   }
-  /// Vertices that are on no side.
+  /// Vertices inside the triangle, on no side.
   size_t inner_count() const {
     size_t sum = 0;
     for (uint32_t row = 1; row < rows; ++row) sum += parts(row) - 1;

@@ -23,7 +23,7 @@ Vec3d row_of(const double* matrix, int row) {
 }  // namespace
 
 EdgeFactor::EdgeFactor(const shd_tessellation_desc& desc)
-    : uniform_(desc.mode == SHD_TESSELLATION_UNIFORM ? desc.segments : 0),
+    : uniform_(desc.mode == SHD_TESSELLATION_MODE_UNIFORM ? desc.segments : 0),
       max_parts_(desc.max_segments),
       edge_length_(double{desc.edge_length}),
       in_pixels_(desc.view != nullptr) {
@@ -76,7 +76,7 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
   const float* const position[3] = {mesh.px.data(), mesh.py.data(), mesh.pz.data()};
   weld(allocator, position, 3, mesh.vertex_count, place.data());
 
-  // Sides by their lower vertex; then for each such vertex the edge to each other one.
+  // Sorts the sides by their lower vertex. Then known[other] is the edge from that vertex to `other`.
   const Buckets sides = make_buckets(allocator, static_cast<uint32_t>(side_count), mesh.vertex_count,
                                      [&](uint32_t side) { return ends(side).first; });
   SplitEdges out = {core::Buffer<SplitEdge>(allocator), core::Array<uint32_t>(allocator, side_count),
@@ -84,7 +84,7 @@ SplitEdges split_edges(const core::Allocator& allocator, const Mesh& mesh, const
   struct Known {
     uint32_t from, edge;
   };
-  core::Array<Known> known(allocator, mesh.vertex_count);  // latest edge that ends there
+  core::Array<Known> known(allocator, mesh.vertex_count);  // [vertex] latest edge that ends there
   for (Known& k : known) k = {kNone, 0};
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     for (const uint32_t* side = sides.begin(v); side < sides.end(v); ++side) {

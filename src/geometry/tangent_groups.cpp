@@ -29,16 +29,16 @@ Vec3d in_plane(Vec3d a, Vec3d n) {
 }
 
 enum TriangleKind : uint8_t {
-  kUpright,   // uv area of (u, 1 - v) above 0
-  kMirrored,  // below 0
+  kUpright,   // uv area of (u, 1 - v) > 0
+  kMirrored,  // uv area of (u, 1 - v) < 0
   kAny,       // no uv area: takes the sign of the first group that reaches it
-  kLeftOut,   // two corners in one place, or a position that is not finite
+  kLeftOut,   // two corners at one position, or a non-finite position
 };
 
-/// What the uv of a triangle say.
+/// Uv orientation of a triangle.
 struct Direction {
   TriangleKind kind;
-  Vec3d along_u;  // of growing u, any length
+  Vec3d along_u;  // direction of growing u, any length
 };
 
 Direction direction_of(const Mesh& mesh, const uint32_t* corners) {
@@ -51,13 +51,13 @@ Direction direction_of(const Mesh& mesh, const uint32_t* corners) {
   const double v = mesh.v[corners[0]];
   const double bu = mesh.u[corners[1]] - u, bv = mesh.v[corners[1]] - v;
   const double cu = mesh.u[corners[2]] - u, cv = mesh.v[corners[2]] - v;
-  const double area = bu * cv - cu * bv;  // twice that of (u, v), whose sign 1 - v turns
+  const double area = bu * cv - cu * bv;  // twice the area of (u, v); 1 - v flips its sign
   const Vec3d s = cv * b - bv * c;
   if (area == 0.0 || data::is_zero(s) || data::is_zero(bu * c - cu * b)) return {kAny, {}};
   return area < 0.0 ? Direction{kUpright, -1.0 * s} : Direction{kMirrored, s};
 }
 
-/// Everything that is known while groups grow.
+/// State of the growing groups.
 class Grouping {
  public:
   Grouping(const core::Allocator& allocator, const Mesh& mesh)
@@ -97,12 +97,13 @@ class Grouping {
   core::Array<uint32_t> welded_;  // [vertex]
   core::Array<TriangleKind> kind_;
   core::Array<Vec3d> along_u_;      // [triangle]
-  core::Array<uint32_t> forward_;   // [corner]: the corner at the same vertex across the edge to the next corner
-  core::Array<uint32_t> backward_;  // across the edge from the previous corner
+  core::Array<uint32_t> forward_;   // [corner] the corner at the same vertex across the edge to the next corner
+  core::Array<uint32_t> backward_;  // [corner] the corner at the same vertex across the edge from the previous corner
 };
 
-/// Pairs the corners [begin, end) around one vertex, ascending, across the edges they share: the first triangle that
-/// leaves along an edge with the first that arrives along it, and so on. `head` is kNone everywhere, and again after.
+/// Pairs the corners [begin, end) around one vertex, ascending, across the edges that they share. The first triangle
+/// that leaves along an edge is paired with the first triangle that arrives along it, and so on. `head` must be kNone
+/// everywhere, and is left so.
 void Grouping::link_vertex(const uint32_t* begin, const uint32_t* end, uint32_t* head, uint32_t* chain) {
   for (const uint32_t* c = end; c != begin;) {
     const uint32_t corner = *--c;
@@ -132,7 +133,7 @@ void Grouping::link_corners(const core::Allocator& allocator) {
   }
 }
 
-/// The direction of a corner's triangle in the plane of the vertex normal, as long as the corner's angle there.
+/// The u direction of a corner's triangle in the plane of the vertex normal; its length is the corner's angle there.
 Vec3d Grouping::contribution(uint32_t corner) const {
   const Vec3d n = vertex_normal(mesh_, mesh_.indices[corner]);
   const Vec3d p = position(mesh_, mesh_.indices[corner]);
@@ -142,14 +143,14 @@ Vec3d Grouping::contribution(uint32_t corner) const {
   return angle * data::normalized(in_plane(along_u_[corner / 3], n));
 }
 
-/// True if the corner became one of the group.
+/// Adds the corner to the group. Returns false if it cannot be added.
 bool Grouping::join(uint32_t corner, uint32_t group) {
   uint32_t* const of_corner = out.of_corner.data();
   if (of_corner[corner] != kNoGroup) return false;
   const uint32_t triangle = corner / 3;
   TangentGroup& body = out.group[group];
   if (kind_[triangle] == kAny) {
-    // The sign of a triangle without uv area is that of any group it is in already.
+    // A triangle without uv area takes the sign of the groups of its other corners.
     for (uint32_t c = 3 * triangle; c < 3 * triangle + 3; ++c) {
       if (of_corner[c] != kNoGroup && out.group[of_corner[c]].mirrored != body.mirrored) return false;
     }
@@ -174,7 +175,7 @@ void Grouping::grow_groups() {
   }
 }
 
-/// Gives corners without a group the first at their vertex.
+/// Assigns the first group at the vertex to corners without a group.
 void Grouping::adopt(const core::Allocator& allocator) {
   core::Array<uint32_t> first(allocator, mesh_.vertex_count);
   for (size_t v = 0; v < mesh_.vertex_count; ++v) first[v] = kNoGroup;

@@ -14,7 +14,7 @@ namespace {
 
 using data::Vec3d;
 
-/// Tangent and handedness as they are stored; found is false for the fallback.
+/// Stored tangent and handedness; found is false for the fallback.
 struct Tangent {
   float x, y, z, w;
   bool found;
@@ -47,7 +47,7 @@ void store(const Tangent& tangent, size_t vertex, Mesh* mesh) {
   if (!tangent.found) ++mesh->info.tangentless_count;
 }
 
-/// Gives every vertex the tangent of its first corner. True if another corner of one wants something else.
+/// Stores at every vertex the tangent of its first corner. Returns whether another corner needs a different tangent.
 bool store_first(const TangentGroups& groups, core::Array<uint32_t>* group_of_vertex, Mesh* mesh) {
   constexpr uint32_t kUnset = kNoGroup - 1;
   core::Array<uint32_t>& group_of = *group_of_vertex;
@@ -65,7 +65,7 @@ bool store_first(const TangentGroups& groups, core::Array<uint32_t>* group_of_ve
   return conflict;
 }
 
-/// Sends corners whose tangent is not that of their vertex to copies of it, which come after the vertices.
+/// Makes corners whose tangent differs from the tangent of their vertex refer to copies, which follow the vertices.
 core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups& groups,
                           const core::Array<uint32_t>& group_of_vertex, Mesh* mesh) {
   const Buckets corners = make_buckets(allocator, static_cast<uint32_t>(mesh->indices.size()), mesh->vertex_count,
@@ -73,7 +73,7 @@ core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups&
   struct Copy {
     uint32_t source, vertex;
   };
-  core::Array<Copy> copies(allocator, groups.group.size());  // latest copy that was made for a group
+  core::Array<Copy> copies(allocator, groups.group.size());  // [group] latest copy made for it
   for (Copy& copy : copies) copy = {kNoGroup, 0};
   core::Buffer<Added> added(allocator);
   for (uint32_t v = 0; v < mesh->vertex_count; ++v) {
@@ -97,7 +97,7 @@ core::Buffer<Added> split(const core::Allocator& allocator, const TangentGroups&
   return added;
 }
 
-/// Appends copies of vertices, with the tangents they are made for.
+/// Appends copies of vertices with their own tangents.
 void append(const core::Allocator& allocator, const core::Buffer<Added>& added, Mesh* mesh) {
   const size_t before = mesh->vertex_count;
   const size_t after = before + added.size();

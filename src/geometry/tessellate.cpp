@@ -19,9 +19,9 @@ namespace {
 using data::Vec3d;
 using Column = core::Array<float>;
 
-/// Counts triangles, without memory. Throws Failure when there are more than max_triangles.
+/// Counts triangles without allocating. Throws Failure if there are more than max_triangles.
 void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, const EdgeFactor& factor) {
-  const bool uniform = desc.mode == SHD_TESSELLATION_UNIFORM;
+  const bool uniform = desc.mode == SHD_TESSELLATION_MODE_UNIFORM;
   const size_t square = size_t{desc.segments} * desc.segments;
   size_t sum = uniform ? mesh.triangle_count * square : 0;
   for (size_t t = 0; t < mesh.triangle_count && !uniform && sum <= desc.max_triangles; ++t) {
@@ -30,13 +30,13 @@ void require_triangles(const Mesh& mesh, const shd_tessellation_desc& desc, cons
     sum += RowPattern(segments).triangle_count();
   }
   if (sum <= desc.max_triangles) return;
-  core::refuse(SHD_ERROR_INVALID_ARGUMENT, "tessellation.max_triangles: %zu, but the %u triangles become %s%zu",
+  core::refuse(SHD_ERROR_INVALID_ARGUMENT, "tessellation.max_triangles: %u, but the %u triangles become %s%zu",
                desc.max_triangles, mesh.triangle_count, uniform ? "" : "at least ", sum);
 }
 
 constexpr size_t kChunk = 8192;  // vertices per task
 
-/// body(begin, end) over vertices on the executor.
+/// Runs body(begin, end) over ranges of vertices on the executor.
 template <class Body>
 void for_vertices(const core::Context& context, size_t begin, size_t end, const Body& body) {
   const size_t tasks = begin < end ? (end - begin + kChunk - 1) / kChunk : 0;
@@ -78,7 +78,7 @@ void make_unit(float* x, float* y, float* z, Vec3d otherwise) {
   *z = static_cast<float>(a.z);
 }
 
-/// Unit normals and tangents of the vertices that are new; those that cancel become (0, 0, 1) and the fallback.
+/// Normalises the normals and tangents of new vertices; zero vectors become (0, 0, 1) and the fallback.
 void normalize_new(const core::Context& context, size_t first_new, Mesh* mesh) {
   for_vertices(context, first_new, mesh->vertex_count, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -9,8 +9,8 @@
 
 namespace shd::geometry {
 
-/// Cuts and moves a mesh by a checked desc. The texture may be null: then nothing moves. Throws Failure, before
-/// anything is allocated, for more than max_triangles; and std::bad_alloc.
+/// Subdivides and displaces a mesh by a checked desc. A null texture means no displacement. Throws Failure for more
+/// than max_triangles, before anything is allocated; and std::bad_alloc.
 void tessellate(const core::Context& context, const Mesh& mesh, const shd_tessellation_desc& desc,
                 const texture::Texture* displacement, const texture::Sampler* sampler, Mesh* out);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every kernel that transforms vertices shares, so that the same inputs give the same bits.
+// Code shared by all kernels that transform vertices, so that the same inputs give the same bits.
 
 #if defined(SHD_GEOMETRY_VERTEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_GEOMETRY_VERTEX_INL_H_
@@ -45,7 +45,7 @@ struct Homogeneous {
   V x, y, z, w;
 };
 
-/// Outcodes of vertices; `finite` says which lanes are.
+/// Outcodes of vertices; lanes outside `finite` get kOutNonfinite.
 template <class D, class V>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transform, const Homogeneous<V>& h,
                                                    hn::Mask<D> finite) {
@@ -63,7 +63,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Outcodes(D d, const Transform& transfo
   return code | Bit(di, hn::Not(finite), kOutNonfinite);
 }
 
-/// Raster coordinate X / W in fixed point, rounded to nearest; 0 in lanes that are not `usable`.
+/// Raster coordinate X / W in fixed point, rounded to nearest; 0 in lanes outside `usable`.
 template <class D, class V>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> Snap(D d, V numerator, V w, hn::Mask<D> usable) {
   const V pixels = hn::IfThenElseZero(usable, numerator / w);
@@ -76,7 +76,7 @@ HWY_INLINE Vec3V<V> WorldPosition(D d, const Transform& transform, const Vec3V<V
           TransformRow(d, transform.world, 2, p)};
 }
 
-/// Unit, or 0.
+/// World-space normals, unit or 0.
 template <class D, class V>
 HWY_INLINE Vec3V<V> WorldNormal(D d, const Transform& transform, const Vec3V<V>& n) {
   return Normalize(
@@ -84,20 +84,20 @@ HWY_INLINE Vec3V<V> WorldNormal(D d, const Transform& transform, const Vec3V<V>&
                   TransformNormalRow(d, transform.normal, 2, n)});
 }
 
-/// Stores world-space positions and u to rows i and up.
+/// Stores world-space positions and u to the rows from i on.
 template <class D, class V>
 HWY_INLINE void StorePositions(D d, const Vec3V<V>& p, V u, size_t i, Vertices& out) {
   hn::StoreInterleaved4(p.x, p.y, p.z, u, d, &out.world[4 * i]);
 }
 
-/// Stores world-space unit normals and v to rows i and up.
+/// Stores world-space unit normals and v to the rows from i on.
 template <class D, class V>
 HWY_INLINE void StoreNormals(D d, const Vec3V<V>& n, V v, size_t i, Vertices& out) {
   hn::StoreInterleaved4(n.x, n.y, n.z, v, d, &out.normal[4 * i]);
 }
 
-/// Stores (X, Y, Z, W) and the ScreenVertex that follows from it to rows i and up; `finite` says which lanes are, in
-/// all their parts.
+/// Stores (X, Y, Z, W) and the resulting ScreenVertex to the rows from i on. `finite` selects the lanes in which all
+/// components are finite.
 template <class D, class V>
 HWY_INLINE void StoreRaster(D d, const Transform& transform, const Homogeneous<V>& h, hn::Mask<D> finite, size_t i,
                             Vertices& out) {

@@ -29,7 +29,7 @@ void TransformVertices(const Mesh& mesh, const Transform& transform, const Verte
                               TransformRow(d, transform.raster, 2, p), TransformRow(d, transform.raster, 3, p)};
     const Vec3V<V> world = WorldPosition(d, transform, p), normal = WorldNormal(d, transform, n);
 
-    // A sum is finite only if its terms are; eighths keep finite terms from overflowing together.
+    // A sum is finite only if all its terms are finite; the factor 1/8 keeps sums of finite terms from overflowing.
     const V eighth = hn::Set(d, 0.125f);
     const V clip_sum = hn::Abs(h.x) * eighth + hn::Abs(h.y) * eighth + (hn::Abs(h.z) * eighth + hn::Abs(h.w) * eighth);
     const V world_sum = hn::Abs(world.x) * eighth + hn::Abs(world.y) * eighth + hn::Abs(world.z) * eighth;
@@ -92,7 +92,7 @@ Transform make_transform(const shd_view& view, const float object_to_world[16], 
   transform.orientation = determinant < 0.0 ? -1.0f : 1.0f;
   const double scale = largest > 0.0 ? static_cast<double>(transform.orientation) / largest : 0.0;
   for (int i = 0; i < 9; ++i) transform.normal[i] = static_cast<float>(cofactor[i] * scale);
-  // A pixel of margin where samples lie on the edge itself, so that the rounding of X and W drops none of them.
+  // One pixel of margin for samples on the edge itself, so that the rounding of X and W drops none of them.
   transform.left = static_cast<float>(std::max(visible.min_x - 1, 0));
   transform.top = static_cast<float>(std::max(visible.min_y - 1, 0));
   transform.right = static_cast<float>(visible.max_x + 1);

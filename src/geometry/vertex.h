@@ -17,14 +17,14 @@ namespace shd::geometry {
 constexpr int kSubpixelBits = 8;
 constexpr int32_t kSubpixels = 1 << kSubpixelBits;
 
-/// Largest |raster coordinate| that is not clipped [pixels]; 2^28 in fixed point, so that products of
-/// differences fit in int64 with room to spare.
+/// Largest |raster coordinate| that is not clipped [pixels]. It is 2^28 in fixed point, so that products of differences
+/// fit in int64 with room to spare.
 constexpr float kGuardBand = 1048576.0f;
 
 /// Smallest W that is not clipped away.
 constexpr float kMinW = 0x1p-100f;
 
-/// Which limits a vertex lies beyond. A triangle is outside if its three vertices share a bit.
+/// Limits that a vertex lies beyond. A triangle is outside if its three vertices share a bit.
 enum Outcode : uint32_t {
   kOutLeft = 1,
   kOutRight = 2,
@@ -54,21 +54,22 @@ struct Transform {
   float orientation;  // sign of det: -1 where the matrix mirrors
   float left, top, right, bottom;  // limits of the visible pixels [pixels]
   float clip[16];                  // object space to clip space (x, y, z, w); z and w are Z and W
-  float half[2], centre[2];        // of the viewport: X = centre w + half x, Y = centre w - half y
+  float half[2], centre[2];        // viewport [pixels]: X = centre w + half x, Y = centre w - half y
 };
 
-/// Where NDC -1..1 lies in the picture [pixels].
+/// The rectangle of the picture that NDC -1..1 maps to [pixels].
 struct Viewport {
   uint32_t x, y, width, height;
 };
 
-/// Products in double, rounded once.
-/// @param visible  the visible pixels; triangles that cannot reach them may count as outside
+/// The products are computed in double and rounded once.
+/// @param visible  the visible pixels; triangles beyond them may count as outside
 Transform make_transform(const shd_view& view, const float object_to_world[16], const Viewport& viewport,
                          const PixelBox& visible);
 
-/// Transformed vertices of one draw or of a part of it. Rows of four, not columns: a fragment gathers all of a vertex
-/// at once, and a row shares one cache line. u and v fill the rows of positions and normals: see u_of() and v_of().
+/// Transformed vertices of one draw or of a part of it. The layout is rows of four, not columns: a fragment gathers all
+/// of a vertex, and a row lies in one cache line. Texture coordinates u and v fill the rows of positions and normals:
+/// see u_of() and v_of().
 struct Vertices {
   core::Array<ScreenVertex> screen;  // [padded]
   core::Array<float> raster;         // [padded][4] X, Y, Z, W
@@ -78,15 +79,15 @@ struct Vertices {
   uint32_t varying_count = 0;
   core::Array<float> tangent;       // [padded][4] x, y, z (world space), handedness; or empty
   core::Array<float> texture1;      // [padded][4] u, v of the second set, 0, 0; or empty
-  core::Array<float> attribute[2];  // [padded][4] columns of the mesh, 0 where it lacks them; or empty
+  core::Array<float> attribute[2];  // [padded][4] columns of the mesh, 0 if absent; or empty
   bool has_attribute[SHD_MAX_ATTRIBUTES] = {};
 
-  // Which rows are the corners of which triangle: see row_of().
-  const uint32_t* indices = nullptr;  // those of the mesh, or its own
-  uint32_t first_triangle = 0;        // indices[0] is a corner of it
+  // Rows of the corners of each triangle: see row_of().
+  const uint32_t* indices = nullptr;  // indices of the mesh, or own_indices
+  uint32_t first_triangle = 0;        // triangle of the mesh whose corner is indices[0]
   uint32_t first_index = 0;           // index of row 0
-  core::Array<uint32_t> own_indices;  // one for each corner where its vertices are scattered, else empty
-  const uint32_t* corners = nullptr;  // then the vertex of the mesh that each row is
+  core::Array<uint32_t> own_indices;  // one per corner if the vertices are scattered, otherwise empty
+  const uint32_t* corners = nullptr;  // [row] vertex of the mesh if scattered, otherwise null
 };
 
 /// Row of corner k of a triangle of the mesh.
@@ -94,7 +95,7 @@ inline uint32_t row_of(const Vertices& vertices, size_t triangle, size_t k) {
   return vertices.indices[3 * (triangle - vertices.first_triangle) + k] - vertices.first_index;
 }
 
-/// One component of rows of four.
+/// One component of the rows of a [padded][4] array.
 struct RowComponent {
   const float* rows;  // [padded][4]
   uint32_t component;
@@ -102,7 +103,7 @@ struct RowComponent {
   float operator[](size_t row) const { return rows[4 * row + component]; }
 };
 
-/// Texture coordinates of the first set, and of the second set where vertices.texture1 is not empty.
+/// Texture coordinates of the first set, and of the second set if vertices.texture1 is not empty.
 inline RowComponent u_of(const Vertices& vertices) {
   return {vertices.world.data(), 3};
 }
@@ -116,17 +117,16 @@ inline RowComponent v1_of(const Vertices& vertices) {
   return {vertices.texture1.data(), 1};
 }
 
-/// Vertices [begin, end) of a mesh, and the first of the rows that they are transformed to. Kernels need multiples of
-/// data::kRowPad.
+/// Vertices [begin, end) of a mesh, and the row of the first of them. Kernels need multiples of data::kRowPad.
 struct VertexRange {
   size_t begin, end;
   size_t row;
 };
 
-/// Makes room for a number of rows, a multiple of data::kRowPad. Throws std::bad_alloc.
+/// Allocates a number of rows, a multiple of data::kRowPad. Throws std::bad_alloc.
 void allocate_rows(const core::Allocator& allocator, size_t rows, uint32_t varying_count, Vertices* out);
 
-/// A row for every vertex of a mesh. Throws std::bad_alloc.
+/// Allocates a row for every vertex of a mesh. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const Mesh& mesh, uint32_t varying_count, Vertices* out);
 
 /// Transforms vertices of a mesh by the matrices alone.

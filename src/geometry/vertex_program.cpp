@@ -24,7 +24,7 @@ using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Vertices [begin, begin + rows) as they are without a program.
+/// Writes vertices [begin, begin + rows), transformed by the matrices, as the program's initial outputs.
 void BeginVertices(const Mesh& mesh, const Transform& transform, size_t begin, size_t rows, const VertexColumns& c) {
   const hn::ScalableTag<float> d;
   for (size_t i = 0; i < rows; i += hn::Lanes(d)) {
@@ -42,8 +42,8 @@ void BeginVertices(const Mesh& mesh, const Transform& transform, size_t begin, s
   }
 }
 
-/// Raster coordinate of a clip coordinate; that of the fixed transform where neither x nor w has changed, so that it
-/// has its bits.
+/// Raster coordinate of a clip coordinate. Where the program left x and w unchanged, the result is bit-equal to the
+/// transform without a program.
 template <class D, class V>
 HWY_INLINE V RasterCoordinate(D d, const Transform& transform, int axis, V x, V w, hn::Mask<D> same_w,
                               const Vec3V<V>& p) {
@@ -53,7 +53,7 @@ HWY_INLINE V RasterCoordinate(D d, const Transform& transform, int axis, V x, V 
   return hn::IfThenElse(same, TransformRow(d, transform.raster, axis, p), mapped);
 }
 
-/// Whether a program's lanes i and up of the columns that go to the fragments as they are are finite.
+/// Whether lanes i and up are finite in the columns that reach the fragments unchanged: u, v and the varyings.
 template <class D>
 HWY_INLINE hn::Mask<D> FiniteAttributes(D d, const VertexColumns& c, uint32_t varying_count, size_t i) {
   auto finite = hn::And(IsFinite(d, hn::Load(d, c.u + i)), IsFinite(d, hn::Load(d, c.v + i)));
@@ -61,7 +61,7 @@ HWY_INLINE hn::Mask<D> FiniteAttributes(D d, const VertexColumns& c, uint32_t va
   return finite;
 }
 
-/// Vertices [begin, begin + rows) as a program left them.
+/// Projects vertices [begin, begin + rows) from the outputs of a program.
 void FinishVertices(const Mesh& mesh, const Transform& transform, const VertexColumns& c, size_t begin, size_t rows,
                     size_t row, Vertices& out) {
   const hn::ScalableTag<float> d;
@@ -114,7 +114,7 @@ void call(const VertexProgram& program, const shd_vertices& in, shd_vertex_outpu
   }
 }
 
-/// Calls a program for `count` vertices from `first` on, which are rows `row` and up of its columns.
+/// Calls a program for `count` vertices from `first` on; they use the rows of its columns from `row` on.
 void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t number, size_t count, size_t row,
          const VertexColumns& c) {
   shd_vertices in = {};
@@ -141,7 +141,9 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
   out.px = c.px + row, out.py = c.py + row, out.pz = c.pz + row;
   out.nx = c.nx + row, out.ny = c.ny + row, out.nz = c.nz + row;
   out.u = c.u + row, out.v = c.v + row;
-  for (uint32_t k = 0; k < program.varying_count; ++k) out.varying[k] = c.varying[k] + row;
+  float* varying[SHD_MAX_VARYINGS];
+  for (uint32_t k = 0; k < program.varying_count; ++k) varying[k] = c.varying[k] + row;
+  out.varying = varying;
   call(program, in, &out);
 #ifndef NDEBUG
   if (in.count != count) {

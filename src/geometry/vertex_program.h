@@ -41,14 +41,14 @@ struct VertexColumns {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, VertexColumns* out);
 
-/// Vertices that a program is called for.
+/// The vertices that a program runs on.
 struct NumberedMesh {
   const Mesh& mesh;
-  const uint32_t* numbers;  // of its vertices for the program; null = 0, 1 and so on
+  const uint32_t* numbers;  // [vertex] number passed to the program; null = 0, 1, 2, ...
 };
 
 /// Like transform_vertices, but the program may change every vertex before it is projected. A vertex that the program
-/// leaves as it was keeps its bits. Throws Failure if the program threw.
+/// does not change keeps its bits. Throws Failure if the program threw.
 /// @param out  with room for the program's varyings
 void run_vertex_program(const core::SimdTarget& simd, const NumberedMesh& vertices, const Transform& transform,
                         const VertexProgram& program, const VertexRange& range, VertexColumns* scratch, Vertices* out);

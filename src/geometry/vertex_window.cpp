@@ -40,7 +40,7 @@ void allocate_window(const core::Allocator& allocator, const Mesh& mesh, size_t 
   allocate_rows(allocator, max_rows, varying_count, out);
   out->own_indices = core::Array<uint32_t>(allocator, corners);
   for (size_t i = 0; i < corners; ++i) {
-    size_t row = i - i % 3;  // corners of a triangle that are one vertex share a row
+    size_t row = i - i % 3;  // corners of a triangle with the same vertex share a row
     while (out->indices[row] != out->indices[i]) ++row;
     out->own_indices[i] = static_cast<uint32_t>(row);
   }

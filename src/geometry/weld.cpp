@@ -17,7 +17,7 @@ uint32_t key_of(float value) {
   return bits;
 }
 
-/// One stable pass over the digit at `shift`; false, and nothing moved, when all digits are the same.
+/// One stable pass over the digit at `shift`. Returns false without moving anything if all digits are equal.
 bool sort_pass(const uint32_t* keys, size_t count, uint32_t shift, const uint32_t* from, uint32_t* to) {
   size_t start[kDigits] = {};
   const auto digit = [&](size_t i) { return keys[i] >> shift & (kDigits - 1); };
@@ -50,7 +50,7 @@ void weld(const core::Allocator& allocator, const float* const* columns, size_t 
     }
     return true;
   };
-  uint32_t lowest = order[0];  // vertices of the same values lie together, the lowest first
+  uint32_t lowest = order[0];  // vertices of equal values are adjacent, the lowest one first
   for (size_t i = 0; i < vertex_count; ++i) {
     if (!same(order[i], lowest)) lowest = order[i];
     out[order[i]] = lowest;

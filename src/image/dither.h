@@ -5,7 +5,7 @@
 
 namespace shd::image {
 
-/// What an ordered dither adds to code + fraction before it truncates, in (0, 1): at (x, y) the point of the R2
+/// Offset of an ordered dither, in (0, 1), added to code + fraction before truncation: at (x, y) the point of the R2
 /// sequence, whose neighbours differ much and whose sums over any area are even (Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018). Needs no state and has the same bits on every machine.
 inline double dither_threshold(uint32_t x, uint32_t y) {

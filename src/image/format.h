@@ -8,15 +8,15 @@
 
 namespace shd::image {
 
-/// How one channel is stored.
+/// Storage of one channel.
 enum class Component { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32 };
 
-/// How a format is laid out; all zero for an unknown one.
+/// Layout of a format; all zero for an unknown format.
 struct FormatInfo {
   size_t pixel_size;    // bytes
   size_t channel_size;  // bytes
   size_t channels;      // 1..4
-  Component component;  // of r, g and b: the alpha of kSrgb8 is kUnorm8
+  Component component;  // component of r, g and b; the alpha of kSrgb8 is kUnorm8
 };
 
 constexpr FormatInfo format_info(size_t channels, Component component) {
@@ -52,7 +52,7 @@ constexpr FormatInfo format_info(shd_format format) {
   }
 }
 
-/// Whether the bits of a caller's enum name a format.
+/// Whether the bits of a caller's enum are a format.
 constexpr bool is_format(uint32_t bits) {
   return bits <= SHD_FORMAT_MAX_ENUM && format_info(static_cast<shd_format>(bits)).channels != 0;
 }

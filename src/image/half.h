@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// IEEE 754 binary16. Inline, and selections where branches would be: loops over texels become vectors.
+/// IEEE 754 binary16. The functions are inline and select instead of branching, so that loops over texels vectorise.
 #pragma once
 
 #include <cstdint>
@@ -25,22 +25,22 @@ inline float half_to_float(uint16_t half) {
   return value;
 }
 
-/// Nearest binary16, ties to even; too large becomes infinity, NaN stays a quiet NaN of the same sign.
+/// Nearest binary16, ties to even. Too large values become infinity; NaN becomes a quiet NaN of equal sign.
 inline uint16_t float_to_half(float value) {
   uint32_t bits;
   std::memcpy(&bits, &value, sizeof bits);
   const uint32_t sign = bits >> 16 & 0x8000u;
   const uint32_t magnitude = bits & 0x7fffffffu;
-  // 2^-14, the smallest normal, and above: the carry of the rounding may reach infinity.
+  // From 2^-14 on, the smallest normal number: the carry of the rounding may reach infinity.
   const uint32_t normal = (magnitude - (112u << 23) + 0xfffu + (magnitude >> 13 & 1u)) >> 13;
-  // Below, the sum with 1/2 has the subnormal in its last bits, rounded to nearest even.
+  // Below 2^-14: the last bits of the sum with 1/2 are the subnormal, rounded to nearest even.
   float small;
   std::memcpy(&small, &magnitude, sizeof small);
   small += 0.5f;
   uint32_t subnormal;
   std::memcpy(&subnormal, &small, sizeof subnormal);
   uint32_t half = magnitude >= 0x38800000u ? normal : subnormal - 0x3f000000u;
-  half = magnitude >= 0x477ff000u ? 0x7c00u : half;  // 65520, halfway to 2^16
+  half = magnitude >= 0x477ff000u ? 0x7c00u : half;  // 65520 is halfway to 2^16
   half = magnitude > 0x7f800000u ? 0x7e00u | (magnitude >> 13 & 0x1ffu) : half;
   return static_cast<uint16_t>(sign | half);
 }

@@ -6,20 +6,21 @@
 
 #include <shd/image.h>
 
+#include "core/desc_size.h"
 #include "core/read_desc.h"
 #include "image/format.h"
 
 namespace shd::image {
 
-/// Checks a caller's image and copies it, with its row stride filled in. `takes(format)` tells whether the caller's
-/// function handles a known format. `fail`: see core/read_desc.h.
+/// Checks a caller's image and copies it, with its row stride filled in. `takes(format)` returns whether the caller's
+/// function supports a known format. `fail`: see core/read_desc.h.
 template <class Fail, class Takes>
 shd_result read_image(Fail fail, Takes takes, const char* name, const shd_image* in, shd_image* out) {
   constexpr shd_result kInvalid = SHD_ERROR_INVALID_ARGUMENT;
   constexpr uint32_t kMaxSide = 65536;
   *out = shd_image_default();
   if (!in) return fail(kInvalid, "%s: NULL", name);
-  const shd_result read = core::read_desc_bytes(fail, name, in, sizeof *out, out, sizeof *out);
+  const shd_result read = core::read_desc_bytes(fail, name, in, core::DescSize<shd_image>::kRequired, out, sizeof *out);
   if (read != SHD_OK) return read;
   const uint32_t format = core::enum_bits(out->format);
   if (!is_format(format) || !takes(out->format)) {

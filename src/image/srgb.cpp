@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables after IEC 61966-2-1:1999: decode(c) = c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4, evaluated
-// with 80 decimal digits and rounded once. The unit test recomputes them.
+// Tables of IEC 61966-2-1:1999: decode(c) = c / 12.92 up to 0.04045, otherwise ((c + 0.055) / 1.055)^2.4. The values
+// were computed with 80 decimal digits and rounded once. The unit test recomputes them.
 #include "image/srgb.h"
 
 #include <limits>

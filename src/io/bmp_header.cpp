@@ -12,11 +12,11 @@ constexpr uint64_t kFileHeader = 14;
 constexpr uint32_t kCoreHeader = 12;
 constexpr uint32_t kBitFields = 3;
 
-/// What the header says about the pixels.
+/// Layout of the pixels, read from the header.
 struct BmpLayout {
   uint64_t width, height;
   uint32_t bits;
-  uint64_t colors;      // of the palette
+  uint64_t colors;      // number of palette entries
   uint64_t color_size;  // bytes
   uint64_t palette;     // offset
   uint64_t pixels;      // offset
@@ -50,7 +50,7 @@ BmpLayout read_layout(ByteReader& in) {
   return layout;
 }
 
-/// Every pixel of an indexed image names a colour.
+/// Checks that every pixel of an indexed image is inside the palette.
 void check_indices(const ByteReader& in, const BmpLayout& layout) {
   const uint32_t per_byte = 8 / layout.bits;
   const uint32_t mask = (1u << layout.bits) - 1;

@@ -7,7 +7,7 @@
 
 namespace shd::io {
 
-/// Bounds-checked numbers from untrusted bytes; reading past the end gives 0 and clears `ok`.
+/// Bounds-checked reading of numbers from untrusted bytes. Reading past the end gives 0 and clears `ok`.
 struct ByteReader {
   const unsigned char* bytes;
   size_t size;

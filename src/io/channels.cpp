@@ -21,7 +21,7 @@ int find_channel(const std::vector<std::string>& names, char letter) {
   return -1;
 }
 
-/// Channels of type T; `one` is an opaque alpha.
+/// Expands pixels with channels of type T to RGBA; `one` is an opaque alpha.
 template <class T>
 void expand(const ChannelMap& map, int first, const unsigned char* in, size_t in_channels, size_t count, T one,
             unsigned char* out) {
@@ -46,7 +46,7 @@ ChannelMap map_channels(const std::vector<std::string>& names, int alpha) {
   if (alpha < 0) alpha = find_channel(names, 'A');
   if (r >= 0 && g >= 0 && b >= 0) return {{r, g, b, alpha}};
   if (r >= 0 && g >= 0) return {{r, g, -1, alpha}};
-  // Without names: one or two channels with their alpha are grey, three or more are colour.
+  // Without names, one or two channels including alpha are grey, three or more are colour.
   int plain[3] = {-1, -1, -1};
   int found = 0;
   for (int i = 0; i < count && found < 3; ++i) {

@@ -17,7 +17,7 @@ namespace shd::io {
 
 namespace {
 
-/// posix_spawn's two option objects.
+/// The two option objects of posix_spawn.
 struct SpawnOptions {
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;
@@ -35,7 +35,7 @@ struct SpawnOptions {
 };
 
 int fill_options(SpawnOptions& options, int socket) {
-  // Descriptor 0 first: the socket may itself be 1 or 2, which are replaced after.
+  // Descriptor 0 comes first: the socket itself may be 1 or 2, which are replaced afterwards.
   int error = ::posix_spawn_file_actions_adddup2(&options.files, socket, 0);
   if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 1, "/dev/null", O_WRONLY, 0);
   if (!error) error = ::posix_spawn_file_actions_addopen(&options.files, 2, "/dev/null", O_WRONLY, 0);
@@ -83,7 +83,7 @@ std::string ChildProcess::finish(bool kill_first) {
     got = ::waitpid(pid_, &status, 0);
   } while (got < 0 && errno == EINTR);
   pid_ = -1;
-  if (got < 0) return "reaped by the host";  // SIGCHLD ignored, or a waitpid(-1) elsewhere
+  if (got < 0) return "reaped by the host";  // SIGCHLD is ignored, or waitpid(-1) was called elsewhere
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
   return "exit status " + std::to_string(WEXITSTATUS(status));
 }

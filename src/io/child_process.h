@@ -7,17 +7,17 @@
 
 namespace shd::io {
 
-/// A program with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask
-/// and default signal handlers. The destructor kills and reaps a process that still runs.
+/// A child process with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask
+/// and default signal handlers. The destructor kills and reaps the process if it still runs.
 class ChildProcess {
  public:
-  /// Throws Failure; SHD_ERROR_NOT_FOUND when the program is missing.
+  /// Throws Failure; SHD_ERROR_NOT_FOUND if the program is missing.
   ChildProcess(const std::string& program, int socket);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for the end of the process, which `kill_first` kills, and returns how it ended.
+  /// Waits for the end of the process, after killing it if `kill_first`. Returns a description of how it ended.
   std::string finish(bool kill_first);
 
  private:

@@ -17,14 +17,14 @@ constexpr uint32_t kCubeOrVolume = 0x200 | 0x200000;
 
 struct BlockFormat {
   const char* four_cc;
-  size_t block_size;  // bytes of 4 x 4 texels
+  size_t block_size;  // bytes per 4 x 4 texels
 };
 constexpr BlockFormat kBlockFormats[] = {
     {"DXT1", 8}, {"DXT2", 16}, {"DXT3", 16}, {"DXT4", 16}, {"DXT5", 16}, {"ATI1", 8},
     {"BC4U", 8}, {"BC4S", 8},  {"ATI2", 16}, {"BC5U", 16}, {"BC5S", 16}, {"RXGB", 16},
 };
 
-/// Bytes of a 4 x 4 block of a DXGI format, 0 for those that are not block-compressed.
+/// Bytes of a 4 x 4 block of a DXGI format; 0 if the format is not block-compressed.
 size_t dxgi_block_size(uint32_t dxgi) {
   if ((dxgi >= 70 && dxgi <= 72) || (dxgi >= 79 && dxgi <= 81)) return 8;                                 // BC1, BC4
   if ((dxgi >= 73 && dxgi <= 78) || (dxgi >= 82 && dxgi <= 84) || (dxgi >= 94 && dxgi <= 99)) return 16;  // others

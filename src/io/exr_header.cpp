@@ -16,7 +16,7 @@ constexpr uint32_t kMultiPartBit = 0x1000;
 constexpr size_t kMaxName = 255;
 constexpr size_t kMaxParts = 1024;
 
-/// One attribute: name, type and the place of its value.
+/// One attribute: name, type, and offset and size of its value.
 struct Attribute {
   const char* name;
   const char* type;
@@ -24,7 +24,7 @@ struct Attribute {
   uint64_t size;
 };
 
-/// Length of the zero-terminated text at `at`, at most kMaxName; throws Failure otherwise.
+/// Length of the zero-terminated text at `at`. Throws Failure if it is above kMaxName.
 size_t text_length(const ByteReader& in, uint64_t at) {
   for (size_t i = 0; i <= kMaxName && in.has(at, i + 1); ++i) {
     if (in.bytes[at + i] == 0) return i;
@@ -32,7 +32,7 @@ size_t text_length(const ByteReader& in, uint64_t at) {
   core::refuse(SHD_ERROR_CORRUPT, "OpenEXR header is cut off or has a name above %zu bytes", kMaxName);
 }
 
-/// Reads the attribute at *at and steps over it; false at the end of a header.
+/// Reads the attribute at *at and advances to the next one. Returns false at the end of a header.
 bool next_attribute(ByteReader& in, uint64_t* at, Attribute* out) {
   const size_t name = text_length(in, *at);
   out->name = reinterpret_cast<const char*>(in.bytes + *at);
@@ -57,7 +57,7 @@ void check_window(ByteReader& in, const Attribute& attribute, const Limits& limi
                static_cast<uint64_t>(height < 0 ? 0 : height));
 }
 
-/// A channel is its name, type, pLinear with three reserved bytes, and the two samplings.
+/// A channel consists of its name, type, pLinear with three reserved bytes, and the two samplings.
 void check_channels(ByteReader& in, const Attribute& attribute) {
   const uint64_t end = attribute.value + attribute.size;
   for (uint64_t at = attribute.value; at < end;) {
@@ -74,14 +74,14 @@ void check_channels(ByteReader& in, const Attribute& attribute) {
   }
 }
 
-/// "deepscanline" and "deeptile", a text without its terminating zero.
+/// Refuses "deepscanline" and "deeptile"; the text has no terminating zero.
 void check_type(const ByteReader& in, const Attribute& attribute) {
   if (attribute.size >= 4 && in.is(attribute.value, "deep", 4)) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "deep OpenEXR images are not supported");
   }
 }
 
-/// Checks one header; false if it was the empty one that ends a multi-part list.
+/// Checks one header. Returns false for the empty header that ends a multi-part list.
 bool check_part(ByteReader& in, uint64_t* at, const Limits& limits) {
   Attribute attribute;
   bool any = false;

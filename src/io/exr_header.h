@@ -7,8 +7,8 @@
 
 namespace shd::io {
 
-/// Walks the attributes of every part ("OpenEXR File Layout", 2.x): refuses windows beyond the limits, deep
-/// parts and subsampled channels.
+/// Checks the attributes of every part ("OpenEXR File Layout", 2.x). Refuses windows beyond the limits, deep parts and
+/// subsampled channels.
 void check_exr_header(const unsigned char* bytes, size_t size, const Limits& limits);
 
 }  // namespace shd::io

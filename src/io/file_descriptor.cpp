@@ -15,7 +15,7 @@ void refuse_errno(const char* action, const char* path, int error) {
   if (error == ENAMETOOLONG || error == EILSEQ || error == EINVAL) code = SHD_ERROR_INVALID_ARGUMENT;
   if (error == ENOMEM) code = SHD_ERROR_OUT_OF_MEMORY;
   char buffer[128] = "";
-  // The GNU strerror_r returns the text, the POSIX one a number; this build has the GNU one.
+  // The GNU strerror_r returns the text, the POSIX one a number. This build uses the GNU one.
   const char* reason = ::strerror_r(error, buffer, sizeof buffer);
   core::refuse(code, "%s \"%s\": %s", action, printable(path).c_str(), reason);
 }

@@ -23,8 +23,9 @@ struct FileDescriptor {
   int fd;
 };
 
-/// Throws a Failure with the text `<action> "<path>": <reason>`. A missing file is SHD_ERROR_NOT_FOUND, a path that the
-/// system cannot have SHD_ERROR_INVALID_ARGUMENT, lack of memory SHD_ERROR_OUT_OF_MEMORY, the rest SHD_ERROR_IO.
+/// Throws a Failure with the text `<action> "<path>": <reason>`. The code is SHD_ERROR_NOT_FOUND for a missing file,
+/// SHD_ERROR_INVALID_ARGUMENT for a path that the system cannot represent, SHD_ERROR_OUT_OF_MEMORY for lack of memory,
+/// otherwise SHD_ERROR_IO.
 [[noreturn]] void refuse_errno(const char* action, const char* path, int error);
 
 }  // namespace shd::io

@@ -4,23 +4,23 @@
 ///
 /// Input:      untrusted bytes; rows of pixels to store.
 /// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
-/// Invariants: no file of this folder calls libshd, so that the worker process needs none of it; failures are thrown
-///             by core::refuse(); sizes are checked against the Limits before memory is taken; OpenImageIO never sees
-///             a path, only memory; its process-wide attributes are set in the worker alone.
+/// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
+///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
+///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO.
 ///
-/// | file             | what                                                                |
-/// |------------------|---------------------------------------------------------------------|
-/// | printable.h      | texts of files and of the system, fit for messages                   |
+/// | file             | contents                                                             |
+/// |------------------|----------------------------------------------------------------------|
+/// | printable.h      | texts of files and of the system, made safe for messages             |
 /// | memory.h         | Buffer, memory of the host's allocator                               |
 /// | limits.h         | budgets: checked sizes, deadline                                     |
 /// | read_file.h      | a regular file as bytes                                              |
-/// | write_file.h     | bytes as a file, whole or not at all                                 |
+/// | write_file.h     | atomic writing of a file                                             |
 /// | sniff.h          | format and declared size from the first bytes                        |
-/// | exr_header.h     | what an OpenEXR header declares                                      |
-/// | dds_header.h     | what a DDS header declares                                           |
-/// | bmp_header.h     | what a BMP header declares, and its palette                          |
-/// | scrub.h          | removes metadata that decoders would parse                           |
-/// | channels.h       | which channels of a file are r, g, b, a, and their expansion to RGBA |
+/// | exr_header.h     | checks of an OpenEXR header                                          |
+/// | dds_header.h     | checks of a DDS header                                               |
+/// | bmp_header.h     | checks of a BMP header and its palette                               |
+/// | scrub.h          | removal of metadata that decoders would parse                        |
+/// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
@@ -56,7 +56,7 @@ struct Bitmap {
   Buffer pixels;
 };
 
-/// Bytes of one RGBA pixel of a bitmap; 0 for formats bitmaps do not have.
+/// Size of one RGBA pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.
 inline size_t bitmap_pixel_size(shd_format format) {
   switch (format) {
     case SHD_FORMAT_RGBA8:

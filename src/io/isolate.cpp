@@ -18,7 +18,7 @@ namespace shd::io {
 
 namespace {
 
-/// What went wrong on the socket.
+/// Outcome of a transfer on the socket.
 enum class Stream { kDone, kClosed, kLate };
 
 /// Waits until the socket is ready for `events`.
@@ -85,12 +85,13 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   return request;
 }
 
-/// Checks every field of a reply: the process that sent it has read hostile bytes. Returns the size of the pixels.
+/// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
+/// pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;
   if (reply.magic != kWorkerMagic || reply.code > SHD_ERROR_INTERNAL) {
-    core::refuse(SHD_ERROR_INTERNAL, "the worker is of another version of shd");
+    core::refuse(SHD_ERROR_INTERNAL, "the worker belongs to another version of shd");
   }
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));

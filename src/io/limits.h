@@ -7,7 +7,7 @@
 
 namespace shd::io {
 
-/// Budgets of a load, none of them 0.
+/// Budgets of a load; none of them is 0.
 struct Limits {
   uint64_t file_bytes = uint64_t{1} << 30;
   uint64_t pixels = uint64_t{1} << 28;
@@ -16,25 +16,25 @@ struct Limits {
   double seconds = 60;
 };
 
-/// Decoded sizes below this are never a bomb. [bytes]
+/// Decoded sizes below this limit are exempt from limits.ratio [bytes].
 constexpr uint64_t kRatioFloor = uint64_t{1} << 24;
 
-/// Largest width and height of a shd_image. [pixels]
+/// Largest width and height of a shd_image [pixels].
 constexpr uint64_t kMaxSide = 65536;
 
-/// Throws Failure unless a window of that size is within the budgets. `what` names it in the message.
+/// Throws Failure unless a window of this size is within the budgets. `what` names the window in the message.
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
 
-/// Bytes of width * height pixels after check_extent; throws Failure beyond limits.bytes or limits.ratio.
+/// Size in bytes of width * height pixels after check_extent(). Throws Failure beyond limits.bytes or limits.ratio.
 size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size);
 
-/// The moment by which a load must be done.
+/// The time at which a load must be finished.
 class Deadline {
  public:
   explicit Deadline(double seconds);
-  /// Throws Failure (SHD_ERROR_LIMIT) when the time has passed.
+  /// Throws Failure (SHD_ERROR_LIMIT) if the deadline has passed.
   void check() const;
-  /// Time until the deadline, rounded up; 0 when it has passed. [ms]
+  /// Time until the deadline, rounded up; 0 if it has passed [ms].
   int milliseconds_left() const;
 
  private:

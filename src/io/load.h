@@ -5,10 +5,10 @@
 
 namespace shd::io {
 
-/// Format of the bytes, allowed by the options and with a header within the limits; throws Failure otherwise.
+/// Returns the format of the bytes. Throws Failure unless the options allow it and its header is within the limits.
 shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOptions& options);
 
-/// Decodes in this process. `bytes` is scrubbed in place.
+/// Decodes in this process. Scrubs `bytes` in place.
 Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
             const Deadline& deadline);
 

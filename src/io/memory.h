@@ -18,7 +18,7 @@ struct Memory {
 class Buffer {
  public:
   Buffer() = default;
-  /// Uninitialised; throws std::bad_alloc. Size 0 owns nothing.
+  /// Allocates uninitialised bytes; size 0 allocates nothing. Throws std::bad_alloc.
   Buffer(const Memory& memory, size_t size) : memory_(memory), size_(size) {
     if (size == 0) return;
     data_ = static_cast<unsigned char*>(memory.allocate(memory.owner, size));

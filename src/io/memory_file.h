@@ -11,7 +11,7 @@ namespace shd::io {
 /// An anonymous file with a path, for decoders that need a path.
 class MemoryFile {
  public:
-  /// Makes the file if `wanted`; the bytes are copied.
+  /// Creates the file if `wanted`; copies the bytes.
   MemoryFile(bool wanted, const unsigned char* bytes, size_t size);
   const std::string& path() const { return path_; }
 

@@ -21,11 +21,11 @@ namespace shd::io {
 namespace {
 
 constexpr int kMaxChannels = 1024;
-constexpr size_t kBandBytes = size_t{1} << 22;  // decoded between two looks at the clock
+constexpr size_t kBandBytes = size_t{1} << 22;  // decoded between two checks of the deadline
 
 struct Reader {
   shd_file_format format;
-  const char* name;  // of OpenImageIO's format
+  const char* name;  // name of the format in OpenImageIO
 };
 
 constexpr Reader kReaders[] = {
@@ -36,7 +36,8 @@ constexpr Reader kReaders[] = {
     {SHD_FILE_FORMAT_GIF, "gif"},
 };
 
-/// An input or output whose pending errors are fetched at its end: OpenImageIO prints errors that are not fetched.
+/// An input or output whose pending errors are fetched at the end of its life, because OpenImageIO prints errors that
+/// are not fetched.
 template <class Handle>
 struct Quiet {
   std::unique_ptr<Handle> handle;
@@ -59,7 +60,7 @@ struct Quiet {
   }
 };
 
-/// Everything one decode works on.
+/// State of one decode.
 struct Decoder {
   shd_file_format format;
   const LoadOptions& options;
@@ -68,7 +69,7 @@ struct Decoder {
   Quiet<OIIO::ImageInput> input;
   OIIO::ImageSpec spec;
   ChannelMap map = {};
-  int first = 0;  // channels of the file that are read: [first, end)
+  int first = 0;  // channels [first, end) of the file are read
   int end = 0;
   OIIO::TypeDesc type;
 };
@@ -83,7 +84,7 @@ void open_input(Decoder& d, const MemoryFile& file) {
   if (d.format == SHD_FILE_FORMAT_ANY) {
     d.input.handle = OIIO::ImageInput::open(file.path(), &config);
     if (!d.input.handle) {
-      core::refuse(SHD_ERROR_UNSUPPORTED, "no reader of OpenImageIO takes the file: %s",
+      core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s",
                    printable(d.input.error()).c_str());
     }
     d.spec = d.input.handle->spec();
@@ -93,13 +94,13 @@ void open_input(Decoder& d, const MemoryFile& file) {
       std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
   d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
   if (!d.input.handle)
-    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without it", format_name(d.format));
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
 }
 
-/// Checks every field of the spec before its use, and refuses images that this library does not read.
+/// Checks every field of the spec before it is used, and refuses images that this library does not support.
 void check_spec(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const Limits& limits = d.options.limits;
@@ -154,7 +155,7 @@ shd_format bitmap_format(const OIIO::TypeDesc& type) {
   return type == OIIO::TypeHalf ? SHD_FORMAT_RGBA16F : SHD_FORMAT_RGBA32F;
 }
 
-/// Rows [y, y_end) of the file, counted from its first one, into `band`.
+/// Reads rows [y, y_end) of the file into `band`; row 0 is the first row of the data window.
 bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const OIIO::ImageSpec& spec = d.spec;
   const int subimage = static_cast<int>(d.options.subimage);
@@ -165,7 +166,8 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   return d.input.handle->read_scanlines(subimage, 0, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type, band);
 }
 
-/// Rows read between two looks at the clock: whole tiles, else a multiple of OpenEXR's largest block where it fits.
+/// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of OpenEXR's largest block
+/// if it fits.
 int band_height(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels) * d.type.size();
@@ -175,7 +177,7 @@ int band_height(const Decoder& d) {
   return spec.tile_width > 0 ? step : fitting;
 }
 
-/// Copies rows of the data window to their place in the display window.
+/// Copies rows of the data window to their position in the display window.
 void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, Bitmap* out) {
   const OIIO::ImageSpec& spec = d.spec;
   const size_t pixel = bitmap_pixel_size(out->format);
@@ -198,9 +200,9 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, B
   }
 }
 
-/// Rows of a damaged band one by one, down to the damage.
+/// Reads the rows of a damaged band one by one, up to the damage.
 void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, Bitmap* out) {
-  out->info.partial = 1;
+  out->info.flags |= SHD_BITMAP_PARTIAL;
   if (d.spec.tile_width > 0) return;
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
@@ -237,7 +239,7 @@ void describe(const Decoder& d, Bitmap* out) {
   const bool may = always || d.format == SHD_FILE_FORMAT_TIFF || d.format == SHD_FILE_FORMAT_ANY;
   out->info.file_format = d.format;
   out->info.channels = static_cast<uint32_t>(spec.nchannels);
-  out->info.premultiplied = d.map.index[3] >= 0 && (always || (may && !straight));
+  if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 
 Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool complete, const Memory& memory) {
@@ -264,7 +266,7 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
   std::memset(out.pixels.data(), 0, bytes);
   read_pixels(d, memory, &out);
   describe(d, &out);
-  if (!complete) out.info.partial = 1;
+  if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   return out;
 }
 
@@ -291,9 +293,10 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
   if (!mixed) spec.channelformats.clear();
   spec.alpha_channel = job.alpha;
   if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
-  // OpenImageIO would write the time of day: the same pixels make the same file.
+  // OpenImageIO would write the time of day; the constant makes the file depend on the pixels alone.
   if (std::strcmp(job.writer, "openexr") == 0) spec.attribute("DateTime", "1970:01:01 00:00:00");
-  // Tagged sRGB, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone: unreadable.
+  // With an sRGB tag, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone, which is
+  // unreadable.
   const bool tagged = job.color_space[0] != 0 && std::strcmp(job.writer, "tiff") != 0;
   if (tagged) spec.attribute("oiio:ColorSpace", job.color_space);
   if (std::strcmp(job.writer, "openexr") == 0 && std::strcmp(job.color_space, "Linear") == 0) {

@@ -9,12 +9,13 @@
 
 namespace shd::io {
 
-/// Decodes a file whose header has been checked. Refuses damaged files unless SHD_LOAD_PARTIAL allows missing rows.
-/// `complete` false = the file is known to be cut off. file_size: of the file before scrubbing.
+/// Decodes a file whose header has been checked. Refuses damaged files, unless SHD_LOAD_PARTIAL allows missing rows.
+/// @param file_size  size of the file before scrubbing
+/// @param complete   false if the file is known to be cut off
 Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
               const LoadOptions& options, const Memory& memory, const Deadline& deadline);
 
-/// How one channel of a file is stored.
+/// Storage of one channel of a file.
 enum class Sample : uint32_t { kU8, kU16, kHalf, kFloat, kU32 };
 
 /// One channel of a file to be written.
@@ -23,24 +24,24 @@ struct EncodeChannel {
   Sample sample;
 };
 
-/// A file to be written. `row` fills one row: [width] pixels, each its channels in order, packed, native endian.
+/// A file to be written. `row` fills one row: [width] pixels, each with its channels in order, packed, native endian.
 struct EncodeJob {
-  const char* writer = "";  // name of OpenImageIO's format
+  const char* writer = "";  // name of the format in OpenImageIO
   uint32_t width = 0;
   uint32_t height = 0;
   std::vector<EncodeChannel> channels;
-  int alpha = -1;                // its channel
-  bool straight = false;         // alpha is not multiplied in
+  int alpha = -1;                // index of the alpha channel, -1 = none
+  bool straight = false;         // alpha is not multiplied into the colour
   const char* color_space = "";  // tag: "sRGB", "Linear" or "" for none
   void (*row)(const void* user_data, uint32_t y, unsigned char* out) = nullptr;
   const void* user_data = nullptr;
 };
 
-/// The bytes of the file.
+/// Returns the bytes of the file.
 std::vector<unsigned char> encode(const EncodeJob& job);
 
-/// Sets attributes of the whole process, for the worker: no threads of OpenImageIO or OpenEXR, and OpenImageIO's own
-/// limits as a second line of defence.
+/// Sets attributes of the whole process; only for the worker. Disables the threads of OpenImageIO and OpenEXR, and sets
+/// OpenImageIO's own limits as a second line of defence.
 void limit_process(uint64_t max_bytes);
 
 }  // namespace shd::io

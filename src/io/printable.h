@@ -5,7 +5,8 @@
 
 namespace shd::io {
 
-/// `text` fit for a message: UTF-8 stays, control and stray bytes become '?', the middle of a long text is cut out.
+/// Makes `text` safe for a message: UTF-8 is kept, control and invalid bytes become '?', the middle of a long text is
+/// left out.
 std::string printable(const std::string& text);
 
 }  // namespace shd::io

@@ -6,7 +6,7 @@
 
 namespace shd::io {
 
-/// The bytes of a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
+/// Reads a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
 Buffer read_file(const char* path, const Limits& limits, const Memory& memory);
 
 }  // namespace shd::io

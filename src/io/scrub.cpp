@@ -11,7 +11,7 @@ namespace shd::io {
 
 namespace {
 
-/// Moves kept pieces of a file to its front.
+/// Moves the pieces of a file that are kept to its front.
 struct Compactor {
   unsigned char* bytes;
   size_t size;
@@ -22,7 +22,7 @@ struct Compactor {
   }
 };
 
-/// CRC-32 of PNG chunks (ISO/IEC 15948, Annex D), four bits at a time.
+/// CRC-32 of PNG chunks (ISO/IEC 15948, Annex D), four bits per step.
 uint32_t crc32(const unsigned char* bytes, size_t size) {
   uint32_t table[16];
   for (uint32_t i = 0; i < 16; ++i) {
@@ -39,7 +39,7 @@ uint32_t crc32(const unsigned char* bytes, size_t size) {
   return ~crc;
 }
 
-/// PNG chunks that say what pixels are: the critical ones, and three that change their meaning.
+/// Whether a PNG chunk defines pixels: the critical chunks, and three that change the meaning of pixels.
 bool is_wanted_chunk(const ByteReader& in, size_t type) {
   for (const char* wanted : {"IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "sRGB"}) {
     if (in.is(type, wanted, 4)) return true;
@@ -47,7 +47,7 @@ bool is_wanted_chunk(const ByteReader& in, size_t type) {
   return false;
 }
 
-/// libpng writes what it dislikes about chunks to stderr, so they are checked here first.
+/// The chunks are checked here first, because libpng prints complaints about them to stderr.
 size_t scrub_png(unsigned char* bytes, size_t size, bool strict) {
   ByteReader in{bytes, size, true};
   Compactor out{bytes, size};
@@ -72,7 +72,7 @@ size_t scrub_png(unsigned char* bytes, size_t size, bool strict) {
   return out.kept;
 }
 
-/// JPEG (ITU-T T.81, B.1): APP0 (JFIF) and APP14 (Adobe) say how to decode; the other APPn and COM do not.
+/// JPEG (ITU-T T.81, B.1): APP0 (JFIF) and APP14 (Adobe) affect decoding and are kept; other APPn and COM are dropped.
 size_t scrub_jpeg(unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, true};
   Compactor out{bytes, size};
@@ -122,7 +122,7 @@ void put_number(unsigned char* to, uint64_t value, size_t count, bool big_endian
   for (size_t i = 0; i < count; ++i) to[big_endian ? count - 1 - i : i] = static_cast<unsigned char>(value >> (8 * i));
 }
 
-/// Element `index` of a field of 16-, 32- or 64-bit numbers; one that fits lies in the entry itself.
+/// Element `index` of a field of 16-, 32- or 64-bit numbers. A field that fits is stored in the entry itself.
 uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, uint64_t index) {
   const uint32_t type = in.u16(entry + 2);
   const size_t size = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
@@ -133,7 +133,7 @@ uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, ui
   return in.number((inside ? value : in.number(value, layout.offset_size)) + index * size, size);
 }
 
-/// Refuses strips and tiles beyond the end of the file: libtiff would fill in missing pixels.
+/// Refuses strips and tiles beyond the end of the file, because libtiff would invent the missing pixels.
 void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
   uint64_t offsets = 0, sizes = 0;
   for (uint64_t i = 0; i < count; ++i) {
@@ -151,7 +151,7 @@ void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLay
   if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "TIFF: strips or tiles beyond the end of the file");
 }
 
-/// Drops metadata entries of the directory at `at` and returns the offset of the next one, 0 at the end.
+/// Removes the metadata entries of the directory at `at`. Returns the offset of the next directory, 0 at the end.
 uint64_t scrub_ifd(ByteReader& in, unsigned char* bytes, uint64_t at, const IfdLayout& layout, bool strict) {
   const uint64_t count = in.number(at, layout.count_size);
   const uint64_t entries = at + layout.count_size;
@@ -179,7 +179,7 @@ void scrub_tiff(unsigned char* bytes, size_t size, bool strict) {
   for (int page = 0; in.ok && at != 0 && page < kMaxPages; ++page) at = scrub_ifd(in, bytes, at, layout, strict);
 }
 
-/// WebP (RFC 9649): metadata chunks become chunks of an unknown kind, which readers skip.
+/// WebP (RFC 9649): metadata chunks are renamed to an unknown kind, which readers skip.
 void scrub_webp(unsigned char* bytes, size_t size) {
   ByteReader in{bytes, size, false};
   uint64_t at = 12;

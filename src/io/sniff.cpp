@@ -19,7 +19,7 @@ struct Signature {
   const char* bytes;
 };
 
-// Signatures at a fixed place; several rows may name one format.
+// Signatures at a fixed offset; several rows may have the same format.
 constexpr Signature kSignatures[] = {
     {SHD_FILE_FORMAT_PNG, "PNG", 0, 8, "\x89PNG\r\n\x1a\n"},
     {SHD_FILE_FORMAT_JPEG, "JPEG", 0, 3, "\xff\xd8\xff"},
@@ -48,7 +48,7 @@ bool is_pnm(const ByteReader& in) {
   return white && ((kind >= '1' && kind <= '6') || kind == 'F' || kind == 'f');
 }
 
-/// A header that no Truevision TGA 2.0 writer would contradict: there is no signature in front.
+/// Whether a header is valid by Truevision TGA 2.0. Such files have no signature at their start.
 bool is_tga(ByteReader in) {
   if (!in.has(0, 18)) return false;
   const uint32_t map_kind = in.u8(1);
@@ -75,7 +75,8 @@ Extent webp_extent(ByteReader in) {
   return {in.u16(26) & 0x3fffu, in.u16(28) & 0x3fffu};
 }
 
-/// BITMAPCOREHEADER has 16-bit sizes; later ones signed 32-bit sizes, negative height = rows from the top.
+/// BITMAPCOREHEADER has 16-bit sizes. Later headers have signed 32-bit sizes; a negative height means rows from the
+/// top.
 Extent bmp_extent(ByteReader in) {
   if (in.u32(14) == 12) return {in.u16(18), in.u16(20)};
   const auto height = static_cast<int32_t>(in.u32(22));
@@ -83,7 +84,7 @@ Extent bmp_extent(ByteReader in) {
   return {in.u32(18), static_cast<uint64_t>(rows < 0 ? -rows : rows)};
 }
 
-/// Size where the format keeps it at a fixed place; 0 x 0 for formats that do not.
+/// Size stored at a fixed offset in the format; 0 x 0 for formats without one.
 Extent declared_extent(shd_file_format format, const unsigned char* bytes, size_t size, bool* truncated) {
   ByteReader in{bytes, size, true};
   ByteReader little{bytes, size, false};
@@ -114,7 +115,7 @@ Extent declared_extent(shd_file_format format, const unsigned char* bytes, size_
   return extent;
 }
 
-/// Offset of the marker that ends a JPEG header (SOS), or size.
+/// Offset of the marker that ends a JPEG header (SOS), or the size of the file.
 size_t jpeg_scan_start(const ByteReader& in) {
   size_t at = 2;
   while (in.has(at, 4)) {

@@ -10,17 +10,17 @@
 
 namespace shd::io {
 
-/// Format by content; SHD_FILE_FORMAT_NONE when no signature fits.
+/// Format by content; SHD_FILE_FORMAT_NONE if no signature matches.
 shd_file_format sniff(const unsigned char* bytes, size_t size);
 
-/// Name for messages, such as "PNG".
+/// Name of a format for messages, such as "PNG".
 const char* format_name(shd_file_format format);
 
-/// Refuses a header that declares a size beyond the limits or a kind of image that is not supported. Formats whose
-/// decoder reports the size before it takes memory are checked after opening instead.
+/// Refuses a header that declares a size beyond the limits or an unsupported kind of image. Formats whose decoder
+/// reports the size before it allocates memory are checked after opening instead.
 void check_header(shd_file_format format, const unsigned char* bytes, size_t size, const Limits& limits);
 
-/// A complete JPEG stream ends with an EOI marker; the decoder silently fills what is missing with grey.
+/// Whether a JPEG stream ends with an EOI marker. The decoder silently fills missing parts with grey.
 bool jpeg_is_complete(const unsigned char* bytes, size_t size);
 
 }  // namespace shd::io

@@ -38,7 +38,7 @@ bool is_linear_name(const std::string& reported) {
          text == "linear rec.709" || text == "linear rec.709 (srgb)";
 }
 
-/// Digits and a point only: strtod would follow the host's locale.
+/// Parses digits and a point. strtod is not used, because it follows the host's locale.
 double parse_gamma(const std::string& text) {
   double value = 0, scale = 0;
   for (const char c : text) {
@@ -68,7 +68,7 @@ double normal_value(shd_format format, const unsigned char* at) {
   }
 }
 
-/// Decoded value of every code of an integer format; empty for the others.
+/// Decoded value of every code of an integer format; empty for other formats.
 std::vector<float> code_table(const Transfer& transfer, shd_format format) {
   const bool wide = format == SHD_FORMAT_RGBA16;
   if (!wide && format != SHD_FORMAT_RGBA8 && format != SHD_FORMAT_RGBA8_SRGB) return {};

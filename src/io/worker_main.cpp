@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shd-io-worker: decodes one file for SHD_LOAD_ISOLATE and exits. Limits of the operating system bound its memory and
-// time, so that a decoder that fails ends this process and no other.
+// time, so that a failing decoder ends only this process.
 #include <sys/resource.h>
 #include <sys/socket.h>
 #ifdef __linux__
@@ -26,7 +26,7 @@ using namespace shd::io;
 
 constexpr int kSocket = 0;
 
-/// Most bytes a request lets a bitmap have; without overflow for any request.
+/// Largest size of a bitmap that a request allows; cannot overflow for any request [bytes].
 uint64_t decoded_bytes(const WorkerRequest& request) {
   return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
 }
@@ -70,7 +70,7 @@ void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 void limit_memory(const WorkerRequest&) {}
 #else
-/// Address space in use now: the decoder's libraries. [bytes]
+/// Address space in use at this moment, by the libraries of the decoders [bytes].
 uint64_t address_space() {
   unsigned long long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -80,7 +80,7 @@ uint64_t address_space() {
   return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Decoders hold a picture up to twice beside the result; the rest is their own bookkeeping.
+/// Decoders hold up to two copies of a picture in addition to the result; the constant covers their other memory.
 void limit_memory(const WorkerRequest& request) {
   const uint64_t decoded = decoded_bytes(request);
   const uint64_t used = address_space();
@@ -147,6 +147,6 @@ int main() {
   reply.magic = kWorkerMagic;
   const Bitmap bitmap = answer(request, &reply);
   const bool sent = send_all(&reply, sizeof reply) && send_all(bitmap.pixels.data(), bitmap.pixels.size());
-  // Without destructors: the libraries behind the decoders take longer to end than to decode.
+  // Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
   std::_Exit(sent ? 0 : 3);
 }

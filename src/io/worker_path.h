@@ -5,8 +5,8 @@
 
 namespace shd::io {
 
-/// shd-io-worker beside this library (or program, when linked statically), else in its place in the installed
-/// tree around it, else where it was configured to be installed. The last one need not exist.
+/// Path of shd-io-worker: beside this library (or program, if linked statically), otherwise in its place in the
+/// installed tree around it, otherwise in the configured install path. The last path need not exist.
 std::string default_worker_path();
 
 }  // namespace shd::io

@@ -9,9 +9,9 @@
 
 namespace shd::io {
 
-// One request and one reply go over a stream socket, the worker's descriptor 0; both ends are of one build.
+// One request and one reply are sent over a stream socket, descriptor 0 of the worker. Both ends must be of one build.
 
-/// Followed by `size` bytes, the file.
+/// Followed by `size` bytes: the file.
 struct WorkerRequest {
   uint32_t magic;
   uint32_t formats;
@@ -23,7 +23,7 @@ struct WorkerRequest {
   uint64_t size;
 };
 
-/// Followed by `size` bytes, the pixels, when code is SHD_OK.
+/// Followed by `size` bytes of pixels if code is SHD_OK.
 struct WorkerReply {
   uint32_t magic;
   uint32_t code;
@@ -37,6 +37,6 @@ struct WorkerReply {
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686431;  // "shd1"; changes with these structs
+constexpr uint32_t kWorkerMagic = 0x73686431;  // "shd1"; must change with these structs
 
 }  // namespace shd::io

@@ -20,7 +20,7 @@ namespace shd::io {
 
 namespace {
 
-/// Name of a file not there yet; removed at the end unless it was renamed.
+/// A file that does not exist under its final name yet; removed by the destructor unless it was renamed.
 struct Temporary {
   std::string name;
   FileDescriptor file;
@@ -35,7 +35,7 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// Where a path leads through symbolic links; a path to nothing stays as it is.
+/// Resolves symbolic links; a path that does not exist is returned unchanged.
 std::string resolve(const char* path) {
   struct stat status;
   if (::lstat(path, &status) != 0 || !S_ISLNK(status.st_mode)) return path;
@@ -49,7 +49,8 @@ std::string resolve(const char* path) {
 void open_temporary(const std::string& path, Temporary* out) {
   const std::string folder = folder_of(path);
   int error = EEXIST;
-  // The process id and the address keep threads and processes apart; a leftover of the same name is stepped over.
+  // The process id and the address make the name unique among threads and processes; names of leftover files are
+  // skipped.
   for (int attempt = 0; attempt < 100 && error == EEXIST; ++attempt) {
     char name[64];
     std::snprintf(name, sizeof name, "/.shd-%ld-%zx-%d", static_cast<long>(::getpid()), reinterpret_cast<size_t>(out),
@@ -92,7 +93,7 @@ void write_file(const char* path_in, const void* bytes, size_t size) {
   if (::fsync(temporary.file.fd) != 0) refuse_errno("cannot flush", path.c_str(), errno);
   if (::rename(temporary.name.c_str(), path.c_str()) != 0) refuse_errno("cannot rename to", path.c_str(), errno);
   temporary.renamed = true;
-  // The name is durable once its folder is; some file systems refuse this, and the file is whole either way.
+  // The name is durable once its folder is flushed. Some file systems refuse this, and the file is complete either way.
   const FileDescriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.fd >= 0) (void)!::fsync(folder.fd);
 }

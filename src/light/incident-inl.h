@@ -22,7 +22,7 @@ struct Incident {
   V falloff;
 };
 
-/// t^2 (3 - 2 t) of a spot at the cosine of the angle off its axis.
+/// Cone falloff of a spot, t^2 (3 - 2 t), for the cosine of the angle to its axis.
 template <class D, class V>
 HWY_INLINE V Cone(D d, const Light& light, V cosine) {
   const V t = hn::Set(d, light.cone_scale) * (cosine - hn::Set(d, light.cone_start));
@@ -30,12 +30,13 @@ HWY_INLINE V Cone(D d, const Light& light, V cosine) {
   return clamped * clamped * (hn::Set(d, 3.0f) - (clamped + clamped));
 }
 
-/// Any light except ambient ones at p, without cookie and shadow: falloff is E / I. 0 where r = 0 or r^2 overflows.
+/// Incident light at p, for all kinds except ambient, without cookie and shadow. falloff is E / I, 0 where r = 0 or r^2
+/// overflows.
 template <class D, class V>
 HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMESPACE::Vec3V<V>& p) {
   const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const auto axis = simd::HWY_NAMESPACE::Set3(d, light.to_light);
-  if (light.kind == SHD_LIGHT_DIRECTIONAL) return {axis, one};
+  if (light.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {axis, one};
   const auto to_light = simd::HWY_NAMESPACE::Difference(simd::HWY_NAMESPACE::Set3(d, light.position), p);
   const V squared = simd::HWY_NAMESPACE::Dot(to_light, to_light);
   const auto usable = hn::And(hn::Gt(squared, zero), hn::Lt(squared, hn::Set(d, __builtin_inff())));
@@ -49,7 +50,7 @@ HWY_INLINE Incident<V> IncidentAt(D d, const Light& light, const simd::HWY_NAMES
     const V ratio = safe * hn::Set(d, light.inverse_range_squared);
     falloff = falloff * hn::Max(one - ratio * ratio, zero);
   }
-  if (light.kind == SHD_LIGHT_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
+  if (light.kind == SHD_LIGHT_KIND_SPOT) falloff = falloff * Cone(d, light, simd::HWY_NAMESPACE::Dot(axis, l));
   return {l, falloff};
 }
 

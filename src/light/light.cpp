@@ -13,12 +13,12 @@ namespace {
 using data::Vec3;
 
 void store(Vec3 from, float to[3]) {
-  to[0] = 0.0f + from.x;  // no -0
+  to[0] = 0.0f + from.x;  // the sum removes -0
   to[1] = 0.0f + from.y;
   to[2] = 0.0f + from.z;
 }
 
-/// Axes around the direction of a light. up is the desc's vector orthogonalised against the direction.
+/// Sets the axes of a light from its direction; up is the desc's vector orthogonalised against the direction.
 void set_axes(const shd_light_desc& desc, Light* light) {
   const Vec3 way = data::normalized(Vec3{desc.direction[0], desc.direction[1], desc.direction[2]});
   const Vec3 back = {0.0f - way.x, 0.0f - way.y, 0.0f - way.z};
@@ -36,7 +36,8 @@ void set_axes(const shd_light_desc& desc, Light* light) {
 
 void set_cone(const shd_light_desc& desc, Light* light) {
   light->cone_start = static_cast<float>(data::cos(desc.outer_angle));
-  // The cosines of the narrowest cones are 5e-7 apart, so the rounding of the start counts; 2^-24 is one step.
+  // The cosines of the narrowest cones differ by only 5e-7, so that the rounding of the start matters; 2^-24 is one
+  // step.
   const double width = data::cos(desc.inner_angle) - double{light->cone_start};
   light->cone_scale = static_cast<float>(1.0 / std::max(width, 0x1p-24));
   light->outer_tangent = static_cast<float>(data::tan(std::min(double{desc.outer_angle}, 1.57)));
@@ -53,8 +54,8 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, con
   Light light = {};
   light.kind = desc.kind;
   for (int c = 0; c < 3; ++c) light.intensity[c] = desc.intensity[c];
-  const bool is_local = desc.kind == SHD_LIGHT_POINT || desc.kind == SHD_LIGHT_SPOT;
-  const bool is_aimed = desc.kind == SHD_LIGHT_DIRECTIONAL || desc.kind == SHD_LIGHT_SPOT;
+  const bool is_local = desc.kind == SHD_LIGHT_KIND_POINT || desc.kind == SHD_LIGHT_KIND_SPOT;
+  const bool is_aimed = desc.kind == SHD_LIGHT_KIND_DIRECTIONAL || desc.kind == SHD_LIGHT_KIND_SPOT;
   if (is_local || (is_aimed && cookie)) {
     for (int c = 0; c < 3; ++c) light.position[c] = desc.position[c];
   }
@@ -63,12 +64,12 @@ Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, con
     light.inverse_range_squared = static_cast<float>(1.0 / (double{desc.range} * desc.range));
   }
   if (is_aimed) set_axes(desc, &light);
-  if (desc.kind == SHD_LIGHT_SPOT) set_cone(desc, &light);
+  if (desc.kind == SHD_LIGHT_KIND_SPOT) set_cone(desc, &light);
   if (!cookie) return light;
   light.cookie = cookie;
   light.cookie_sampler = cookie_sampler;
   for (int c = 0; c < 2; ++c) {
-    light.cookie_scale[c] = desc.kind == SHD_LIGHT_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
+    light.cookie_scale[c] = desc.kind == SHD_LIGHT_KIND_SPOT ? 1.0f / light.outer_tangent : 2.0f / desc.extent[c];
   }
   return light;
 }

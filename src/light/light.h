@@ -4,15 +4,15 @@
 ///
 /// Input:      checked descs; positions and normals of points.
 /// Output:     one Light per desc, which shade/ gathers into the table of a frame; direction and falloff of the light
-///             that arrives at points; shadow maps, and the visibility of points in them.
+///             at points; shadow maps, and the visibility of points in them.
 /// Units:      intensity scene-linear RGB; positions in world space.
 /// Invariants: a Light is immutable.
 ///
 /// A cookie is a texture that a light projects onto the scene and that multiplies its intensity.
 ///
-/// | file                    | what                                                                      |
+/// | file                    | contents                                                                  |
 /// |-------------------------|---------------------------------------------------------------------------|
-/// | light.h                 | Light: what kernels read of a light                                       |
+/// | light.h                 | Light: the data of a light that kernels read                              |
 /// | incident-inl.h          | direction, distance, cone and range of a light at points                  |
 /// | projector.h             | kernel: coordinates of points in a cookie                                 |
 /// | shadow.h                | Shadow: maps of depths, and the visibility of points                      |
@@ -23,7 +23,7 @@
 /// | shadow_pcss.cpp         | kernel: mean of comparisons over the width of the penumbra                |
 /// | shadow_variance.cpp     | kernel: bound from blurred moments of depths                              |
 /// | shadow_summed_area.cpp  | kernel: bound from summed moments of depths                               |
-/// | shadow_tables.cpp       | the blurred and the summed moments of a map                               |
+/// | shadow_tables.cpp       | blurred and summed moments of a map                                       |
 /// | shadow_sums.h           | quantisation of depths that makes their sums exact                        |
 #pragma once
 
@@ -34,12 +34,13 @@
 
 namespace shd::light {
 
-/// What kernels read of a light. Fields that its kind does not use are 0.
+/// The data of a light that kernels read. Fields that its kind does not use are 0.
 struct Light {
   shd_light_kind kind;
   float intensity[3];
   float position[3];               // world space
-  float to_light[3];               // directional lights and spots: unit, against the direction of the light
+  float to_light[3];               // scale from lengths along right and up to -1..1 across the cookie; for spots after
+                                   // division by the distance
   float right[3], up[3];           // directional lights and spots: unit, perpendicular; right = up x to_light
   float range;                     // 0 = none
   float inverse_range_squared;     // 0 without a range
@@ -63,10 +64,10 @@ struct LightBody {
   ~LightBody();  // releases the two objects
 };
 
-/// Makes a light of a checked desc and the objects behind its handles; both may be null.
+/// Builds a light from a checked desc and the objects behind its handles; both objects may be null.
 Light make_light(const shd_light_desc& desc, const texture::Texture* cookie, const texture::Sampler* cookie_sampler);
 
-/// Sampler of cookies without one: bilinear, black outside.
+/// Sampler of cookies without a sampler: bilinear, black outside.
 texture::Sampler default_sampler();
 
 }  // namespace shd::light

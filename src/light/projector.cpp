@@ -27,7 +27,7 @@ void Project(const Light& light, size_t count, const float* const* p, float* u, 
     const auto q = Difference(Load3(d, p[0], p[1], p[2], i), Set3(d, light.position));
     Vf x = Dot(q, Set3(d, light.right)) * scale_x, y = Dot(q, Set3(d, light.up)) * scale_y;
     auto usable = hn::Eq(zero, zero);
-    if (light.kind == SHD_LIGHT_SPOT) {
+    if (light.kind == SHD_LIGHT_KIND_SPOT) {
       const Vf distance = hn::Neg(Dot(q, Set3(d, light.to_light)));
       usable = hn::Gt(distance, zero);
       const Vf safe = hn::IfThenElse(usable, distance, one);

@@ -19,19 +19,19 @@ ShadowAxes cube_axes(uint32_t face) {
 uint32_t filter_radius(const ShadowOptions& options) {
   const uint32_t taps = options.taps;
   switch (options.filter) {
-    case SHD_SHADOW_PCF:
-    case SHD_SHADOW_VARIANCE: return std::min(taps / 2 + 1, options.size / kMaxPcfRadiusPart);
-    case SHD_SHADOW_SUMMED_AREA_VARIANCE:
-    case SHD_SHADOW_PCSS: return options.size / kMaxRadiusPart;
+    case SHD_SHADOW_FILTER_PCF:
+    case SHD_SHADOW_FILTER_VARIANCE: return std::min(taps / 2 + 1, options.size / kMaxPcfRadiusPart);
+    case SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE:
+    case SHD_SHADOW_FILTER_PCSS: return options.size / kMaxRadiusPart;
     default: return 1;
   }
 }
 
 uint32_t padding_of(const ShadowOptions& options) {
   switch (options.filter) {
-    case SHD_SHADOW_PCF: return options.taps / 2 + 1;
-    case SHD_SHADOW_VARIANCE: return 1;
-    case SHD_SHADOW_PCSS: return 2;
+    case SHD_SHADOW_FILTER_PCF: return options.taps / 2 + 1;
+    case SHD_SHADOW_FILTER_VARIANCE: return 1;
+    case SHD_SHADOW_FILTER_PCSS: return 2;
     default: return 0;
   }
 }
@@ -51,10 +51,10 @@ void allocate(const core::Allocator& allocator, const ShadowOptions& options, co
 
 void sample_shadow(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   switch (shadow.options.filter) {
-    case SHD_SHADOW_PCF: return sample_pcf(simd, shadow, in, visibility);
-    case SHD_SHADOW_VARIANCE: return sample_variance(simd, shadow, in, visibility);
-    case SHD_SHADOW_SUMMED_AREA_VARIANCE: return sample_summed_area_variance(simd, shadow, in, visibility);
-    case SHD_SHADOW_PCSS: return sample_pcss(simd, shadow, in, visibility);
+    case SHD_SHADOW_FILTER_PCF: return sample_pcf(simd, shadow, in, visibility);
+    case SHD_SHADOW_FILTER_VARIANCE: return sample_variance(simd, shadow, in, visibility);
+    case SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE: return sample_summed_area_variance(simd, shadow, in, visibility);
+    case SHD_SHADOW_FILTER_PCSS: return sample_pcss(simd, shadow, in, visibility);
     default: return sample_hard(simd, shadow, in, visibility);
   }
 }

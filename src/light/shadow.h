@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Shadow maps (Williams, "Casting Curved Shadows on Curved Surfaces", 1978): depths of a scene as a light sees it, and
-/// the filters that derive from them the part of the light that arrives at a point.
+/// Shadow maps (Williams, "Casting Curved Shadows on Curved Surfaces", 1978): depths of a scene from a light, and the
+/// filters that derive from them the fraction of the light that reaches a point.
 ///
-/// A map has one face, or the six faces of a cube around a point. A face looks from `origin` along its forward axis. A
-/// point at q = p - origin has the depth z = forward.q and the texel coordinates
+/// A map has one face, or the six faces of a cube around a point. A face is projected from `origin` along its forward
+/// axis. A point at q = p - origin has the depth z = forward.q and the texel coordinates
 ///   x = size / 2 + scale right.q / w,  y = size / 2 + scale down.q / w,  w = 1 (orthographic) or z,
-/// with texel centres at (i + 1/2). A texel holds the depth of the surface at its centre, as a world length; empty
-/// texels hold +infinity.
+/// with texel centres at (i + 1/2). A texel stores the depth of the surface at its centre, as a world length; empty
+/// texels store +infinity.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ struct ShadowOptions {
   float bleed, min_variance;
 };
 
-/// Unit vectors of a face, right x down = forward. Faces 2 k and 2 k + 1 of a cube look along the positive and the
-/// negative axis k. With a and b the next axes in cyclic order, right and down are (a, b) and (b, a).
+/// Unit vectors of a face, with right x down = forward. The forward axes of faces 2 k and 2 k + 1 of a cube are the
+/// positive and the negative axis k. With a and b the next axes in cyclic order, right and down are (a, b) and (b, a).
 struct ShadowAxes {
   float right[3], down[3], forward[3];
 };
@@ -46,7 +46,7 @@ struct ShadowPlacement {
   shd_light_kind kind;
   ShadowProjection projection;
   uint32_t face_count;
-  ShadowAxes axes;     // of the only face
+  ShadowAxes axes;     // a single face; unused for a cube
   float origin[3];     // world space
   float scale;         // texels per world length, or per unit of the tangent
   float near, far;     // range of depths, near < far; near > 0 unless orthographic
@@ -57,8 +57,8 @@ struct ShadowPlacement {
 /// Axes of face `face` of a cube.
 ShadowAxes cube_axes(uint32_t face);
 
-/// A rendered map. Texels are stored in rows of `pitch`; the first texel of a face is `pad` rows and columns after the
-/// start of the face. The padding is empty.
+/// A rendered map. Texels are stored in rows of `pitch` elements. The first texel of a face lies `pad` rows and columns
+/// after the start of the face. The padding is empty.
 struct ShadowMap {
   ShadowPlacement placement;
   uint32_t size, pad;
@@ -76,18 +76,19 @@ struct Shadow {
 
 /// Filters read texels at most size / kMaxRadiusPart from a point; PCF and VARIANCE at most size / kMaxPcfRadiusPart.
 constexpr uint32_t kMaxRadiusPart = 8, kMaxPcfRadiusPart = 4;
-/// Slopes of surfaces against a face are clamped to this.
+/// Bound to which slopes of surfaces against a face are clamped.
 constexpr float kMaxSlope = 64.0f;
 
 /// Slack for the difference of geometric and shading normals, added to |slope| across and along the map.
 constexpr float kSteepnessSlack = 0.25f;
 
-/// Sum of |slope| across and along the map for surfaces without a normal: 1 each, over the width of a fixed filter.
+/// Sum of |slope| across and along the map that is assumed for surfaces without a normal: 1 each, over the width of a
+/// fixed filter.
 inline float unknown_steepness(const ShadowOptions& options) {
-  return options.filter == SHD_SHADOW_PCF ? static_cast<float>(options.taps + 1) : 2.0f;
+  return options.filter == SHD_SHADOW_FILTER_PCF ? static_cast<float>(options.taps + 1) : 2.0f;
 }
 
-/// Largest distance [texels] over the edge of a face at which filters read.
+/// Largest distance [texels] beyond the edge of a face at which filters read.
 uint32_t filter_radius(const ShadowOptions& options);
 /// Number of empty texels around each face.
 uint32_t padding_of(const ShadowOptions& options);
@@ -96,8 +97,9 @@ uint32_t padding_of(const ShadowOptions& options);
 void allocate(const core::Allocator& allocator, const ShadowOptions& options, const ShadowPlacement& placement,
               ShadowMap* out);
 
-/// Replaces the depths of a rendered map by the moments or sums that its filter reads. Throws std::bad_alloc.
-/// @param allocator  of the moments and sums
+/// Replaces the depths of a rendered map by the moments or sums that its filter reads. Throws Failure and
+/// std::bad_alloc.
+/// @param allocator  allocates the moments and sums
 void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
                   ShadowMap* map);
 
@@ -108,11 +110,11 @@ struct ShadowLookups {
   const float* normal[3];    // unit, world space; all null = unknown
 };
 
-/// Part of the light that arrives at each point, 0..1, by the filter of a rendered shadow. 1 where a position is not
-/// finite or outside the map. Points do not depend on each other.
+/// Fraction of the light that reaches each point, 0..1, with the filter of a rendered shadow; 1 if a position is not
+/// finite or lies outside the map. The result of a point does not depend on the other points.
 void sample_shadow(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility);
 
-/// The filters, each for shadows of its kind.
+/// The filters. The shadow must use the filter.
 void sample_hard(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility);
 void sample_pcf(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility);
 void sample_variance(const core::SimdTarget& simd, const Shadow& shadow, const ShadowLookups& in, float* visibility);

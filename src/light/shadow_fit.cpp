@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMaxCoordinate = 1e18;
 constexpr double kMinExtent = 1e-26;
-constexpr double kMinNearPart = 1.0 / 256;  // of far, for fitted planes
+constexpr double kMinNearPart = 1.0 / 256;  // minimum of near / far for fitted planes
 constexpr double kRounding = 0x1p-20;       // relative error from positions to depths
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -36,8 +36,8 @@ void ShadowFit::Interval::add(double value) {
 
 ShadowFit::ShadowFit(const Light& light)
     : light_(light),
-      is_cube_(light.kind == SHD_LIGHT_POINT ||
-               (light.kind == SHD_LIGHT_SPOT && !(static_cast<double>(light.outer_tangent) <= kMaxSpotTangent))),
+      is_cube_(light.kind == SHD_LIGHT_KIND_POINT ||
+               (light.kind == SHD_LIGHT_KIND_SPOT && !(static_cast<double>(light.outer_tangent) <= kMaxSpotTangent))),
       across_{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}},
       depth_{kInfinity, -kInfinity} {
   for (int k = 0; k < 3; ++k) {
@@ -59,7 +59,8 @@ void ShadowFit::add(const double (&corners)[8][3]) {
     double q[3];
     for (int k = 0; k < 3; ++k) {
       largest_ = std::fmax(largest_, std::fabs(corner[k]));
-      q[k] = light_.kind == SHD_LIGHT_DIRECTIONAL ? corner[k] : corner[k] - static_cast<double>(light_.position[k]);
+      q[k] =
+          light_.kind == SHD_LIGHT_KIND_DIRECTIONAL ? corner[k] : corner[k] - static_cast<double>(light_.position[k]);
       low[k] = std::fmin(low[k], q[k]);
       high[k] = std::fmax(high[k], q[k]);
     }
@@ -108,7 +109,7 @@ ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   placement.kind = light_.kind;
   placement.axes = axes_;
   placement.face_count = is_cube_ ? 6 : 1;
-  if (light_.kind == SHD_LIGHT_DIRECTIONAL) {
+  if (light_.kind == SHD_LIGHT_KIND_DIRECTIONAL) {
     place_directional(options, &placement);
   } else {
     place_around(options, &placement);
@@ -116,7 +117,7 @@ ShadowPlacement ShadowFit::place(const ShadowOptions& options) const {
   return placement;
 }
 
-/// A square of texels with quantised size and position, so that the grid stands still while the bounds move.
+/// Places a square of texels whose size and position are quantised, so that the grid stays fixed while the bounds move.
 void ShadowFit::place_directional(const ShadowOptions& options, ShadowPlacement* out) const {
   const double inner =
       0.5 * options.size - filter_radius(options) - 1.0;  // largest distance of the bounds from the middle [texels]

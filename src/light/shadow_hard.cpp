@@ -12,7 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lit if the surface's plane at the centre of the nearest texel is not behind the depth of the texel (Williams 1978).
+/// A point is lit if the plane of its surface, at the centre of the nearest texel, is not behind the depth of the texel
+/// (Williams 1978).
 void SampleHard(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {

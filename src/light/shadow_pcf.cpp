@@ -12,9 +12,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows with
-/// Depth Maps", 1987): (n + 1) x (n + 1) texels are compared, each with the surface's plane at its centre. Texels of
-/// the outermost rows and columns are weighted by the part that a square of n x n texels around the point covers.
+/// The mean of n x n bilinear comparisons one texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows
+/// with Depth Maps", 1987). Each of (n + 1) x (n + 1) texels is compared with the plane of the surface at its centre.
+/// Texels of the outermost rows and columns are weighted by their overlap with a square of n x n texels around the
+/// point.
 void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const uint32_t taps = shadow.options.taps;
@@ -49,7 +50,7 @@ void SamplePcf(const Shadow& shadow, const ShadowLookups& in, float* visibility)
       if (taps % 2 == 0) compare(GatherDepths(d, map, index), last_x);
       const V weight = i == 0 ? first_y : i == taps ? last_y : one;
       lit = lit + weight * lit_row;
-      all = all + weight * all_row;  // same rounding as `lit` where all texels are lit
+      all = all + weight * all_row;  // rounds as `lit` does if all texels are lit
       start = start + pitch;
       start_z = start_z + at.dy;
     }

@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// n x n taps around a point, one in each cell of a square: the canonical arrangement of multi-jittered samples (Chiu,
-/// Shirley and Wang, "Multi-Jittered Sampling", 1994). An edge parallel to the map's axes crosses them one by one
-/// instead of n together.
+/// n x n taps around a point, one in each cell of a square, in the canonical arrangement of multi-jittered samples
+/// (Chiu, Shirley and Wang, "Multi-Jittered Sampling", 1994). An edge parallel to the axes of the map crosses the taps
+/// one by one instead of n together.
 template <class D, class V>
 struct TapGrid {
   V step, first;
@@ -24,14 +24,14 @@ struct TapGrid {
     step = half * hn::Set(d, 2.0f * inverse);
     first = half * hn::Set(d, inverse * inverse - 1.0f);
   }
-  /// Offset along the axis of index `cell`.
+  /// Offset along the axis that `cell` counts along.
   HWY_INLINE V offset(D d, uint32_t cell, uint32_t other) const {
     const float position = static_cast<float>(cell) + static_cast<float>(other) * inverse;
     return first + step * hn::Set(d, position);
   }
 };
 
-/// Comparisons of the surface's plane with texels. Texels outside the map are empty.
+/// Compares the plane of the surface with texels. Texels outside the map are empty.
 template <class D>
 struct Comparison {
   const ShadowMap& map;
@@ -66,8 +66,8 @@ struct Comparison {
   }
 };
 
-/// Percentage-closer soft shadows (Fernando, 2005): the mean depth of the blockers in the part of the map that rays to
-/// the light cross, the width of the penumbra that follows from it, and comparisons over that width.
+/// Percentage-closer soft shadows (Fernando, 2005): finds the mean depth of the blockers in the part of the map that
+/// rays to the light cross, derives the width of the penumbra from it, and averages comparisons over this width.
 void SamplePcss(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
   const ShadowPlacement& placement = map.placement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on a shadow map, and the loop of all filters over a batch of points.
+// Points projected onto a shadow map, and the loop of all filters over a batch of points.
 
 #if defined(SHD_LIGHT_SHADOW_RECEIVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_LIGHT_SHADOW_RECEIVER_INL_H_
@@ -31,16 +31,16 @@ constexpr size_t kMaxReceiverLanes = 16;
 template <class D>
 using ShadowInts = hn::Vec<hn::RebindToSigned<D>>;
 
-/// Points on a map. The plane of the surface has the depth z + dx i + dy j at i texels to the right of the point and j
-/// texels below.
+/// Points projected onto a map. The plane of the surface has the depth z + dx i + dy j at i texels to the right of the
+/// point and j texels below it.
 template <class D>
 struct Receiver {
   hn::Vec<D> x, y;     // texel coordinates, 0..size; 0 where not inside
   hn::Vec<D> z;        // depth, biased; finite where inside
   hn::Vec<D> texel;    // world length of a texel's side at z, > 0
   hn::Vec<D> dx, dy;   // slope of the surface per texel; 0 without normals
-  hn::Mask<D> inside;  // other lanes are lit
-  ShadowInts<D> face;  // its number
+  hn::Mask<D> inside;  // all other lanes are lit
+  ShadowInts<D> face;  // number of the face
 };
 
 /// A vector in the axes of a face.
@@ -54,10 +54,10 @@ HWY_INLINE FaceVector<V> ToFace(D d, const ShadowAxes& axes, const Vec3V<V>& a) 
   return {Dot(a, Set3(d, axes.right)), Dot(a, Set3(d, axes.down)), Dot(a, Set3(d, axes.forward))};
 }
 
-/// The face of a cube that a vector points at; the later axis where two components are equally long.
+/// The face of a cube that a vector points at; if two components are equally long, the later axis.
 template <class D>
 struct CubeFace {
-  hn::Mask<D> is_x, is_z, negative;  // y where neither
+  hn::Mask<D> is_x, is_z, negative;  // axis y if neither is_x nor is_z
 
   template <class V>
   HWY_INLINE CubeFace(D d, const Vec3V<V>& q) {
@@ -86,7 +86,7 @@ HWY_INLINE V Clamp(D d, V value, float low, float high) {
   return hn::Min(hn::Max(value, hn::Set(d, low)), hn::Set(d, high));
 }
 
-/// The receiver at q, relative to the map's origin, on a surface of normal n, both in the axes of the face.
+/// The receiver at q, relative to the origin of the map, on a surface with normal n, both in the axes of the face.
 /// @param has_normal  lanes with a normal
 template <class D, class V, class M>
 HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVector<V>& q, const FaceVector<V>& n,
@@ -156,7 +156,7 @@ HWY_INLINE Receiver<D> MakeReceiver(D d, const Shadow& shadow, const Vec3V<V>& p
   return at;
 }
 
-/// filter(d, receiver) for every point, in vectors of D.
+/// Calls filter(d, receiver) for every point, in vectors of D.
 template <class D, class Filter>
 HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, float* visibility,
                                 const Filter& filter) {
@@ -204,7 +204,7 @@ HWY_INLINE ShadowInts<D> TexelIndex(D, const ShadowMap& map, ShadowInts<D> face,
   return first + (start + hn::ConvertTo(di, column));
 }
 
-/// Depth of the surface's plane at the centre of a texel.
+/// Depth of the plane of the surface at the centre of a texel.
 template <class D, class V>
 HWY_INLINE V PlaneDepth(D d, const Receiver<D>& at, V column, V row) {
   const V half = hn::Set(d, 0.5f);
@@ -212,13 +212,12 @@ HWY_INLINE V PlaneDepth(D d, const Receiver<D>& at, V column, V row) {
   return at.z + (across + at.dy * (row + half - at.y));
 }
 
-/// Depths of texels.
 template <class D>
 HWY_INLINE hn::Vec<D> GatherDepths(D d, const ShadowMap& map, ShadowInts<D> index) {
   return hn::GatherIndex(d, map.depth.data(), index);
 }
 
-/// Chebyshev's inequality (Donnelly and Lauritzen, "Variance Shadow Maps", 2006): an upper bound of the part of the
+/// Chebyshev's inequality (Donnelly and Lauritzen, "Variance Shadow Maps", 2006): an upper bound of the fraction of
 /// depths that are at least z, with light bleeding reduced (Lauritzen 2007, 8.4.2).
 template <class D, class V>
 HWY_INLINE V Chebyshev(D d, const ShadowOptions& options, V z, V mean, V variance) {

@@ -13,11 +13,11 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A box along one axis: the table entries at its ends, and the parts of texels between the entries and the ends.
+/// A box along one axis: the table entries at its ends, and the fractions of texels between the entries and the ends.
 template <class D, class V>
 struct BoxSide {
-  ShadowInts<D> entry[2];  // of the texels that contain the ends
-  V part[2];               // of these texels before the ends
+  ShadowInts<D> entry[2];  // entry of the texel that contains each end
+  V part[2];               // fraction of this texel before the end
   V length;
 
   HWY_INLINE BoxSide(D d, V centre, V half, float size) {
@@ -43,13 +43,13 @@ struct BoxTable {
     const hn::Rebind<int64_t, D> wide;
     return hn::GatherIndex(Real(), sums, hn::PromoteTo(wide, index));
   }
-  /// Sum from a start to an end, each a part of a texel after an entry.
+  /// Sum between two positions, each given as a fraction of a texel after an entry.
   static HWY_INLINE R between(R start, R after_start, R end, R after_end, R start_part, R end_part) {
     const R whole = end - start;
     const R last = end_part * (after_end - end), first = start_part * (after_start - start);
     return whole + (last - first);
   }
-  /// Sums of a row of the table that starts at `row`, between the ends of a box.
+  /// Sums of the table row that starts at `row`, between the ends of a box.
   HWY_INLINE R row(ShadowInts<D> row, const ShadowInts<D> (&column)[2], const R (&part)[2]) const {
     const hn::RebindToSigned<D> di;
     const auto next = hn::Set(di, 2);

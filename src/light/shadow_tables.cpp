@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moments of depths. Texels are either independent or exact sums, so the bits do not depend on the workers.
+// Moments of depths. Texels are either independent or exact sums, so that the bits do not depend on the workers.
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +10,13 @@
 namespace shd::light {
 namespace {
 
-/// Sums over a column of texels of depths from the middle of the range, and of their squares; empty texels are far.
+/// Sums over a column of texels of the depth relative to the middle of the range, and of its square; empty texels have
+/// the far depth.
 struct DepthSums {
   double first, second;
 };
 
-/// Blurs rows of a face by the mean over taps x taps texels.
+/// Blurs rows of a face: each result is the mean over taps x taps texels.
 class Blur {
  public:
   Blur(const ShadowOptions& options, const ShadowMap& map)
@@ -83,7 +84,7 @@ void build_moments(const core::Context& context, const core::Allocator& allocato
   map->depth = {};
 }
 
-/// Sums along a row of the table, then down its columns.
+/// Sums along the rows of the table, then down its columns.
 void build_sums(const core::Context& context, const core::Allocator& allocator, ShadowMap* map) {
   const size_t size = map->size, row = 2 * (size + 1), face_sums = row * (size + 1);
   core::Array<double> sums(allocator, core::checked_mul(face_sums, map->placement.face_count));
@@ -117,8 +118,8 @@ void build_sums(const core::Context& context, const core::Allocator& allocator, 
 
 void build_tables(const core::Context& context, const core::Allocator& allocator, const ShadowOptions& options,
                   ShadowMap* map) {
-  if (options.filter == SHD_SHADOW_VARIANCE) build_moments(context, allocator, options, map);
-  if (options.filter == SHD_SHADOW_SUMMED_AREA_VARIANCE) build_sums(context, allocator, map);
+  if (options.filter == SHD_SHADOW_FILTER_VARIANCE) build_moments(context, allocator, options, map);
+  if (options.filter == SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE) build_sums(context, allocator, map);
 }
 
 }  // namespace shd::light

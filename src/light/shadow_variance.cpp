@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Four neighbouring texels of a map.
+/// Four adjacent texels of a map.
 template <class V>
 struct Corners {
   V value[4];
@@ -25,11 +25,11 @@ struct Corners {
   }
 };
 
-/// Chebyshev's bound of the bilinear mixture of four texels' distributions. Each is a mean and a variance, not two
-/// moments: the variance of the mixture, sum w (v + (m - mean)^2), then loses nothing to cancellation.
+/// Chebyshev's bound of the bilinear mixture of the distributions of four texels. Texels store a mean and a variance,
+/// not two moments, so that the variance of the mixture, sum w (v + (m - mean)^2), loses no digits to cancellation.
 void SampleVariance(const Shadow& shadow, const ShadowLookups& in, float* visibility) {
   const ShadowMap& map = shadow.map;
-  const float centre = shadow.options.taps % 2 ? 0.5f : 1.0f;  // of a blurred texel
+  const float centre = shadow.options.taps % 2 ? 0.5f : 1.0f;  // centre of a blurred texel
   ForEachReceiver<ReceiverTag>(shadow, in, visibility, [&](auto d, const auto& at) {
     using D = decltype(d);
     using V = hn::Vec<D>;

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, n.h)^p with h the unit half vector of wo and l; 0 where wo + l = 0. Unit vectors or 0.
+/// max(0, n.h)^p with h the unit half vector of wo and l; 0 where wo + l = 0. The vectors must be unit vectors or 0.
 template <class D, class V>
 HWY_INLINE V BlinnPhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);

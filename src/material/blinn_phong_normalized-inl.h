@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// N = (p + 2)(p + 4) / (8 pi (2^(-p/2) + p)): the inverse of the integral of (n.h)^p n.l over the directions l for
+/// N = (p + 2)(p + 4) / (8 pi (2^(-p/2) + p)), the inverse of the integral of (n.h)^p n.l over the directions l for
 /// wo = n.
 template <class D, class V>
 HWY_INLINE V BlinnPhongNorm(D d, V p) {

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lobe 0, which Show() writes.
+/// The colour is lobe 0, which Show() writes.
 struct DebugView : ModelBase {
   static constexpr uint32_t kSlots = kColorSlots | 1u << SHD_SLOT_HEIGHT;
   static constexpr bool kHasNormal = false;

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// An exponent in 0..1e6; 0 for NaN.
+/// Clamps an exponent to 0..1e6; NaN gives 0.
 template <class D, class V>
 HWY_INLINE V ClampExponent(D d, V p) {
   const V max = hn::Set(d, 1e6f);
@@ -22,8 +22,8 @@ HWY_INLINE V ClampExponent(D d, V p) {
                         hn::IfThenElseZero(hn::Ge(p, max), max));
 }
 
-/// p' with 1 / p' = 1 / p + variance, and the gain (1 + p') / (1 + p) that preserves the light of a lobe without a
-/// normalisation of its own (Toksvig, "Mipmapping Normal Maps", 2005).
+/// p' with 1 / p' = 1 / p + variance, and the gain (1 + p') / (1 + p), which preserves the reflected light of a lobe
+/// that is not normalised (Toksvig, "Mipmapping Normal Maps", 2005).
 struct ExponentShape {
   enum Column : uint32_t { kExponent, kGain, kColumns };
   static constexpr uint32_t kSlots = 1u << SHD_SLOT_EXPONENT;

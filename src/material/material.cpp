@@ -6,20 +6,22 @@
 namespace shd::material {
 namespace {
 
-Slot build_slot(const shd_slot& desc, const SlotParts& parts, const texture::Sampler& default_sampler) noexcept {
+Slot build_slot(const SlotInput& in, const texture::Sampler& default_sampler) noexcept {
   constexpr float kIdentity[6] = {1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f};
+  const shd_slot& desc = in.desc;
   Slot slot = {};
+  slot.index = in.index;
   slot.source = desc.source;
-  if (desc.source == SHD_SOURCE_TEXTURE) {
+  if (desc.source == SHD_SLOT_SOURCE_TEXTURE) {
     slot.uv_set = desc.uv_set;
     slot.channel = desc.channel;
-    slot.texture = parts.texture;
-    slot.sampler = parts.sampler ? parts.sampler : &default_sampler;
+    slot.texture = in.texture;
+    slot.sampler = in.sampler ? in.sampler : &default_sampler;
     std::copy_n(desc.uv_transform, 6, slot.uv_transform);
     slot.is_transformed = !std::equal(kIdentity, kIdentity + 6, slot.uv_transform);
-  } else if (desc.source == SHD_SOURCE_VERTEX) {
+  } else if (desc.source == SHD_SLOT_SOURCE_VERTEX) {
     slot.attribute = desc.attribute;
-  } else if (desc.source == SHD_SOURCE_PROCEDURE) {
+  } else if (desc.source == SHD_SLOT_SOURCE_PROCEDURE) {
     slot.procedure = desc.procedure;
     slot.user_data = desc.user_data;
   }
@@ -39,7 +41,7 @@ void build_surface(const shd_material_desc& desc, const texture::Texture* normal
   out->normal_offset = is_unorm ? -1.0f : 0.0f;
   out->normal_encoding = desc.normal_encoding;
   out->normal_scale[0] = desc.normal_scale;
-  out->normal_scale[1] = desc.flags & SHD_NORMAL_Y_DOWN ? -desc.normal_scale : desc.normal_scale;
+  out->normal_scale[1] = desc.flags & SHD_MATERIAL_NORMAL_Y_DOWN ? -desc.normal_scale : desc.normal_scale;
   out->bump = desc.bump;
   out->bump_scale = desc.bump_scale;
   out->parallax_depth = desc.parallax_depth;
@@ -49,15 +51,15 @@ void build_surface(const shd_material_desc& desc, const texture::Texture* normal
 }  // namespace
 
 Material::~Material() {
-  for (int i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < kSlotCount; ++i) {
     core::release(texture_object[i], static_cast<uint32_t>(core::ObjectType::kTexture));
     core::release(sampler_object[i], static_cast<uint32_t>(core::ObjectType::kSampler));
   }
 }
 
-void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT], Material* out) noexcept {
-  out->model = desc.model;
-  out->flags = desc.flags;
+void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept {
+  out->model = model_key(desc.model, desc.debug_view);
+  out->flags = out->model == ModelKey::kProgram ? desc.flags : desc.flags & ~uint32_t{SHD_MATERIAL_DISCARDS};
   std::copy_n(desc.ambient, 3, out->ambient);
   std::copy_n(desc.diffuse, 3, out->diffuse);
   std::copy_n(desc.specular, 3, out->specular);
@@ -72,18 +74,19 @@ void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT],
   out->warm_mix = desc.warm_mix;
   out->cool_mix = desc.cool_mix;
   out->toon_steps = static_cast<float>(desc.toon_steps);
-  build_surface(desc, parts[SHD_SLOT_NORMAL].texture, out);
+  build_surface(desc, slots[SHD_SLOT_NORMAL].texture, out);
   out->program = desc.program;
-  out->varying_count = desc.varying_count;
-  std::copy_n(desc.interpolation, SHD_MAX_VARYINGS, out->interpolation);
+  out->varying_count = static_cast<uint32_t>(desc.varying_count);
+  std::fill_n(out->interpolation, SHD_MAX_VARYINGS, SHD_INTERPOLATION_PERSPECTIVE);
+  if (desc.interpolation) std::copy_n(desc.interpolation, desc.varying_count, out->interpolation);
   out->blend = desc.blend;
   out->opacity = desc.opacity;
   out->alpha_cutoff = desc.alpha_cutoff;
   out->default_sampler = texture::make_sampler(shd_sampler_desc_default());
   out->slots = 0;
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
-    out->slot[i] = build_slot(desc.slot[i], parts[i], out->default_sampler);
-    if (is_set(out->slot[i])) out->slots |= 1u << i & info_of(desc.model).slots;
+  for (uint32_t i = 0; i < kSlotCount; ++i) {
+    out->slot[i] = build_slot(slots[i], out->default_sampler);
+    if (is_set(out->slot[i])) out->slots |= 1u << i & info_of(out->model).slots;
   }
 }
 

@@ -5,16 +5,16 @@
 /// Input:      a checked desc; fragments for models without lights.
 /// Output:     coefficients in the form that the kernels of shade/ read; the reflectance models.
 /// Units:      scene-linear RGB.
-/// Invariants: a Material is immutable; it holds references to its textures and samplers. A model is one struct in one
-///             file, and one row of the table in models-inl.h; nothing else depends on the set of models.
+/// Invariants: a Material is immutable; it retains its textures and samplers. A model is one struct in one file, and
+///             one row of the table in models-inl.h; nothing else depends on the set of models.
 ///
-/// | file                         | what                                                                  |
+/// | file                         | contents                                                              |
 /// |------------------------------|-----------------------------------------------------------------------|
 /// | slot.h                       | sources of coefficients, and their values at points                   |
 /// | slot_lookup.h                | texture lookups of a slot at points                                   |
-/// | model.h                      | what the other stages need to know about a model                      |
+/// | model.h                      | properties of a model that other stages use                           |
 /// | models-inl.h                 | the table of the models                                               |
-/// | model-inl.h                  | members of a model, and what its functions are given                  |
+/// | model-inl.h                  | members of a model, and the arguments of its functions                |
 /// | specular-inl.h               | base of the textbook models with a specular lobe                      |
 /// | debug_view-inl.h             | base of the models that show an attribute of fragments                |
 /// | exponent-inl.h               | shape of a lobe: exponent, and its gain                               |
@@ -43,7 +43,7 @@
 namespace shd::material {
 
 struct Material {
-  shd_model model;
+  ModelKey model;
   uint32_t flags;     // shd_material_flag
   float ambient[3];   // k_a
   float diffuse[3];   // k_d, or base colour
@@ -53,26 +53,26 @@ struct Material {
   float metallic, roughness;
   float dielectric_f0;  // reflectance of ior at normal incidence
   float occlusion_strength;
-  float warm[3], cool[3];    // of Gooch
-  float warm_mix, cool_mix;  // shares of k_d that are added to them
+  float warm[3], cool[3];    // Gooch model
+  float warm_mix, cool_mix;  // fractions of k_d added to warm and cool
   float toon_steps;
   shd_normal_encoding normal_encoding;
-  float normal_scale[2];               // of x and y
+  float normal_scale[2];               // factors of x and y
   float normal_factor, normal_offset;  // component = factor * value of the slot + offset
   shd_bump bump;
   float bump_scale;
   float parallax_depth;
   uint32_t parallax_steps;
-  Slot slot[SHD_SLOT_COUNT];
-  uint32_t slots;  // bits of the slots that are set and that the model reads
+  Slot slot[kSlotCount];
+  uint32_t slots;  // bits of the set slots that the model reads
   shd_material_program program;
   uint32_t varying_count;  // 0 without program.vertex
   shd_interpolation interpolation[SHD_MAX_VARYINGS];
-  shd_blend_mode blend;
+  shd_blend blend;
   float opacity, alpha_cutoff;
-  texture::Sampler default_sampler;                   // of slots without a sampler
-  core::Object* texture_object[SHD_SLOT_COUNT] = {};  // retained, or null
-  core::Object* sampler_object[SHD_SLOT_COUNT] = {};  // retained, or null
+  texture::Sampler default_sampler;               // used by slots without a sampler
+  core::Object* texture_object[kSlotCount] = {};  // retained, or null
+  core::Object* sampler_object[kSlotCount] = {};  // retained, or null
 
   Material() = default;
   Material(const Material&) = delete;
@@ -87,10 +87,11 @@ inline bool has_slot(const Material& material, uint32_t slot) {
 
 /// Whether the samples that a fragment covers depend on its shading.
 inline bool drops_fragments(const Material& material) {
-  return material.alpha_cutoff > 0.0f || (material.flags & (SHD_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
+  return material.alpha_cutoff > 0.0f ||
+         (material.flags & (SHD_MATERIAL_ALPHA_TO_COVERAGE | SHD_MATERIAL_DISCARDS)) != 0;
 }
 
-/// Whether the opacity of a model has an effect.
+/// Whether the opacity of the material has an effect.
 inline bool has_opacity(const Material& material) {
   return material.blend != SHD_BLEND_OPAQUE || drops_fragments(material);
 }
@@ -100,13 +101,15 @@ inline bool is_unordered(const Material& material) {
   return material.blend == SHD_BLEND_WEIGHTED || material.blend == SHD_BLEND_SORTED;
 }
 
-/// Objects behind the handles of a slot.
-struct SlotParts {
+/// A slot of the caller and the objects behind its handles. All zero is a constant.
+struct SlotInput {
+  shd_slot desc;
+  uint32_t index;                   // in the caller's array
   const texture::Texture* texture;  // null = none
   const texture::Sampler* sampler;  // null = the default sampler
 };
 
-/// Makes a material of a checked desc and the objects behind its handles. The caller sets the references of `out`.
-void build(const shd_material_desc& desc, const SlotParts parts[SHD_SLOT_COUNT], Material* out) noexcept;
+/// Builds a material from a checked desc and its slots by target. The caller sets the references of `out`.
+void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept;
 
 }  // namespace shd::material

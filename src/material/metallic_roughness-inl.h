@@ -15,17 +15,17 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One light over E, with f = (1 - v.h)^5.
+/// Lobes of one light, divided by E, with f = (1 - v.h)^5.
 template <class V>
 struct MetallicRoughnessLobes {
   V diffuse;       // n.l (1 - f)
-  V specular_f0;   // n.l D V (1 - f): the coefficient is F0
-  V specular_f90;  // n.l D V f: the coefficient is F90 = 1
+  V specular_f0;   // n.l D V (1 - f), with coefficient F0
+  V specular_f90;  // n.l D V f, with coefficient F90 = 1
 };
 
 /// D of Trowbridge and Reitz (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007) and the
 /// masking and shadowing V of Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs" (2014).
-/// n.v is at least 1e-4; 0 where wo + l = 0. n.l > 0 where the result is used.
+/// n.v is clamped to at least 1e-4; the result is 0 where wo + l = 0. Callers use the result only where n.l > 0.
 template <class D, class V>
 HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<V>& point, const Incoming<V>& in,
                                                                V alpha_squared) {
@@ -48,7 +48,7 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
   const auto shadowed = [&](V c) { return hn::Sqrt(c * c * rest + alpha_squared); };
   const V visibility = hn::Set(d, 0.5f) / (cosine * shadowed(n_dot_v) + n_dot_v * shadowed(cosine));
 
-  // v.h = |v + l| / 2 of unit vectors.
+  // v.h = |v + l| / 2 for unit vectors.
   const V v_dot_h = hn::Min(hn::Set(d, 0.5f) * hn::Sqrt(squared), one);
   const V m = one - v_dot_h, m2 = m * m;
   const V f = m2 * m2 * m;

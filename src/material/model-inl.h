@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the structs of the models are made of, and what their functions are given.
+// Members of the structs of the models, and the arguments of their functions.
 
 #if defined(SHD_MATERIAL_MODEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_MODEL_INL_H_
@@ -32,7 +32,7 @@ struct Incoming {
   V n_dot_l;
 };
 
-/// Values of slots at points i and up. No column is null: see complete().
+/// Values of slots at points from i on. No column is null: see complete().
 template <class D>
 struct SlotsAt {
   using V = hn::Vec<D>;
@@ -40,13 +40,13 @@ struct SlotsAt {
   D d;
   size_t i;
 
-  /// A constant of the material times its slot.
+  /// A constant of the material times the value of its slot.
   HWY_INLINE V Get(float constant, uint32_t slot, int channel) const {
     return hn::Set(d, constant) * hn::Load(d, parameters.value[slot][channel] + i);
   }
 };
 
-/// Coefficients and lobes of one channel at points i and up.
+/// Coefficients and lobes of one channel at points from i on.
 template <class D>
 struct ChannelAt {
   using V = hn::Vec<D>;
@@ -55,7 +55,7 @@ struct ChannelAt {
   const Lobes& lobes;
   int channel;
   float light_count;
-  V ambient;  // k_a I_a, occluded
+  V ambient;  // k_a I_a with occlusion
 
   HWY_INLINE V Diffuse() const { return slots.Get(material.diffuse[channel], SHD_SLOT_DIFFUSE, channel); }
   HWY_INLINE V Specular() const { return slots.Get(material.specular[channel], SHD_SLOT_SPECULAR, channel); }
@@ -63,58 +63,58 @@ struct ChannelAt {
   HWY_INLINE V Lobe(int k) const { return hn::Load(slots.d, lobes.lobe[k][channel] + slots.i); }
 };
 
-/// Shape of lobes that depend on the light and the normal alone.
+/// Shape of lobes that depend only on the light and the normal.
 struct NoShape {
   static constexpr uint32_t kSlots = 0, kColumns = 0;
   template <class D, class V>
   static HWY_INLINE void Derive(D, const Material&, const SlotsAt<D>&, V, V*) {}
 };
 
-/// Lighting of unlit models, and defaults of the members of others.
+/// Lighting of unlit models, and default members for the lighting of other models.
 struct LightingBase {
   /// Number of RGB sums over the lights, at most kMaxLobes; 0 = unlit. Lobe 0 is diffuse, the others are specular.
   static constexpr uint32_t kLobes = 0;
-  /// The lobes depend on wo.
+  /// Whether the lobes depend on wo.
   static constexpr bool kNeedsEye = false;
-  /// SHD_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0; lighting without this member set never does.
+  /// Whether SHD_MATERIAL_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0. If false, they are always 0 there.
   static constexpr bool kMayBeUngated = false;
-  /// Lobe 0 sums every light with weight 1 instead of E: no range, cookie, shadow or side counts.
+  /// Whether lobe 0 sums every light with weight 1 instead of E, without range, cookie, shadow or side.
   static constexpr bool kIgnoresIrradiance = false;
 
   /// Parameters of the lobes at a point: a struct with
   ///   kSlots    bits of the slots that it reads
   ///   kColumns  number of values, at most kMaxShapeColumns
   ///   Derive(d, material, slots, variance, values)
-  /// where `variance` is the variance of slopes that normal maps have lost, 0 where none.
+  /// where `variance` is the variance of slopes removed by filtering normal maps, or 0.
   using Shape = NoShape;
 
   // Lighting with lobes also has
   //   AddLight(d, material, point, incoming, shape, lobe)
-  // which sets lobe[kLobes] to what one light adds, over E. Lobe 0 must be 0 where n.l <= 0, unless kIgnoresIrradiance:
-  // lights behind all points of a vector are skipped.
+  // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
+  // where n.l <= 0, because lights behind all points of a vector are skipped.
 
   /// Scales the sums over all lights.
   template <class D, class V, class Sums>
   static HWY_INLINE void Normalize(D, const V*, Sums&) {}
 };
 
-/// Defaults of the members of a model. Each model also has
+/// Default members of a model. Each model also has
 ///   kSlots                           bits of the slots that it reads
 ///   Combination::Combine(d, channel) L of one channel without emission
-/// Models that inherit Lighting or Combination share the kernels made of them.
+/// Models that inherit Lighting or Combination share the kernels instantiated from them.
 struct ModelBase {
-  /// Normal maps and bumps change what the model shows.
+  /// Whether normal maps and bumps change the result of the model.
   static constexpr bool kHasNormal = true;
-  /// raster::Interpolated bits of the columns that Show() reads besides the normal.
+  /// raster::Interpolated bits of the columns that Show() reads, except the normal.
   static constexpr uint32_t kShownColumns = 0;
 
   using Lighting = LightingBase;
 
-  /// Colour of unlit models, written to lobe 0 of the fragments.
+  /// Writes the colour of unlit models to lobe 0 of the fragments.
   static void Show(const ShowInputs&, float* const*) {}
 };
 
-/// Slots that every model reads, and slots of models by what they have.
+/// Slots that every model reads, and slots of groups of models.
 constexpr uint32_t kColorSlots = 1u << SHD_SLOT_DIFFUSE | 1u << SHD_SLOT_OPACITY | 1u << SHD_SLOT_EMISSION;
 constexpr uint32_t kNormalSlots = 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
 constexpr uint32_t kAmbientSlots = 1u << SHD_SLOT_AMBIENT | 1u << SHD_SLOT_OCCLUSION;

@@ -10,16 +10,26 @@ namespace {
 
 namespace target = HWY_NAMESPACE;
 
+constexpr uint32_t row_of(ModelKey key) {
+  return static_cast<uint32_t>(key);
+}
+
 template <class... Rows>
-constexpr shd_model last_of(target::ModelTable<Rows...>) {
-  shd_model last = SHD_MODEL_PROGRAM;
-  ((last = Rows::kModel > last ? Rows::kModel : last), ...);
+constexpr uint32_t last_of(target::ModelTable<Rows...>) {
+  uint32_t last = row_of(ModelKey::kProgram);
+  ((last = row_of(Rows::kModel) > last ? row_of(Rows::kModel) : last), ...);
   return last;
 }
-constexpr shd_model kLastModel = last_of(target::Models());
+
+template <class... Rows>
+constexpr uint32_t last_model_of(target::ModelTable<Rows...>) {
+  uint32_t last = row_of(ModelKey::kProgram);
+  ((last = row_of(Rows::kModel) > last && Rows::kModel < ModelKey::kFirstView ? row_of(Rows::kModel) : last), ...);
+  return last;
+}
 
 struct ModelInfos {
-  ModelInfo of[kLastModel + 1];
+  ModelInfo of[last_of(target::Models()) + 1];
 };
 
 template <class Model>
@@ -35,19 +45,19 @@ constexpr ModelInfo make_info() {
 template <class... Rows>
 constexpr ModelInfos make_infos(target::ModelTable<Rows...>) {
   ModelInfos infos = {};
-  ((infos.of[Rows::kModel] = make_info<typename Rows::Model>()), ...);
+  ((infos.of[row_of(Rows::kModel)] = make_info<typename Rows::Model>()), ...);
   return infos;
 }
 constexpr ModelInfos kInfos = make_infos(target::Models());
 
 }  // namespace
 
-const ModelInfo& info_of(shd_model model) {
-  return kInfos.of[model];
+const ModelInfo& info_of(ModelKey model) {
+  return kInfos.of[row_of(model)];
 }
 
 shd_model last_model() {
-  return kLastModel;
+  return static_cast<shd_model>(last_model_of(target::Models()));
 }
 
 void show(const ShowInputs& in, float* const out[3]) {

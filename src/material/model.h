@@ -13,17 +13,42 @@ namespace shd::material {
 
 struct Material;
 
+/// A model or a debug view: what a material is shaded with, and the key of the table of models.
+enum class ModelKey : uint32_t {
+  kProgram = SHD_MODEL_PROGRAM,
+  kFirstView = 32,  // above all models
+};
+
+constexpr ModelKey key_of(shd_model model) {
+  return static_cast<ModelKey>(model);
+}
+/// The key of a view that is not SHD_DEBUG_VIEW_NONE.
+constexpr ModelKey key_of(shd_debug_view view) {
+  return static_cast<ModelKey>(static_cast<uint32_t>(ModelKey::kFirstView) + view - SHD_DEBUG_VIEW_NORMAL);
+}
+constexpr bool operator==(ModelKey key, shd_model model) {
+  return key == key_of(model);
+}
+constexpr bool operator!=(ModelKey key, shd_model model) {
+  return key != key_of(model);
+}
+/// A debug view is shown in place of the model.
+constexpr ModelKey model_key(shd_model model, shd_debug_view view) {
+  return view == SHD_DEBUG_VIEW_NONE ? key_of(model) : key_of(view);
+}
+
 /// Largest number of lobes of a model.
 constexpr uint32_t kMaxLobes = 3;
-/// Largest number of values that shape the lobes of a model at a point.
+/// Largest number of shape parameters of the lobes of a model at a point.
 constexpr uint32_t kMaxShapeColumns = 2;
 
-/// Reflected light of each point before the coefficients that scale it: the model's lobes, RGB, summed over the lights.
+/// Reflected light of each point before the coefficients are applied: the lobes of the model, RGB, summed over the
+/// lights.
 struct Lobes {
   float* lobe[kMaxLobes][3];  // columns
 };
 
-/// What the stages around the kernels need to know about a model. model-inl.h explains the fields.
+/// Properties of a model that other stages use. model-inl.h explains the fields.
 struct ModelInfo {
   uint32_t slots;        // bits of the slots that the model reads
   uint32_t lobes;        // 0 = unlit
@@ -35,13 +60,13 @@ struct ModelInfo {
   bool ignores_irradiance;
 };
 
-/// All zero for SHD_MODEL_PROGRAM.
-const ModelInfo& info_of(shd_model model);
+/// Properties of a model; all zero for ModelKey::kProgram.
+const ModelInfo& info_of(ModelKey model);
 
-/// The largest value of shd_model that names a model.
+/// The largest value of shd_model that has a model.
 shd_model last_model();
 
-/// Fragments that an unlit model shows.
+/// Inputs of show(): the fragments of an unlit model.
 struct ShowInputs {
   const core::SimdTarget& simd;
   const Material& material;
@@ -50,8 +75,8 @@ struct ShowInputs {
   float* const* uv;  // [6] scratch columns
 };
 
-/// Writes the colour of an unlit model to out, columns of the fragments. Nothing is written past their count, and
-/// nothing at all for models with lobes and for SHD_MODEL_UNLIT.
+/// Writes the colour of an unlit model to out, columns of the fragments. Writes nothing past their count, and nothing
+/// at all for models with lobes and for SHD_MODEL_UNLIT.
 void show(const ShowInputs& in, float* const out[3]);
 
 }  // namespace shd::material

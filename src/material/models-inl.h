@@ -27,17 +27,18 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A model and its key.
-template <shd_model kKey, class Struct>
+/// A model or a debug view, and its key.
+template <auto kName, class Struct>
 struct ModelRow {
-  static constexpr shd_model kModel = kKey;
+  static constexpr ModelKey kModel = key_of(kName);
   using Model = Struct;
 };
 
 template <class... Rows>
 struct ModelTable {};
 
-/// Every model but SHD_MODEL_PROGRAM, which has no reflectance of its own. A new model is one file and one row.
+/// Every model except SHD_MODEL_PROGRAM, which has no reflectance of its own, and every debug view. A new model is one
+/// file and one row.
 // clang-format off
 using Models = ModelTable<
     ModelRow<SHD_MODEL_LAMBERT, Lambert>,
@@ -50,20 +51,20 @@ using Models = ModelTable<
     ModelRow<SHD_MODEL_TOON, Toon>,
     ModelRow<SHD_MODEL_METALLIC_ROUGHNESS, MetallicRoughness>,
     ModelRow<SHD_MODEL_MATCAP, Matcap>,
-    ModelRow<SHD_MODEL_SHOW_NORMAL, ShowNormal>,
-    ModelRow<SHD_MODEL_SHOW_UV, ShowUv>,
-    ModelRow<SHD_MODEL_SHOW_LEVEL, ShowLevel>,
-    ModelRow<SHD_MODEL_SHOW_BARYCENTRICS, ShowBarycentrics>>;
+    ModelRow<SHD_DEBUG_VIEW_NORMAL, ShowNormal>,
+    ModelRow<SHD_DEBUG_VIEW_UV, ShowUv>,
+    ModelRow<SHD_DEBUG_VIEW_LEVEL, ShowLevel>,
+    ModelRow<SHD_DEBUG_VIEW_BARYCENTRICS, ShowBarycentrics>>;
 // clang-format on
 
 template <class Visit, class... Rows>
-HWY_INLINE void VisitRow(shd_model model, const Visit& visit, ModelTable<Rows...>) {
+HWY_INLINE void VisitRow(ModelKey model, const Visit& visit, ModelTable<Rows...>) {
   (void)((Rows::kModel == model ? (visit(typename Rows::Model()), true) : false) || ...);
 }
 
-/// visit(Model()) with the struct of a model.
+/// Calls visit(Model()) with the struct of a model.
 template <class Visit>
-HWY_INLINE void VisitModel(shd_model model, const Visit& visit) {
+HWY_INLINE void VisitModel(ModelKey model, const Visit& visit) {
   VisitRow(model, visit, Models());
 }
 

@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// max(0, wo.r)^p with r = 2 (n.l) n - l, the light mirrored at the normal. Unit vectors or 0.
+/// max(0, wo.r)^p with r = 2 (n.l) n - l, the direction to the light mirrored at the normal. The vectors must be unit
+/// vectors or 0.
 template <class D, class V>
 HWY_INLINE V PhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V exponent) {
   const V twice = in.n_dot_l + in.n_dot_l;

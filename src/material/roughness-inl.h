@@ -24,8 +24,8 @@ HWY_INLINE V AlphaSquared(D d, V roughness) {
   return alpha * alpha;
 }
 
-/// alpha^2 = min(1, roughness^4 + 2 variance). The slopes of a GGX surface have no variance; those of a Beckmann
-/// surface of the same width have alpha^2 / 2.
+/// alpha^2 = min(1, roughness^4 + 2 variance). The slopes of a GGX surface have no finite
+/// variance; the slopes of a Beckmann surface of equal width have the variance alpha^2 / 2.
 struct RoughnessShape {
   enum Column : uint32_t { kAlphaSquared, kColumns };
   static constexpr uint32_t kSlots = 1u << SHD_SLOT_ROUGHNESS;

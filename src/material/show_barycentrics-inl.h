@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The coordinates in the triangle.
+/// The barycentric coordinates in the triangle.
 struct ShowBarycentrics : DebugView {
   static constexpr uint32_t kShownColumns = raster::kBarycentrics;
 

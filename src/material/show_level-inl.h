@@ -19,7 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The level of detail of the diffuse texture over its last level: 0 is blue, 1/2 green, 1 red. Blue without a texture.
+/// The level of detail of the diffuse texture divided by its last level: 0 is blue, 1/2 green, 1 red. Blue without a
+/// texture.
 struct ShowLevel : DebugView {
   static constexpr uint32_t kShownColumns = raster::kTexture;
 

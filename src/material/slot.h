@@ -9,11 +9,15 @@
 
 namespace shd::material {
 
+/// Number of coefficients that slots feed.
+constexpr uint32_t kSlotCount = SHD_SLOT_MATCAP + 1;
+
 /// A checked shd_slot.
 struct Slot {
+  uint32_t index;  // in the caller's array
   shd_slot_source source;
   uint32_t uv_set, channel, attribute;
-  const texture::Texture* texture;  // null unless SHD_SOURCE_TEXTURE
+  const texture::Texture* texture;  // null unless SHD_SLOT_SOURCE_TEXTURE
   const texture::Sampler* sampler;  // never null with a texture
   bool is_transformed;              // uv_transform is not the identity
   float uv_transform[6];
@@ -21,14 +25,14 @@ struct Slot {
   void* user_data;
 };
 
-/// Values of slots at points: columns, null = 1.
+/// Values of slots at points, as columns; null = 1.
 struct Parameters {
-  const float* value[SHD_SLOT_COUNT][4];
+  const float* value[kSlotCount][4];
 };
 
-/// Whether a slot is more than its constant.
+/// Whether a slot has a source other than its constant.
 inline bool is_set(const Slot& slot) {
-  return slot.source != SHD_SOURCE_CONSTANT;
+  return slot.source != SHD_SLOT_SOURCE_CONSTANT;
 }
 
 /// Number of columns of a slot.
@@ -44,11 +48,11 @@ constexpr uint32_t slot_channels(uint32_t slot) {
   }
 }
 
-/// Slots that are looked up at the points where the lobes are computed; the others are looked up at every fragment.
+/// Slots that are looked up at the points where lobes are computed; the other slots are looked up at every fragment.
 constexpr uint32_t kShapingSlots =
     1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
 
-/// Whether two slots make the same lookups in the same texture.
+/// Whether two slots make equal lookups in one texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {
   if (a.texture != b.texture || a.sampler != b.sampler || a.uv_set != b.uv_set) return false;
   for (int i = 0; i < 6; ++i) {

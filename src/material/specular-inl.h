@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Gain of ExponentShape on the specular lobe.
+/// Lighting with a specular lobe, which is scaled by the gain of ExponentShape.
 struct SpecularLighting : LightingBase {
   static constexpr uint32_t kLobes = 2;
   static constexpr bool kNeedsEye = true;

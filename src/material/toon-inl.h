@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blinn-Phong in steps.
+// Quantised Blinn-Phong.
 
 #if defined(SHD_MATERIAL_TOON_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_TOON_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lambert + the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0, n.h)^p
-/// replaced by 1 from 1/2 on and by 0 below.
+/// Lambert plus the specular term of Blinn-Phong, with n.l rounded up to a multiple of 1 / toon_steps, and max(0,
+/// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
 struct Toon : SpecularBase {
   struct Lighting : SpecularLighting {
     template <class D, class V>
@@ -27,7 +27,7 @@ struct Toon : SpecularBase {
       lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
     }
 
-    /// A step has no energy to preserve: the gain is left out.
+    /// The gain is left out, because a step function has no energy to preserve.
     template <class D, class V>
     static HWY_INLINE void Normalize(D, const V*, V (&)[2][3]) {}
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No light at all.
+// Constant colour without light.
 
 #if defined(SHD_MATERIAL_UNLIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_MATERIAL_UNLIT_INL_H_

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value between those of a triangle's vertices.
+// Barycentric interpolation of a value between the vertices of a triangle.
 
 #if defined(SHD_RASTER_ATTRIBUTE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_RASTER_ATTRIBUTE_INL_H_
@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// a0 + b1 (a1 - a0) + b2 (a2 - a0): equal values keep their bits. Computed on halves where a
-/// difference overflows.
+/// a0 + b1 (a1 - a0) + b2 (a2 - a0). Three equal values give that value, bit by bit. Where a difference overflows, the
+/// sum is computed on halved values.
 template <class D, class V>
 HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   const V blend = a0 + b1 * (a1 - a0) + b2 * (a2 - a0);
@@ -31,8 +31,8 @@ HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
   return hn::IfThenElse(finite, blend, bounded + bounded);
 }
 
-/// Whether a vector of fragments from row `at` on belongs to one triangle. Comparing its first and last row is not
-/// enough: another triangle may lie between two pieces of one triangle.
+/// Whether all fragments of the vector from row `at` on belong to one triangle. Comparing the first and the last row is
+/// not enough: another triangle may lie between two pieces of one triangle.
 template <class D>
 HWY_INLINE bool ShareTriangle(D, const Fragments& f, size_t at) {
   const hn::RebindToUnsigned<D> du;

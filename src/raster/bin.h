@@ -9,7 +9,7 @@
 
 namespace shd::raster {
 
-/// Triangles of part of a frame; groups follow each other in submission order.
+/// Triangles of a part of a frame; groups follow each other in submission order.
 using TriangleGroup = core::Buffer<geometry::ScreenTriangle>;
 
 /// For each tile, the triangles whose bounding box touches it, in submission order.
@@ -20,7 +20,8 @@ struct Bins {
   core::Array<uint32_t> entries;  // index of the triangle in its group
 };
 
-/// Sorts every triangle into the tiles of a window of the picture, groups in parallel. Throws.
+/// Sorts every triangle into the tiles of a window of the picture, with the groups in parallel. Throws Failure and
+/// std::bad_alloc.
 /// @param visible  pixels of the window that triangles may change
 void bin_triangles(const core::Context& context, const TriangleGroup* groups, uint32_t group_count,
                    const geometry::PixelBox& window, const geometry::PixelBox& visible,

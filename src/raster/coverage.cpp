@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Depths whose outcome differs from that of equal depths: only smaller ones (LESS, GREATER_EQUAL), only larger ones
-/// (GREATER, LESS_EQUAL), or any (the rest).
+/// The depths whose outcome differs from the outcome of equal depths: only smaller ones (LESS, GREATER_EQUAL), only
+/// larger ones (GREATER, LESS_EQUAL), or any (the other comparisons).
 enum class Unlike { kSmaller, kLarger, kAny };
 
 constexpr Unlike unlike_of(const DepthTest& test) {
@@ -46,8 +46,9 @@ class Passes {
   const MaskV smaller_, larger_, equal_;
 };
 
-/// What a kernel is compiled for. Kernels for each of the eight comparisons were five times the code and no faster;
-/// one kernel for all of them, always clipped, was a quarter of it but took up to a third longer.
+/// Compile-time variant of a kernel. Rejected alternatives: a kernel for each of the eight comparisons was five times
+/// the code and no faster; one kernel for all of them, always clipped, was a quarter of the code but up to a third
+/// slower.
 template <Samples kSamples_, Unlike kUnlike_, bool kClipped_>
 struct Variant {
   static constexpr Samples kSamples = kSamples_;
@@ -55,7 +56,7 @@ struct Variant {
   static constexpr bool kClipped = kClipped_;
 };
 
-/// body(variant) with the kernel's variant for a tile.
+/// Calls body(variant) with the kernel variant for a tile.
 template <Samples kSamples, class Body>
 HWY_INLINE void WithTest(const DepthTest& test, bool clipped, const Body& body) {
   const Unlike unlike = unlike_of(test);
@@ -73,7 +74,7 @@ HWY_INLINE void WithVariant(uint32_t samples, const DepthTest& test, bool clippe
   return WithTest<Samples::kVectors>(test, clipped, body);
 }
 
-/// Smaller boxes cost less to cover than to look up.
+/// For a smaller box, covering the pixels costs less than testing the bounds.
 constexpr int32_t kMinBoundedPixels = 128;
 
 template <class Variant>
@@ -113,7 +114,7 @@ void CoverWith(const CoverArea& area, const DepthState& state, const geometry::S
   }
 }
 
-/// Adds the samples of a vector, of which the first lies at `at`, to the masks of their pixels.
+/// Adds the samples of a vector to the masks of their pixels; the first sample lies at `at`.
 template <class M>
 HWY_INLINE void AddToMasks(M pass, size_t at, uint32_t samples, uint32_t* bits) {
   const Tag d;
@@ -169,7 +170,7 @@ void cover_mask(const core::SimdTarget& simd, const CoverArea& area, const Depth
                 const geometry::ScreenTriangle& triangle, const Tile& tile, CoverMask* out) {
   out->box = box_in_tile(triangle, area);
   if (geometry::is_empty(out->box)) return;
-  const int32_t first = out->box.min_x & ~15, end = (out->box.max_x | 15) + 1;  // kernels touch whole vectors
+  const int32_t first = out->box.min_x & ~15, end = (out->box.max_x | 15) + 1;  // kernels write whole vectors
   for (int32_t y = out->box.min_y; y <= out->box.max_y; ++y) {
     std::memset(out->bits + y * kTile + first, 0, static_cast<size_t>(end - first) * sizeof(uint32_t));
   }

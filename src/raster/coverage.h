@@ -12,22 +12,22 @@
 
 namespace shd::raster {
 
-/// Depth-tests triangles into a tile, in order: where a sample is covered and passes, depth (if the state writes it)
-/// and slot are replaced.
+/// Depth-tests triangles into a tile, in order. Where a sample is covered and passes, its slot is replaced, and its
+/// depth if the state writes depth.
 /// @param entries     [count] indices into `triangles`
-/// @param first_slot  slot of entries[0], the others follow; kNoSlot: depth alone, all slots stay
+/// @param first_slot  slot of entries[0]; entries[i] gets first_slot + i; kNoSlot: only depth is written
 void cover(const core::SimdTarget& simd, const CoverArea& area, const DepthState& state,
            const geometry::ScreenTriangle* triangles, const uint32_t* entries, size_t count, uint32_t first_slot,
            Tile* tile);
 
-/// Samples of each pixel that a triangle covers, as bits.
+/// The samples that a triangle covers, as bits for each pixel.
 struct CoverMask {
-  geometry::PixelBox box;  // of the tile; the others are not written
+  geometry::PixelBox box;  // pixels of the tile that are set; the others are not written
   alignas(64) uint32_t bits[kTilePixels];
 };
 
-/// Covered samples of one triangle whose depth passes against the tile's, or all of them if `compare` is
-/// SHD_COMPARE_ALWAYS. The tile stays as it is.
+/// Samples of one triangle that are covered and whose depth passes against the tile's depth; all covered samples if
+/// `compare` is SHD_COMPARE_ALWAYS. Does not change the tile.
 void cover_mask(const core::SimdTarget& simd, const CoverArea& area, const DepthState& state,
                 const geometry::ScreenTriangle& triangle, const Tile& tile, CoverMask* out);
 

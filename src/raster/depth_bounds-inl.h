@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Which way a test that writes depths moves them.
+/// Direction in which a depth test that writes moves the stored depths.
 constexpr DepthTrend trend_of(const DepthTest& test) {
   if (test.less == test.greater) return DepthTrend::kUnknown;
   return test.less ? DepthTrend::kFalling : DepthTrend::kRising;
@@ -69,7 +69,7 @@ class Bounds {
     return false;
   }
 
-  /// Equal depths may pass some comparisons.
+  /// Includes equality, because equal depths pass some comparisons.
   template <bool kFalling>
   static HWY_INLINE bool MayPassBound(float z, float bound) {
     return kFalling ? z <= bound : z >= bound;

@@ -5,14 +5,14 @@
 
 namespace shd::raster {
 
-/// How the depths of a draw meet those of the tile.
+/// Depth test and depth bias of a draw.
 struct DepthState {
   shd_compare compare;
   bool writes;
-  float bias, slope_bias;  // slope_bias: times the larger of |dz/dx| and |dz/dy| per pixel
+  float bias, slope_bias;  // slope_bias is a factor of the larger of |dz/dx| and |dz/dy| per pixel
 };
 
-/// Which new depths pass: those less than, equal to and greater than the stored depth.
+/// Outcome of the comparison for new depths less than, equal to and greater than the stored depth.
 struct DepthTest {
   bool less, equal, greater;
 };
@@ -30,7 +30,7 @@ constexpr DepthTest depth_test(shd_compare compare) {
   }
 }
 
-/// Whether depth z passes against the stored one; neither is NaN.
+/// Whether depth z passes against the stored depth; neither is NaN.
 constexpr bool passes(const DepthTest& test, float z, float stored) {
   return z < stored ? test.less : z > stored ? test.greater : test.equal;
 }

@@ -12,8 +12,8 @@
 
 namespace shd::raster {
 
-/// Edge function of the edge from vertex k of a triangle to the next, in 2^-16 pixel^2: value at the top left corner of
-/// a tile, with the top-left rule folded in; a and b per subpixel to the right and down.
+/// Edge function of the edge from vertex k of a triangle to the next, in 2^-16 pixel^2. `value` is the value at the top
+/// left corner of a tile and includes the top-left rule; a and b are the steps per subpixel to the right and down.
 struct EdgeLine {
   int64_t value, a, b;
 };
@@ -28,8 +28,8 @@ inline EdgeLine make_edge_line(const geometry::ScreenTriangle& t, int k, int32_t
 }
 
 /// An edge function at one sample of each pixel, in whole pixels: the sample of pixel (i, j) of the tile is on the
-/// inner side if and only if value + a * i + b * j >= 0. Exact: the function changes in steps of 256 a and 256 b from
-/// pixel to pixel, so that division by 256, rounded down, keeps its sign.
+/// inner side if and only if value + a * i + b * j >= 0. Exact: from pixel to pixel the function changes by 256 a and
+/// 256 b, so that division by 256, rounded down, keeps its sign.
 struct Edge {
   int64_t value, a, b;
 };
@@ -40,7 +40,7 @@ inline Edge edge_at(const EdgeLine& line, SamplePoint sample) {
 
 enum class EdgeSide { kOutside, kInside, kCrossing };
 
-/// On which side of an edge all samples of a tile lie. Conservative: kCrossing may be returned for the other cases.
+/// The side of an edge on which all samples of a tile lie. Conservative: kCrossing may be returned for the other cases.
 inline EdgeSide side_of(const EdgeLine& line, const geometry::SampleExtent& samples) {
   constexpr int64_t kExtent = (kTile - 1) * geometry::kSubpixels;
   const int64_t left = line.a * samples.min_x, right = line.a * (kExtent + samples.max_x);
@@ -49,11 +49,11 @@ inline EdgeSide side_of(const EdgeLine& line, const geometry::SampleExtent& samp
   return line.value + std::min(left, right) + std::min(top, bottom) >= 0 ? EdgeSide::kInside : EdgeSide::kCrossing;
 }
 
-/// Largest step for which the values of an edge that crosses a tile fit int32, together with what the position of a
-/// sample in its pixel adds, in 2^-16 pixel^2.
+/// Largest step for which the values of an edge that crosses a tile fit int32, including the offset of a sample in its
+/// pixel, in 2^-16 pixel^2.
 constexpr int64_t kNarrowStep = int64_t{1} << 22;
 
-/// Depth of a triangle: at vertex 0, per pixel, and its range, all with the bias.
+/// Depth of a triangle: at vertex 0, per pixel, and its range, all including the bias.
 struct DepthSlope {
   double z, dx, dy;
   float low, high;
@@ -107,7 +107,7 @@ inline DepthPlane plane_at(const DepthSlope& slope, SamplePoint sample) {
           origin.y};
 }
 
-/// Whether the triangle of three edges over a tile covers a point of pixel (x, y) of that tile.
+/// Whether the triangle of three edges covers a point of pixel (x, y) of the tile.
 inline bool covers(const EdgeLine (&lines)[3], int32_t x, int32_t y, SamplePoint point) {
   const int64_t right = int64_t{x} * geometry::kSubpixels + point.x;
   const int64_t down = int64_t{y} * geometry::kSubpixels + point.y;
@@ -116,7 +116,7 @@ inline bool covers(const EdgeLine (&lines)[3], int32_t x, int32_t y, SamplePoint
   return inside;
 }
 
-/// Depth at a sample of pixel (x, y) of the frame, with the bits of the coverage kernels.
+/// Depth at a sample of pixel (x, y) of the frame, bit-equal to the coverage kernels.
 inline float depth_at(const DepthPlane& plane, int32_t x, int32_t y) {
   const float row = plane.base + plane.dy * static_cast<float>(y - plane.y0);
   const float z = plane.dx * static_cast<float>(x - plane.x0) + row;

@@ -6,7 +6,7 @@
 namespace shd::raster {
 namespace {
 
-/// Every column of the table, once: what allocation needs to know.
+/// Visits every column of the table once, for allocation.
 template <class Visit>
 void visit_columns(Fragments& f, Visit visit) {
   for (uint32_t** column : {&f.pixel, &f.mask, &f.triangle, &f.vertex[0], &f.vertex[1], &f.vertex[2]}) {
@@ -21,7 +21,7 @@ void visit_columns(Fragments& f, Visit visit) {
   for (float*& column : f.attribute) visit(reinterpret_cast<void**>(&column));
 }
 
-/// A run for each triangle that a pixel shows. Returns how many of its samples show none.
+/// Adds a run for each triangle visible in a pixel. Returns the number of samples without a triangle.
 template <uint32_t kSamples>
 size_t add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* runs) {
   const uint32_t* slots = tile.slot.data() + pixel * kSamples;
@@ -51,8 +51,8 @@ size_t next_bit(const uint64_t* bits, size_t from, size_t count) {
   }
 }
 
-/// Cuts the covered pixels of a tile into runs. Returns how many samples show no triangle.
-/// @param changes  where slots are not the slot before
+/// Divides the covered pixels of a tile into runs. Returns the number of samples without a triangle.
+/// @param changes  bit i is set if slot i differs from slot i - 1
 template <uint32_t kSamples>
 size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
   constexpr uint32_t kAll = (1u << kSamples) - 1;
@@ -123,7 +123,7 @@ void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_cou
     total += count;
   }
   out->pixel.resize(total);
-  // Each cell runs to the start of the next slot while pixels are placed, and is set back afterwards.
+  // While pixels are placed, each start advances to the start of the next slot; the loop after it restores the starts.
   for (size_t i = 0; i < out->run.size(); ++i) {
     const PixelRun& run = out->run[i];
     VisiblePixel* pixel = out->pixel.data() + out->start[run.slot];

@@ -12,11 +12,11 @@
 
 namespace shd::raster {
 
-/// Rows of a batch: whole vectors may run past count, and the columns of a batch stay in L2.
+/// Rows of a batch. Whole vectors may run past count, and the columns of a batch stay in L2.
 constexpr size_t kBatch = 512;
 
-/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. Columns of kBatch
-/// elements in one block.
+/// Points to be shaded, one row each: fragments, or the corners or centroids of triangles. The columns have kBatch
+/// elements each, in one block.
 struct Fragments {
   size_t count = 0;  // rows in use
   core::Array<float> block;
@@ -34,17 +34,17 @@ struct Fragments {
   float *u, *v;         // texture coordinates
   float *dudx, *dvdx;   // per pixel to the right
   float *dudy, *dvdy;   // per pixel down
-  float *u1, *v1;       // the second set, and its derivatives
+  float *u1, *v1;       // second uv set, and its derivatives
   float *du1dx, *dv1dx;
   float *du1dy, *dv1dy;
   float *tx, *ty, *tz, *tw;              // tangent of the mesh, world space, any length; handedness
-  float* attribute[SHD_MAX_ATTRIBUTES];  // of the mesh
+  float* attribute[SHD_MAX_ATTRIBUTES];  // columns of the mesh
 };
 
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Neighbouring pixels of a tile, in row-major order, with one triangle at the same samples.
+/// Adjacent pixels of a tile, in row-major order, with one triangle at the same samples.
 struct PixelRun {
   uint32_t slot;
   uint16_t begin, end;
@@ -66,7 +66,7 @@ struct TileOrder {
   size_t covered_samples;            // samples with a triangle
 };
 
-/// Room for tiles of this many samples a pixel. Throws std::bad_alloc.
+/// Allocates for tiles with `samples` samples per pixel. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out);
 
 /// Counting sort of the covered pixels of a tile by slot. Throws std::bad_alloc.

@@ -23,7 +23,7 @@ using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Reads component c of rows of four; one row for all lanes.
+/// Reads component c of rows of four; all lanes read the same row.
 struct OneRow {
   size_t row;
   template <class D>
@@ -32,7 +32,7 @@ struct OneRow {
   }
 };
 
-/// Reads component c of rows of four; a row for each lane.
+/// Reads component c of rows of four; each lane reads its own row.
 template <class D>
 struct RowPerLane {
   hn::Vec<hn::RebindToSigned<D>> first;  // index of component 0
@@ -44,15 +44,15 @@ struct RowPerLane {
 
 template <class V>
 struct Barycentric {
-  V b1, b2;                      // of vertices 1 and 2
-  V b1_dx, b1_dy, b2_dx, b2_dy;  // per pixel
+  V b1, b2;                      // weights of vertices 1 and 2
+  V b1_dx, b1_dy, b2_dx, b2_dy;  // derivatives per pixel
   V b0;
 };
 
 /// Barycentric coordinates of raster position (px, py) and their derivatives.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], V px, V py) {
-  // Vertices moved so that the pixel is the origin: the weights are their cross products.
+  // With the vertices translated so that the pixel is the origin, the weights are their cross products.
   V x[3], y[3], w[3];
   for (int k = 0; k < 3; ++k) {
     const float* raster = vertices.raster.data();
@@ -72,7 +72,7 @@ HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const
   const V sum_dx = e_dx[0] + e_dx[1] + e_dx[2];
   const V sum_dy = e_dy[0] + e_dy[1] + e_dy[2];
   const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
-  // A sum this small has no finite inverse; NaN fails both.
+  // A smaller sum has no finite inverse; NaN fails both comparisons.
   const auto usable = hn::And(hn::Lt(size, hn::Set(d, __builtin_inff())), hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
   const V inverse = one / hn::IfThenElse(usable, sum, one);
 
@@ -90,13 +90,13 @@ HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const
   return result;
 }
 
-/// Attribute c of rows of four at the weights.
+/// Component c of rows of four, interpolated.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], const Barycentric<V>& b) {
   return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
 }
 
-/// A texture coordinate with its derivatives.
+/// Interpolates a texture coordinate and its derivatives.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (&rows)[3], const Barycentric<V>& b,
                            size_t at, float* out, float* out_dx, float* out_dy) {
@@ -109,7 +109,7 @@ HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (
   hn::Store(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
 }
 
-/// Position, normal and wo of one vector of rows.
+/// Interpolates position, normal and wo of one vector of rows.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
                                  const Barycentric<V>& b, const float* eye, uint32_t wanted, size_t at, Fragments& f) {
@@ -129,7 +129,7 @@ HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const 
   Store3(d, o, f.ox, f.oy, f.oz, at);
 }
 
-/// What only some materials read.
+/// Interpolates columns that only some materials read.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
                                   const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
@@ -147,7 +147,7 @@ HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const
   }
 }
 
-/// One vector of rows, starting at row `at`.
+/// Interpolates one vector of rows from row `at` on.
 template <class D, class Rows>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
                                 uint32_t wanted, size_t at, Fragments& f) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The list of the paper as a depth-first search. Triangles are taken from the far end. A triangle stays open while
-// those that must be painted before it are painted; the paper marks them and moves them to the end of the list. An open
-// triangle that is met again is part of a cyclic overlap, which a cut resolves.
+// The list of the paper as a depth-first search. Triangles are taken from the far end. A triangle stays open until all
+// triangles that must be painted before it are painted; the paper marks them and moves them to the end of the list. An
+// open triangle that is reached again is part of a cyclic overlap, which a cut resolves.
 #include "raster/newell.h"
 
 #include "raster/sort_grid.h"
@@ -9,21 +9,21 @@
 namespace shd::raster {
 namespace {
 
-// Values of a level that is none.
+// States of a triangle that is not on the stack.
 constexpr uint32_t kWaiting = 0xffffffffu;
 constexpr uint32_t kPainted = 0xfffffffeu;
 constexpr uint32_t kCut = 0xfffffffdu;
 constexpr uint32_t kMaxTriangles = 0xfffffff0u;
 
-/// How many members of a cycle lend their planes to a cut.
+/// Number of members of a cycle whose planes are tried for a cut.
 constexpr size_t kPlanesTried = 16;
 
-/// A triangle whose predecessors are being painted, and how far the search for them has come.
+/// A triangle whose predecessors are being painted, and the current position of the search for them.
 struct Open {
   uint32_t triangle;
   CellRange cells;
-  int32_t x, y;   // cell
-  uint32_t node;  // the latest one seen in it, or kNoNode before the first
+  int32_t x, y;   // current cell
+  uint32_t node;  // latest node seen in the cell, or kNoNode before the first
 };
 
 class Newell {
@@ -59,7 +59,7 @@ class Newell {
   }
 
  private:
-  /// Paints a triangle and all that must go before it, or cuts it.
+  /// Paints a triangle and all triangles that must precede it, or cuts it.
   void paint(uint32_t root) {
     open(root);
     while (stack_.size()) {
@@ -85,7 +85,7 @@ class Newell {
     stack_.push_back({triangle, cells, cells.left, cells.top, kNoNode});
   }
 
-  /// Drops the open triangles from `level` on.
+  /// Removes the open triangles from `level` on.
   void close(size_t level) {
     for (size_t i = level; i < stack_.size(); ++i) level_[stack_[i].triangle] = kWaiting;
     stack_.resize(level);
@@ -96,7 +96,8 @@ class Newell {
   }
   bool is_gone(uint32_t triangle) const { return level_[triangle] == kPainted || level_[triangle] == kCut; }
 
-  /// The next triangle of the latest cell, kNoNode at its end. Drops painted and cut triangles from the list's head.
+  /// The next node of the current cell, or kNoNode at its end. Removes painted and cut triangles at the head of the
+  /// list.
   uint32_t next_node(const Open& o) {
     if (o.node != kNoNode) return grid_.nodes[o.node].next;
     uint32_t& head = head_of(o);
@@ -104,8 +105,8 @@ class Newell {
     return head;
   }
 
-  /// The next triangle that an open one may not be painted before, or kNoTriangle. Pieces stand behind what they were
-  /// cut from, in the list of a cell and in that of cells: the search meets all that it has not passed.
+  /// The next triangle that must be painted before an open one, or kNoTriangle. Pieces are inserted after the triangle
+  /// that they were cut from, in the list of every cell, so that the search reaches all pieces that it has not passed.
   uint32_t next_predecessor(Open* o) {
     const SortTriangle& f = triangles_[o->triangle];
     while (o->y <= o->cells.bottom) {
@@ -127,7 +128,7 @@ class Newell {
     return kNoTriangle;
   }
 
-  /// Cuts one of two triangles that pass through each other, the smaller one if it can be.
+  /// Cuts one of two triangles that intersect, preferably the smaller one.
   void cut_pair(uint32_t a, uint32_t b) {
     const bool a_first = doubled_area(triangles_[a].triangle) <= doubled_area(triangles_[b].triangle);
     if (!cut(a_first ? a : b, a_first ? b : a)) cut(a_first ? b : a, a_first ? a : b);
@@ -146,8 +147,8 @@ class Newell {
     }
   }
 
-  /// Replaces a triangle by its pieces on both sides of the plane of another one. An open one is closed with all after
-  /// it.
+  /// Replaces a triangle by its pieces on both sides of the plane of another one. If it is open, it and all later open
+  /// triangles are closed.
   bool cut(uint32_t whole, uint32_t plane) {
     TrianglePieces pieces;
     if (cuts_left_ == 0 || comparisons_left_ == 0 || !split_triangle(triangles_[whole], triangles_[plane], &pieces))
@@ -178,7 +179,7 @@ class Newell {
     spend(insert_piece(triangles_.data(), whole, index, &grid_));
   }
 
-  /// Counts comparisons, or walks along lists that take as long. False once there are none left.
+  /// Counts comparisons, and list steps of equal cost. Returns false once the budget is spent.
   bool spend(uint64_t comparisons) {
     const bool enough = comparisons < comparisons_left_;
     comparisons_left_ = enough ? comparisons_left_ - comparisons : 0;

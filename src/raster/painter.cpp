@@ -7,7 +7,7 @@
 namespace shd::raster {
 namespace {
 
-/// A triangle's place in the order.
+/// Sort key of a triangle.
 struct Key {
   float distance;
   uint32_t group, entry;
@@ -22,7 +22,7 @@ bool is_before(const Key& a, const Key& b) {
 constexpr uint64_t kPairsPerTriangle = 64;
 constexpr uint64_t kPairsPerCell = 1024;
 
-/// Conflicts between the triangles of one cell, each pair in the first of the cells that it shares.
+/// Counts conflicts between the triangles of one cell; each pair counts in the first of its shared cells.
 uint64_t count_in_cell(const SortTriangle* triangles, const SortGrid& grid, int32_t x, int32_t y) {
   const SortNode* nodes = grid.nodes.data();
   const uint32_t head = grid.head[static_cast<size_t>(y) * static_cast<size_t>(grid.columns) + static_cast<size_t>(x)];

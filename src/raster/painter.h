@@ -13,7 +13,7 @@
 namespace shd::raster {
 
 /// Replaces the contents of the groups by at(0), ..., at(count - 1), in parts of equal size; `at` may read the old
-/// contents. Throws.
+/// contents. Throws Failure and std::bad_alloc.
 template <class At>
 void distribute(const core::Context& context, size_t count, const At& at, core::Objects<TriangleGroup>* groups) {
   const size_t parts = groups->size();
@@ -28,13 +28,14 @@ void distribute(const core::Context& context, size_t count, const At& at, core::
 }
 
 /// The painter's algorithm: a stable sort of the triangles of all groups by their farthest vertex, far ones first.
-/// Triangles that are not painted follow in their order. Returns how many are painted. O(n log n). Throws.
+/// Triangles that are not painted follow in submission order. Returns the number of painted triangles. O(n log n).
+/// Throws Failure and std::bad_alloc.
 /// @param rules  [draw]
 size_t sort_far_to_near(const core::Context& context, const PaintRule* rules, core::Objects<TriangleGroup>* groups);
 
-/// Counts pairs of triangles that are painted in the wrong order: those without may_precede(). Compares the pairs of
-/// each cell of the grid, up to 64 times its number of triangles plus 1024. Throws.
-/// @param grid  made of triangles[order[0]], triangles[order[1]], ..., in the order of painting
+/// Counts pairs of triangles that are painted in the wrong order, which means that may_precede() is false. Compares the
+/// pairs of each cell of the grid, up to 64 times its number of triangles plus 1024. Throws Failure and std::bad_alloc.
+/// @param grid  built from triangles[order[0]], triangles[order[1]], ..., in the order of painting
 uint64_t count_conflicts(const core::Context& context, const SortTriangle* triangles, const SortGrid& grid);
 
 }  // namespace shd::raster

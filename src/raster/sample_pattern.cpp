@@ -4,7 +4,7 @@
 namespace shd::raster {
 namespace {
 
-/// From places in sixteenths of a pixel.
+/// Builds a pattern from positions in sixteenths of a pixel.
 template <uint32_t kCount>
 constexpr SamplePattern make_pattern(const int32_t (&sixteenths)[kCount][2]) {
   constexpr int32_t kScale = geometry::kSubpixels / 16;

@@ -7,29 +7,29 @@
 
 namespace shd::raster {
 
-/// Place of a sample in its pixel, in 1 / geometry::kSubpixels from the top left corner.
+/// Position of a sample in its pixel, in 1 / geometry::kSubpixels from the top left corner.
 struct SamplePoint {
   int32_t x, y;
 };
 
 constexpr uint32_t kMaxSamples = 16;
 
-/// Sum of some of a pixel's samples.
+/// Sum of the positions of some samples of a pixel.
 struct PointSum {
   int32_t x, y, count;
 };
 
-/// The samples of a pixel; one lies in the middle, more at the standard positions of Direct3D and Vulkan (Vulkan 1.3
-/// specification, "Multisampling").
+/// The sample positions of a pixel. A single sample lies at the centre; several samples lie at the standard positions
+/// of Direct3D and Vulkan (Vulkan 1.3 specification, "Multisampling").
 struct SamplePattern {
   uint32_t count;
   SamplePoint point[kMaxSamples];
   geometry::SampleExtent extent;
-  PointSum sum[2][256];  // of the points in the lower and in the upper eight bits of a mask
+  PointSum sum[2][256];  // [0] for the lower eight bits of a mask, [1] for the upper
 
-  // The samples of pixel 0, pixel 1 and so on of a row.
-  int32_t x[kMaxSamples], y[kMaxSamples];             // their places in their pixels
-  int32_t column[kMaxSamples];                        // their pixels
+  // Lane i of a vector, with the samples of pixel 0, pixel 1 and so on of a row.
+  int32_t x[kMaxSamples], y[kMaxSamples];             // position in its pixel
+  int32_t column[kMaxSamples];                        // number of its pixel
   double pixel_x[kMaxSamples], pixel_y[kMaxSamples];  // x and y in pixels
 };
 
@@ -38,7 +38,7 @@ inline PointSum sum_of_points(const SamplePattern& pattern, uint32_t mask) {
   return {low.x + high.x, low.y + high.y, low.count + high.count};
 }
 
-/// The pattern of 1, 2, 4, 8 or 16 samples.
+/// @param count  1, 2, 4, 8 or 16
 const SamplePattern& sample_pattern(uint32_t count);
 
 }  // namespace shd::raster

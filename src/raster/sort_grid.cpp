@@ -20,7 +20,7 @@ size_t count_cells(const CellRange& cells) {
   return static_cast<size_t>(cells.right - cells.left + 1) * static_cast<size_t>(cells.bottom - cells.top + 1);
 }
 
-/// The smallest cells that keep the lists short. Returns the number of nodes.
+/// Chooses the smallest cells that keep the lists short. Returns the number of nodes.
 size_t choose_shift(const SortTriangle* triangles, const uint32_t* order, size_t count, SortGrid* grid) {
   for (int shift = kSmallestShift;; ++shift) {
     set_shift(grid->pixels, shift, grid);

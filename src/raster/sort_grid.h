@@ -17,7 +17,7 @@ constexpr uint32_t kNoNode = 0xffffffffu;
 struct SortNode {
   uint32_t triangle;
   uint32_t next;
-  float farthest;  // of this node and all that follow
+  float farthest;  // maximum over this node and all nodes after it
 };
 
 /// Square cells over the visible pixels, each with a list of the triangles whose box touches it.
@@ -29,13 +29,13 @@ struct SortGrid {
   core::Buffer<SortNode> nodes;
 };
 
-/// Builds the lists of triangles order[0], order[1], ..., in that order; about 8 nodes a triangle or less. Throws
+/// Builds the lists of triangles order[0], order[1], ..., in that order; about 8 nodes per triangle or fewer. Throws
 /// std::bad_alloc.
 void make_grid(const core::Allocator& allocator, const geometry::PixelBox& pixels, const SortTriangle* triangles,
                const uint32_t* order, size_t count, SortGrid* out);
 
-/// Inserts a piece behind the triangle that it was cut from, in every cell that the piece touches. Returns the number
-/// of nodes that were passed.
+/// Inserts a piece after the triangle that it was cut from, in every cell that the piece touches. Returns the number of
+/// nodes visited.
 uint64_t insert_piece(const SortTriangle* triangles, uint32_t whole, uint32_t piece, SortGrid* grid);
 
 /// Cells that the box of a triangle touches, ends included.

@@ -7,7 +7,7 @@
 namespace shd::raster {
 namespace {
 
-/// Half a unit in the last place of depths near 1, for the vertices of both triangles, and as much for interpolation.
+/// Half a unit in the last place of depths near 1 for the vertices of both triangles, and the same for interpolation.
 constexpr double kDepthRounding = 0x1p-23;
 
 struct Slope {
@@ -49,7 +49,7 @@ constexpr int next_of(int k) {
   return k == 2 ? 0 : k + 1;
 }
 
-/// True if an edge of `a` has all of `b` on its outer side, or on it.
+/// Whether an edge of `a` separates the triangles: all of `b` lies on its outer side or on it.
 bool has_separating_edge(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle& b) {
   for (int k = 0; k < 3; ++k) {
     const int n = next_of(k);
@@ -71,7 +71,7 @@ struct Polygon {
   int count;
 };
 
-/// What lies on the inner side of edge k of `t`; points are relative to (x, y).
+/// Clips a polygon to the inner side of edge k of `t`; points are relative to (x, y).
 Polygon clip_to_edge(const Polygon& in, const geometry::ScreenTriangle& t, int k, int32_t x, int32_t y) {
   const int n = next_of(k);
   const double sx = static_cast<double>(t.x[k] - x), sy = static_cast<double>(t.y[k] - y);
@@ -99,7 +99,7 @@ struct GridPoint {
   int32_t x, y;
 };
 
-/// Where the difference d of distance is 0 between vertex a (positive) and b (negative).
+/// The point between vertices a (positive) and b (negative) where the difference d of distance is 0.
 GridPoint crossing(const geometry::ScreenTriangle& t, const double d[3], int a, int b) {
   const double s = d[a] / (d[a] - d[b]);
   const auto between = [&](int32_t from, int32_t to) {
@@ -222,7 +222,7 @@ bool split_triangle(const SortTriangle& f, const SortTriangle& plane, TrianglePi
     d[k] = distance_at(f, x, y) - distance_at(plane, x, y);
     if (std::fabs(d[k]) <= limit) d[k] = 0.0;
   }
-  // The vertex alone on its side, or the one on the plane.
+  // The vertex that is alone on its side of the plane, or the vertex on the plane.
   int alone = 0;
   for (int k = 0; k < 3; ++k) {
     const double b = d[next_of(k)], c = d[next_of(next_of(k))];

@@ -7,19 +7,19 @@
 
 namespace shd::raster {
 
-/// How the triangles of a draw are ordered for painting.
+/// Rule for ordering the triangles of a draw for painting.
 struct PaintRule {
-  bool painted;            // sorted by distance; other triangles come last
-  bool falls;              // depth falls with the distance from the eye
+  bool painted;            // sorted by distance; triangles that are not painted come last
+  bool falls;              // depth decreases with the distance from the eye
   float bias, slope_bias;  // as in DepthState
 };
 
-/// A depth-sorted triangle and the plane of its distance. Distance is depth with its bias; its negative where depth
-/// falls with the distance from the eye. The pieces of a triangle keep its plane.
+/// A depth-sorted triangle and the plane of its distance. Distance is depth with its bias, negated if depth decreases
+/// with the distance from the eye. The pieces of a triangle keep its plane.
 struct SortTriangle {
   geometry::ScreenTriangle triangle;
   double distance, dx, dy;  // at (x, y), and per 1 / kSubpixels pixel to the right and down
-  double bias;              // of the depth
+  double bias;              // added to the depth
   int32_t x, y;             // fixed point
   float nearest, farthest;
   int32_t min_x, max_x, min_y, max_y;  // fixed point, ends included
@@ -28,7 +28,7 @@ struct SortTriangle {
 
 SortTriangle make_sort_triangle(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
-/// SortTriangle::farthest alone.
+/// SortTriangle::farthest of a triangle, without the other fields.
 float farthest_distance(const geometry::ScreenTriangle& triangle, const PaintRule& rule);
 
 inline double distance_at(const SortTriangle& f, double x, double y) {
@@ -41,32 +41,32 @@ int64_t doubled_area(const geometry::ScreenTriangle& t);
 /// Whether the interiors of two triangles overlap on the screen. Exact.
 bool overlaps(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle& b);
 
-/// Differences of distance up to this one count as zero: the change over one grid step, plus the rounding of depth to
+/// Differences of distance up to this value count as zero: the change over one grid step, plus the rounding of depth to
 /// float.
 double tolerance(const SortTriangle& a, const SortTriangle& b);
 
-/// Smallest and largest of some differences of distance.
+/// Smallest and largest of a set of differences of distance.
 struct DistanceRange {
   double low, high;
 };
 /// Distances of a's vertices minus the plane of b there.
 DistanceRange beyond_plane(const SortTriangle& a, const SortTriangle& b);
-/// Distance of a minus that of b over their overlap; 0 without overlap.
+/// Distance of a minus distance of b over their overlap; 0 without overlap.
 DistanceRange beyond_overlap(const SortTriangle& a, const SortTriangle& b);
 
-/// Whether a may be painted before b. The five tests of Newell, Newell and Sancha, "A Solution to the Hidden Surface
-/// Problem" (1972): depths, boxes, a behind the plane of b, b in front of the plane of a, screen overlap; if all of
-/// them fail, the distances over the overlap decide.
+/// Whether a may be painted before b. The tests are the five of Newell, Newell and Sancha, "A Solution to the Hidden
+/// Surface Problem" (1972): depths, boxes, a behind the plane of b, b in front of the plane of a, screen overlap. If
+/// all of them fail, the distances over the overlap decide.
 bool may_precede(const SortTriangle& a, const SortTriangle& b);
 
-/// The pieces that a cut leaves.
+/// The pieces of a cut triangle.
 struct TrianglePieces {
   SortTriangle piece[3];
   int count;
 };
 
-/// Cuts a triangle along the plane of another one. New vertices lie on the pixel grid: within half a grid step of the
-/// cut and of the edge. False if the plane misses the triangle, or leaves one side without area.
+/// Cuts a triangle along the plane of another one. New vertices lie on the pixel grid, within half a grid step of the
+/// cut and of the edge. Returns false if the plane misses the triangle, or if one side would have no area.
 bool split_triangle(const SortTriangle& f, const SortTriangle& plane, TrianglePieces* out);
 
 }  // namespace shd::raster

@@ -8,8 +8,8 @@
 
 namespace shd::raster {
 
-/// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the framebuffer: depth and triangle
-/// of a tile take 32 KB a sample, and its fragment columns stay in L2.
+/// Tiles are kTile x kTile pixels, on a grid that starts at the top left corner of the framebuffer. Depth and triangle
+/// of a tile take 32 KB per sample, and the fragment columns of a tile stay in L2.
 constexpr int32_t kTileBits = 6;
 constexpr int32_t kTile = 1 << kTileBits;
 constexpr size_t kTilePixels = size_t{kTile} * kTile;
@@ -21,12 +21,13 @@ constexpr int32_t kBlockBits = 3;
 constexpr int32_t kBlock = 1 << kBlockBits;
 constexpr int32_t kBlocksPerRow = kTile / kBlock;
 
-/// Which way the depths of a tile have changed since its bounds were found: only smaller depths passed, or only larger
-/// ones.
+/// Direction in which the depths of a tile have changed since its bounds were found: only smaller depths passed, or
+/// only larger ones.
 enum class DepthTrend { kUnknown, kFalling, kRising };
 
-/// Hierarchical depth: no depth of a block lies beyond its bound, so a triangle that cannot pass is rejected before its
-/// samples are visited. A bound stays valid while depths follow the trend; it is recomputed where it rejects nothing.
+/// Hierarchical depth: no depth of a block lies beyond its bound, so that a triangle that cannot pass is rejected
+/// before its samples are visited. A bound stays valid while depths follow the trend. A bound that rejects nothing is
+/// recomputed.
 struct DepthBounds {
   DepthTrend trend;
   float bound[kBlocksPerRow * kBlocksPerRow];  // largest depth if falling, smallest if rising
@@ -36,7 +37,7 @@ struct DepthBounds {
 struct Tile {
   uint32_t samples = 0;
   core::Array<float> depth;    // [kTilePixels][samples]
-  core::Array<uint32_t> slot;  // [kTilePixels][samples] position in the tile's list of triangles, or kNoSlot
+  core::Array<uint32_t> slot;  // [kTilePixels][samples] index into the tile's list of triangles, or kNoSlot
   DepthBounds bounds;
 };
 
@@ -44,11 +45,11 @@ struct Tile {
 inline void allocate(const core::Allocator& allocator, uint32_t samples, Tile* out) {
   out->samples = samples;
   out->depth = core::Array<float>(allocator, samples * kTilePixels);
-  out->depth.fill_zero();  // bounds look at pixels outside the frame too
+  out->depth.fill_zero();  // the bounds also read pixels outside the frame
   out->slot = core::Array<uint32_t>(allocator, samples * kTilePixels);
 }
 
-/// Call after depths of a tile were written without regard to the trend.
+/// Must be called after depths of a tile were written without regard to the trend.
 inline void forget_bounds(Tile* tile) {
   tile->bounds.trend = DepthTrend::kUnknown;
 }

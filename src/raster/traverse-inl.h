@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The samples of a tile that a triangle covers, vector by vector. Samples lie in rows as the tile has them: those of
-// one pixel, then those of the next.
+// The samples of a tile that a triangle covers, vector by vector. Samples are ordered as in the tile: all samples of
+// one pixel, then all samples of the next.
 #if defined(SHD_RASTER_TRAVERSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_RASTER_TRAVERSE_INL_H_
 #undef SHD_RASTER_TRAVERSE_INL_H_
@@ -24,11 +24,11 @@ using V = hn::Vec<Tag>;
 using MaskV = hn::Mask<Tag>;
 using Int = hn::Vec<hn::RebindToSigned<Tag>>;
 
-/// Samples of a pixel: one; as many as fit a vector; more.
+/// Number of samples per pixel: one, as many as fit into a vector, or more.
 enum class Samples { kSingle, kOneVector, kVectors };
 
-/// What repeats along the rows of a narrow triangle: its edge functions and the origin of its depth, at the samples of
-/// the pixels that fill a vector, or of one pixel.
+/// The part of a narrow triangle that repeats along the rows: its edge functions and the origin of its depth, at the
+/// samples of the pixels that fill a vector, or of one pixel.
 template <Samples kSamples>
 class Period {
  public:
@@ -45,7 +45,7 @@ class Period {
   HWY_INLINE Int column(int32_t at) const { return hn::LoadU(hn::RebindToSigned<Tag>(), pattern_.column + at); }
   HWY_INLINE V base(int32_t at) const { return hn::Load(Tag(), base_ + at); }
 
-  /// edge_at() for lanes from `at` on: the pixels' part in whole pixels, the rest before rounding.
+  /// edge_at() for the lanes from `at` on, as the sum of whole pixels and of the rest, which is rounded down.
   HWY_INLINE Int edge(const EdgeLine& line, int32_t at) const {
     const hn::RebindToSigned<Tag> di;
     const auto a = hn::Set(di, static_cast<int32_t>(line.a)), b = hn::Set(di, static_cast<int32_t>(line.b));
@@ -79,7 +79,7 @@ class Period {
   alignas(64) int32_t edge_[3][kSamples == Samples::kVectors ? kMaxSamples : 1];
 };
 
-/// With one sample a pixel.
+/// Specialisation for one sample per pixel.
 template <>
 class Period<Samples::kSingle> {
  public:
@@ -105,7 +105,7 @@ class Period<Samples::kSingle> {
   const V base_;
 };
 
-/// One edge function at the first vector of a row, its value in the current vector, and its steps to the next vector
+/// Values of one edge function: at the first vector of the row, at the current vector, and the steps to the next vector
 /// and to the next row.
 struct EdgeWalk {
   template <Samples kSamples>
@@ -124,8 +124,8 @@ struct EdgeWalk {
   Int row, here, right, down;
 };
 
-/// body(at, inside, z) for every vector of samples that has covered ones: `at` is the place of its first sample in the
-/// tile, z the depths. Unless Variant::kClipped, the box is that of the triangle in the tile.
+/// Calls body(at, inside, z) for every vector with covered samples: `at` is the position of its first sample in the
+/// tile, z are the depths. Unless Variant::kClipped, the box must be the box of the triangle in the tile.
 template <class Variant, class Body>
 HWY_INLINE void ForEachCovered(const TriangleSetup& t, const Body& body) {
   constexpr Samples kSamples = Variant::kSamples;

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One triangle for all lanes.
+/// All lanes belong to the same triangle.
 struct OneTriangle {
   size_t vertex[3];
 
@@ -25,7 +25,8 @@ struct OneTriangle {
   }
 };
 
-/// Vertices of their own in each lane. Not a gather: its 32-bit indices end before 16 values of 2^28 vertices do.
+/// Each lane has its own vertices. A gather is not possible: its 32-bit indices are too small for 16 values of 2^28
+/// vertices.
 struct TrianglePerLane {
   const uint32_t* vertex[3];
 
@@ -39,10 +40,10 @@ struct TrianglePerLane {
 
 template <class V>
 struct Weights {
-  V b1, b2;  // of vertices 1 and 2
+  V b1, b2;  // weights of vertices 1 and 2
 };
 
-/// Barycentrics on the screen of raster position (px, py); `perspective` where there are none.
+/// Screen-space barycentrics of raster position (px, py); `perspective` where they do not exist.
 template <class D, class Triangle, class V = hn::Vec<D>>
 HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& triangle, V px, V py,
                                     const Weights<V>& perspective) {
@@ -54,7 +55,7 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
     const V w = triangle.Get(d, raster, 4, k, 3), reach = w * hn::Set(d, 0x1p60f);
     usable = hn::And(usable, hn::Ge(w, hn::Set(d, geometry::kMinW)));
     usable = hn::And(usable, hn::And(hn::Le(hn::Abs(rx), reach), hn::Le(hn::Abs(ry), reach)));
-    // The pixel becomes the origin before the division: what is left of it is small.
+    // Subtracting the pixel before the division keeps the remainder small.
     x[k] = (rx - px * w) / w;
     y[k] = (ry - py * w) / w;
   }
@@ -73,7 +74,7 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
   return {b1, hn::Min(hn::Max(raw2, zero), one - b1)};
 }
 
-/// One vector of rows, starting at row `at`.
+/// Interpolates one vector of rows from row `at` on.
 template <class D, class Triangle>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Triangle& triangle,
                                 const shd_interpolation* modes, bool any_affine, const Fragments& f, size_t at,

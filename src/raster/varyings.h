@@ -19,16 +19,17 @@ struct Varyings {
   float* column[SHD_MAX_VARYINGS] = {};
 };
 
-/// Room for `count` columns. Throws std::bad_alloc.
+/// Allocates `count` columns. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t count, Varyings* out);
 
-/// Varyings of `fragments`, whose barycentrics and vertices are there; rows past count up to the next whole vector
-/// repeat the last one, and rows are sorted by triangle.
+/// Interpolates the varyings of `fragments`, whose barycentrics and vertices must be set. Rows past count up to the
+/// next whole vector must repeat the last one, and rows must be sorted by triangle.
 ///
-/// PERSPECTIVE blends by the barycentrics, AFFINE by those on the screen: the areas between the place (x, y) and the
-/// projected vertices (X / W, Y / W) of the unclipped triangle, clamped to it. It falls back to PERSPECTIVE where a
-/// vertex has W < kMinW or |X| or |Y| > 2^60 W, and where the triangle has no area there. FLAT copies. A varying that
-/// is the same at all three vertices is that at every row, to the bit; finite ones give finite rows.
+/// PERSPECTIVE blends by the perspective-correct barycentrics. AFFINE blends by the screen-space barycentrics: the
+/// areas between the point (x, y) and the projected vertices (X / W, Y / W) of the unclipped triangle, clamped to it.
+/// AFFINE falls back to PERSPECTIVE where a vertex has W < kMinW or |X| or |Y| > 2^60 W, and where the projected
+/// triangle has no area. FLAT copies the first vertex. A varying that is equal at all three vertices keeps its bits in
+/// every row; finite varyings give finite rows.
 /// @param modes  [vertices.varying_count]
 void interpolate_varyings(const core::SimdTarget& simd, const geometry::Vertices& vertices,
                           const shd_interpolation* modes, const Fragments& fragments, Varyings* out);

@@ -4,7 +4,7 @@
 namespace shd::raster {
 namespace {
 
-/// body(pixel, sample, z) for every covered sample whose depth z passes.
+/// Calls body(pixel, sample, z) for every covered sample whose depth z passes.
 template <class Body>
 void for_each_passing(const TriangleSetup& t, shd_compare compare, const Tile& tile, const Body& body) {
   const SamplePattern& pattern = *t.pattern;

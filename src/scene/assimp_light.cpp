@@ -48,10 +48,10 @@ void set_cone(const aiLight& light, shd_light_desc& desc) {
 
 bool kind_of(const aiLight& light, shd_light_kind* kind) {
   switch (light.mType) {
-    case aiLightSource_DIRECTIONAL: *kind = SHD_LIGHT_DIRECTIONAL; return true;
-    case aiLightSource_POINT: *kind = SHD_LIGHT_POINT; return true;
-    case aiLightSource_SPOT: *kind = SHD_LIGHT_SPOT; return true;
-    case aiLightSource_AMBIENT: *kind = SHD_LIGHT_AMBIENT; return true;
+    case aiLightSource_DIRECTIONAL: *kind = SHD_LIGHT_KIND_DIRECTIONAL; return true;
+    case aiLightSource_POINT: *kind = SHD_LIGHT_KIND_POINT; return true;
+    case aiLightSource_SPOT: *kind = SHD_LIGHT_KIND_SPOT; return true;
+    case aiLightSource_AMBIENT: *kind = SHD_LIGHT_KIND_AMBIENT; return true;
     default: return false;
   }
 }
@@ -59,7 +59,7 @@ bool kind_of(const aiLight& light, shd_light_kind* kind) {
 /// False if a number of the light cannot be used.
 bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& world, double radius,
                shd_light_desc& desc) {
-  const bool is_ambient = desc.kind == SHD_LIGHT_AMBIENT, is_far = desc.kind == SHD_LIGHT_DIRECTIONAL;
+  const bool is_ambient = desc.kind == SHD_LIGHT_KIND_AMBIENT, is_far = desc.kind == SHD_LIGHT_KIND_DIRECTIONAL;
   const double strength = is_ambient || is_far ? 1.0 : strength_of(light, radius);
   const aiColor3D& color = is_ambient && light.mColorDiffuse.IsBlack() ? light.mColorAmbient : light.mColorDiffuse;
   const float channels[3] = {color.r, color.g, color.b};
@@ -74,9 +74,9 @@ bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& worl
       std::isfinite(range)) {
     desc.range = range;
   }
-  if (desc.kind == SHD_LIGHT_POINT) return true;
+  if (desc.kind == SHD_LIGHT_KIND_POINT) return true;
   const aiVector3D direction = turned(world, light.mDirection);
-  if (desc.kind == SHD_LIGHT_SPOT) set_cone(light, desc);
+  if (desc.kind == SHD_LIGHT_KIND_SPOT) set_cone(light, desc);
   return copy_finite(direction, desc.direction) && !is_zero(direction);
 }
 

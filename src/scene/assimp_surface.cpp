@@ -16,13 +16,13 @@
 namespace shd::scene {
 namespace {
 
-/// What the materials of one scene share.
+/// State that the materials of one scene share.
 struct Materials {
   const aiScene& scene;
-  std::string folder;  // of the model, for its textures
+  std::string folder;  // folder of the model, for its textures
   bool gltf2 = false;
-  bool texture_replaces_color = false;                     // Collada: a texture stands in place of the colour
-  std::map<std::pair<std::string, bool>, int> texture_of;  // name in the model, and whether it is data
+  bool texture_replaces_color = false;                     // Collada: a texture replaces the colour
+  std::map<std::pair<std::string, bool>, int> texture_of;  // key: name in the model, and whether it is data
   Model& model;
 };
 
@@ -69,7 +69,7 @@ int wrap_of(aiTextureMapMode mode) {
   }
 }
 
-/// A colour of the material within the range shd takes. False if the material has none.
+/// Reads a colour of the material, clamped to the range of shd. Returns false if the material has none.
 bool read_color(const aiMaterial& material, const char* key, unsigned type, unsigned index, std::array<float, 3>& out) {
   aiColor4D color;
   if (material.Get(key, type, index, color) != AI_SUCCESS) return false;
@@ -78,7 +78,7 @@ bool read_color(const aiMaterial& material, const char* key, unsigned type, unsi
   return true;
 }
 
-/// A number of the material within low..high. False, and `out` as it was, if the material has none.
+/// Reads a number of the material, clamped to low..high. Returns false and leaves `out` unchanged if there is none.
 bool read_number(const aiMaterial& material, const char* key, unsigned type, unsigned index, float low, float high,
                  float& out) {
   float number = 0.0f;
@@ -87,8 +87,8 @@ bool read_number(const aiMaterial& material, const char* key, unsigned type, uns
   return true;
 }
 
-/// KHR_texture_transform as a slot has it: assimp turns glTF's offset, rotation and scale about the upper left corner
-/// into its own about the middle of a texture whose v grows upwards; this undoes it.
+/// KHR_texture_transform in the form of a slot. assimp converts glTF's offset, rotation and scale about the upper left
+/// corner to a transform about the middle of a texture whose v grows upwards; this function reverses the conversion.
 std::array<float, 6> uv_transform_of(const aiUVTransform& t) {
   const float sx = t.mScaling.x, sy = t.mScaling.y, c = std::cos(-t.mRotation), s = std::sin(-t.mRotation);
   const float x = t.mTranslation.x - 0.5f * sx * (1.0f - c + s);
@@ -96,7 +96,7 @@ std::array<float, 6> uv_transform_of(const aiUVTransform& t) {
   return {sx * c, sy * s, x, -sx * s, sy * c, y};
 }
 
-/// The first texture of a type, if there is one that `map` has not yet.
+/// Reads the first texture of a type, unless `map` already has a texture.
 void read_map(Materials& materials, const aiMaterial& material, aiTextureType type, bool data, Map& map) {
   aiString path;
   unsigned uv_set = 0;
@@ -125,7 +125,7 @@ void read_metallic_roughness(Materials& materials, const aiMaterial& material, S
   surface.metallic_roughness = true;
   read_number(material, AI_MATKEY_METALLIC_FACTOR, 0.0f, 1.0f, surface.metallic);
   Map& roughness = surface.maps[SHD_SLOT_ROUGHNESS];
-  read_map(materials, material, aiTextureType_UNKNOWN, true, roughness);  // where assimp keeps glTF's
+  read_map(materials, material, aiTextureType_UNKNOWN, true, roughness);  // assimp stores glTF's texture here
   roughness.channel = 1;
   surface.maps[SHD_SLOT_METALLIC] = roughness;
   surface.maps[SHD_SLOT_METALLIC].channel = 2;

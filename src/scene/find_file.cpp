@@ -16,7 +16,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The entry of `folder` called `name` but for the case of letters; the first by name if there are several.
+/// The entry of `folder` with the given name, ignoring case; the first by name if there are several.
 fs::path entry_of(const fs::path& folder, const std::string& name) {
   std::error_code error;
   fs::path found;
@@ -27,7 +27,7 @@ fs::path entry_of(const fs::path& folder, const std::string& name) {
   return found;
 }
 
-/// `relative` under `folder`, each part by its own case or another; empty if there is none.
+/// `relative` under `folder`, each part in its own or another case; empty if there is none.
 fs::path walk(const fs::path& folder, const fs::path& relative) {
   std::error_code error;
   fs::path place = folder;

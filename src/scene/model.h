@@ -12,26 +12,26 @@
 
 namespace shd::scene {
 
-/// Triangles in object space, counter-clockwise seen from the front. Positions are finite.
+/// Triangles in object space, counter-clockwise as seen from the front. Positions are finite.
 struct Geometry {
   std::string name;
   std::vector<float> position;    // [vertex][3]
-  std::vector<float> normal;      // [vertex][3], or empty: shd computes them
+  std::vector<float> normal;      // [vertex][3], or empty: computed by shd
   std::vector<float> uv;          // [vertex][2], v down, or empty
-  std::vector<float> uv1;         // the second set, likewise
+  std::vector<float> uv1;         // second uv set, as uv
   std::vector<uint32_t> indices;  // [triangle][3]
 };
 
-/// Where a texture comes from: a file, or bytes that the model carries.
+/// Source of a texture: a file, or bytes embedded in the model.
 struct TextureSource {
-  std::string path;                 // file to load, or the name of an embedded one
-  std::vector<unsigned char> file;  // a whole image file; empty = not embedded so
-  std::vector<unsigned char> rgba;  // [height][width][4], sRGB unless data; empty = not embedded so
-  uint32_t width = 0, height = 0;   // of rgba
+  std::string path;                 // file to load, or the name of an embedded texture
+  std::vector<unsigned char> file;  // a whole image file in memory, or empty
+  std::vector<unsigned char> rgba;  // [height][width][4], sRGB unless data, or empty
+  uint32_t width = 0, height = 0;   // size of rgba
   bool data = false;                // numbers, not colours: no sRGB curve
 };
 
-/// A texture on a surface, as a slot of a material has it.
+/// A texture on a surface, with the parameters of a material slot.
 struct Map {
   int texture = -1;  // index into Model::textures; -1 = none
   uint32_t uv_set = 0, channel = 0;
@@ -41,20 +41,20 @@ struct Map {
 
 enum class Alpha { kOpaque, kMask, kBlend };
 
-/// Reflectance, scene-linear. The maps multiply the coefficients of the same name.
+/// Reflectance, scene-linear. Each map multiplies the coefficient of the same name.
 struct Surface {
   std::string name;
   std::array<float, 3> diffuse = {0.8f, 0.8f, 0.8f};  // or base colour
   std::array<float, 3> specular = {0.25f, 0.25f, 0.25f};
   float exponent = 40.0f;
-  bool metallic_roughness = false;  // given so: then specular and exponent are not
+  bool metallic_roughness = false;  // if set, specular and exponent are unused
   float metallic = 0.0f, roughness = 0.5f;
   std::array<float, 3> emission = {0, 0, 0};
   float normal_scale = 1.0f, occlusion_strength = 1.0f;
   Alpha alpha = Alpha::kOpaque;
   float opacity = 1.0f, alpha_cutoff = 0.5f;
   bool double_sided = false;
-  std::array<Map, SHD_SLOT_COUNT> maps;
+  std::array<Map, SHD_SLOT_MATCAP + 1> maps;  // by shd_slot_target
 };
 
 /// A geometry placed in the world.

@@ -35,25 +35,27 @@ shd_sampler* sampler_of(Maker& maker, const Map& map) {
   return known;
 }
 
-/// The one place that knows how a material desc holds its slots.
-void set_slots(Maker& maker, const Surface& surface, shd_material_desc& desc) {
+/// The slots of a surface, at most one for each target.
+std::vector<shd_slot> slots_of(Maker& maker, const Surface& surface) {
+  std::vector<shd_slot> slots;
   for (size_t target = 0; target < surface.maps.size(); ++target) {
     const Map& map = surface.maps[target];
     shd_texture* texture = map.texture >= 0 ? maker.out.textures[static_cast<size_t>(map.texture)].get() : nullptr;
-    if (!texture) continue;
-    shd_slot& slot = desc.slot[target];
-    slot.source = SHD_SOURCE_TEXTURE;
-    slot.texture = texture;
-    slot.sampler = sampler_of(maker, map);
+    // Ambient light is reflected by the diffuse colour; metallic-roughness includes this itself.
+    if (!texture || (target == SHD_SLOT_AMBIENT && !surface.metallic_roughness)) continue;
+    shd_slot slot = shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler_of(maker, map));
     slot.uv_set = map.uv_set;
     slot.channel = map.channel;
     std::copy(map.uv_transform.begin(), map.uv_transform.end(), slot.uv_transform);
+    slots.push_back(slot);
+    if (target != SHD_SLOT_DIFFUSE || surface.metallic_roughness) continue;
+    slot.target = SHD_SLOT_AMBIENT;
+    slots.push_back(slot);
   }
-  // Ambient light meets the diffuse colour; metallic-roughness has that from the model.
-  if (!surface.metallic_roughness) desc.slot[SHD_SLOT_AMBIENT] = desc.slot[SHD_SLOT_DIFFUSE];
+  return slots;
 }
 
-/// The exponent of a Blinn-Phong lobe as wide as that of GGX, and back: p = 2 / alpha^2 - 2, alpha = roughness^2.
+/// The exponent of a Blinn-Phong lobe as wide as a GGX lobe: p = 2 / alpha^2 - 2, alpha = roughness^2; and its inverse.
 float exponent_of(float roughness) {
   const float alpha = std::max(roughness * roughness, 0.01f);
   return std::max(2.0f / (alpha * alpha) - 2.0f, 0.0f);
@@ -63,7 +65,7 @@ float roughness_of(float exponent) {
   return std::sqrt(std::sqrt(2.0f / (exponent + 2.0f)));
 }
 
-shd_material_desc desc_of(Maker& maker, const Surface& surface) {
+shd_material_desc desc_of(const Surface& surface) {
   shd_material_desc desc = shd_material_desc_default();
   const bool metallic = surface.metallic_roughness;
   desc.model = metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
@@ -78,20 +80,23 @@ shd_material_desc desc_of(Maker& maker, const Surface& surface) {
   desc.metallic = surface.metallic;
   desc.normal_scale = surface.normal_scale;
   desc.occlusion_strength = surface.occlusion_strength;
-  if (surface.double_sided) desc.flags |= SHD_DOUBLE_SIDED;
+  if (surface.double_sided) desc.flags |= SHD_MATERIAL_DOUBLE_SIDED;
   if (surface.alpha == Alpha::kMask) desc.alpha_cutoff = surface.alpha_cutoff;
   if (surface.alpha == Alpha::kBlend) desc.blend = SHD_BLEND_SORTED;
   desc.opacity = surface.opacity;
-  set_slots(maker, surface, desc);
   return desc;
 }
 
 void add_materials(Maker& maker, const std::vector<Surface>& surfaces) {
   maker.out.material_descs.reserve(surfaces.size());
   for (const Surface& surface : surfaces) {
-    maker.out.material_descs.push_back(desc_of(maker, surface));
+    maker.out.material_slots.push_back(slots_of(maker, surface));
+    shd_material_desc desc = desc_of(surface);
+    desc.slots = maker.out.material_slots.back().data();
+    desc.slot_count = static_cast<uint32_t>(maker.out.material_slots.back().size());
+    maker.out.material_descs.push_back(desc);
     Material material;
-    require(shd_material_create(maker.context, &maker.out.material_descs.back(), material.out()));
+    require(shd_material_create(maker.context, &desc, material.out()));
     maker.out.materials.push_back(std::move(material));
     maker.out.material_names.push_back(surface.name);
   }

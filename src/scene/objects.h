@@ -24,6 +24,7 @@ struct Objects {
   std::vector<shd_texture*> found_textures;
   std::vector<std::string> texture_names;  // of the found ones
   std::vector<Sampler> samplers;
+  std::vector<std::vector<shd_slot>> material_slots;  // of each material
   std::vector<shd_material_desc> material_descs;
   std::vector<Material> materials;
   std::vector<std::string> material_names;

@@ -8,57 +8,58 @@
 
 namespace shd::shade {
 
-/// Colour and the targets of SHD_AOV_TARGET1 to 3.
+/// Number of targets: colour, and the targets of SHD_AOV_TARGET1 to 3.
 constexpr uint32_t kMaxTargets = 4;
 
-/// Radiance of a batch: scene-linear, premultiplied; columns of raster::kBatch.
+/// Radiance of a batch: scene-linear, premultiplied; columns of raster::kBatch elements.
 struct Radiance {
-  float* channel[4 * kMaxTargets];  // r, g, b, a of colour, then of each target; null where a target is absent
+  float* channel[4 * kMaxTargets];  // r, g, b, a of colour, then of each target; null if a target is absent
 };
 
-/// Values that shape the lobes at points, in the order of the model's Shape; null = the material's constant.
+/// Shape parameters of the lobes at points, in the order of the model's Shape; null = the material's constant.
 struct LobeShape {
   const float* column[material::kMaxShapeColumns];
 };
 
-/// Largest number of lights with a cookie or a shadow whose factors are held at once.
+/// Largest number of lights with a cookie or a shadow in one LightGroup; their factors are stored.
 constexpr size_t kModulated = 4;
 
-/// Columns of a march along lines of sight over the heights of a surface, of the fragments.
+/// Columns for marching the fragments' lines of sight through a height field.
 struct MarchColumns {
-  float *u0, *v0;  // on the surface
-  float *du, *dv;  // from there to the full depth
-  float* above;    // distance from the line down to the heights at the step before
-  float* found;    // part of the way where the line meets the heights, 0..1; negative until that is known
+  float *u0, *v0;  // uv of the fragment on the surface
+  float *du, *dv;  // uv step from the surface to the full depth
+  float* above;    // height of the line above the field at the previous step
+  float* found;    // position on the line where it meets the field, 0..1; negative until found
 };
 
-/// Columns of one worker besides its Fragments. Points are where lobes are computed: the fragments at Phong frequency,
-/// else the corners or centroids of triangles.
+/// Columns of one worker in addition to its Fragments. Points are the positions where lobes are computed: the fragments
+/// at Phong frequency, otherwise the corners or centroids of triangles.
 struct Columns {
   core::Array<float> block;
-  material::Lobes lobes;                     // of the fragments
-  Radiance radiance;                         // of the fragments
-  float* slot[SHD_SLOT_COUNT][4];            // values of slots; null beyond their channels
-  material::Lobes point_lobes;               // of corners or centroids
-  Radiance point_radiance;                   // of corners or centroids
-  float* uv[6];                              // of texture lookups: u, v, dudx, dvdx, dudy, dvdy
+  material::Lobes lobes;                     // at fragments
+  Radiance radiance;                         // at fragments
+  float* slot[material::kSlotCount][4];      // values of slots; null beyond their channels
+  material::Lobes point_lobes;               // at corners or centroids
+  Radiance point_radiance;                   // at corners or centroids
+  float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
   float* tangent_frame[6];                   // dp/du and dp/dv of the points' triangles, world space
-  float* shifted;                            // u or v of lookups one texel away
-  float* tilt[2];                            // of bumps: height over u and v, or over a texel
-  float* variance;                           // of slopes that a normal map lost
-  MarchColumns march;                        // of parallax
-  float* shape[material::kMaxShapeColumns];  // of the points' lobes
-  float* factor[kModulated][3];              // of the points: part of a light that passes its cookie and shadow
-  float* shadow_normal[3];                   // of the points, before maps and bumps; only with shadows
-  float* visibility;                         // of the points, for a light with cookie and shadow
-  uint32_t* point;                           // of the fragments: the first point of their triangle
-  uint32_t* discard;                         // of the fragments: not 0 where a program dropped them
-  uint32_t* point_discard;                   // of corners or centroids
+  float* shifted;                            // u or v of lookups displaced by one texel
+  float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a
+                                             // texel
+  float* variance;                           // variance of slopes removed by filtering a normal map
+  MarchColumns march;                        // parallax scratch
+  float* shape[material::kMaxShapeColumns];  // shape parameters of the lobes at points
+  float* factor[kModulated][3];              // at points: factor of a light's cookie and shadow
+  float* shadow_normal[3];                   // at points, before normal maps and bumps; set only with shadows
+  float* visibility;                         // at points, for a light with a cookie and a shadow
+  uint32_t* point;                           // [fragment] first point of its triangle
+  uint32_t* discard;                         // [fragment] not 0 if a program discarded it
+  uint32_t* point_discard;                   // [corner or centroid] as `discard`
 };
 
 namespace detail {
 
-/// visit(column) for every column, with the radiance columns of the targets.
+/// Calls visit(column) for every column, including the radiance columns of existing targets.
 template <class Visit>
 void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
   for (material::Lobes* lobes : {&columns->lobes, &columns->point_lobes}) {
@@ -72,7 +73,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
       if (targets >> c / 4 & 1) visit(&radiance->channel[c]);
     }
   }
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     for (uint32_t c = 0; c < 4; ++c) {
       columns->slot[i][c] = nullptr;
       if (c < material::slot_channels(i)) visit(&columns->slot[i][c]);
@@ -96,7 +97,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
 
 }  // namespace detail
 
-/// @param targets  bit t = target t exists; bit 0 is set
+/// @param targets  bit t is set if target t exists; bit 0 is set
 /// Throws std::bad_alloc.
 inline void allocate(const core::Allocator& allocator, uint32_t targets, Columns* out) {
   size_t columns = 0;

@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 namespace {
 
-/// What the channels of a batch are combined from.
+/// Inputs of the combination of one batch.
 struct Inputs {
   const material::Material& material;
   const material::Parameters& parameters;  // complete
@@ -25,7 +25,7 @@ struct Inputs {
   size_t count;
 };
 
-/// Occluded ambient light of all points.
+/// Writes the ambient light of all points, with occlusion.
 void CombineAmbient(const Inputs& in, Radiance& out) {
   using D = hn::ScalableTag<float>;
   const D d;
@@ -40,7 +40,7 @@ void CombineAmbient(const Inputs& in, Radiance& out) {
   }
 }
 
-/// Colour of all points without emission, in place of their ambient light.
+/// Replaces the ambient light of all points by their colour without emission.
 template <class Combination>
 HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
   using D = hn::ScalableTag<float>;
@@ -63,7 +63,7 @@ void AddEmission(const Inputs& in, int c, float* out) {
   }
 }
 
-/// a, and the products of colour and a where the blend mode takes them.
+/// Writes a, and multiplies the colour by a if the blend mode is premultiplied.
 void CombineOpacity(const Inputs& in, Radiance& out) {
   using D = hn::ScalableTag<float>;
   const D d;
@@ -121,7 +121,7 @@ HWY_EXPORT(SpreadCorners);
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
              const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out) {
   const auto light_count = static_cast<float>(lights.count);
-  const float times = material.flags & SHD_AMBIENT_PER_LIGHT ? light_count : 1.0f;
+  const float times = material.flags & SHD_MATERIAL_AMBIENT_PER_LIGHT ? light_count : 1.0f;
   const bool has_ambient = material::info_of(material.model).slots >> SHD_SLOT_AMBIENT & 1;
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = (has_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;

@@ -10,10 +10,10 @@
 
 namespace shd::shade {
 
-/// Radiance of `count` points towards the eye with the emission, from the lobes of the material's model (for models
-/// without lobes: from the colour in lobe 0) and the values of its slots. a is the opacity times its slots where the
-/// material has_opacity(), else 1. L is multiplied by a unless the blend mode keeps them apart. |error| <= 12 half ulps
-/// of the sum of the terms' magnitudes.
+/// Radiance of `count` points towards the eye, including emission, from the lobes of the material's model and the
+/// values of its slots. A model without lobes provides its colour in lobe 0. a is the opacity times its slots if the
+/// material has_opacity(), otherwise 1. L is multiplied by a unless the blend mode is opaque or straight. |error| <= 12
+/// half ulps of the sum of the terms' magnitudes.
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
              const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out);
 

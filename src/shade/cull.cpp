@@ -17,7 +17,7 @@ struct Interval {
   float low, high;
 };
 
-/// Bounds of the finite points; empty bounds that are at distance 0 of everything if there are none.
+/// Bounds of the finite points. Without finite points the bounds are empty, and their distance to every light is 0.
 Interval IntervalOf(const float* column, size_t count) {
   const hn::ScalableTag<float> d;
   const auto limit = hn::Set(d, __builtin_inff());

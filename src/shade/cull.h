@@ -10,8 +10,9 @@
 
 namespace shd::shade {
 
-/// Indices, in order, of the lights of a table whose range reaches the bounds of the points' positions. Lights without
-/// a range are all kept. Culled lights would add 0, so no bit depends on the points of a batch. Returns the count.
+/// Finds the lights of a table whose range reaches the bounds of the points' positions. Writes their indices in order
+/// and returns the count. Lights without a range are always kept. A culled light would add 0, so that no bit depends on
+/// the other points of a batch.
 /// @param out  [data::padded(lights.count)]
 size_t cull_lights(const core::SimdTarget& simd, const LightTable& lights, const raster::Fragments& points,
                    uint32_t* out);

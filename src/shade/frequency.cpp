@@ -30,7 +30,7 @@ float varying(const geometry::Vertices& vertices, uint32_t vertex, uint32_t c) {
   return vertices.varying[size_t{vertices.varying_count} * vertex + c];
 }
 
-// In double, where neither sums nor products of floats over- or underflow.
+// The sum is computed in double, where sums and products of floats neither overflow nor underflow.
 
 float mean(float a, float b, float c) {
   return static_cast<float>((static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c)) / 3.0);
@@ -40,7 +40,7 @@ Vec3d widened(const Vec3& a) {
   return {double{a.x}, double{a.y}, double{a.z}};
 }
 
-/// Unit normal of a triangle, counter-clockwise = towards the viewer; 0 without area.
+/// Unit normal of a triangle whose corners are counter-clockwise for the viewer; 0 without area.
 Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3d origin = widened(a), n = cross(widened(b) - origin, widened(c) - origin);
   const double length = data::length(n);
@@ -48,15 +48,15 @@ Vec3 face_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {static_cast<float>(n.x / length), static_cast<float>(n.y / length), static_cast<float>(n.z / length)};
 }
 
-/// Component c of four at a corner or at the centroid; 0 where the vertices have no such values.
+/// Component c of rows of four, at a corner or averaged over the triangle; 0 if the vertices have no such values.
 float mixed(const core::Array<float>& values, const uint32_t vertex[3], size_t c, int corner) {
   if (values.size() == 0) return 0.0f;
   const auto at = [&](int k) { return values[4 * size_t{vertex[k]} + c]; };
   return corner < 0 ? mean(at(0), at(1), at(2)) : at(corner);
 }
 
-/// Columns that only some materials read.
-/// @param corner  of the triangle; negative = its centroid
+/// Sets the columns that only some materials read.
+/// @param corner  corner of the triangle; negative = its centroid
 void set_extras(const geometry::Vertices& vertices, uint32_t triangle, int corner, size_t point,
                 raster::Fragments* points) {
   uint32_t vertex[3];

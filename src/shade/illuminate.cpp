@@ -29,7 +29,7 @@ HWY_INLINE void Accumulate(D d, const ActiveLight& active, size_t i, V w, V (&su
   }
 }
 
-/// Adds the lobes of one light at a vector of points. `gated`: specular lobes are 0 where n.l <= 0.
+/// Adds the lobes of one light at a vector of points. If `gated`, specular lobes are 0 where n.l <= 0.
 template <class Lighting, class D, class V>
 HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLight& active, size_t i,
                          const simd::HWY_NAMESPACE::Vec3V<V>& p, const material::HWY_NAMESPACE::Point<V>& point,
@@ -42,7 +42,7 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
     for (V& channel : sum[0]) channel = channel + lobe[0];
   } else {
     const auto faces = hn::Gt(in.n_dot_l, hn::Zero(d));
-    // Behind every point of the vector: all terms are +0, and adding them changes no bit.
+    // The light is behind every point of the vector: all terms are +0, and adding them changes no bit.
     if (gated && hn::AllFalse(d, faces)) return;
     Lighting::AddLight(d, material, point, in, shape, lobe);
     for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
@@ -59,7 +59,7 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
   const D d;
   using V = hn::Vec<D>;
   constexpr uint32_t kLobes = Lighting::kLobes;
-  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_SPECULAR_UNGATED);
+  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
   const V zero = hn::Zero(d);
   V constant[material::kMaxShapeColumns];
   const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};
@@ -126,7 +126,7 @@ LobeShape shape_lobes(const core::SimdTarget& simd, const material::Material& ma
                       const material::Parameters& parameters, const float* variance, size_t count, Columns* columns) {
   const material::ModelInfo& info = material::info_of(material.model);
   bool varies = variance != nullptr;
-  for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+  for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
     varies |= info.shape_slots >> slot & 1 && parameters.value[slot][0];
   }
   LobeShape shape = {};

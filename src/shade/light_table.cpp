@@ -18,7 +18,7 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
   }
   for (size_t i = 0; i < count; ++i) {
     const light::Light& light = *lights[i];
-    if (light.kind == SHD_LIGHT_AMBIENT) {
+    if (light.kind == SHD_LIGHT_KIND_AMBIENT) {
       for (int c = 0; c < 3; ++c) table.ambient[c] += light.intensity[c];
       continue;
     }
@@ -29,7 +29,7 @@ LightTable make_light_table(const core::Allocator& allocator, const light::Light
     table.x[k] = light.position[0];
     table.y[k] = light.position[1];
     table.z[k] = light.position[2];
-    // The margin exceeds the rounding of distances: beyond, the falloff is 0.
+    // The margin exceeds the rounding of distances. Beyond the range the falloff is 0.
     table.max_squared_distance[k] =
         light.range > 0.0f ? static_cast<float>(1.0001 * light.range * light.range) : __builtin_inff();
     table.any_range |= light.range > 0.0f;

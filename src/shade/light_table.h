@@ -13,7 +13,7 @@ namespace shd::shade {
 /// Lights of a frame in the caller's order, except ambient lights, which are summed.
 struct LightTable {
   float ambient[3];                           // I_a
-  size_t count;                               // without ambient lights
+  size_t count;                               // number of lights that are not ambient
   core::Array<light::Light> lights;           // [count]
   core::Array<float> x, y, z;                 // [padded] positions
   core::Array<float> max_squared_distance;    // [padded] slightly above the squared range; infinity without a range
@@ -25,10 +25,10 @@ struct LightTable {
 /// A light that may affect some point of a batch.
 struct ActiveLight {
   const light::Light* light;
-  const float* factor[3];  // per channel, by point; null = 1
+  const float* factor[3];  // [channel] factor by point; null = 1
 };
 
-/// Gathers `count` lights with their shadows. `shadows` and its elements may be null. Throws std::bad_alloc.
+/// Builds the table of `count` lights and their shadows. `shadows` and its elements may be null. Throws std::bad_alloc.
 LightTable make_light_table(const core::Allocator& allocator, const light::Light* const* lights, size_t count,
                             const light::Shadow* const* shadows = nullptr);
 

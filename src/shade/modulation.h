@@ -15,11 +15,11 @@ inline bool is_modulated(const light::Light& light, const light::Shadow* shadow)
   return light.cookie || shadow;
 }
 
-/// Copies the points' normals to columns->shadow_normal: shadows use the surface without maps and bumps.
+/// Copies the points' normals to columns->shadow_normal, because shadows use the surface without normal maps and bumps.
 void keep_shadow_normals(const raster::Fragments& points, Columns* columns);
 
-/// A light with the factors that its cookie and its shadow (null = none) have at points, in columns->factor[k].
-/// Overwrites columns->uv and columns->visibility.
+/// Computes the factors of a light's cookie and shadow (null = none) at points, in columns->factor[k], and returns the
+/// light with these factors. Overwrites columns->uv and columns->visibility.
 ActiveLight modulate(const core::SimdTarget& simd, const light::Light& light, const light::Shadow* shadow,
                      const raster::Fragments& points, size_t k, Columns* columns);
 

@@ -11,7 +11,7 @@ using material::Material;
 
 template <class Test>
 bool any_slot(const Material& material, const Test& test) {
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (material::has_slot(material, i) && test(material.slot[i])) return true;
   }
   return false;
@@ -22,7 +22,7 @@ bool reads_uv(const Material& material, uint32_t set) {
 }
 
 bool reads_attributes(const Material& material) {
-  return any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SOURCE_VERTEX; });
+  return any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SLOT_SOURCE_VERTEX; });
 }
 
 bool reads_tangents(const Material& material) {
@@ -37,7 +37,7 @@ uint32_t lit_columns(const Material& material, const LightTable& lights) {
   if (info.needs_eye) needed |= raster::kToEye;
   if (lights.any_shadow) needed |= raster::kPosition;
   for (size_t i = 0; i < lights.count; ++i) {
-    if (lights.lights[i].kind != SHD_LIGHT_DIRECTIONAL || lights.lights[i].cookie) needed |= raster::kPosition;
+    if (lights.lights[i].kind != SHD_LIGHT_KIND_DIRECTIONAL || lights.lights[i].cookie) needed |= raster::kPosition;
   }
   return needed;
 }
@@ -46,7 +46,7 @@ uint32_t lit_columns(const Material& material, const LightTable& lights) {
 
 bool runs_caller_code(const Material& material) {
   return material.model == SHD_MODEL_PROGRAM ||
-         any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SOURCE_PROCEDURE; });
+         any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SLOT_SOURCE_PROCEDURE; });
 }
 
 uint32_t needed_extras(const Material& material) {

@@ -21,7 +21,7 @@ using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Sum;
 using simd::HWY_NAMESPACE::Vec3V;
 
-/// Stores the unit vector of `wanted`, or `old` where it is 0 or not finite.
+/// Stores the unit vector of `wanted`, or `old` where this is 0 or not finite.
 template <class D, class V>
 HWY_INLINE void StoreNormal(D d, const Vec3V<V>& wanted, const Vec3V<V>& old, size_t i, raster::Fragments& points) {
   const Vec3V<V> n = Normalize(d, wanted);
@@ -39,7 +39,7 @@ HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
   return {one + sign * (n.x * n.x) * a, sign * b, hn::Neg(sign * n.x)};
 }
 
-/// A vector m in the tangent space of point i, in world space.
+/// Transforms a vector m from the tangent space of point i to world space.
 template <class D, class V>
 HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& points, const Vec3V<V>& n, const Vec3V<V>& m,
                                      size_t i) {
@@ -51,7 +51,7 @@ HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& points, const
   return Sum(Sum(Scaled(t, m.x), Scaled(Cross(n, t), side * m.y)), Scaled(n, m.z));
 }
 
-/// A normal in tangent space, and the variance of slopes that its texel has lost.
+/// A normal in tangent space, and the variance of slopes removed by filtering its texel.
 template <class V>
 struct Mapped {
   Vec3V<V> m;
@@ -64,21 +64,21 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
   const V squared_scale = scale_x * scale_x;
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
-  if (material.normal_encoding == SHD_NORMAL_MOMENTS) {
+  if (material.normal_encoding == SHD_NORMAL_ENCODING_MOMENTS) {
     const V squares = hn::Load(d, map[2] + i) + hn::Load(d, map[3] + i);
     const V spread = squares - (a * a + b * b);
     const V half = hn::Set(d, 0.5f) * (squared_scale * spread);
-    const V max = hn::Set(d, 1e30f);  // products with exponents are finite
+    const V max = hn::Set(d, 1e30f);  // keeps products with exponents finite
     const V held = hn::IfThenElse(hn::Lt(half, max), half, max);
     return {{a * scale_x, b * scale_y, one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
   }
   const V x = factor * a + offset, y = factor * b + offset;
-  if (material.normal_encoding == SHD_NORMAL_XY) {
+  if (material.normal_encoding == SHD_NORMAL_ENCODING_XY) {
     const V rest = one - (x * x + y * y);
     return {{x * scale_x, y * scale_y, hn::Sqrt(hn::IfThenElseZero(hn::Gt(rest, zero), rest))}, zero};
   }
   const Vec3V<V> m = {x * scale_x, y * scale_y, factor * hn::Load(d, map[2] + i) + offset};
-  if (material.normal_encoding != SHD_NORMAL_TOKSVIG) return {m, zero};
+  if (material.normal_encoding != SHD_NORMAL_ENCODING_TOKSVIG) return {m, zero};
   const V given = hn::Load(d, map[3] + i);
   const auto shorter = hn::Lt(given, one);
   const V length = hn::IfThenElse(hn::Gt(given, hn::Set(d, 0.01f)), given, hn::Set(d, 0.01f));
@@ -116,7 +116,7 @@ void BumpNormals(const float* const* tilt, const float* const* tangent_frame, ra
     const auto area = Dot(dpdu, r1);
     const auto flat = hn::Lt(hn::Abs(area), hn::Set(d, 1.17549435e-38f));
     const auto safe = hn::IfThenElse(flat, hn::Set(d, 1.0f), area);
-    // Divided first, because the lengths of the frame may be far from 1.
+    // The division comes first, because the lengths of the frame may be far from 1.
     const auto slope = Sum(Scaled(r1, hn::Load(d, tilt[0] + i) / safe), Scaled(r2, hn::Load(d, tilt[1] + i) / safe));
     const auto turned = Sum(n, Scaled(slope, hn::Set(d, -1.0f)));
     StoreNormal(d, Select(flat, n, turned), n, i, points);

@@ -32,7 +32,7 @@ void FindShift(float depth, const float* const* tangent_frame, const raster::Fra
     const Vec3V<V> n = Load3(d, f.nx, f.ny, f.nz, i), wo = Load3(d, f.ox, f.oy, f.oz, i);
     const V cosine = Dot(n, wo);
     const V steep = hn::Max(hn::Abs(cosine), hn::Set(d, 0.1f));
-    // Away from the eye, along the surface.
+    // Direction away from the eye, along the surface.
     const Vec3V<V> along = Scaled(Sum(Scaled(n, cosine), Scaled(wo, hn::Set(d, -1.0f))), hn::Set(d, depth) / steep);
     const Vec3V<V> dpdu = Load3(d, tangent_frame[0], tangent_frame[1], tangent_frame[2], i),
                    dpdv = Load3(d, tangent_frame[3], tangent_frame[4], tangent_frame[5], i);
@@ -56,7 +56,7 @@ namespace {
 
 HWY_EXPORT(FindShift);
 
-/// Sets u and v to `part` of the way along each line.
+/// Sets u and v to the position `part`, 0..1, on each line.
 void move(const MarchColumns& m, float part, size_t count, float* u, float* v) {
   for (size_t i = 0; i < count; ++i) {
     u[i] = m.u0[i] + part * m.du[i];
@@ -64,14 +64,15 @@ void move(const MarchColumns& m, float part, size_t count, float* u, float* v) {
   }
 }
 
-/// One step at `part` of the way. Returns whether every line has met the heights.
+/// Evaluates one step at position `part`. Returns whether every line has met the heights.
 bool step(const MarchColumns& m, const float* height, float part, float width, size_t count) {
   float min_found = 1.0f;
   for (size_t i = 0; i < count; ++i) {
     const float above = (1.0f - part) - height[i];
     const bool hits = !(above > 0.0f) && m.found[i] < 0.0f;
     const float drop = m.above[i] - above;
-    // above <= 0: back to where the line between the steps crosses the heights; no way back from infinite heights.
+    // above <= 0: interpolate back to the crossing of the line between the two steps. Infinite heights cannot be
+    // interpolated.
     const float back = drop > 0.0f && drop < __builtin_inff() ? above / drop : 0.0f;
     const float crossing = part + width * std::max(back, -1.0f);
     m.found[i] = hits ? std::max(crossing, 0.0f) : m.found[i];

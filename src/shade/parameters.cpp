@@ -10,7 +10,7 @@ namespace {
 
 using material::Slot;
 
-/// Adds the columns of a slot to the channels of its texture. False if a channel is taken.
+/// Adds the columns of a slot to the channels of its texture. Returns false if a channel is already in use.
 bool add_outputs(const Slot& slot, uint32_t index, const Columns& columns, texture::Texels* out) {
   const uint32_t channels = material::slot_channels(index);
   if (channels == 1) {
@@ -25,14 +25,14 @@ bool add_outputs(const Slot& slot, uint32_t index, const Columns& columns, textu
   return true;
 }
 
-/// Looks up the textures of slots, once for slots with the same lookups.
+/// Looks up the textures of slots, once for all slots with equal lookups.
 void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, uint32_t slots, Columns* columns) {
   const material::Material& material = *context.shading.material;
   while (slots) {
     const auto first = static_cast<uint32_t>(__builtin_ctz(slots));
     const Slot& slot = material.slot[first];
     texture::Texels out = {};
-    for (uint32_t i = first; i < SHD_SLOT_COUNT; ++i) {
+    for (uint32_t i = first; i < material::kSlotCount; ++i) {
       const bool shares = slots >> i & 1 && material::share_lookups(slot, material.slot[i]);
       if (shares && add_outputs(material.slot[i], i, *columns, &out)) slots &= ~(1u << i);
     }
@@ -40,7 +40,8 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
   }
 }
 
-/// Channels that the mesh lacks are null; for normals a column of 1, because their kernel reads all channels.
+/// Points the channels of a slot to the columns of the mesh. Absent channels are null; for normals they are columns of
+/// 1, because the normal kernel reads all channels.
 void point_to_attributes(const Slot& slot, uint32_t index, const SlotContext& context, const Columns& columns,
                          material::Parameters* out) {
   const geometry::Vertices& vertices = *context.shading.vertices;
@@ -58,8 +59,9 @@ void run_procedure(const Slot& slot, uint32_t index, const SlotContext& context,
   for (uint32_t c = 0; c < material::slot_channels(index); ++c) {
     std::fill_n(columns.slot[index][c], context.points.count, 1.0f);
   }
-  call_procedure(context.shading, make_inputs(context.shading, context.points, context.varyings), slot, index,
-                 columns.slot[index]);
+  ProgramInputs inputs;
+  make_inputs(context.shading, context.points, context.varyings, &inputs);
+  call_procedure(context.shading, inputs.fragments, slot, columns.slot[index]);
 }
 
 }  // namespace
@@ -69,13 +71,13 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
   const material::Material& material = *context.shading.material;
   uint32_t textured = 0;
   slots &= material.slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (!(slots >> i & 1)) continue;
     const Slot& slot = material.slot[i];
     std::copy_n(columns->slot[i], 4, out->value[i]);
-    if (slot.source == SHD_SOURCE_TEXTURE) textured |= 1u << i;
-    if (slot.source == SHD_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
-    if (slot.source == SHD_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
+    if (slot.source == SHD_SLOT_SOURCE_TEXTURE) textured |= 1u << i;
+    if (slot.source == SHD_SLOT_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
+    if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
   }
   look_up_textures(simd, context, textured, columns);
 }

@@ -13,22 +13,23 @@
 
 namespace shd::shade {
 
-/// Points whose slots are looked up.
+/// The points at which slots are looked up.
 struct SlotContext {
   const DrawShading& shading;
   const raster::Fragments& points;
   const raster::Varyings& varyings;
-  bool has_footprint;  // else level 0
+  bool has_footprint;  // otherwise level 0 is used
 };
 
-/// Lookups of a slot's texture. They may be held in columns->uv.
+/// Lookups of a slot's texture. They may use columns->uv as storage.
 inline texture::Lookups lookups_of(const material::Slot& slot, const SlotContext& context, Columns* columns) {
   return material::lookups_of(slot, context.points, context.has_footprint, columns->uv);
 }
 
-/// Values at points of `slots` (bits) that are set, except height and matcap. Columns are columns->slot, or those of
-/// the points for vertex attributes. An attribute that the mesh lacks is null, but all channels of normals are columns.
-/// Slots with the same lookups share them; the bits are those of separate lookups. Throws Failure if a procedure threw.
+/// Looks up the values at points of all `slots` (bits) that are set, except height and matcap. The columns are
+/// columns->slot, or for vertex attributes the columns of the points. An attribute that the mesh lacks is null, but all
+/// channels of normals are columns. Slots with equal lookups share them; the bits equal those of separate lookups.
+/// Throws Failure if a procedure threw.
 void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uint32_t slots, Columns* columns,
                    material::Parameters* out);
 

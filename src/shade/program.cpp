@@ -11,7 +11,7 @@
 namespace shd::shade {
 namespace {
 
-/// Runs code of the caller and turns its exceptions into a Failure.
+/// Runs the caller's code and turns its exceptions into a Failure.
 template <class Body>
 void call(const DrawShading& shading, const char* name, const Body& body) {
   try {
@@ -35,8 +35,10 @@ void require_count(const DrawShading& shading, const char* name, size_t got, siz
 
 }  // namespace
 
-shd_fragments make_inputs(const DrawShading& shading, const raster::Fragments& f, const raster::Varyings& varyings) {
-  shd_fragments in = {};
+void make_inputs(const DrawShading& shading, const raster::Fragments& f, const raster::Varyings& varyings,
+                 ProgramInputs* out) {
+  shd_fragments& in = out->fragments;
+  in = {};
   in.struct_size = sizeof in;
   in.draw = shading.draw;
   in.count = f.count;
@@ -50,13 +52,14 @@ shd_fragments make_inputs(const DrawShading& shading, const raster::Fragments& f
   in.instance = shading.instance;
   in.uniforms = shading.uniforms;
   in.varying_count = shading.material->varying_count;
-  for (uint32_t c = 0; c < in.varying_count; ++c) in.varying[c] = varyings.column[c];
+  in.varying = varyings.column;
   in.tx = f.tx, in.ty = f.ty, in.tz = f.tz, in.tw = f.tw;
   in.u1 = f.u1, in.v1 = f.v1;
   for (uint32_t c = 0; c < SHD_MAX_ATTRIBUTES; ++c) {
-    in.attribute[c] = shading.vertices->has_attribute[c] ? f.attribute[c] : nullptr;
+    out->attribute[c] = shading.vertices->has_attribute[c] ? f.attribute[c] : nullptr;
   }
-  return in;
+  in.attribute = out->attribute;
+  in.attribute_count = SHD_MAX_ATTRIBUTES;
 }
 
 void run_program(const DrawShading& shading, const raster::Fragments& f, const raster::Varyings& varyings,
@@ -67,21 +70,26 @@ void run_program(const DrawShading& shading, const raster::Fragments& f, const r
   out.struct_size = sizeof out;
   out.r = radiance->channel[0], out.g = radiance->channel[1], out.b = radiance->channel[2];
   out.a = radiance->channel[3];
-  std::memcpy(out.target, radiance->channel + 4, sizeof out.target);
+  float* target[kMaxTargets - 1][4];
+  std::memcpy(target, radiance->channel + 4, sizeof target);
+  out.target = target;
+  out.target_count = kMaxTargets - 1;
   if (shading.material->flags & SHD_MATERIAL_DISCARDS) {
     std::memset(discard, 0, f.count * sizeof(uint32_t));
     out.discard = discard;
   }
-  const shd_fragments in = make_inputs(shading, f, varyings);
+  ProgramInputs inputs;
+  make_inputs(shading, f, varyings, &inputs);
+  const shd_fragments& in = inputs.fragments;
   const shd_material_program& program = shading.material->program;
   call(shading, "material.program.fragment", [&] { program.fragment(&in, &out, program.user_data); });
   require_count(shading, "material.program.fragment", in.count, f.count);
 }
 
-void call_procedure(const DrawShading& shading, const shd_fragments& in, const material::Slot& slot, uint32_t index,
+void call_procedure(const DrawShading& shading, const shd_fragments& in, const material::Slot& slot,
                     float* const out[4]) {
   char name[40];
-  std::snprintf(name, sizeof name, "material.slot[%u].procedure", index);
+  std::snprintf(name, sizeof name, "material.slots[%u].procedure", slot.index);
   const size_t count = in.count;
   call(shading, name, [&] { slot.procedure(&in, out, slot.user_data); });
   require_count(shading, name, in.count, count);

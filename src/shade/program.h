@@ -10,9 +10,15 @@
 
 namespace shd::shade {
 
-/// Columns of points as programs and procedures read them.
-shd_fragments make_inputs(const DrawShading& shading, const raster::Fragments& points,
-                          const raster::Varyings& varyings);
+/// The inputs of a program or a procedure, and the list of columns that they point to.
+struct ProgramInputs {
+  shd_fragments fragments;
+  const float* attribute[SHD_MAX_ATTRIBUTES];
+};
+
+/// The columns of points that programs and procedures read.
+void make_inputs(const DrawShading& shading, const raster::Fragments& points, const raster::Varyings& varyings,
+                 ProgramInputs* out);
 
 /// Runs the material's fragment program at points with their varyings. Throws Failure if the program threw.
 /// @param discard  [points.count], written only if the material may discard
@@ -20,7 +26,7 @@ void run_program(const DrawShading& shading, const raster::Fragments& points, co
                  uint32_t* discard, Radiance* radiance);
 
 /// Runs a slot's procedure. Throws Failure if the procedure threw.
-void call_procedure(const DrawShading& shading, const shd_fragments& in, const material::Slot& slot, uint32_t index,
+void call_procedure(const DrawShading& shading, const shd_fragments& in, const material::Slot& slot,
                     float* const out[4]);
 
 /// Sets all targets except colour to 0.

@@ -20,7 +20,7 @@
 namespace shd::shade {
 namespace {
 
-/// Completes fragments that have x, y, depth and triangle: their vertices and interpolated attributes.
+/// Fills the vertices and interpolated attributes of fragments whose x, y, depth and triangle are set.
 void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading, const float eye[3], uint32_t wanted,
                         raster::Fragments* f) {
   // Fragments up to the next whole vector repeat the last one.
@@ -39,7 +39,7 @@ void complete_fragments(const core::SimdTarget& simd, const DrawShading& shading
   raster::interpolate(simd, vertices, eye, wanted, f);
 }
 
-/// Makes the points of Gouraud and flat shading for each triangle of the batch, and columns.point.
+/// Makes the points of Gouraud or flat shading for each triangle of the batch, and columns.point.
 void make_points(const DrawShading& shading, const float eye[3], Workspace* w) {
   const bool flat = shading.frequency == SHD_FREQUENCY_FLAT;
   raster::Fragments& f = w->fragments;
@@ -75,7 +75,7 @@ void spread_normals(const core::SimdTarget& simd, const DrawShading& shading, Wo
   spread(simd, shading, *w, w->points.nz, w->fragments.nz);
 }
 
-/// Varyings of the points, for a program or procedures.
+/// Computes the varyings of the points, for a program or procedures.
 void make_varyings(const core::SimdTarget& simd, const DrawShading& shading, Workspace* w) {
   const geometry::Vertices& vertices = *shading.vertices;
   const shd_interpolation* modes = shading.material->interpolation;
@@ -89,7 +89,7 @@ void make_varyings(const core::SimdTarget& simd, const DrawShading& shading, Wor
   }
 }
 
-/// Indices of the lights that affect points; returns their count.
+/// Finds the indices of the lights that affect points; returns their count.
 size_t find_affecting(const core::SimdTarget& simd, const LightTable& lights, const raster::Fragments& points,
                       bool ignores_irradiance, uint32_t* affecting) {
   if (!ignores_irradiance) return cull_lights(simd, lights, points, affecting);
@@ -97,7 +97,7 @@ size_t find_affecting(const core::SimdTarget& simd, const LightTable& lights, co
   return lights.count;
 }
 
-/// Lobes of points under the affecting lights, with at most kModulated lights with a cookie or a shadow per group.
+/// Computes the lobes of points, with at most kModulated lights with a cookie or a shadow per group.
 void light_points(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
                   const LightTable& lights, const raster::Fragments& points, Workspace* w, material::Lobes* out) {
   const bool ignores_irradiance = material::info_of(material.model).ignores_irradiance;
@@ -118,7 +118,7 @@ void light_points(const core::SimdTarget& simd, const material::Material& materi
   }
 }
 
-/// Radiance of a model.
+/// Shades a batch with a reflectance model.
 void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* w) {
   const material::Material& material = *shading.material;
@@ -149,7 +149,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
   combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
 }
 
-/// Radiance of a program of the caller.
+/// Shades a batch with a program of the caller.
 void shade_program(const core::SimdTarget& simd, const DrawShading& shading, Workspace* w) {
   const material::Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
@@ -158,7 +158,7 @@ void shade_program(const core::SimdTarget& simd, const DrawShading& shading, Wor
   if (shading.vertices->tangent.size() == 0) {
     make_tangent_bases({shading, points, w->varyings, per_fragment}, &points, &columns);
   }
-  if (material.flags & SHD_DOUBLE_SIDED) face_normals(*shading.vertices, shading.orientation, &points);
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED) face_normals(*shading.vertices, shading.orientation, &points);
   uint32_t* discard = per_fragment ? columns.discard : columns.point_discard;
   make_varyings(simd, shading, w);
   run_program(shading, points, w->varyings, discard, per_fragment ? &columns.radiance : &columns.point_radiance);

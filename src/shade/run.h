@@ -20,10 +20,10 @@ struct DrawShading {
   const geometry::Vertices* vertices;
   const material::Material* material;
   shd_frequency frequency;
-  float orientation;  // of the draw's matrix: -1 where it mirrors, else 1
+  float orientation;  // sign of the draw's matrix: -1 if it mirrors, otherwise 1
   uint32_t draw;      // index in the frame
   uint32_t instance;  // index in the draw
-  uint32_t wanted;    // raster::Interpolated bits of columns that are made even if shading does not read them
+  uint32_t wanted;    // raster::Interpolated bits of columns that are filled even if shading does not read them
   const void* uniforms;
 };
 
@@ -31,23 +31,23 @@ struct DrawShading {
 struct Workspace {
   raster::Fragments fragments;  // the caller fills count, pixel, triangle, x, y and depth
   raster::Fragments points;     // corners or centroids
-  raster::Varyings varyings;    // of the fragments at Phong frequency, else of the points
+  raster::Varyings varyings;    // at the fragments at Phong frequency, otherwise at the points
   Columns columns;
-  core::Array<uint32_t> affecting;  // [padded] indices of the lights that affect a batch, in the table
-  core::Array<ActiveLight> active;  // [padded] those lights with the factors of their cookies and shadows
+  core::Array<uint32_t> affecting;  // [padded] table indices of the lights that affect a batch
+  core::Array<ActiveLight> active;  // [padded] these lights, with the factors of their cookies and shadows
 };
 
 /// Capacities of a workspace.
 struct WorkspaceSize {
   uint32_t varying_count;
-  uint32_t targets;  // bit t = target t exists; bit 0, colour, is set
+  uint32_t targets;  // bit t is set if target t exists; bit 0, colour, is set
   size_t light_count;
 };
 
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Workspace* out);
 
-/// Largest number of triangles in a batch at Gouraud frequency: a table holds their corners.
+/// Largest number of triangles in a batch at Gouraud frequency: one table must hold all their corners.
 constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 
 /// Shades workspace->fragments (at most raster::kBatch, or kGouraudTriangles runs of one triangle) into

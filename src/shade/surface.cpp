@@ -11,7 +11,7 @@
 namespace shd::shade {
 namespace {
 
-/// Tilt from differences of the height over one texel of the base along u and v, times the scales.
+/// Sets the tilt to the differences of the height over one texel of level 0 along u and v, times the scales.
 void difference_height(const core::SimdTarget& simd, const material::Slot& slot, const SlotContext& context,
                        const float* height, float scale_u, float scale_v, Columns* columns) {
   const texture::Lookups at = lookups_of(slot, context, columns);
@@ -40,7 +40,7 @@ float* look_up_height(const core::SimdTarget& simd, const material::Slot& slot, 
   return columns->slot[SHD_SLOT_HEIGHT][0];
 }
 
-/// Difference of the height over a texel, downhill along u and uphill along v, because bitangents run against v.
+/// Height difference over a texel: negated along u, not along v, because bitangents run against v.
 void find_texel_tilt(const core::SimdTarget& simd, const SlotContext& context, Columns* columns) {
   const material::Material& material = *context.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
@@ -48,7 +48,7 @@ void find_texel_tilt(const core::SimdTarget& simd, const SlotContext& context, C
   difference_height(simd, slot, context, height, -material.bump_scale, material.bump_scale, columns);
 }
 
-/// Derivatives of bump_scale times the height in the points' own u and v, in world units.
+/// Derivatives of bump_scale times the height by the points' own u and v, in world units.
 void find_gradient(const core::SimdTarget& simd, const SlotContext& context, Columns* columns) {
   const material::Material& material = *context.shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_HEIGHT];
@@ -99,8 +99,9 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
   if (maps) map_normals(simd, material, parameters->value[SHD_SLOT_NORMAL], points, columns->variance);
   if (bumps && material.bump == SHD_BUMP_TEXEL) tilt_normals(simd, columns->tilt, points);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) bump_normals(simd, columns->tilt, columns->tangent_frame, points);
-  if (material.flags & SHD_DOUBLE_SIDED) face_normals(*context.shading.vertices, context.shading.orientation, points);
-  const bool has_variance = maps && material.normal_encoding >= SHD_NORMAL_TOKSVIG;
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED)
+    face_normals(*context.shading.vertices, context.shading.orientation, points);
+  const bool has_variance = maps && material.normal_encoding >= SHD_NORMAL_ENCODING_TOKSVIG;
   return shape_lobes(simd, material, *parameters, has_variance ? columns->variance : nullptr, points->count, columns);
 }
 

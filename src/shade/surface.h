@@ -7,11 +7,11 @@
 
 namespace shd::shade {
 
-/// Makes the tangents of points where they are read and the mesh has none, and the columns->tangent_frame that bumps
-/// and parallax read.
+/// Computes the tangents of points if they are read and the mesh has none, and columns->tangent_frame for bumps and
+/// parallax.
 void make_tangent_bases(const SlotContext& context, raster::Fragments* points, Columns* columns);
 
-/// Applies normal maps, bumps and double-sidedness of a material to the points' normals, and derives the shape of the
+/// Applies the material's normal maps, bumps and double-sidedness to the points' normals, and derives the shape of the
 /// lobes. Writes the values of the shaping slots to `parameters`. Throws Failure if a procedure threw.
 LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context, raster::Fragments* points,
                         Columns* columns, material::Parameters* parameters);

@@ -9,7 +9,7 @@
 namespace shd::shade {
 namespace {
 
-/// body(triangle, begin, end) for runs of points of one triangle; the last run ends at a whole vector.
+/// Calls body(triangle, begin, end) for runs of points of one triangle; the last run ends at a whole vector.
 template <class Body>
 void for_each_triangle(const raster::Fragments& points, const Body& body) {
   for (size_t begin = 0, end; begin < points.count; begin = end) {
@@ -24,7 +24,7 @@ struct TangentFrame {
   float tangent[3], side;
 };
 
-/// In double, where products of floats neither overflow nor underflow.
+// Computed in double, where products of floats neither overflow nor underflow.
 TangentFrame tangent_frame_of(const geometry::Vertices& vertices, uint32_t uv_set, uint32_t triangle) {
   double p[3][3], uv[3][2];
   for (size_t k = 0; k < 3; ++k) {
@@ -57,7 +57,8 @@ TangentFrame tangent_frame_of(const geometry::Vertices& vertices, uint32_t uv_se
   return frame;
 }
 
-/// Whether the eye sees the back of a triangle: the sign of its area on the screen, for vertices behind the eye too.
+/// Whether the back of a triangle faces the eye: the sign of its homogeneous area on the screen, valid also for
+/// vertices behind the eye.
 bool is_seen_from_behind(const geometry::Vertices& vertices, float orientation, uint32_t triangle) {
   double v[3][3];
   for (size_t k = 0; k < 3; ++k) {
@@ -86,7 +87,8 @@ void make_tangent_frames(const geometry::Vertices& vertices, float orientation, 
     std::fill(points->tx + begin, points->tx + end, frame.tangent[0]);
     std::fill(points->ty + begin, points->ty + end, frame.tangent[1]);
     std::fill(points->tz + begin, points->tz + end, frame.tangent[2]);
-    // w (n x t) points against v, upwards in the image; n x dp/du does so where uv turn with the triangle.
+    // w (n x t) points against v, upwards in the image; n x dp/du does so if uv and the triangle have the same
+    // orientation.
     std::fill(points->tw + begin, points->tw + end, -orientation * frame.side);
   });
 }

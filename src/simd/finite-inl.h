@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lanes that are finite. Two operations on every target, where Highway's test may take three.
+/// Lanes that are finite. The test takes two operations on every target; Highway's test may take three.
 template <class D, class V>
 HWY_INLINE hn::Mask<D> IsFinite(D d, V x) {
   return hn::Lt(hn::Abs(x), hn::Set(d, __builtin_inff()));
@@ -28,13 +28,13 @@ HWY_INLINE hn::Mask<D> IsFinite(D d, const Vec3V<V>& v) {
   return hn::And(hn::And(IsFinite(d, v.x), IsFinite(d, v.y)), IsFinite(d, v.z));
 }
 
-/// x where it is finite, else 0.
+/// x if it is finite, otherwise 0.
 template <class D, class V>
 HWY_INLINE V FiniteOrZero(D d, V x) {
   return hn::IfThenElseZero(IsFinite(d, x), x);
 }
 
-/// x where it is not NaN, else 0.
+/// x if it is not NaN, otherwise 0.
 template <class V>
 HWY_INLINE V ZeroIfNaN(V x) {
   return hn::IfThenElseZero(hn::Eq(x, x), x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gathers of 32-bit words that are neighbours in memory.
+// Gathers of adjacent 32-bit words.
 
 #if defined(SHD_SIMD_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_SIMD_GATHER_INL_H_
@@ -14,9 +14,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Words at index and index + 1, |index| < 2^29, of a base of float or int32_t. A gather costs by the element, so both
-/// words are one element of 8 bytes where the target gathers such elements; the bits are those of two plain gathers.
-/// PCF shadows with 7 x 7 taps do 70 instead of 43 million lookups a second on AVX-512, and 60 instead of 28 on AVX2.
+/// Words at index and index + 1, |index| < 2^29, of a base of float or int32_t. The cost of a gather is proportional to
+/// its number of elements, so that both words form one element of 8 bytes on targets with such gathers. The bits are
+/// those of two plain gathers. PCF shadows with 7 x 7 taps do 70 million instead of 43 million lookups per second on
+/// AVX-512, and 60 instead of 28 on AVX2.
 template <class D>
 HWY_INLINE void GatherPairs(D d, const hn::TFromD<D>* base, hn::Vec<hn::RebindToSigned<D>> index, hn::Vec<D>* left,
                             hn::Vec<D>* right) {

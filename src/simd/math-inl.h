@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions from exactly rounded operations: the same bits on every target.
+// Elementary functions built from exactly rounded operations, with the same bits on every target.
 
 #if defined(SHD_SIMD_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_SIMD_MATH_INL_H_
@@ -60,13 +60,13 @@ HWY_INLINE V Log2(D d, V x) {
   const V infinity = hn::Set(d, __builtin_inff());
   y = hn::IfThenElse(hn::Eq(x, infinity), infinity, y);
   y = hn::IfThenElse(hn::Eq(x, hn::Zero(d)), hn::Neg(infinity), y);
-  // Negative numbers and NaN: neither >= 0.
+  // Negative numbers and NaN fail the comparison >= 0.
   return hn::IfThenElse(hn::Ge(x, hn::Zero(d)), y, hn::Set(d, __builtin_nanf("")));
 }
 
 /// 2^x. Relative error <= 2e-7 (measured over every float with a normal result: 9.7e-8); gradual underflow below
-/// 2^-126, 0 below 2^-150; +inf from 128 on. NaN: NaN. Nearest whole number and the Taylor series of 2^f, |f| <= 1/2,
-/// up to f^7.
+/// 2^-126, 0 below 2^-150; +inf from 128 on. NaN: NaN. Sum of the nearest integer and f, |f| <= 1/2; 2^f is its Taylor
+/// series up to f^7.
 template <class D, class V>
 HWY_INLINE V Exp2(D d, V x) {
   const hn::RebindToSigned<D> di;
@@ -76,7 +76,7 @@ HWY_INLINE V Exp2(D d, V x) {
   const V whole = hn::Round(t);
   const V f = t - whole;
   const V p = ExpSeries(d, f);
-  // 2^n in two factors, each of which is a normal float; only the last product rounds.
+  // 2^n as a product of two normal floats; only the last product rounds.
   const auto n = hn::ConvertTo(di, whole);
   const auto half = hn::ShiftRight<1>(n);
   const auto bias = hn::Set(di, 127);
@@ -94,7 +94,8 @@ HWY_INLINE V Pow(D d, V x, V y) {
   return hn::IfThenElse(hn::Eq(y, hn::Zero(d)), hn::Set(d, 1.0f), power);
 }
 
-/// The bits of Pow() for x in 0..1, in fewer steps and without denormal results: 0 where x^y or x is below 2^-126.
+/// Pow() for x in 0..1, in fewer steps and without denormal results: bit-equal, except 0 where x^y or x is below
+/// 2^-126.
 template <class D, class V>
 HWY_INLINE V UnitPow(D d, V x, V y) {
   const hn::RebindToSigned<D> di;

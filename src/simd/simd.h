@@ -2,15 +2,15 @@
 /// @file
 /// Stage contract: simd, vocabulary of the kernels.
 ///
-/// Input and output: Highway vectors; every lane is computed from its own inputs only.
+/// Input and output: Highway vectors; every lane is computed only from its own inputs.
 /// Invariants: only operations that IEEE 754 rounds correctly (add, multiply, divide, square root) and exact integer
-///             work, so that every target gives the same bits: no fused multiply-add, no approximate reciprocal, no
-///             libm. Min and Max are never given a NaN, because targets differ there.
+///             operations, so that every target gives the same bits: no fused multiply-add, no approximate reciprocal,
+///             no libm. Min and Max never receive a NaN, because targets differ there.
 ///
-/// | file           | what                                                 | error                            |
+/// | file           | contents                                             | error                            |
 /// |----------------|------------------------------------------------------|----------------------------------|
 /// | math-inl.h     | Log2, Exp2, Pow, UnitPow; kInvPi                     | stated at each function, tested  |
-/// | vec3-inl.h     | 3-vectors: load, store, sum, dot, cross, unit        | the operations' own rounding     |
+/// | vec3-inl.h     | 3-vectors: load, store, sum, dot, cross, unit        | rounding of the operations       |
 /// | finite-inl.h   | tests for finite values                              | exact                            |
-/// | gather-inl.h   | pairs of neighbouring 32-bit words at an index       | exact                            |
+/// | gather-inl.h   | pairs of adjacent 32-bit words at an index           | exact                            |
 #pragma once

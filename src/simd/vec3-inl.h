@@ -20,7 +20,7 @@ struct Vec3V {
   V x, y, z;
 };
 
-/// Vectors of row i and the following rows, from one aligned column per component.
+/// Loads the vectors of row i and the following rows from one aligned column per component.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Vec3V<V> Load3(D d, const float* x, const float* y, const float* z, size_t i) {
   return {hn::Load(d, x + i), hn::Load(d, y + i), hn::Load(d, z + i)};
@@ -33,7 +33,7 @@ HWY_INLINE void Store3(D d, const Vec3V<V>& v, float* x, float* y, float* z, siz
   hn::Store(v.z, d, z + i);
 }
 
-/// The same vector in every lane.
+/// Returns a vector that is the same in every lane.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Vec3V<V> Set3(D d, const float* v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
@@ -64,13 +64,13 @@ HWY_INLINE Vec3V<V> Cross(const Vec3V<V>& a, const Vec3V<V>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// a where the mask is set, else b.
+/// Returns a where the mask is set, otherwise b.
 template <class M, class V>
 HWY_INLINE Vec3V<V> Select(M mask, const Vec3V<V>& a, const Vec3V<V>& b) {
   return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y), hn::IfThenElse(mask, a.z, b.z)};
 }
 
-/// a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. For lengths in about 1e-18..1e18.
+/// Returns a / |a|, or 0 where |a|^2 is 0, overflows or is NaN. Valid for lengths in about 1e-18..1e18.
 template <class D, class V>
 HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
   const V squared = Dot(a, a);

@@ -14,7 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-/// A filter and a format compiled together, for values of samplers without border; null where they are not.
+/// Returns a filter and a format compiled together, for values of samplers without border colour. Returns null if the
+/// pair is not compiled together.
 RunFilter FusedOf(shd_filter filter, image::Component component);
 
 }  // namespace shd::texture::HWY_NAMESPACE

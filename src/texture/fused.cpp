@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as it is
-// emitted. The other pairs stream at the same speed or within 10 % of it.
+// Hot pairs of a filter and a format, compiled together from the same two structs: each element is consumed as soon as
+// it is emitted. Streams are as fast for the other pairs, or at most 10 % slower.
 #include "texture/sample.h"
 
+#define SHD_FORMAT_KERNELS
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/fused.cpp"
 #include <hwy/foreach_target.h>
@@ -20,81 +21,67 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// Values without border of one format.
+/// Consumes each element as soon as it is emitted: values of one format, without border.
 template <class F, class D>
-class FusedSink {
+class FusedSink : public Emitter<FusedSink<F, D>> {
  public:
   using B = Blend<F, false>;
 
   explicit FusedSink(const FilterCall& call)
-      : to_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, consumer_(to_) {
-    element_.has_rates = false;
-  }
+      : to_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, consumer_(to_) {}
 
-  HWY_INLINE bool has_rates() const { return false; }
+  HWY_INLINE const Sampler& sampler() const { return to_.sampler; }
+  HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }
+  static constexpr bool has_rates() { return false; }
+  static constexpr bool bordered() { return false; }
 
-  /// Lookups from `first` on follow.
+  /// Begins the block of lookups whose first one is `first`.
   void begin(size_t first) { to_.done = first; }
 
-  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q) { consume(d, op | WriteQuad(d, q, false, 0, &element_)); }
-  HWY_INLINE void quad(D d, uint32_t op, const Quad<D>& q, hn::Vec<D> share) {
-    WriteShare(d, share, 0, &element_);
-    quad(d, op, q);
-  }
-  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in) {
-    WriteTexel(d, index, in, false, 0, &element_);
-    consume(d, op);
-  }
-  HWY_INLINE void texel(D d, uint32_t op, Ints<D> index, MaskOf<D> in, const Share<D>& share) {
-    WriteShare(d, share, 0, &element_);
-    texel(d, op, index, in);
-  }
-  HWY_INLINE void merge(D d, hn::Vec<D> share) {
-    WriteShare(d, share, 0, &element_);
-    consume(d, kMerge);
+  HWY_INLINE size_t add(D) { return 0; }
+  HWY_INLINE void commit(D d, uint32_t op) {
+    ConsumeElement<B, F, false>(d, consumer_, element_, op, 0, &averages_, &to_);
   }
   HWY_INLINE void finish() {
     const D d;
     consumer_.wanted.for_each(
-        [&](auto c) { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
+        [&](auto c) SHD_INLINE_LAMBDA { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
     to_.done += hn::Lanes(d);
   }
 
  private:
-  HWY_INLINE void consume(D d, uint32_t op) {
-    ConsumeElement<B, F, false>(d, consumer_, element_, op, 0, &averages_, &to_);
-  }
-
   Elements<kMaxLanes> element_;
   Consumption to_;
   Consumer<B> consumer_;
   Averages<B, D> averages_;
 };
 
-/// A RunFilter. Lookups that are scattered over a large texture are streamed, as streams prefetch.
+/// Runs a fused pair; a RunFilter. Blocks of scattered lookups are streamed instead, because streams are prefetched.
 template <class Filter, class F>
 size_t RunFused(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);
+  const InputColumns columns(call.in);
   typename Filter::Block block;
   FusedSink<F, BatchTag> fused(call);
-  StreamSink<BatchTag> stream(call);
+  StreamSink stream(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    nonfinite += FindBlock<Filter>(call, first, &block);
+    const Lookups in = block_of(call.in, first);
+    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
     if (Filter::is_scattered(call.texture, block)) {
       stream.begin(first, true);
-      EmitBlock(filter, block, stream);
+      EmitBlock(filter, block, columns, first, stream);
       stream.flush();
     } else {
       fused.begin(first);
-      EmitBlock(filter, block, fused);
+      EmitBlock(filter, block, columns, first, fused);
     }
   }
   return nonfinite;
 }
 
-/// Fused over streamed, RGBA8 2048 x 2048, floor, one thread of a Sapphire Rapids Xeon. Measured and left out: trilinear
-/// 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
+/// A fused pair, with its speed relative to the streamed filter (RGBA8, 2048 x 2048, receding floor, one thread of a
+/// Sapphire Rapids Xeon). Measured and rejected: trilinear 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
 struct FusedPair {
   shd_filter filter;
   image::Component component;
@@ -102,7 +89,7 @@ struct FusedPair {
 };
 constexpr FusedPair kFusedPairs[] = {
     {SHD_FILTER_NEAREST, image::Component::kUnorm8, RunFused<Nearest, Unorm8>},  // 1.20 on AVX-512, 1.0 on AVX2, SSE4
-    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},          // 1.18, 1.26 on AVX2, 1.14 on SSE4
+    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},  // 1.18 on AVX-512, 1.26 on AVX2, 1.14 on SSE4
 };
 
 }  // namespace

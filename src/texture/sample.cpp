@@ -1,62 +1,64 @@
 // SPDX-License-Identifier: MIT
+// Dispatch of a lookup to the kernels of its filter and format on one target; the swizzle of the results.
 #include "texture/sample.h"
 
+#include <algorithm>
 #include <cstring>
 
-#include "texture/filter/exact.h"
+#include "core/simd_target.h"
+#include "core/status.h"
 #include "texture/filter/magnify.h"
-#include "texture/footprint/profile.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/sample.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/explain/record-inl.h"
+#include "texture/filter/filters-inl.h"
+#include "texture/format/formats-inl.h"
+#include "texture/fused-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+RunFilter FilterOf(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return run;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return nullptr;
+}
+
+Kernels KernelsOf(shd_filter filter, image::Component component) {
+  const FormatKernels format = {ValuesOf(component), BorderedOf(component), GradientOf(component)};
+  return {FilterOf(filter), FusedOf(filter, component), format, ConsumeStream<RecordedBlend, Recorded, true>};
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace shd::texture {
 namespace {
-
-void fill(float* column, size_t count, float value) {
-  for (size_t i = 0; i < count; ++i) column[i] = value;
-}
-
-/// Weights of probes. Profiles that place the probes bring their own.
-shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
-  if (desc.filter != SHD_FILTER_ANISOTROPIC || desc.profile == SHD_PROFILE_EXACT) return desc.probe_weights;
-  return desc.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
-}
-
+HWY_EXPORT(KernelsOf);
 }  // namespace
 
-size_t sample_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                     const Lookups& lookups, const Texels& out) {
-  if (sampler.filter == SHD_FILTER_EXACT) return sample_exact(texture, sampler, simd, lookups, out);
-  return run_filter(texture, sampler, simd, lookups, out, nullptr);
-}
-
-Sampler make_sampler(const shd_sampler_desc& desc) {
-  Sampler sampler = {};
-  sampler.filter = desc.filter;
-  sampler.magnification = desc.magnification;
-  sampler.wrap_u = desc.wrap_u;
-  sampler.wrap_v = desc.wrap_v;
-  std::memcpy(sampler.border, desc.border, sizeof sampler.border);
-  sampler.lod_bias = desc.lod_bias;
-  sampler.lod_min = desc.lod_min;
-  sampler.lod_max = desc.lod_max < desc.lod_min ? desc.lod_min : desc.lod_max;
-  sampler.width_x = desc.width_x;
-  sampler.width_y = desc.width_y;
-  sampler.blur_u = desc.blur_u;
-  sampler.blur_v = desc.blur_v;
-  sampler.max_anisotropy = desc.max_anisotropy;
-  sampler.probe_weights = probe_weights_of(desc);
-  sampler.cubic = desc.cubic;
-  sampler.box = desc.box;
-  sampler.stochastic_filter = desc.stochastic_filter;
-  sampler.seed = desc.seed;
-  sampler.tolerance = desc.tolerance;
-  sampler.profile = desc.profile;
-  sampler.rounded_weights = has_rounded_weights(desc);
-  return sampler;
+size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+                  const Texels& out, Recording* recording) {
+  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler.filter, texture.component);
+  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
+  const bool is_fused = kernels.fused && !recording && !out.wants_gradient() && !has_border(sampler);
+  const RunFilter run = is_fused ? kernels.fused : kernels.run;
+  return run({texture, sampler, lookups, out, kernels.format, recording ? kernels.record : nullptr, recording});
 }
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out) {
-  // Columns 4 k + c of values (k = 0) and of their derivatives in u and v, by stored channel.
+  // Columns by stored channel c: column 4 k + c holds values (k = 0) or their derivatives in u (k = 1) or v (k = 2).
   Texels stored = {};
   for (size_t i = 0; i < kOutputColumns; ++i) {
     const uint32_t source = texture.channel_source[i % 4];
@@ -65,13 +67,13 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
     if (!column) column = out.column(i);
   }
   const size_t nonfinite = sampler.magnification == SHD_MAGNIFICATION_DEFAULT
-                               ? sample_filter(texture, sampler, simd, lookups, stored)
+                               ? run_filter(texture, sampler, simd, lookups, stored, nullptr)
                                : sample_magnified(texture, sampler, simd, lookups, stored);
   for (size_t i = 0; i < kOutputColumns; ++i) {
     if (!out.column(i)) continue;
     const uint32_t source = texture.channel_source[i % 4];
     if (source == kFill) {
-      fill(out.column(i), lookups.count, i < 4 ? texture.fill[i] : 0.0f);
+      std::fill_n(out.column(i), lookups.count, i < 4 ? texture.fill[i] : 0.0f);
       continue;
     }
     const float* column = stored.column(i / 4 * 4 + source);
@@ -80,4 +82,24 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
   return nonfinite;
 }
 
+shd_filter last_filter() {
+  shd_filter last = SHD_FILTER_NEAREST;
+#define SHD_TEXTURE_LATER(name, run, gradient) last = name > last ? name : last;
+  SHD_TEXTURE_FILTERS(SHD_TEXTURE_LATER)
+#undef SHD_TEXTURE_LATER
+  return last;
+}
+
+bool has_gradient(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run, gradient) \
+  case name: return gradient;
+    SHD_TEXTURE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return false;
+}
+
 }  // namespace shd::texture
+#endif

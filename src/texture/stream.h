@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What filters emit and formats consume: a stream of elements, one vector of lookups each. Filters do not depend on
-/// formats, nor formats on filters.
+/// The stream between filters and formats. Filters emit elements, formats consume them. Filters and formats do not
+/// depend on each other.
 ///
-/// The elements of one vector of lookups follow each other; each is a quad (2 x 2 neighbouring texels of one level,
-/// with the fractions of their bilinear blend), a row (four texels side by side, with the shares of their running
-/// average), a single texel, or a merge. Two running averages take them in:
+/// An element serves one vector of lookups; the elements of a vector are consecutive. An element is a quad (2 x 2
+/// neighbouring texels of one level, with the fractions of their bilinear blend), a row (four texels side by side, with
+/// the shares of their running average), a single texel, or a merge. The consumer keeps two running averages:
 ///
 ///   kStart     average = value
 ///   kBlend     average = average + share (value - average)
-///   kReplace   as kBlend, but a lane whose share is kWhole starts with the value
+///   kReplace   kBlend, except that a lane with the share kWhole starts with the value
 ///   kMerge     first average = first + share (second - first); has no texels
 ///
-/// The first average is the result. So every filter is a tree of blends of at most two levels, and texels that are
-/// equal give exactly their value:
+/// The first average is the result. Every filter is therefore a tree of blends of at most two levels, and equal texels
+/// give exactly their value:
 ///
 ///   bilinear     quad                                    trilinear   quad, quad
 ///   ripmap       2 quads, 2 quads into the second, merge anisotropic a quad of each level for each probe, merge
@@ -28,69 +28,68 @@
 
 namespace shd::texture {
 
-/// How an element counts; one of the first three, then flags.
+/// Operation of an element: one of the first three, and flags.
 enum StreamOp : uint16_t {
   kStart = 0,
   kBlend = 1,
   kReplace = 2,
-  kHow = 3,          // mask of the above
-  kSecond = 4,       // into the second average
+  kHow = 3,          // mask of the first three
+  kSecond = 4,       // the element goes into the second average
   kQuad = 8,         // 2 x 2 texels: columns 0 and 1 of row 0, then of row 1
-  kRow = 512,        // 4 texels, the two in the middle first: columns 1, 2, 0, 3
-  kNeighbours = 16,  // texels side by side are so in memory, and none is the border
-  kMerge = 32,       // the second average into the first
-  kRated = 64,       // the share depends on the point: its rates are there, if the stream has rates
-  kNewLine = 128,    // a texel that begins a row, for prefetching
-  kLast = 256,       // the last element of its lookups
+  kRow = 512,        // 4 texels of a row, the inner two first: columns 1, 2, 0, 3
+  kNeighbours = 16,  // columns are adjacent in memory, and no texel is the border
+  kMerge = 32,       // blends the second average into the first
+  kRated = 64,       // the share depends on the point; its rates are stored if the stream has rates
+  kNewLine = 128,    // the texel begins a row (hint for prefetching)
+  kLast = 256,       // last element of its vector of lookups
 };
 
-/// Share of a lane that starts with the value.
+/// Share that makes a lane of a kReplace element start with the value.
 constexpr float kWhole = 2.0f;
 
 /// Columns of elements: element e of a target with L lanes lies at e * L.
 template <size_t kCapacity>
 struct Elements {
-  static constexpr size_t kColumn = kCapacity + 16;  // columns a power of two apart would alias in the cache
+  static constexpr size_t kColumn = kCapacity + 16;  // avoids columns a power of two apart, which alias in the cache
 
-  bool has_rates;                         // whether rates are written: derivatives are wanted
   alignas(64) int32_t index[4][kColumn];  // texels; ~index on the border
   alignas(64) float s[kColumn];           // quad: fraction along u; row: share of the second texel
   alignas(64) float t[kColumn];           // quad: fraction along v; row: share of the third texel
   alignas(64) float r[kColumn];           // row: share of the fourth texel
-  alignas(64) float share[kColumn];       // unless kStart
-  // Their change in the coordinate, if has_rates: s and r along u, t of a quad along v, share along both.
+  alignas(64) float share[kColumn];       // share in the running average; unused for kStart
+  // Derivatives of these, if wanted: of s, r and the t of a row in u; of the t of a quad in v; of the share in both.
   alignas(64) float rate_s[kColumn], rate_t[kColumn], rate_r[kColumn];
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
-/// A buffer of elements: 8 KB, 13 KB with rates, which stay in the first-level cache.
+/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache.
 struct Stream : Elements<256> {
   static constexpr size_t kCapacity = 256;
 
-  size_t elements;  // whole vectors in use
+  size_t elements;  // elements in use, one vector each
   uint16_t op[kCapacity];
 };
 
-/// Where the texels of a texture lie.
+/// Addresses of the texels of a texture.
 struct TexelSource {
-  const uint8_t* origin;     // texel 0, or where it would lie if the base were not borrowed
+  const uint8_t* origin;     // address of texel 0, computed as if the base were not borrowed
   const uint8_t* borrowed;   // the caller's base level, or null
-  uint32_t borrowed_texels;  // how many: lower indices are there
-  uint32_t channels;         // stored: 1, 2 or 4
-  uint32_t texel_size;       // bytes
+  uint32_t borrowed_texels;  // size of the borrowed base: texels 0..borrowed_texels - 1
+  uint32_t channels;         // stored channels: 1, 2 or 4
+  uint32_t texel_size;       // [bytes]
 
   explicit TexelSource(const Texture& texture);
 };
 
-/// What a consumer makes of the lookups of one batch, and how far it has come.
+/// State of a consumer over the lookups of one batch: inputs, outputs and progress.
 struct Consumption {
   TexelSource texels;
   const Sampler& sampler;
-  Recording* recording;  // of the consumer that records, else null
+  Recording* recording;  // tree of blends, for the consumer that records; else null
   Texels out;            // unwanted columns are null; nothing is written past `count`
   size_t count;
-  size_t done;  // lookups that are written
-  bool open;    // the last lookups are not finished: `state` holds their averages
+  size_t done;  // lookups written so far
+  bool open;    // the stream ended within a vector of lookups, whose averages are in `state`
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
 };
 
@@ -99,23 +98,31 @@ using Consume = void (*)(const Stream& stream, size_t first, size_t end, Consump
 
 /// The consumers of one format on one target.
 struct FormatKernels {
-  Consume values;    // where no lookup reads the border
-  Consume bordered;  // values where some may
+  Consume values;    // values, for samplers without border colour
+  Consume bordered;  // values, for samplers whose lookups may read the border colour
   Consume gradient;  // derivatives in u and v
 };
 
-/// One batch on its way through a filter.
+/// Arguments of a filter: one batch of lookups and the consumers of the format.
 struct FilterCall {
   const Texture& texture;
   const Sampler& sampler;
   const Lookups& in;
   const Texels& out;
   FormatKernels format;
-  Consume record;        // null, or the consumer that all lookups go to
-  Recording* recording;  // its
+  Consume record;        // null, or the consumer that replaces those of the format
+  Recording* recording;  // output of `record`, or null
 };
 
-/// Filters on the calling thread. Returns how many lookups had something that is not finite.
+/// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);
+
+/// Kernels of one target for a filter and a format.
+struct Kernels {
+  RunFilter run;
+  RunFilter fused;  // null, or filter and format compiled together for values without border (fused.cpp)
+  FormatKernels format;
+  Consume record;
+};
 
 }  // namespace shd::texture

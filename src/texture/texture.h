@@ -2,66 +2,77 @@
 /// @file
 /// Stage contract: texture, (planes + uv -> values).
 ///
-/// Input:      texels of one image, a sampler, columns of coordinates with their derivatives.
-/// Output:     columns of filtered linear values.
-/// Units:      coordinates normalised, (0, 0) at the outer corner of texel (0, 0) of row 0, v downwards;
-///             levels of detail in log2 base texels.
-/// Invariants: a Texture only changes by update(), while nothing else uses it; finite texels give finite values for any
-///             input bits; a lane depends on its own inputs only.
+/// Input:      texels of one image; a sampler; columns of coordinates with their derivatives or levels of detail.
+/// Output:     columns of filtered linear values, or of their derivatives in u and v.
+/// Units:      coordinates are normalised: (0, 0) is the outer corner of the first texel of row 0, v points down.
+///             Levels of detail are log2 of a length in texels of the base level.
+/// Invariants: only update() changes a Texture, and nothing else may use the texture meanwhile. Finite texels give
+///             finite values for any bits of the input. A result depends on the inputs of its own lane only.
 ///
-/// A filter turns lookups into a stream of quads and texels; a format fetches, decodes and blends a stream. Neither
-/// depends on the other, so code grows as filters plus formats.
+/// A lookup is filtered in three steps. A footprint kernel finds the shape of each lookup: level of detail, probes or
+/// ellipse. The filter turns shapes into a stream of quads and texels. The consumer of the texture's format fetches,
+/// decodes and blends the stream. Filters and formats do not depend on each other, so N filters and M formats take
+/// N + M kernels.
 ///
-/// sample.h -> kernels.cpp -> filter -> footprint -> stream.h -> format -> store
+/// sample.cpp -> filter -> footprint -> stream.h -> format -> store
 ///
-/// | room        | what                                                                                         |
-/// |-------------|----------------------------------------------------------------------------------------------|
-/// | store/      | texels and tables in memory: levels, ripmaps, summed areas; how they are built and addressed   |
-/// | footprint/  | what filters need of each lookup, block by block: levels of detail, probes, ellipses; profiles |
-/// | filter/     | one file a filter, and what they share: levels and quads, the sink of a stream, prefetching    |
-/// | format/     | one file a component type: fetch, decode; the consumers that blend values and derivatives      |
-/// | explain/    | one lookup as its tree of blends, by a consumer that records                                   |
+/// | folder     | contents                                                                                     |
+/// |------------|----------------------------------------------------------------------------------------------|
+/// | store/     | texels and tables in memory: mip levels, ripmaps, summed areas; their builders, their layout |
+/// | footprint/ | shapes of lookups, block by block: levels of detail, probes, ellipses; profiles              |
+/// | filter/    | filters, one in each file; their shared parts: levels, quads, stream sinks, prefetching      |
+/// | format/    | component types, one in each file: fetch and decode; consumers of values and derivatives     |
+/// | explain/   | one lookup as its tree of blends, from a consumer that records                               |
 ///
-/// | file                                   | what                                                              |
-/// |----------------------------------------|-------------------------------------------------------------------|
-/// | sample.h, sample.cpp                   | error bounds; channels, magnification, which filter runs          |
-/// | kernels.cpp                            | where filters and formats of one SIMD target meet                 |
-/// | stream.h                               | elements of a stream, and what a consumer is                      |
-/// | fused.cpp, fused-inl.h                 | hot pairs of a filter and a format, compiled together             |
-/// | store/storage.h                        | layout of levels; the copy of the base                            |
-/// | store/update.cpp                       | a rectangle of the base written anew, with what depends on it     |
-/// | store/mip.cpp, mip_sums.h              | mip levels: exact area averages in linear light, rounded once     |
-/// | store/ripmap.cpp, span.h               | ripmap levels: the same, halved along each axis on its own        |
-/// | store/summed_area.h                    | sums over rectangles at the origin                                |
-/// | store/texel_codec.h                    | texels of each format from and to doubles                         |
-/// | store/mip_build.h, mip_weights.h       | mip levels in the caller's memory: kernels, normals, coverage     |
-/// | store/normal_moments.h                 | slopes of normal maps and their squares                           |
-/// | store/image_list.h, rows.h             | images of the caller's in an array; rows of a level on the executor |
-/// | store/wrap.h, wrap-inl.h               | texel coordinates and wrapping, of one index and of vectors       |
-/// | footprint/block.h                      | blocks: points, levels of detail, probes, ellipses                |
-/// | footprint/points-inl.h                 | the loop over a block; inputs that are not finite                 |
-/// | footprint/shapes-inl.h                 | the functions that fill blocks: lods.cpp, probes.cpp, ellipses.cpp |
-/// | footprint/lod.h, lod-inl.h, footprint-inl.h | level of detail and axes of a footprint; width and blur      |
-/// | footprint/profile.h, profile-inl.h     | levels of detail and probes of other texture units                |
-/// | footprint/exact_footprint.h, parallelogram.h | what SHD_FILTER_EXACT integrates over                       |
-/// | footprint/ray_footprint.h              | derivatives from ray differentials and ray cones                  |
-/// | filter/filters-inl.h                   | the list of filters: a row each                                   |
-/// | filter/runner-inl.h, sink-inl.h        | how a filter runs over a batch, and where it emits to             |
-/// | filter/prefetch.h                      | lines of memory asked for ahead, for lookups that are scattered   |
-/// | filter/bases-inl.h, level-inl.h        | what filters on level 0 or on mip levels share; quads of a level  |
-/// | filter/nearest, bilinear, bicubic, mip, trilinear, ripmap, anisotropic, ewa | a filter each (.cpp, some -inl.h) |
-/// | filter/cubic-inl.h, probe_line-inl.h, ellipse-inl.h, walk-inl.h | parts of those                          |
-/// | filter/stochastic.cpp, pick-inl.h, pick_ellipse-inl.h, random-inl.h | one texel, picked by a filter's weights |
-/// | filter/summed_area.cpp, box-inl.h      | boxes of a summed-area table                                      |
-/// | filter/exact.cpp                       | the integral over the footprint, in doubles                       |
-/// | filter/magnify.h                       | another filter where the footprint is no longer than a texel      |
-/// | format/formats.h, formats-inl.h        | the list of formats: a row each                                   |
-/// | format/consume-inl.h                   | the consumer of a stream                                          |
-/// | format/blend-inl.h, gradient-inl.h     | what it computes: values, derivatives                             |
-/// | format/unorm8, srgb8, unorm16, float16, float32 | a format each (.cpp, some -inl.h)                        |
-/// | format/words-inl.h, gather-inl.h       | texels of one or two words; loads of neighbouring texels          |
-/// | explain/explain.h, record.h, record-inl.h | one lookup as its tree of blends                               |
-/// | kernel_part.h                          | inlining of the larger pieces                                     |
+/// | file                                         | contents                                                   |
+/// |----------------------------------------------|------------------------------------------------------------|
+/// | sample.h, sample.cpp                         | error bounds; swizzle, magnification, choice of kernels    |
+/// | sampler.cpp                                  | the sampler of a checked desc                              |
+/// | stream.h                                     | the elements of a stream; the interface of consumers       |
+/// | fused.cpp, fused-inl.h                       | hot pairs of a filter and a format, compiled together      |
+/// | kernel_part.h                                | macros that control inlining                               |
+/// | store/storage.h                              | layout of levels; copy of the base level                   |
+/// | store/update.cpp                             | a rectangle of the base rewritten, and its tables rebuilt  |
+/// | store/mip.cpp, mip_sums.h                    | mip levels: exact averages in linear light, rounded once   |
+/// | store/ripmap.cpp, span.h                     | ripmap levels: averages with a level for each axis         |
+/// | store/summed_area.h                          | sums over rectangles at the origin                         |
+/// | store/mip_build.h, mip_weights.h             | mip levels in the caller's memory; normals, alpha coverage |
+/// | store/normal_moments.h                       | slopes of normal maps, and the squares of the slopes       |
+/// | store/image_list.h                           | the caller's array of images                               |
+/// | store/rows.h                                 | loop over rows on the executor                             |
+/// | store/wrap.h, wrap-inl.h                     | texel coordinates and wrapping: one index, vectors         |
+/// | footprint/block.h                            | blocks: points, levels of detail, probes, ellipses         |
+/// | footprint/points-inl.h                       | kernel loop that fills a block; inputs that are not finite |
+/// | footprint/shapes-inl.h                       | declarations of the kernels that fill blocks               |
+/// | footprint/lods.cpp, probes.cpp, ellipses.cpp | these kernels                                              |
+/// | footprint/lod.h, lod-inl.h                   | level of detail                                            |
+/// | footprint/footprint-inl.h                    | axes of the footprint; width and blur                      |
+/// | footprint/profile.h, profile-inl.h           | levels of detail and probes of other texture units         |
+/// | footprint/exact_footprint.h, parallelogram.h | the domain of the integral of SHD_FILTER_EXACT             |
+/// | footprint/ray_footprint.h                    | derivatives from ray differentials and ray cones           |
+/// | filter/filters-inl.h                         | table of filters                                           |
+/// | filter/runner-inl.h                          | loop of a filter over a batch; sinks of its elements       |
+/// | filter/prefetch.h                            | prefetches for scattered lookups                           |
+/// | filter/bases-inl.h                           | bases of filters on level 0 and on mip levels              |
+/// | filter/level-inl.h                           | levels of a texture; addresses of texels                   |
+/// | filter/nearest, bilinear, bicubic, mip       | one filter each (.cpp, most with -inl.h)                   |
+/// | filter/trilinear, ripmap, anisotropic, ewa   | one filter each (.cpp, most with -inl.h)                   |
+/// | filter/cubic-inl.h                           | weights of bicubic                                         |
+/// | filter/probe_line-inl.h                      | probes of anisotropic                                      |
+/// | filter/ellipse-inl.h, walk-inl.h             | ellipses of EWA; walks over wrapped texels                 |
+/// | filter/stochastic.cpp, random-inl.h          | one random texel per lookup; random numbers                |
+/// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel by the weights of a filter        |
+/// | filter/summed_area.cpp, box-inl.h            | boxes of a summed-area table                               |
+/// | filter/exact.cpp                             | the integral over the footprint, in doubles                |
+/// | filter/magnify.h                             | another filter where a texel is magnified                  |
+/// | format/formats.h, formats-inl.h              | table of formats; their consumers                          |
+/// | format/consume-inl.h, gradient-inl.h         | the consumer of a stream; blends of values, of derivatives |
+/// | format/values.cpp, bordered.cpp              | consumers of values, without and with border colour        |
+/// | format/gradient.cpp                          | consumers of derivatives                                   |
+/// | format/unorm8, srgb8, unorm16, float16, float32 | one format each (-inl.h)                                |
+/// | format/codec.h                               | texels from and to doubles                                 |
+/// | format/words-inl.h, gather-inl.h             | texels of one or two words; loads of neighbouring texels   |
+/// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
 #pragma once
 
 #include <cstddef>
@@ -77,40 +88,40 @@
 
 namespace shd::texture {
 
-constexpr uint32_t kMaxLevels = 17;  // 65536 = 2^16 and the base
+constexpr uint32_t kMaxLevels = 17;  // the base of 65536 = 2^16 texels and 16 halvings
 
 constexpr uint32_t kMaxLayers = 2048;
 
-constexpr uint32_t kFill = 4;  // channel_source of an output that reads `fill`
+constexpr uint32_t kFill = 4;  // channel_source of an output that takes its constant of `fill`
 
-/// Texels of every level of every layer in one block, except a base level that is borrowed.
+/// Texels of every level of every layer in one block. A borrowed base level stays in the caller's memory.
 struct Texture {
-  shd_format format;                     // as stored: of one, two or four channels
-  shd_format given_format;               // of the texels that it was made from
-  image::Component component;            // of that format
-  uint32_t channels;                     // of that format
-  uint32_t channel_source[4];            // stored channel of an output, or kFill
-  float fill[4];                         // by output
-  uint32_t tables;                       // shd_table bits
-  uint32_t width, height;                // of level 0
-  uint32_t layers;                       // 1..2048
-  uint32_t layer_texels;                 // of all levels of one layer
-  uint32_t level_count;                  // 1..kMaxLevels
-  uint32_t offset[kMaxLevels];           // first texel of a level; its size is max(1, width >> l) x max(1, height >> l)
-  uint32_t ripmap_columns, ripmap_rows;  // ripmap levels along each axis, or 0; the size of level (i, j) is
-                                         // max(1, width >> i) x max(1, height >> j)
+  shd_format format;            // stored format: one, two or four channels
+  shd_format given_format;      // format of the texels that the texture was made from
+  image::Component component;   // component type of `format`
+  uint32_t channels;            // channels of `format`
+  uint32_t channel_source[4];   // stored channel of each output, or kFill
+  float fill[4];                // constant of each output whose source is kFill
+  uint32_t tables;              // shd_table bits
+  uint32_t width, height;       // size of level 0 [texels]
+  uint32_t layers;              // 1..kMaxLayers
+  uint32_t layer_texels;        // texels of all levels of one layer
+  uint32_t level_count;         // 1..kMaxLevels
+  uint32_t offset[kMaxLevels];  // first texel of level l, whose size is max(1, width >> l) x max(1, height >> l)
+  uint32_t ripmap_columns, ripmap_rows;             // ripmap levels along each axis, or 0; the size of level (i, j) is
+                                                    // max(1, width >> i) x max(1, height >> j)
   uint32_t ripmap_offset[kMaxLevels * kMaxLevels];  // first texel of level (i, j) at [j * kMaxLevels + i]
-  bool levels_given;                                // mip levels are the caller's
-  core::Array<uint8_t> texels;   // rows packed, levels and then layers in order, padded at the end for whole gathers;
-                                 // without the base where that is borrowed
-  const uint8_t* borrowed;       // the caller's base level, or null
-  const uint8_t* origin;         // where texel 0 lies, or would lie if the base were not borrowed
-  uint32_t borrowed_texels;      // how many: texel indices below are there
-  core::Array<double> mip_sums;  // [layers] unrounded averages, from the first update on
-  uint32_t mip_sums_ready[kMaxLayers / 32];  // which layers have them
-  core::Array<uint8_t> sums;                 // summed-area tables (summed_area.h), uint32_t or double, layers in order
-  core::Array<uint32_t> nonfinite_sums;      // of texels that are not finite; empty where there are none
-  core::Array<double> sum_origins;  // by layer and stored channel, linear: what sums of doubles are counted from
+  bool levels_given;                                // the caller gave the mip levels
+  core::Array<uint8_t> texels;  // [layers][levels][rows], rows packed; padded at the end for whole gathers; has no base
+                                // level if the base is borrowed
+  const uint8_t* borrowed;      // the caller's base level, or null
+  const uint8_t* origin;        // address of texel 0, computed as if the base were not borrowed
+  uint32_t borrowed_texels;     // size of the borrowed base: texels 0..borrowed_texels - 1; 0 if not borrowed
+  core::Array<double> mip_sums;              // [layers] unrounded averages; empty before the first update
+  uint32_t mip_sums_ready[kMaxLayers / 32];  // bit of each layer whose averages are valid
+  core::Array<uint8_t> sums;                 // [layers] summed-area tables (summed_area.h) of uint32_t or double
+  core::Array<uint32_t> nonfinite_sums;      // counts of texels that are not finite; empty if the texture has none
+  core::Array<double> sum_origins;           // [layers][channels] linear value subtracted from texels before summation
 };
 
 /// A checked sampler desc; lod_min <= lod_max.
@@ -129,10 +140,10 @@ struct Sampler {
   uint32_t seed;
   float tolerance;
   shd_profile profile;
-  bool rounded_weights;  // those of bilinear lookups, to 8 bits
+  bool rounded_weights;  // weights of bilinear lookups are rounded to 8 bits
 };
 
-/// A copy of the sampler without width and blur.
+/// Copies a sampler and removes width and blur from the copy.
 inline Sampler unwidened(const Sampler& sampler) {
   Sampler plain = sampler;
   plain.width_x = plain.width_y = 1.0f;
@@ -140,27 +151,27 @@ inline Sampler unwidened(const Sampler& sampler) {
   return plain;
 }
 
-/// The largest value of shd_filter that names a filter.
+/// Returns the largest value of shd_filter that is a filter.
 shd_filter last_filter();
 
-/// Whether a filter has derivatives: those that are continuous trees of blends.
+/// Returns whether a filter has derivatives. A filter has them if it is a continuous tree of blends.
 bool has_gradient(shd_filter filter);
 
-/// The sampler of a checked desc.
+/// Makes the sampler of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
 constexpr size_t kFloatColumns = 7, kIntegerColumns = 2;
 
-/// Packed columns of `count` elements; absent optional ones are null.
+/// Packed columns of `count` elements. Optional columns that are absent are null.
 struct Lookups {
   size_t count;
   const float *u, *v;
   const float *dudx, *dvdx, *dudy, *dvdy;  // null = 0
-  const float* lod;                        // replaces the derivatives
+  const float* lod;                        // level of detail, in place of the derivatives; null = from the derivatives
   const uint32_t* layer;                   // null = 0
-  const uint32_t* random;                  // null = from the bits of u and v
+  const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
 
-  /// The columns by number, for what treats all of them alike.
+  /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {
     constexpr const float* Lookups::*kColumns[kFloatColumns] = {
         &Lookups::u, &Lookups::v, &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy, &Lookups::dvdy, &Lookups::lod};
@@ -173,10 +184,10 @@ struct Lookups {
 
 constexpr size_t kOutputColumns = 12;
 
-/// Packed columns of `count` elements; unwanted ones are null. Nothing is written past `count`.
+/// Packed columns of Lookups::count elements. Unwanted columns are null. Nothing is written past the last element.
 struct Texels {
   float* channel[4];
-  float *du[4], *dv[4];  // derivatives of the channels; only of filters that have_gradient()
+  float *du[4], *dv[4];  // derivatives of the channels in u and v, for filters with has_gradient()
 
   float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : dv[i - 8]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
@@ -189,7 +200,7 @@ struct Texels {
   }
 };
 
-/// Elements first..first + count - 1.
+/// Returns the columns of elements first..first + count - 1.
 inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
   Lookups part = in;
   part.count = count;
@@ -204,17 +215,18 @@ inline Texels part_of(const Texels& out, size_t first) {
 }
 
 /// Copies or borrows the texels of a checked desc and builds its tables on the context's executor.
-/// Throws std::bad_alloc; then nothing was kept.
+/// Throws std::bad_alloc and then keeps nothing.
 void build(const core::Context& context, const shd_texture_desc& desc, Texture* out);
 
-/// Writes texels, of the format that the texture has or was made from, at (x, y) of the base of a layer, unless that is
-/// borrowed and they have been written, and rebuilds what depends on them, except levels that the caller gave: the
-/// bits are those of a texture built from the changed base. Throws std::bad_alloc before anything is written.
+/// Writes texels at (x, y) of the base of a layer and rebuilds the tables that depend on them. The texels have the
+/// stored format or the format that the texture was made from. A borrowed base is not written: the caller has changed
+/// it already. Levels that the caller gave stay. The tables have the bits of a texture built from the changed base.
+/// Throws std::bad_alloc before anything is written.
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
             Texture* texture);
 
-/// Filters on the calling thread; any count. The texture has the tables that the filter needs. Returns how many
-/// lookups had a coordinate or derivative that is not finite.
+/// Filters any number of lookups on the calling thread. The texture must have the tables that the filter reads.
+/// Returns the number of lookups with a coordinate, derivative or level of detail that is not finite.
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out);
 

@@ -15,14 +15,14 @@ float dot(const std::array<float, 3>& a, const float* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Where the eye must look and how far away it must be for a picture that just holds every vertex.
+/// Position of the eye for which the picture just contains every vertex.
 struct Fit {
-  float right = 0.0f, up = 0.0f;  // of the point looked at, from the centre
+  float right = 0.0f, up = 0.0f;  // target point, relative to the centre
   float distance = 0.0f;
 };
 
-/// A vertex at (x, y) in the view, z towards the eye, is inside when |x - right| <= tan_x (distance - z), and so
-/// upwards: each side of the picture bounds right +- tan_x distance by an extreme of x +- tan_x z.
+/// A vertex at (x, y) in the view, with z towards the eye, is inside if |x - right| <= tan_x (distance - z), and
+/// correspondingly upwards. Each side of the picture bounds right +- tan_x distance by an extreme of x +- tan_x z.
 Fit fit_view(const Camera& camera, const Model& model, const Bounds& bounds, float tan_x, float tan_y) {
   float left = HUGE_VALF, right = -HUGE_VALF, bottom = HUGE_VALF, top = -HUGE_VALF;
   for (const Instance& instance : model.instances) {

@@ -8,9 +8,9 @@
 /// The eye and the axes of its view.
 struct Camera {
   shd_view view;
-  std::array<float, 3> right, up, back;  // of the view, world space, unit
+  std::array<float, 3> right, up, back;  // axes of the view, world space, unit
 };
 
-/// Camera of `--camera`, or of `--orbit`, `turn` degrees further, and `--fov`. Without a distance the eye stands, and
-/// looks aside, so that every vertex is just in the picture.
+/// Camera of `--camera`, or of `--orbit`, rotated by `turn` degrees, and `--fov`. Without a given distance, the position
+/// and direction of the eye are chosen so that every vertex is just inside the picture.
 Camera make_camera(const Options& options, const Model& model, const Bounds& bounds, float turn);

@@ -8,11 +8,11 @@
 
 namespace {
 
-/// Cuts the mesh of an instance into triangles of few pixels and moves them by the heights.
+/// Tessellates the mesh of an instance into triangles of a few pixels and displaces them by the heights.
 Mesh displace(shd_context* context, const Options& options, const Camera& camera, const Instance& instance,
               const shd_mesh* mesh, const shd_texture* height) {
   shd_tessellation_desc desc = shd_tessellation_desc_default();
-  desc.mode = SHD_TESSELLATION_ADAPTIVE;
+  desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
   desc.max_segments = 512;
   desc.edge_length = options.edge_length;
   desc.width = options.width;
@@ -21,13 +21,13 @@ Mesh displace(shd_context* context, const Options& options, const Camera& camera
   desc.object_to_world = instance.object_to_world.data();
   desc.displacement = height;
   desc.amplitude = options.displacement;
-  desc.lod = 2.0f;  // the mean of some texels: single ones are finer than the triangles
+  desc.lod = 2.0f;  // mean of some texels: single texels are finer than the triangles
   Mesh displaced;
   check(shd_mesh_tessellate(context, mesh, &desc, displaced.out()), "displacement");
   return displaced;
 }
 
-/// Lines on top of the surfaces, which make way for them.
+/// Adds lines on top of the surfaces, whose depth is biased away from them.
 void add_lines(const Options& options, const Material& ink, Draws& out) {
   for (size_t i = 0; i < out.solid_count; ++i) {
     shd_draw line = out.draws[i];

@@ -5,16 +5,16 @@
 
 #include <shd/result.h>
 
-/// Exit codes, as `--help` lists them.
+/// Exit codes, as listed by `--help`.
 enum ExitCode : int { kExitOk = 0, kExitFailed = 1, kExitUsage = 2, kExitInput = 3, kExitOutput = 4 };
 
-/// What ends the program early: a sentence for the user and the exit code.
+/// An error that ends the program: a sentence for the user and the exit code.
 struct Failure : std::runtime_error {
   Failure(ExitCode exit_code, const std::string& text) : std::runtime_error(text), code(exit_code) {}
   ExitCode code;
 };
 
-/// Turns a refused shd call into a Failure that says what was tried.
+/// Turns a failed shd call into a Failure that names the attempted action.
 inline void check(shd_result result, const std::string& what, ExitCode code = kExitFailed) {
   if (result != SHD_OK) throw Failure(code, what + ": " + shd_last_error());
 }

@@ -6,7 +6,7 @@
 #include <shd/scene.h>
 #include <shd/shd.h>
 
-/// Releases whatever shd handle it holds: `Owned<shd_mesh, shd_mesh_release>`.
+/// Releases the shd handle that it owns: `Owned<shd_mesh, shd_mesh_release>`.
 template <class Handle, void (*release)(Handle*)>
 struct Owned {
   Owned() = default;
@@ -18,7 +18,7 @@ struct Owned {
   ~Owned() { release(handle); }
 
   Handle* get() const { return handle; }
-  /// For an out parameter; what was held before is released.
+  /// Returns an out parameter; releases the previous handle.
   Handle** out() {
     release(handle);
     handle = nullptr;

@@ -48,8 +48,9 @@ Light
   --ambient R,G,B       or one number for all three (default 0.15)
 
 Surface
-  --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap; or to look
-                        at: normal, uv, level, barycentrics (default ggx for metallic-roughness, else blinn-phong)
+  --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap (default ggx
+                        for metallic-roughness, else blinn-phong)
+  --show V              normal, uv, level, barycentrics, instead of the shaded model
   --frequency F         flat, gouraud, phong (default phong)
   --diffuse R,G,B       colour, instead of the model's
   --specular KS         strength of the highlight, instead of the model's

@@ -19,7 +19,7 @@ void add_light(shd_context* context, const shd_light_desc& desc, std::vector<Sta
   out.push_back(std::move(light));
 }
 
-/// What the lights of one frame share.
+/// State that the lights of one frame share.
 struct Stage {
   shd_context* context;
   const Options& options;
@@ -28,11 +28,11 @@ struct Stage {
   float exposure;
 };
 
-/// Light from `from` in the camera's frame: right, up, back.
+/// Adds a light at `from` in the camera's frame: right, up, back.
 void add_view_light(const Stage& stage, const float from[3], const float color[3], std::vector<StageLight>& out) {
   const Camera& camera = stage.camera;
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (size_t c = 0; c < 3; ++c) {
     desc.direction[c] = -(from[0] * camera.right[c] + from[1] * camera.up[c] + from[2] * camera.back[c]);
     desc.intensity[c] = stage.exposure * color[c];
@@ -44,24 +44,23 @@ struct PresetLight {
   float from[3], color[3];
 };
 
-// Warm key from the upper left, cool fill from the right, white rim from behind.
+// A warm key light from the upper left, a cool fill light from the right, a white rim light from behind.
 constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
                                    {{0.9f, 0.1f, 0.5f}, {0.3f, 0.34f, 0.42f}},
                                    {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
 constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 
-/// The two points of graphics courses, which stand around a model of radius 3.
+/// The two points of ../course/shading.h, which stand around a model of radius 3.
+constexpr float kCourseLights[2][3] = {{30.0f, 50.0f, 20.0f}, {-30.0f, 50.0f, 0.0f}};
+constexpr float kCourseIntensity = 500.0f;
+
 void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
-  shd_light_desc descs[8];
-  size_t count = 8;
-  check(shd_light_preset_descs(SHD_LIGHT_PRESET_TWO_POINTS, &count, descs), "course lights");
   const float unit = stage.bounds.radius / 3.0f;
-  for (size_t i = 0; i < count && i < 8; ++i) {
-    shd_light_desc& desc = descs[i];
-    if (desc.kind == SHD_LIGHT_AMBIENT) continue;
+  for (const auto& position : kCourseLights) {
+    shd_light_desc desc = shd_light_desc_default();
     for (size_t c = 0; c < 3; ++c) {
-      desc.position[c] = stage.bounds.center[c] + unit * desc.position[c];
-      desc.intensity[c] *= stage.exposure * unit * unit;
+      desc.position[c] = stage.bounds.center[c] + unit * position[c];
+      desc.intensity[c] = kCourseIntensity * (stage.exposure * unit * unit);
     }
     add_light(stage.context, desc, out);
   }
@@ -70,15 +69,15 @@ void add_course_lights(const Stage& stage, std::vector<StageLight>& out) {
 void add_option_light(const Stage& stage, const LightOption& option, shd_texture* cookie,
                       std::vector<StageLight>& out) {
   const Bounds& bounds = stage.bounds;
-  const float falloff = option.kind == SHD_LIGHT_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
+  const float falloff = option.kind == SHD_LIGHT_KIND_DIRECTIONAL ? 1.0f : bounds.radius * bounds.radius;
   shd_light_desc desc = shd_light_desc_default();
   desc.kind = option.kind;
   for (size_t c = 0; c < 3; ++c) {
-    if (option.kind != SHD_LIGHT_POINT) desc.direction[c] = -option.place[c];
+    if (option.kind != SHD_LIGHT_KIND_POINT) desc.direction[c] = -option.place[c];
     desc.position[c] = bounds.center[c] + bounds.radius * option.place[c];
     desc.intensity[c] = stage.exposure * falloff * option.color[c];
   }
-  if (option.kind == SHD_LIGHT_SPOT) {
+  if (option.kind == SHD_LIGHT_KIND_SPOT) {
     desc.inner_angle = stage.options.inner_cone * kDegree;
     desc.outer_angle = stage.options.cone * kDegree;
     desc.texture = cookie;
@@ -86,7 +85,7 @@ void add_option_light(const Stage& stage, const LightOption& option, shd_texture
   add_light(stage.context, desc, out);
 }
 
-/// Small lights on a spiral around the model, from the floor to its top, in all colours.
+/// Adds small lights of all colours on a spiral around the model, from the floor to its top.
 void add_lamps(const Stage& stage, std::vector<StageLight>& out) {
   const auto count = static_cast<float>(stage.options.lamps);
   const Bounds& bounds = stage.bounds;
@@ -121,7 +120,7 @@ void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<Sta
     shd_light_desc desc = shd_light_desc_default();
     check(shd_scene_get_light_desc(scene, i, &desc), "light");
     for (float& c : desc.intensity) c *= stage.options.exposure;
-    add_light(stage.context, desc, out, desc.kind != SHD_LIGHT_AMBIENT);
+    add_light(stage.context, desc, out, desc.kind != SHD_LIGHT_KIND_AMBIENT);
   }
 }
 
@@ -130,7 +129,7 @@ void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<Sta
 std::vector<StageLight> make_lights(shd_context* context, const Options& options, const Model& scene,
                                     const Bounds& bounds, const Camera& camera) {
   const shd_model model = model_of(options, scene);
-  // Models that keep energy reflect E / pi where the others reflect E.
+  // Energy-conserving models reflect E / pi where the other models reflect E.
   const bool over_pi = model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED;
   const Stage stage{context, options, bounds, camera, options.exposure * (over_pi ? 3.14159265f : 1.0f)};
   std::vector<StageLight> lights;
@@ -146,7 +145,7 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
   for (const LightOption& option : options.lights) add_option_light(stage, option, cookie.get(), lights);
   add_lamps(stage, lights);
   shd_light_desc ambient = shd_light_desc_default();
-  ambient.kind = SHD_LIGHT_AMBIENT;
+  ambient.kind = SHD_LIGHT_KIND_AMBIENT;
   for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = options.ambient[c];
   add_light(context, ambient, lights, false);
   return lights;

@@ -5,14 +5,14 @@
 #include "tool/camera.h"
 #include "tool/handles.h"
 
-/// A light and whether `--shadows` gives it one.
+/// A light, and whether `--shadows` renders a shadow for it.
 struct StageLight {
   Light light;
   bool casts = false;
-  shd_light_kind kind = SHD_LIGHT_POINT;
+  shd_light_kind kind = SHD_LIGHT_KIND_POINT;
 };
 
-/// Lights of the preset, which stand around the camera, and of the command line, which stand around the model, as
-/// strong as surfaces of the model's reflectance need them; or those of the file.
+/// Makes the lights of the preset, which are placed around the camera, and of the command line, which are placed around
+/// the model; or the lights of the file. Their strength suits the reflectance model.
 std::vector<StageLight> make_lights(shd_context* context, const Options& options, const Model& model,
                                     const Bounds& bounds, const Camera& camera);

@@ -44,7 +44,7 @@ unsigned long long wide(uint64_t value) {
 void print_stats(shd_context* context, const shd_render_stats& stats, double seconds) {
   std::fprintf(stderr, "%llu triangles, %llu rasterised, %llu fragments in %.1f ms on %s with %u workers\n",
                wide(stats.triangles), wide(stats.rasterised), wide(stats.fragments), 1e3 * seconds,
-               shd_simd_target(context), shd_context_worker_count(context));
+               shd_context_simd_target(context), shd_context_worker_count(context));
   std::fprintf(stderr, "vertices %.1f ms, assembly %.1f ms, binning %.1f ms, tiles %.1f ms; %.1f MiB of scratch\n",
                1e3 * stats.vertex_seconds, 1e3 * stats.assembly_seconds, 1e3 * stats.binning_seconds,
                1e3 * stats.tile_seconds, static_cast<double>(stats.scratch_bytes) / 1048576.0);
@@ -53,7 +53,7 @@ void print_stats(shd_context* context, const shd_render_stats& stats, double sec
   }
 }
 
-/// What a picture is made of, besides the camera.
+/// The parts of a picture, except the camera.
 struct Stage {
   shd_context* context;
   const Options& options;
@@ -72,7 +72,7 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   for (const StageLight& light : lights) light_list.push_back(light.light.get());
   std::vector<const shd_shadow*> shadow_list;
   for (const Shadow& shadow : shadows) shadow_list.push_back(shadow.get());
-  shd_render_stats stats{};
+  shd_render_stats stats = shd_render_stats_default();
   shd_render_desc desc = shd_render_desc_default();
   desc.framebuffer = framebuffer;
   desc.view = camera.view;

@@ -18,32 +18,45 @@ shd_sampler* make_sampler(shd_context* context, const Options& options, std::vec
   return out.back().get();
 }
 
-/// Textures of the command line, by slot; null = the surface's own.
+constexpr int kTargets = SHD_SLOT_MATCAP + 1;
+
+/// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
-  shd_texture* texture[SHD_SLOT_COUNT] = {};
-  bool drops_others = false;  // the surface's own textures go
+  shd_texture* texture[kTargets] = {};
+  bool drops_others = false;  // no other textures of the surface are used
 };
 
-/// The one place that knows how a material desc holds its slots.
-void set_slots(shd_material_desc& desc, const Options& options, const Replacements& replacements,
-               shd_sampler* sampler) {
-  const shd_slot constant = shd_material_desc_default().slot[0];
-  for (int target = 0; target < SHD_SLOT_COUNT; ++target) {
-    shd_slot& slot = desc.slot[target];
-    if (replacements.drops_others) slot = constant;
-    if (replacements.texture[target]) {
-      slot = constant;
-      slot.source = SHD_SOURCE_TEXTURE;
-      slot.texture = replacements.texture[target];
-      slot.sampler = sampler;
-    }
-    const bool scaled = slot.source == SHD_SOURCE_TEXTURE && target != SHD_SLOT_MATCAP;
-    for (size_t i = 0; i < 6 && scaled; ++i) slot.uv_transform[i] *= options.uv_scale;
+/// Slots of one material, at most one for each target.
+using Slots = std::vector<shd_slot>;
+
+/// Copies the slot of `source`, if there is one, to `target`.
+void share_slot(Slots& slots, shd_slot_target source, shd_slot_target target) {
+  const auto is_source = [&](const shd_slot& slot) { return slot.target == source; };
+  const auto found = std::find_if(slots.begin(), slots.end(), is_source);
+  if (found == slots.end()) return;
+  shd_slot slot = *found;
+  slot.target = target;
+  slots.push_back(slot);
+}
+
+/// Slots of the surface and of the command line, with the uv scale of the options.
+Slots make_slots(const shd_material_desc& desc, const Options& options, const Replacements& replacements,
+                 shd_sampler* sampler) {
+  Slots slots;
+  for (size_t i = 0; i < desc.slot_count && !replacements.drops_others; ++i) {
+    const shd_slot& slot = desc.slots[i];
+    if (slot.target != SHD_SLOT_AMBIENT && !replacements.texture[slot.target]) slots.push_back(slot);
   }
-  // Ambient light meets the diffuse colour; metallic-roughness has that from the model.
-  const bool metallic = desc.model == SHD_MODEL_METALLIC_ROUGHNESS;
-  for (size_t c = 0; c < 3; ++c) desc.ambient[c] = metallic ? 1.0f : desc.diffuse[c];
-  desc.slot[SHD_SLOT_AMBIENT] = metallic ? constant : desc.slot[SHD_SLOT_DIFFUSE];
+  for (int target = 0; target < kTargets; ++target) {
+    shd_texture* texture = replacements.texture[target];
+    if (texture) slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler));
+  }
+  for (shd_slot& slot : slots) {
+    for (size_t i = 0; i < 6 && slot.target != SHD_SLOT_MATCAP; ++i) slot.uv_transform[i] *= options.uv_scale;
+  }
+  // Ambient light is reflected by the diffuse colour; metallic-roughness includes this itself.
+  if (desc.model != SHD_MODEL_METALLIC_ROUGHNESS) share_slot(slots, SHD_SLOT_DIFFUSE, SHD_SLOT_AMBIENT);
+  return slots;
 }
 
 void set_lobe(shd_material_desc& desc, const Options& options) {
@@ -53,7 +66,7 @@ void set_lobe(shd_material_desc& desc, const Options& options) {
   for (float& c : desc.specular) c = options.specular.value_or(c);
 }
 
-/// What the options put in the place of the surface's own coefficients and maps.
+/// Replaces coefficients of the surface by those of the options; returns the textures that replace its maps.
 Replacements set_extras(shd_material_desc& desc, const Options& options, const Extras& extras) {
   Replacements replacements;
   replacements.drops_others = !options.texture.empty();
@@ -65,8 +78,9 @@ Replacements set_extras(shd_material_desc& desc, const Options& options, const E
     if (options.diffuse) desc.diffuse[c] = (*options.diffuse)[c];
     if (extras.diffuse.get()) desc.diffuse[c] = 1.0f;
   }
-  if (extras.normal.get() && options.keep == KeepRoughness::kToksvig) desc.normal_encoding = SHD_NORMAL_TOKSVIG;
-  if (extras.normal.get() && options.keep == KeepRoughness::kLean) desc.normal_encoding = SHD_NORMAL_MOMENTS;
+  if (extras.normal.get() && options.keep == KeepRoughness::kToksvig)
+    desc.normal_encoding = SHD_NORMAL_ENCODING_TOKSVIG;
+  if (extras.normal.get() && options.keep == KeepRoughness::kLean) desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
   if (extras.height.get()) {
     desc.bump = options.bump_form;
     desc.bump_scale = options.bump_scale;
@@ -103,10 +117,14 @@ Material make_material(shd_context* context, const Options& options, shd_model m
                        const Extras& extras, std::vector<Sampler>& samplers) {
   shd_material_desc desc = surface.desc;
   desc.model = model;
+  desc.debug_view = options.debug_view;
   set_lobe(desc, options);
   Replacements replacements;
   if (!surface.is_floor) replacements = set_extras(desc, options, extras);
-  set_slots(desc, options, replacements, make_sampler(context, options, samplers));
+  for (size_t c = 0; c < 3; ++c) desc.ambient[c] = model == SHD_MODEL_METALLIC_ROUGHNESS ? 1.0f : desc.diffuse[c];
+  const Slots slots = make_slots(desc, options, replacements, make_sampler(context, options, samplers));
+  desc.slots = slots.data();
+  desc.slot_count = static_cast<uint32_t>(slots.size());
   Material material;
   check(shd_material_create(context, &desc, material.out()), "material \"" + surface.name + "\"");
   return material;

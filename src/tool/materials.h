@@ -6,18 +6,18 @@
 #include "tool/model.h"
 #include "tool/options.h"
 
-/// Textures that the command line puts on the model, and what every material shares.
+/// Textures of the command line, and objects that all materials share.
 struct Extras {
   Texture diffuse, normal, height, matcap;
 };
 
-/// Loads what the options name; throws Failure (kExitInput) for what cannot be read.
+/// Loads the files that the options name. Throws Failure (kExitInput) for a file that cannot be read.
 Extras make_extras(shd_context* context, const Options& options);
 
-/// The model that surfaces are shaded with: that of the options, else metallic-roughness where the importer found it,
-/// else Blinn-Phong.
+/// The reflectance model for surfaces: the model of the options, otherwise metallic-roughness if the importer found it,
+/// otherwise Blinn-Phong.
 shd_model model_of(const Options& options, const Model& model);
 
-/// The material of a surface. Its samplers go to `samplers`.
+/// Makes the material of a surface. Its samplers are added to `samplers`.
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,
                        const Extras& extras, std::vector<Sampler>& samplers);

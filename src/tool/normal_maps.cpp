@@ -8,7 +8,7 @@
 
 namespace {
 
-/// A normal map of 8 or 16 bits as RGBA of 16 bits, alpha at its top.
+/// Loads a normal map of 8 or 16 bits as RGBA of 16 bits with maximal alpha.
 bool load_wide(shd_context* context, const std::string& path, std::vector<uint16_t>& texels, shd_image& out) {
   Bitmap bitmap;
   shd_image image = shd_image_default();
@@ -37,7 +37,7 @@ bool load_wide(shd_context* context, const std::string& path, std::vector<uint16
   return true;
 }
 
-/// Levels of unit normals with the length of their mean in alpha (Toksvig, "Mipmapping Normal Maps", 2005).
+/// Makes levels of unit normals with the length of their mean in alpha (Toksvig, "Mipmapping Normal Maps", 2005).
 bool create_with_lengths(shd_context* context, const shd_image& base, Texture& out) {
   std::vector<std::vector<uint16_t>> memory;
   std::vector<shd_image> levels;
@@ -50,7 +50,7 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
     levels.push_back(level);
   }
   shd_mip_desc mip = shd_mip_desc_default();
-  mip.semantic = SHD_SEMANTIC_NORMAL;
+  mip.content = SHD_TEXEL_CONTENT_NORMAL;
   const auto count = static_cast<uint32_t>(levels.size());
   if (shd_mip_build(context, &base, &mip, count, levels.data()) != SHD_OK) return false;
   shd_texture_desc desc = shd_texture_desc_default();
@@ -64,7 +64,7 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
   return shd_texture_create(context, &desc, out.out()) == SHD_OK;
 }
 
-/// Means of slopes and of their squares, as floats (Olano and Baker, "LEAN Mapping", 2010).
+/// Makes a texture of slopes and their squares, as floats (Olano and Baker, "LEAN Mapping", 2010).
 bool create_moments(shd_context* context, const shd_image& base, Texture& out) {
   std::vector<float> texels(size_t{4} * base.width * base.height);
   shd_image moments = base;

@@ -16,7 +16,7 @@ constexpr const char* kSeeHelp = " (shd-render --help)";
   throw Failure(kExitUsage, option + ": \"" + value + "\" is not " + wanted + kSeeHelp);
 }
 
-/// `count` numbers between commas; moves `text` behind them. False if there are fewer.
+/// Reads `count` numbers separated by commas and advances `text` behind them. Returns false if there are fewer.
 bool read_numbers(const char*& text, float* out, int count) {
   for (int i = 0; i < count; ++i) {
     if (i > 0 && *text++ != ',') return false;
@@ -77,11 +77,11 @@ constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
                                        {"gooch", SHD_MODEL_GOOCH},
                                        {"toon", SHD_MODEL_TOON},
                                        {"unlit", SHD_MODEL_UNLIT},
-                                       {"matcap", SHD_MODEL_MATCAP},
-                                       {"normal", SHD_MODEL_SHOW_NORMAL},
-                                       {"uv", SHD_MODEL_SHOW_UV},
-                                       {"level", SHD_MODEL_SHOW_LEVEL},
-                                       {"barycentrics", SHD_MODEL_SHOW_BARYCENTRICS}};
+                                       {"matcap", SHD_MODEL_MATCAP}};
+constexpr Name<shd_debug_view> kViews[] = {{"normal", SHD_DEBUG_VIEW_NORMAL},
+                                           {"uv", SHD_DEBUG_VIEW_UV},
+                                           {"level", SHD_DEBUG_VIEW_LEVEL},
+                                           {"barycentrics", SHD_DEBUG_VIEW_BARYCENTRICS}};
 constexpr Name<shd_frequency> kFrequencies[] = {
     {"flat", SHD_FREQUENCY_FLAT}, {"gouraud", SHD_FREQUENCY_GOURAUD}, {"phong", SHD_FREQUENCY_PHONG}};
 constexpr Name<LightPreset> kPresets[] = {{"studio", LightPreset::kStudio},
@@ -96,11 +96,11 @@ constexpr Name<shd_shape> kShapes[] = {{"teapot", SHD_SHAPE_TEAPOT},
                                        {"torus", SHD_SHAPE_TORUS}};
 constexpr Name<KeepRoughness> kKeep[] = {
     {"none", KeepRoughness::kNone}, {"toksvig", KeepRoughness::kToksvig}, {"lean", KeepRoughness::kLean}};
-constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_HARD},
-                                                {"pcf", SHD_SHADOW_PCF},
-                                                {"variance", SHD_SHADOW_VARIANCE},
-                                                {"summed-area", SHD_SHADOW_SUMMED_AREA_VARIANCE},
-                                                {"pcss", SHD_SHADOW_PCSS}};
+constexpr Name<shd_shadow_filter> kShadows[] = {{"hard", SHD_SHADOW_FILTER_HARD},
+                                                {"pcf", SHD_SHADOW_FILTER_PCF},
+                                                {"variance", SHD_SHADOW_FILTER_VARIANCE},
+                                                {"summed-area", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE},
+                                                {"pcss", SHD_SHADOW_FILTER_PCSS}};
 constexpr Name<shd_bump> kBumps[] = {
     {"none", SHD_BUMP_NONE}, {"gradient", SHD_BUMP_GRADIENT}, {"texel", SHD_BUMP_TEXEL}};
 constexpr Name<shd_simd> kSimd[] = {{"best", SHD_SIMD_BEST},     {"baseline", SHD_SIMD_BASELINE},
@@ -172,12 +172,12 @@ LightOption read_light(const std::string& option, const std::string& value, shd_
   for (const float c : light.color) {
     if (c < 0.0f || c > 1e9f) refuse(option, value, wanted);
   }
-  const bool directed = kind != SHD_LIGHT_POINT;
+  const bool directed = kind != SHD_LIGHT_KIND_POINT;
   if (*text || (directed && light.place == std::array<float, 3>{0, 0, 0})) refuse(option, value, wanted);
   return light;
 }
 
-/// One number for all three channels, or three.
+/// Reads one number for all three channels, or three numbers.
 std::array<float, 3> read_color(const std::string& option, const std::string& value) {
   const char* text = value.c_str();
   std::array<float, 3> color{};
@@ -190,7 +190,7 @@ std::array<float, 3> read_color(const std::string& option, const std::string& va
   return color;
 }
 
-/// Options that take no value. False if `name` is not one.
+/// Handles options without a value. Returns false if `name` is not one.
 bool set_switch(const std::string& name, Options& out) {
   if (name == "--help" || name == "-h") return out.help = true;
   if (name == "--teapot") return out.model.clear(), true;
@@ -212,7 +212,7 @@ void set_background(const std::string& name, const std::string& value, Options& 
   out.background = {color[0], color[1], color[2], 1.0f};
 }
 
-/// Options that describe the picture and the machine. False if `name` is not one.
+/// Handles options of the picture and the machine. Returns false if `name` is not one.
 bool set_output_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "-o" || name == "--output") return out.output = value, true;
   if (name == "--size") return read_size(name, value, out), true;
@@ -247,7 +247,7 @@ void read_cone(const std::string& option, const std::string& value, Options& out
   out.cone = angles[1];
 }
 
-/// Options that describe where the eye is and the lights are. False if `name` is not one.
+/// Handles options of the eye and the lights. Returns false if `name` is not one.
 bool set_light_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--orbit") return read_orbit(name, value, out), true;
   if (name == "--camera") return out.camera = read_whole(name, value, 0, 65535, "a whole number 0..65535"), true;
@@ -255,9 +255,9 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
     return out.turntable = read_whole(name, value, 1, 9999, "a whole number 1..9999"), true;
   }
   if (name == "--fov") return out.fov = read_number(name, value, 1, 170, "an angle 1..170 degrees"), true;
-  if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_POINT)), true;
-  if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_DIRECTIONAL)), true;
-  if (name == "--spot") return out.lights.push_back(read_light(name, value, SHD_LIGHT_SPOT)), true;
+  if (name == "--light") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_POINT)), true;
+  if (name == "--sun") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_DIRECTIONAL)), true;
+  if (name == "--spot") return out.lights.push_back(read_light(name, value, SHD_LIGHT_KIND_SPOT)), true;
   if (name == "--cone") return read_cone(name, value, out), true;
   if (name == "--cookie") return out.cookie = value, true;
   if (name == "--lamps") {
@@ -276,9 +276,10 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   return false;
 }
 
-/// Options that describe the surface. False if `name` is not one.
+/// Handles options of the surface. Returns false if `name` is not one.
 bool set_surface_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--model") return out.reflectance = pick(name, value, kModels), true;
+  if (name == "--show") return out.debug_view = pick(name, value, kViews), true;
   if (name == "--frequency") return out.frequency = pick(name, value, kFrequencies), true;
   if (name == "--diffuse") return out.diffuse = read_color(name, value), true;
   if (name == "--exponent") return out.exponent = read_scale(name, value), true;
@@ -293,7 +294,7 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   return false;
 }
 
-/// Options that describe the shape, real or seeming. False if `name` is not one.
+/// Handles options of the shape, real or apparent. Returns false if `name` is not one.
 bool set_shape_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--shape") return out.model.clear(), out.shape = pick(name, value, kShapes), true;
   if (name == "--height") return out.height_map = value, true;
@@ -319,7 +320,7 @@ bool set_value(const std::string& name, const std::string& value, Options& out) 
          set_surface_value(name, value, out) || set_shape_value(name, value, out);
 }
 
-/// What is wrong with an option at the end of the line: it lacks its value, or nobody knows it.
+/// The error for an option at the end of the line: its value is missing, or the option is unknown.
 std::string missing_value(const std::string& name) {
   Options scratch;
   bool known = true;

@@ -9,16 +9,16 @@
 #include <shd/shd.h>
 
 /// A light of the command line. Positions are in radii of the model around its centre; directions point to the light;
-/// spots shine at the centre.
+/// spots are aimed at the centre.
 struct LightOption {
-  shd_light_kind kind = SHD_LIGHT_POINT;
+  shd_light_kind kind = SHD_LIGHT_KIND_POINT;
   std::array<float, 3> place = {0, 0, 0};
   std::array<float, 3> color = {1, 1, 1};
 };
 
 enum class LightPreset { kStudio, kHeadlight, kCourse, kFile, kNone };
 
-/// What mip levels of normal maps do about the bumps that they no longer show.
+/// Method by which mip levels of normal maps keep the roughness of bumps that they no longer resolve.
 enum class KeepRoughness { kNone, kToksvig, kLean };
 
 /// The command line, checked.
@@ -35,29 +35,30 @@ struct Options {
   std::optional<uint32_t> camera;            // of the file, instead of these
   uint32_t turntable = 0;                    // pictures once around; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
-  std::optional<shd_model> reflectance;  // absent = what the model's materials are made for
+  shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
+  std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;
-  std::optional<LightPreset> preset;  // absent = studio, or none when lights are given
+  std::optional<LightPreset> preset;  // absent = studio, or none if lights are given
   std::array<float, 3> ambient = {0.15f, 0.15f, 0.15f};
   float exposure = 1.0f;                   // factor on all lights
-  float inner_cone = 15.0f, cone = 25.0f;  // of spots, half angles [deg]
-  std::string cookie;                      // that spots project; "window" = built in
+  float inner_cone = 15.0f, cone = 25.0f;  // spots: half angles [deg]
+  std::string cookie;                      // projected by spots; "window" = built in
   uint32_t lamps = 0;                      // small coloured lights around the model
   std::optional<shd_shadow_filter> shadows;
-  float softness = 0.05f;       // of shadows [radii of the model]
-  uint32_t shadow_size = 1024;  // texels a side of each map
+  float softness = 0.05f;       // size of light sources [radii of the model]
+  uint32_t shadow_size = 1024;  // texels per side of each map
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
-  std::string texture;  // replaces the model's; "checker" = built in
+  std::string texture;  // replaces the model's textures; "checker" = built in
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;
   shd_bump bump_form = SHD_BUMP_NONE;
   float bump_scale = 1.0f, parallax = 0.0f;       // [world units]
-  float displacement = 0.0f, edge_length = 4.0f;  // [world units], of triangles then [pixels]
-  float uv_scale = 1.0f;                          // of all textures
-  float line_width = 0.0f, crease = 60.0f;        // of edges drawn [pixels], and how sharp [deg]; width 0 = none
+  float displacement = 0.0f, edge_length = 4.0f;  // [world units]; edges of displaced triangles [pixels]
+  float uv_scale = 1.0f;                          // factor for all textures
+  float line_width = 0.0f, crease = 60.0f;        // drawn edges [pixels], 0 = none; crease angle [deg]
   int tessellation = 16;
   bool color = true;
   std::string display = "sRGB", view = "ACES 1.0 SDR-video";
@@ -69,8 +70,8 @@ struct Options {
   bool progress = false, stats = false;
 };
 
-/// Throws Failure (kExitUsage) that names the option and what it takes.
+/// Throws Failure (kExitUsage) that names the option and its valid values.
 Options parse_options(int argc, const char* const* argv);
 
-/// Text of `--help`.
+/// The text of `--help`.
 const char* help_text();

@@ -10,10 +10,11 @@ shd_shadow_desc desc_of(const Options& options, const Bounds& bounds, shd_light_
   const float soft = options.softness * bounds.radius;
   desc.size = options.shadow_size;
   desc.filter = *options.shadows;
-  desc.taps = desc.filter == SHD_SHADOW_PCSS ? 11 : 5;
+  desc.taps = desc.filter == SHD_SHADOW_FILTER_PCSS ? 11 : 5;
   desc.filter_size = soft;
-  // Of directional lights the width that a penumbra has at the distance of a radius, of others the light's own.
-  desc.light_size = kind == SHD_LIGHT_DIRECTIONAL ? 4.0f * options.softness : 4.0f * soft;
+  // For directional lights: the width of a penumbra at the distance of one radius. For other lights: the size of the
+  // light.
+  desc.light_size = kind == SHD_LIGHT_KIND_DIRECTIONAL ? 4.0f * options.softness : 4.0f * soft;
   desc.bleed = 0.2f;
   desc.normal_offset = 0.002f * bounds.radius;
   return desc;
@@ -33,7 +34,7 @@ std::vector<Shadow> make_shadows(shd_context* context, const Options& options, c
       render.light = light.light.get();
       render.draws = draws.draws.data();
       render.draw_count = draws.solid_count;
-      for (size_t c = 0; c < 3; ++c) {  // the model and the floor around it, not the whole floor
+      for (size_t c = 0; c < 3; ++c) {  // bounds of the model and the nearby floor, not of the whole floor
         render.bounds_min[c] = bounds.center[c] - 2.0f * bounds.radius;
         render.bounds_max[c] = bounds.center[c] + 2.0f * bounds.radius;
       }

@@ -6,7 +6,7 @@
 #include "tool/handles.h"
 #include "tool/lights.h"
 
-/// Shadows of the lights in their order, empty for those that have none, drawn from the surfaces. None at all without
-/// `--shadows`.
+/// Renders the shadows of the lights, in their order; entries of lights without a shadow are empty. Returns an empty
+/// list without `--shadows`.
 std::vector<Shadow> make_shadows(shd_context* context, const Options& options, const Bounds& bounds, const Draws& draws,
                                  const std::vector<StageLight>& lights);

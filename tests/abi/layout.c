@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Size of every public struct and place of every member on LP64, and that no struct has padding: a stray padding
- * byte would look like a field this version does not know. */
+/* Size of every public struct and place of every member on LP64. Padding is listed, so that none comes unseen. No sized
+ * struct ends with padding: there a field could be appended that older callers leave undefined. */
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,11 +22,13 @@
 #define SHD_FIELD(type, field, offset, size)                                      \
     _Static_assert(offsetof(type, field) == (offset), #type "." #field " moved"); \
     _Static_assert(sizeof(((type *)0)->field) == (size), #type "." #field " has another size");
+#define SHD_PADDING(type, offset, size)
 #include "layouts.inc"
 #undef SHD_STRUCT
 #undef SHD_FIELD
+#undef SHD_PADDING
 
-/** A struct (field is "") or one of its members. */
+/** A struct (field is ""), one of its members, or padding (field is "padding"). */
 struct row {
     const char *type;
     const char *field;
@@ -35,6 +37,7 @@ struct row {
 
 #define SHD_STRUCT(type, size) {#type, "", 0, size},
 #define SHD_FIELD(type, field, offset, size) {#type, #field, offset, size},
+#define SHD_PADDING(type, offset, size) {#type, "padding", offset, size},
 static const struct row k_rows[] = {
 #include "layouts.inc"
 };
@@ -45,6 +48,7 @@ int main(void)
     size_t structs = 0, holes = 0, i = 0;
     while (i < count) {
         const struct row *owner = &k_rows[i++];
+        const int is_sized = strcmp(k_rows[i].field, "struct_size") == 0;
         size_t end = 0;
         for (; i < count && k_rows[i].field[0]; ++i) {
             if (k_rows[i].offset != end || strcmp(k_rows[i].type, owner->type)) {
@@ -55,6 +59,10 @@ int main(void)
         }
         if (end != owner->size) {
             printf("%s: members end at %zu, size is %zu\n", owner->type, end, owner->size);
+            ++holes;
+        }
+        if (is_sized && strcmp(k_rows[i - 1].field, "padding") == 0) {
+            printf("%s: ends with padding\n", owner->type);
             ++holes;
         }
         ++structs;

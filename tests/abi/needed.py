@@ -16,7 +16,7 @@ import sys
 NEEDED = re.compile(r"\(NEEDED\).*\[(.+)\]")
 # name, type, address, offset, size as readelf -SW prints them
 INIT_ARRAY = re.compile(r"\.init_array\s+INIT_ARRAY\s+[0-9a-f]+\s+[0-9a-f]+\s+([0-9a-f]+)")
-# What any link of C++ adds.
+# Libraries that any link of C++ adds.
 ALWAYS = ["libgcc_s", "libc"]
 
 

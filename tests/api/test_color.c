@@ -153,7 +153,6 @@ static void edit_nothing(shd_color_desc *d) { (void)d; }
 static void edit_size_zero(shd_color_desc *d) { d->struct_size = 0; }
 static void edit_size_small(shd_color_desc *d) { d->struct_size = 8; }
 static void edit_size_huge(shd_color_desc *d) { d->struct_size = 0xffffffffu; }
-static void edit_reserved(shd_color_desc *d) { d->reserved = 3; }
 static void edit_both(shd_color_desc *d) { d->config_path = d->config_text = "x"; }
 static void edit_no_file(shd_color_desc *d) { d->config_path = "/nowhere/%s%n.ocio"; }
 static void edit_empty_path(shd_color_desc *d) { d->config_path = ""; }
@@ -173,7 +172,6 @@ static const struct desc_case k_desc[] = {
     {"desc/struct_size_zero", edit_size_zero, SHD_ERROR_INVALID_ARGUMENT, "color.struct_size: 0 is below"},
     {"desc/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "color.struct_size: 8 is below"},
     {"desc/struct_size_huge", edit_size_huge, SHD_ERROR_INVALID_ARGUMENT, "color.struct_size: 4294967295"},
-    {"desc/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "color.reserved: 3"},
     {"desc/path_and_text", edit_both, SHD_ERROR_INVALID_ARGUMENT, "color.config_text: set, but config_path"},
     {"desc/missing_file", edit_no_file, SHD_ERROR_NOT_FOUND, "color.config_path: no file \"/nowhere/%s%n.ocio\""},
     {"desc/empty_path", edit_empty_path, SHD_ERROR_INVALID_ARGUMENT, "color.config_path: empty"},

@@ -40,7 +40,6 @@ static void edit_size_small(shd_context_desc *d) { d->struct_size = 8; }
 static void edit_size_huge(shd_context_desc *d) { d->struct_size = 0xffffffffu; }
 static void edit_workers(shd_context_desc *d) { d->worker_count = 1025; }
 static void edit_one_worker(shd_context_desc *d) { d->worker_count = 1; }
-static void edit_reserved(shd_context_desc *d) { d->reserved = 1; }
 static void edit_simd_unknown(shd_context_desc *d) { d->simd = (shd_simd)77; }
 static void edit_simd_elsewhere(shd_context_desc *d)
 {
@@ -64,7 +63,6 @@ static void edit_executor_many_workers(shd_context_desc *d)
     d->executor.worker_count = 2000;
 }
 static void edit_executor_workers_alone(shd_context_desc *d) { d->executor.worker_count = 2; }
-static void edit_executor_reserved(shd_context_desc *d) { d->executor.reserved = 9; }
 
 static const struct create_case k_create[] = {
     {"create/defaults", edit_nothing, SHD_OK, ""},
@@ -73,7 +71,6 @@ static const struct create_case k_create[] = {
     {"create/struct_size_small", edit_size_small, SHD_ERROR_INVALID_ARGUMENT, "context.struct_size: 8"},
     {"create/struct_size_huge", edit_size_huge, SHD_ERROR_INVALID_ARGUMENT, "context.struct_size: 4294967295"},
     {"create/workers_1025", edit_workers, SHD_ERROR_INVALID_ARGUMENT, "context.worker_count: 1025 is not in 0..1024"},
-    {"create/reserved_set", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "context.reserved: 1"},
     {"create/simd_unknown", edit_simd_unknown, SHD_ERROR_INVALID_ARGUMENT, "context.simd: 77"},
     {"create/simd_of_another_machine", edit_simd_elsewhere, SHD_ERROR_UNSUPPORTED, "context.simd"},
     {"create/allocate_without_free", edit_half_allocator, SHD_ERROR_INVALID_ARGUMENT, "context.allocator.free: NULL"},
@@ -86,8 +83,6 @@ static const struct create_case k_create[] = {
      "context.executor.worker_count: 2000"},
     {"create/executor_workers_alone", edit_executor_workers_alone, SHD_ERROR_INVALID_ARGUMENT,
      "context.executor.worker_count without parallel_for: 2"},
-    {"create/executor_reserved_set", edit_executor_reserved, SHD_ERROR_INVALID_ARGUMENT,
-     "context.executor.reserved: 9"},
 };
 
 static void test_create(void **state)
@@ -110,7 +105,7 @@ static void test_null_desc(void **state)
     shd_context *context = NULL;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
-    assert_string_not_equal(shd_simd_target(context), "");
+    assert_string_not_equal(shd_context_simd_target(context), "");
     assert_true(shd_context_worker_count(context) >= 1);
     shd_context_release(context);
 }
@@ -119,7 +114,7 @@ static void test_null_arguments(void **state)
 {
     (void)state;
     shd_assert_result("create", shd_context_create(NULL, NULL), SHD_ERROR_INVALID_ARGUMENT, "out_context: NULL");
-    assert_string_equal(shd_simd_target(NULL), "");
+    assert_string_equal(shd_context_simd_target(NULL), "");
     assert_int_equal(shd_context_worker_count(NULL), 0);
     shd_context_retain(NULL);
     shd_context_release(NULL);
@@ -148,11 +143,11 @@ static void test_retain(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_context_retain(context);
     shd_context_release(context);
-    assert_string_not_equal(shd_simd_target(context), "");
+    assert_string_not_equal(shd_context_simd_target(context), "");
     shd_context_release(context);
 }
 
-/** A target and what shd_simd_target() calls it. */
+/** A target and what shd_context_simd_target() calls it. */
 static const struct {
     shd_simd simd;
     const char *name, *other_name;
@@ -172,7 +167,7 @@ static const char *target_name(shd_simd simd)
     desc.simd = simd;
     result = shd_context_create(&desc, &context);
     if (result == SHD_OK) {
-        name = shd_simd_target(context);
+        name = shd_context_simd_target(context);
     } else {
         shd_assert_result("forced", result, SHD_ERROR_UNSUPPORTED, "available:");
     }

@@ -22,7 +22,7 @@ static void expect_scene(const char *what, const shd_context_desc *desc, shd_sce
         const uint64_t got = shd_scene_render(&scene);
         if (got != want) {
             fail_msg("%s, scene %s, run %d on %s: hash %016llx, want %016llx", what, k_kind_names[kind], run,
-                     shd_simd_target(context), (unsigned long long)got, (unsigned long long)want);
+                     shd_context_simd_target(context), (unsigned long long)got, (unsigned long long)want);
         }
     }
     shd_scene_close(&scene);
@@ -97,7 +97,7 @@ static void test_scene_is_whole(void **state)
     shd_context *context = NULL;
     shd_scene scene;
     size_t count, draw;
-    shd_plane_view view;
+    shd_plane_view view = shd_plane_view_default();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_scene_open(&scene, SHD_SCENE_MIXED, context);

@@ -12,7 +12,7 @@ static shd_context *g_context;
 static float g_columns[6][POINTS], g_out[4][POINTS];
 static uint32_t g_layers[POINTS];
 static shd_tap g_taps[MAX_TAPS];
-static shd_blend g_blends[MAX_TAPS];
+static shd_blend_step g_blends[MAX_TAPS];
 
 static const struct {
     const char *name;
@@ -146,7 +146,7 @@ static float replay(const shd_explanation *e, uint32_t c)
     float last;
     for (i = 0; i < e->tap_count; ++i) v[i] = e->taps[i].value[c];
     for (i = 0; i < e->blend_count; ++i) {
-        const shd_blend *blend = &e->blends[i];
+        const shd_blend_step *blend = &e->blends[i];
         assert_true(blend->a < e->tap_count + i && blend->b < e->tap_count + i);
         v[e->tap_count + i] = blend->s == 0 ? v[blend->a] : v[blend->a] + blend->s * (v[blend->b] - v[blend->a]);
     }
@@ -315,9 +315,13 @@ static void test_arguments(void **state)
     shd_assert_result("blends", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
                       "explanation.blends: NULL");
     e.blend_capacity = 0;
-    e.reserved = 1;
-    shd_assert_result("reserved", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
-                      "explanation.reserved: 1");
+    e.tap_size = (uint32_t)sizeof(shd_tap) - 1;
+    shd_assert_result("tap_size", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
+                      "explanation.tap_size: 43 is not in 44..4096");
+    e = shd_explanation_default();
+    e.blend_size = 1u << 13;
+    shd_assert_result("blend_size", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid,
+                      "explanation.blend_size: 8192 is not in 12..4096");
     lookups.u.data = NULL;
     shd_assert_result("u", shd_texture_explain(texture, sampler, &lookups, 0, &e), invalid, "lookups.u.data: NULL");
     shd_sampler_release(sampler);

@@ -96,15 +96,15 @@ static void test_log(void **state)
     shd_context *silent = NULL;
     (void)state;
     open_context(&f);
-    shd_context_log(f.context, SHD_LOG_WARNING, "%d %s");
-    assert_int_equal(f.log.level, SHD_LOG_WARNING);
+    shd_context_log(f.context, SHD_LOG_LEVEL_WARNING, "%d %s");
+    assert_int_equal(f.log.level, SHD_LOG_LEVEL_WARNING);
     assert_string_equal(f.log.text, "%d %s");
-    shd_context_log(f.context, SHD_LOG_ERROR, NULL);
-    shd_context_log(NULL, SHD_LOG_ERROR, "nowhere");
+    shd_context_log(f.context, SHD_LOG_LEVEL_ERROR, NULL);
+    shd_context_log(NULL, SHD_LOG_LEVEL_ERROR, "nowhere");
     assert_int_equal(f.log.count, 1);
     close_context(&f);
     shd_assert_ok(shd_context_create(NULL, &silent));
-    shd_context_log(silent, SHD_LOG_ERROR, "to nobody");
+    shd_context_log(silent, SHD_LOG_LEVEL_ERROR, "to nobody");
     shd_context_release(silent);
 }
 

@@ -121,6 +121,7 @@ static int run_with_fault(const struct fault_case *c, size_t n, uint64_t want, s
     {
         const size_t before = locked.memory.live_bytes;
         memset(&s.stats, 0xee, sizeof s.stats);
+        s.stats.struct_size = sizeof s.stats;
         if (is_fault("render", shd_render(context, &s.desc), &locked)) {
             met = 1;
             ++tally->render;

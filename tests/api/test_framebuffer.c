@@ -10,7 +10,7 @@ static shd_context *g_context;
 
 struct create_case {
     const char *name;
-    uint32_t width, height, samples, aovs, reserved;
+    uint32_t width, height, samples, aovs;
     shd_result expected;
     const char *message;
     size_t least_bytes; /* width * height * planes * 4 */
@@ -18,25 +18,24 @@ struct create_case {
 
 #define BAD SHD_ERROR_INVALID_ARGUMENT
 static const struct create_case k_create[] = {
-    {"create/1x1", 1, 1, 1, 0, 0, SHD_OK, "", 20},
-    {"create/17x3", 17, 3, 1, 0, 0, SHD_OK, "", 1020},
-    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, 0, SHD_OK, "", 7548},
-    {"create/64x64_uv", 64, 64, 1, SHD_AOV_UV, 0, SHD_OK, "", 114688},
-    {"create/16384x1", 16384, 1, 1, SHD_AOV_TRIANGLE, 0, SHD_OK, "", 393216},
-    {"create/1x16384", 1, 16384, 1, SHD_AOV_NORMAL, 0, SHD_OK, "", 524288},
-    {"create/width_0", 0, 4, 1, 0, 0, BAD, "framebuffer.width: 0 is not in 1..16384", 0},
-    {"create/height_0", 4, 0, 1, 0, 0, BAD, "framebuffer.height: 0 is not in 1..16384", 0},
-    {"create/width_16385", 16385, 4, 1, 0, 0, BAD, "framebuffer.width: 16385", 0},
-    {"create/height_uint32_max", 4, 0xffffffffu, 1, 0, 0, BAD, "framebuffer.height: 4294967295", 0},
-    {"create/samples_0", 4, 4, 0, 0, 0, BAD, "framebuffer.samples: 0", 0},
-    {"create/samples_2", 4, 4, 2, 0, 0, SHD_OK, "", 320},
-    {"create/samples_3", 4, 4, 3, 0, 0, BAD, "framebuffer.samples: 3 is not 1, 2, 4, 8 or 16", 0},
-    {"create/samples_4", 4, 4, 4, 0, 0, SHD_OK, "", 320},
-    {"create/samples_8", 4, 4, 8, 0, 0, SHD_OK, "", 320},
-    {"create/samples_16", 4, 4, 16, 0, 0, SHD_OK, "", 320},
-    {"create/samples_64", 4, 4, 64, 0, 0, BAD, "framebuffer.samples: 64", 0},
-    {"create/aovs_unknown", 4, 4, 1, 4097, 0, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x1000 ", 0},
-    {"create/reserved_5", 4, 4, 1, 0, 5, BAD, "framebuffer.reserved: 5 is not 0", 0},
+    {"create/1x1", 1, 1, 1, 0, SHD_OK, "", 20},
+    {"create/17x3", 17, 3, 1, 0, SHD_OK, "", 1020},
+    {"create/17x3_all_aovs", 17, 3, 1, ALL_AOVS, SHD_OK, "", 7548},
+    {"create/64x64_uv", 64, 64, 1, SHD_AOV_UV, SHD_OK, "", 114688},
+    {"create/16384x1", 16384, 1, 1, SHD_AOV_TRIANGLE, SHD_OK, "", 393216},
+    {"create/1x16384", 1, 16384, 1, SHD_AOV_NORMAL, SHD_OK, "", 524288},
+    {"create/width_0", 0, 4, 1, 0, BAD, "framebuffer.width: 0 is not in 1..16384", 0},
+    {"create/height_0", 4, 0, 1, 0, BAD, "framebuffer.height: 0 is not in 1..16384", 0},
+    {"create/width_16385", 16385, 4, 1, 0, BAD, "framebuffer.width: 16385", 0},
+    {"create/height_uint32_max", 4, 0xffffffffu, 1, 0, BAD, "framebuffer.height: 4294967295", 0},
+    {"create/samples_0", 4, 4, 0, 0, BAD, "framebuffer.samples: 0", 0},
+    {"create/samples_2", 4, 4, 2, 0, SHD_OK, "", 320},
+    {"create/samples_3", 4, 4, 3, 0, BAD, "framebuffer.samples: 3 is not 1, 2, 4, 8 or 16", 0},
+    {"create/samples_4", 4, 4, 4, 0, SHD_OK, "", 320},
+    {"create/samples_8", 4, 4, 8, 0, SHD_OK, "", 320},
+    {"create/samples_16", 4, 4, 16, 0, SHD_OK, "", 320},
+    {"create/samples_64", 4, 4, 64, 0, BAD, "framebuffer.samples: 64", 0},
+    {"create/aovs_unknown", 4, 4, 1, 4097, SHD_ERROR_UNSUPPORTED, "framebuffer.aovs: bits 0x1000 ", 0},
 };
 
 static shd_framebuffer *make(uint32_t width, uint32_t height, uint32_t aovs)
@@ -55,12 +54,11 @@ static void test_create(void **state)
     const struct create_case *c = (const struct create_case *)*state;
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
     shd_framebuffer *framebuffer = (shd_framebuffer *)&desc;
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     desc.width = c->width;
     desc.height = c->height;
     desc.samples = c->samples;
     desc.aovs = c->aovs;
-    desc.reserved = c->reserved;
     shd_assert_result(c->name, shd_framebuffer_create(g_context, &desc, &framebuffer), c->expected, c->message);
     if (c->expected != SHD_OK) {
         assert_null(framebuffer);
@@ -130,8 +128,8 @@ static shd_result read_plane(const struct plane_case *c, const shd_framebuffer *
 {
     const shd_f32_out floats = {g_pixels.f32, stride};
     const shd_u32_out integers = {g_pixels.u32, stride};
-    return c->is_integer != other ? shd_framebuffer_read_u32_plane(framebuffer, c->plane, integers)
-                                  : shd_framebuffer_read_plane(framebuffer, c->plane, floats);
+    return c->is_integer != other ? shd_framebuffer_read_u32_plane(framebuffer, c->plane, &integers)
+                                  : shd_framebuffer_read_plane(framebuffer, c->plane, &floats);
 }
 
 /* With every combination of AOVs: there or NOT_FOUND, with the value of an empty frame, by one call alone. */
@@ -142,7 +140,7 @@ static void test_plane(void **state)
     uint32_t aovs;
     for (aovs = 0; aovs <= ALL_AOVS; ++aovs) {
         shd_framebuffer *framebuffer = make(k_width, k_height, aovs);
-        shd_plane_view view = {g_pixels.f32, g_pixels.u32, 77};
+        shd_plane_view view = {sizeof view, g_pixels.f32, g_pixels.u32, 77};
         shd_result result = shd_framebuffer_view_plane(framebuffer, c->plane, &view);
         size_t i;
         memset(&g_pixels, 0x55, sizeof g_pixels);
@@ -181,16 +179,17 @@ static void test_bad_u32_reads(void **state)
     shd_framebuffer *framebuffer = make(5, 3, SHD_AOV_TRIANGLE);
     shd_u32_out none = {NULL, 0}, odd = {g_pixels.u32, 6}, out = {g_pixels.u32, 0};
     (void)state;
-    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, none), BAD,
+    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, &none), BAD,
                       "out.data: NULL");
-    shd_assert_result("stride", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, odd), BAD,
+    shd_assert_result("null", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, NULL), BAD, "out: NULL");
+    shd_assert_result("stride", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_TRIANGLE, &odd), BAD,
                       "out.stride: 6");
-    shd_assert_result("absent", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_DRAW, out), SHD_ERROR_NOT_FOUND,
+    shd_assert_result("absent", shd_framebuffer_read_u32_plane(framebuffer, SHD_PLANE_DRAW, &out), SHD_ERROR_NOT_FOUND,
                       "plane: 23");
-    shd_assert_result("unknown", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)37, out), BAD,
+    shd_assert_result("unknown", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)37, &out), BAD,
                       "plane: 37 is not in 0..36");
-    shd_assert_result("negative", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
-    shd_assert_result("handle", shd_framebuffer_read_u32_plane(NULL, SHD_PLANE_TRIANGLE, out), BAD,
+    shd_assert_result("negative", shd_framebuffer_read_u32_plane(framebuffer, (shd_plane)-1, &out), BAD, "plane: ");
+    shd_assert_result("handle", shd_framebuffer_read_u32_plane(NULL, SHD_PLANE_TRIANGLE, &out), BAD,
                       "framebuffer: NULL");
     shd_framebuffer_release(framebuffer);
 }
@@ -200,22 +199,29 @@ static void test_bad_reads(void **state)
     float pixels[64];
     shd_framebuffer *framebuffer = make(4, 4, 0);
     shd_f32_out out = {pixels, 0}, none = {NULL, 0}, odd = {pixels, 2}, huge = {pixels, SIZE_MAX - 3};
-    shd_plane_view view = {pixels, NULL, 1};
-    shd_framebuffer_info info = {1, 2, 3, 4, 5};
+    shd_plane_view view = {sizeof view, pixels, NULL, 1};
+    shd_framebuffer_info info = {sizeof info, 1, 2, 3, 4, 5};
     (void)state;
-    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)37, out), BAD,
+    shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)37, &out), BAD,
                       "plane: 37 is not in 0..36");
-    shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, out), BAD, "plane: ");
-    shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, none), BAD, "out.data: NULL");
-    shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, odd), BAD, "out.stride: 2");
-    shd_assert_result("overflow", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, huge), BAD, "out: 16 elements");
-    shd_assert_result("handle", shd_framebuffer_read_plane(NULL, SHD_PLANE_R, out), BAD, "framebuffer: NULL");
+    shd_assert_result("negative", shd_framebuffer_read_plane(framebuffer, (shd_plane)-1, &out), BAD, "plane: ");
+    shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &none), BAD, "out.data: NULL");
+    shd_assert_result("null", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, NULL), BAD, "out: NULL");
+    shd_assert_result("stride", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &odd), BAD, "out.stride: 2");
+    shd_assert_result("overflow", shd_framebuffer_read_plane(framebuffer, SHD_PLANE_R, &huge), BAD, "out: 16 elements");
+    shd_assert_result("handle", shd_framebuffer_read_plane(NULL, SHD_PLANE_R, &out), BAD, "framebuffer: NULL");
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, (shd_plane)99, &view), BAD, "plane: 99");
     assert_true(!view.f32 && view.row_stride == 0);
     shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, NULL), BAD, "out_view: NULL");
     shd_assert_result("info", shd_framebuffer_get_info(framebuffer, NULL), BAD, "out_info: NULL");
     shd_assert_result("info", shd_framebuffer_get_info(NULL, &info), BAD, "framebuffer: NULL");
     assert_true(info.width == 0 && info.height == 0 && info.samples == 0 && info.aovs == 0 && info.byte_size == 0);
+    assert_int_equal(info.struct_size, sizeof info);
+    info.struct_size = 8;
+    shd_assert_result("info", shd_framebuffer_get_info(framebuffer, &info), BAD, "out_info.struct_size: 8 is below 12");
+    view.struct_size = 0;
+    shd_assert_result("view", shd_framebuffer_view_plane(framebuffer, SHD_PLANE_R, &view), BAD,
+                      "out_view.struct_size: 0");
     shd_framebuffer_release(framebuffer);
 }
 

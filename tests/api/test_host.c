@@ -167,7 +167,7 @@ static uint64_t visit(uint32_t workers)
     shd_assert_result("render", shd_render(context, &s.desc), SHD_ERROR_INVALID_ARGUMENT, "1.5");
     image.width = 1;
     shd_assert_result("read", shd_framebuffer_read_color(s.framebuffer, &image), SHD_ERROR_INVALID_ARGUMENT, "width");
-    shd_assert_result("init", shd_desc_init(SHD_DESC_NONE, &desc, 8), SHD_ERROR_INVALID_ARGUMENT, "kind");
+    shd_assert_result("init", shd_desc_init(SHD_DESC_KIND_NONE, &desc, 8), SHD_ERROR_INVALID_ARGUMENT, "kind");
     shd_scene_close(&s);
     shd_context_release(context);
     return hash;
@@ -447,7 +447,7 @@ static void test_small_stack(void **state)
         deep.sampler = sampler;
         draw = stack_used(&deep, size);
         print_message("%s: shd_render %zu, shd_texture_sample %zu and %zu, of a thread %zu bytes of stack\n",
-                      shd_simd_target(context), render - base, sample - base, draw - base, base);
+                      shd_context_simd_target(context), render - base, sample - base, draw - base, base);
         shd_sampler_release(sampler);
         shd_scene_close(&s);
         shd_context_release(context);

@@ -17,7 +17,7 @@ struct fixture {
 
 static shd_result texture_info(struct fixture *f, void *handle)
 {
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     (void)f;
     return shd_texture_get_info((const shd_texture *)handle, &info);
 }
@@ -44,7 +44,7 @@ static shd_result sample_texture(struct fixture *f, void *handle) { return sampl
 static shd_result sample_sampler(struct fixture *f, void *handle) { return sample(f, f->live[k_texture], handle); }
 static shd_result mesh_info(struct fixture *f, void *handle)
 {
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     (void)f;
     return shd_mesh_get_info((const shd_mesh *)handle, &info);
 }
@@ -57,13 +57,13 @@ static shd_result mesh_normals(struct fixture *f, void *handle)
 }
 static shd_result framebuffer_info(struct fixture *f, void *handle)
 {
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     (void)f;
     return shd_framebuffer_get_info((const shd_framebuffer *)handle, &info);
 }
 static shd_result framebuffer_view(struct fixture *f, void *handle)
 {
-    shd_plane_view view;
+    shd_plane_view view = shd_plane_view_default();
     (void)f;
     return shd_framebuffer_view_plane((const shd_framebuffer *)handle, SHD_PLANE_R, &view);
 }
@@ -74,7 +74,7 @@ static shd_result framebuffer_plane(struct fixture *f, void *handle)
     (void)f;
     out.data = plane;
     out.stride = 0;
-    return shd_framebuffer_read_plane((const shd_framebuffer *)handle, SHD_PLANE_R, out);
+    return shd_framebuffer_read_plane((const shd_framebuffer *)handle, SHD_PLANE_R, &out);
 }
 static shd_result framebuffer_u32_plane(struct fixture *f, void *handle)
 {
@@ -83,7 +83,7 @@ static shd_result framebuffer_u32_plane(struct fixture *f, void *handle)
     (void)f;
     out.data = plane;
     out.stride = 0;
-    return shd_framebuffer_read_u32_plane((const shd_framebuffer *)handle, SHD_PLANE_TRIANGLE, out);
+    return shd_framebuffer_read_u32_plane((const shd_framebuffer *)handle, SHD_PLANE_TRIANGLE, &out);
 }
 static shd_result framebuffer_color(struct fixture *f, void *handle)
 {
@@ -101,9 +101,11 @@ static shd_result make_material(struct fixture *f, void *texture, void *sampler)
     shd_material_desc desc = shd_material_desc_default();
     shd_material *material = NULL;
     shd_result result;
-    if (texture) desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
-    desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)sampler;
+    shd_slot slot;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, (shd_texture *)texture, (shd_sampler *)sampler);
+    if (!texture) slot.source = SHD_SLOT_SOURCE_CONSTANT;
+    desc.slots = &slot;
+    desc.slot_count = 1;
     result = shd_material_create(f->context, &desc, &material);
     assert_int_equal(material != NULL, result == SHD_OK);
     shd_material_release(material);
@@ -169,8 +171,8 @@ static const struct entry k_entries[] = {
     {"shd_framebuffer_read_plane", k_framebuffer, framebuffer_plane, "framebuffer: ", 0},
     {"shd_framebuffer_read_u32_plane", k_framebuffer, framebuffer_u32_plane, "framebuffer: ", 0},
     {"shd_framebuffer_read_color", k_framebuffer, framebuffer_color, "framebuffer: ", 0},
-    {"shd_material_create/texture", k_texture, material_texture, "material.slot[0].texture: ", 1},
-    {"shd_material_create/sampler", k_sampler, material_sampler, "material.slot[0].sampler: ", 1},
+    {"shd_material_create/texture", k_texture, material_texture, "material.slots[0].texture: ", 1},
+    {"shd_material_create/sampler", k_sampler, material_sampler, "material.slots[0].sampler: ", 1},
     {"shd_render/framebuffer", k_framebuffer, render_framebuffer, "render.framebuffer: ", 0},
     {"shd_render/mesh", k_mesh, render_mesh, "render.draws[0]: draw.mesh: ", 0},
     {"shd_render/material", k_material, render_material, "render.draws[0]: draw.material: ", 1},

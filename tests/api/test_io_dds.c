@@ -195,7 +195,7 @@ static size_t make_file(const struct dds_case *c, unsigned char *file)
 
 static shd_texture *make_texture(shd_context *context, const shd_bitmap *bitmap)
 {
-    shd_image image;
+    shd_image image = shd_image_default();
     shd_texture_desc desc = shd_texture_desc_default();
     shd_texture *texture = NULL;
     shd_assert_ok(shd_bitmap_image(bitmap, &image));

@@ -23,7 +23,7 @@ struct desc_case {
     const char *message;
 };
 
-static void edit_size(shd_load_desc *d) { d->struct_size = 12; }
+static void edit_size(shd_load_desc *d) { d->struct_size = 7; }
 static void edit_formats(shd_load_desc *d) { d->formats = 1u << 20; }
 static void edit_flags(shd_load_desc *d) { d->flags = 1u << 9; }
 static void edit_encoding(shd_load_desc *d) { d->color_space = (shd_color_encoding)9; }
@@ -66,7 +66,7 @@ static void edit_worker_folder(shd_load_desc *d)
 
 /* Each loads the 5 x 4 RGBA8 PNG of the corpus. */
 static const struct desc_case k_desc[] = {
-    {"desc/struct_size_small", edit_size, SHD_ERROR_INVALID_ARGUMENT, "load.struct_size: 12"},
+    {"desc/struct_size_small", edit_size, SHD_ERROR_INVALID_ARGUMENT, "load.struct_size: 7"},
     {"desc/formats_unknown", edit_formats, SHD_ERROR_UNSUPPORTED, "load.formats: bits 0x100000"},
     {"desc/flags_unknown", edit_flags, SHD_ERROR_UNSUPPORTED, "load.flags: bits 0x200"},
     {"desc/color_space_9", edit_encoding, SHD_ERROR_INVALID_ARGUMENT, "load.color_space: 9"},
@@ -181,8 +181,8 @@ static void test_null_arguments(void **state)
 {
     shd_bitmap *bitmap = NULL;
     shd_texture *texture = NULL;
-    shd_image image;
-    shd_bitmap_info info;
+    shd_image image = shd_image_default();
+    shd_bitmap_info info = shd_bitmap_info_default();
     (void)state;
     shd_assert_result("out", shd_bitmap_load(g_context, "x", NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out_bitmap: NULL");
@@ -212,7 +212,7 @@ static void test_lifecycle(void **state)
     const io_bytes *png = &g_corpus[0].bytes;
     shd_context *context = NULL;
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
     shd_assert_ok(shd_bitmap_load_memory(context, png->data, png->size, NULL, &bitmap));
@@ -323,8 +323,8 @@ static void test_format(void **state)
     const io_sample *sample = find_sample(c->sample);
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL, *isolated = NULL;
-    shd_image image;
-    shd_bitmap_info info;
+    shd_image image = shd_image_default();
+    shd_bitmap_info info = shd_bitmap_info_default();
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, NULL, &bitmap));
     shd_assert_ok(shd_bitmap_image(bitmap, &image));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
@@ -334,8 +334,7 @@ static void test_format(void **state)
     assert_int_equal(image.height, c->height);
     assert_int_equal(info.channels, c->channels);
     assert_int_equal(info.file_format, sample->format);
-    assert_int_equal(info.partial, 0);
-    assert_int_equal(info.premultiplied, sample->format == SHD_FILE_FORMAT_EXR);
+    assert_int_equal(info.flags, sample->format == SHD_FILE_FORMAT_EXR ? SHD_BITMAP_PREMULTIPLIED : SHD_BITMAP_NONE);
     desc.flags = SHD_LOAD_ISOLATE;
     desc.worker_path = k_worker;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &isolated));
@@ -368,7 +367,7 @@ static void test_color(void **state)
     const io_sample *sample = find_sample(c->sample);
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     desc.color_space = c->encoding;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &bitmap));
     shd_assert_ok(shd_bitmap_image(bitmap, &image));
@@ -382,7 +381,7 @@ static void test_flip(void **state)
     const io_sample *sample = find_sample("png8");
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     uint32_t y;
     (void)state;
     desc.flags = SHD_LOAD_FLIP_V;
@@ -400,7 +399,7 @@ static void test_grey(void **state)
     const io_sample *sample = find_sample("pgm_text");
     static const unsigned char want[] = {0, 64, 128, 192, 255, 7};
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     size_t i;
     (void)state;
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, NULL, &bitmap));
@@ -443,7 +442,7 @@ static void test_partial(void **state)
     const io_sample *hdr = find_sample("exr_float");
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
-    shd_bitmap_info info;
+    shd_bitmap_info info = shd_bitmap_info_default();
     (void)state;
     shd_assert_result("jpeg", shd_bitmap_load_memory(g_context, jpeg->bytes.data, jpeg->bytes.size - 2, NULL, &bitmap),
                       SHD_ERROR_CORRUPT, "JPEG: the end is missing");
@@ -452,12 +451,12 @@ static void test_partial(void **state)
     desc.flags = SHD_LOAD_PARTIAL;
     shd_assert_ok(shd_bitmap_load_memory(g_context, jpeg->bytes.data, jpeg->bytes.size - 2, &desc, &bitmap));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
-    assert_int_equal(info.partial, 1);
+    assert_true(info.flags & SHD_BITMAP_PARTIAL);
     shd_bitmap_release(bitmap);
     bitmap = NULL;
     shd_assert_ok(shd_bitmap_load_memory(g_context, hdr->bytes.data, hdr->bytes.size - 9, &desc, &bitmap));
     shd_assert_ok(shd_bitmap_get_info(bitmap, &info));
-    assert_int_equal(info.partial, 1);
+    assert_true(info.flags & SHD_BITMAP_PARTIAL);
     shd_bitmap_release(bitmap);
 }
 
@@ -543,7 +542,7 @@ static void test_exr(void **state)
     const size_t size = make_exr(c, bytes);
     const int *d = c->data, *w = c->display;
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     int x, y;
     shd_assert_result(c->name, shd_bitmap_load_memory(g_context, bytes, size, NULL, &bitmap), c->expected, c->message);
     if (c->expected != SHD_OK) return;

@@ -118,7 +118,7 @@ static void test_levels(void **state)
     shd_sampler_desc desc = shd_sampler_desc_default();
     shd_sampler *sampler = NULL;
     shd_lookups lookups = make_lookups();
-    shd_levels out;
+    shd_levels out = shd_levels_default();
     int i;
     desc.filter = SHD_FILTER_NEAREST; /* does not matter */
     desc.lod_bias = c->bias;
@@ -126,7 +126,6 @@ static void test_levels(void **state)
     desc.lod_max = c->high;
     desc.profile = c->profile;
     shd_assert_ok(shd_sampler_create(g_context, &desc, &sampler));
-    memset(&out, 0, sizeof out);
     out.lod.data = g_lod;
     out.lod.stride = 8;
     out.level.data = g_level;
@@ -151,9 +150,8 @@ static void test_arguments(void **state)
     const shd_result invalid = SHD_ERROR_INVALID_ARGUMENT;
     shd_lookups lookups = make_lookups();
     shd_sampler *sampler = NULL;
-    shd_levels out;
+    shd_levels out = shd_levels_default();
     (void)state;
-    memset(&out, 0, sizeof out);
     shd_assert_ok(shd_sampler_create(g_context, NULL, &sampler));
     shd_assert_result("texture", shd_texture_query_levels(NULL, sampler, &lookups, &out), invalid, "texture: NULL");
     shd_assert_result("sampler", shd_texture_query_levels(g_texture, NULL, &lookups, &out), invalid, "sampler: NULL");
@@ -189,7 +187,7 @@ static void test_overlaps(void **state)
     const struct overlap_case *c = (const struct overlap_case *)*state;
     shd_lookups lookups = make_lookups();
     shd_sampler *sampler = NULL;
-    shd_levels out;
+    shd_levels out = shd_levels_default();
     shd_assert_ok(shd_sampler_create(g_context, NULL, &sampler));
     lookups.lod.data = g_shared + c->in;
     lookups.lod.stride = 4 * c->in_stride;

@@ -263,12 +263,14 @@ static void test_two_contexts(void **state)
         shd_material_desc desc = shd_material_desc_default();
         shd_material *material = NULL;
         void *texture = NULL;
+        shd_slot slot;
         int i;
         open_context(&a);
         open_context(&b);
         shd_assert_ok(create_texture(a.context, &texture));
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
+        slot = shd_slot_texture(SHD_SLOT_DIFFUSE, (shd_texture *)texture, NULL);
+        desc.slots = &slot;
+        desc.slot_count = 1;
         shd_assert_ok(shd_material_create(b.context, &desc, &material));
         release_texture(texture);
         for (i = 0; i < 3; ++i) {

@@ -2,6 +2,7 @@
 /* Materials: every field of the desc, programs, and the texture and sampler they hold. */
 #include "support/check.h"
 #include "support/fault_allocator.h"
+#include "support/slots.h"
 
 #include <shd/shd.h>
 
@@ -18,7 +19,7 @@ static void program(const shd_fragments *in, shd_radiance *out, void *user_data)
 }
 
 static void edit_nothing(shd_material_desc *d) { (void)d; }
-static void edit_size(shd_material_desc *d) { d->struct_size = 16; }
+static void edit_size(shd_material_desc *d) { d->struct_size = 4; }
 static void edit_blinn_phong(shd_material_desc *d) { d->model = SHD_MODEL_BLINN_PHONG; }
 static void edit_program(shd_material_desc *d)
 {
@@ -30,8 +31,11 @@ static void edit_program_unused(shd_material_desc *d) { d->program.fragment = pr
 static void edit_unlit(shd_material_desc *d) { d->model = SHD_MODEL_UNLIT; }
 static void edit_model(shd_material_desc *d) { d->model = (shd_model)15; }
 static void edit_model_negative(shd_material_desc *d) { d->model = (shd_model)-1; }
-static void edit_flags(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | SHD_AMBIENT_PER_LIGHT; }
-static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_SPECULAR_UNGATED | 64; }
+static void edit_flags(shd_material_desc *d)
+{
+    d->flags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT;
+}
+static void edit_flags_unknown(shd_material_desc *d) { d->flags = SHD_MATERIAL_SPECULAR_UNGATED | 64; }
 static void edit_black(shd_material_desc *d)
 {
     memset(d->ambient, 0, sizeof d->ambient);
@@ -51,13 +55,13 @@ static void edit_exponent_nan(shd_material_desc *d) { d->exponent = (float)NAN; 
 static void edit_exponent_above(shd_material_desc *d) { d->exponent = 2e6f; }
 static void edit_opacity(shd_material_desc *d) { d->opacity = 1.5f; }
 static void edit_opacity_nan(shd_material_desc *d) { d->opacity = NAN; }
-static void edit_blend(shd_material_desc *d) { d->blend = (shd_blend_mode)7; }
+static void edit_blend(shd_material_desc *d) { d->blend = (shd_blend)7; }
 static void edit_blends(shd_material_desc *d)
 {
     d->blend = SHD_BLEND_SORTED;
     d->opacity = 0;
     d->alpha_cutoff = 1;
-    d->flags = SHD_ALPHA_TO_COVERAGE;
+    d->flags = SHD_MATERIAL_ALPHA_TO_COVERAGE;
 }
 static void edit_cutoff(shd_material_desc *d) { d->alpha_cutoff = -0.5f; }
 static void edit_discards(shd_material_desc *d) { d->flags = SHD_MATERIAL_DISCARDS; }
@@ -68,12 +72,15 @@ static void vertex(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
     (void)user_data;
 }
 static void edit_vertex(shd_material_desc *d) { d->program.vertex = vertex; }
+static shd_interpolation g_interpolation[16];
 static void edit_varyings(shd_material_desc *d)
 {
     edit_vertex(d);
     d->varying_count = 16;
-    d->interpolation[0] = SHD_INTERPOLATION_AFFINE;
-    d->interpolation[15] = SHD_INTERPOLATION_FLAT;
+    memset(g_interpolation, 0, sizeof g_interpolation);
+    g_interpolation[0] = SHD_INTERPOLATION_AFFINE;
+    g_interpolation[15] = SHD_INTERPOLATION_FLAT;
+    d->interpolation = g_interpolation;
 }
 static void edit_varyings_and_program(shd_material_desc *d)
 {
@@ -92,28 +99,51 @@ static void edit_varyings_without_vertex(shd_material_desc *d)
 }
 static void edit_interpolation(shd_material_desc *d)
 {
-    edit_vertex(d);
-    d->interpolation[15] = (shd_interpolation)3;
+    edit_varyings(d);
+    g_interpolation[15] = (shd_interpolation)3;
 }
 static void edit_interpolation_negative(shd_material_desc *d)
 {
     edit_varyings(d);
-    d->interpolation[2] = (shd_interpolation)-1;
+    g_interpolation[2] = (shd_interpolation)-1;
 }
-static void edit_reserved(shd_material_desc *d) { d->reserved = 1; }
+static void edit_interpolation_missing(shd_material_desc *d)
+{
+    edit_varyings(d);
+    d->interpolation = NULL;
+}
+/* Entries beyond the count are not read. */
+static void edit_interpolation_beyond(shd_material_desc *d)
+{
+    edit_interpolation(d);
+    d->varying_count = 15;
+}
+
+static shd_slot_list g_slots;
+static shd_slot *add_slot(shd_material_desc *d, shd_slot slot) { return shd_slot_list_add(&g_slots, d, slot); }
+static shd_slot *add_texture(shd_material_desc *d, shd_slot_target target)
+{
+    add_slot(d, shd_slot_default(SHD_SLOT_OPACITY));
+    return add_slot(d, shd_slot_texture(target, g_texture, NULL));
+}
 static void edit_light_as_texture(shd_material_desc *d)
 {
-    d->slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    d->slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)(void *)g_light;
+    add_slot(d, shd_slot_texture(SHD_SLOT_DIFFUSE, (shd_texture *)(void *)g_light, NULL));
 }
 static void edit_light_as_sampler(shd_material_desc *d)
 {
-    d->slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    d->slot[SHD_SLOT_DIFFUSE].texture = g_texture;
-    d->slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)(void *)g_light;
+    add_texture(d, SHD_SLOT_DIFFUSE)->sampler = (shd_sampler *)(void *)g_light;
 }
 
-static void edit_last_model(shd_material_desc *d) { d->model = SHD_MODEL_SHOW_BARYCENTRICS; }
+static void edit_last_model(shd_material_desc *d) { d->model = SHD_MODEL_MATCAP; }
+static void edit_last_view(shd_material_desc *d) { d->debug_view = SHD_DEBUG_VIEW_BARYCENTRICS; }
+static void edit_debug_view_5(shd_material_desc *d) { d->debug_view = (shd_debug_view)5; }
+static void edit_view_of_program(shd_material_desc *d)
+{
+    edit_program(d);
+    d->flags = SHD_MATERIAL_DISCARDS;
+    d->debug_view = SHD_DEBUG_VIEW_NORMAL;
+}
 static void edit_exponent_0(shd_material_desc *d) { d->exponent = 0; }
 static void edit_exponent_1e6_of_metal(shd_material_desc *d)
 {
@@ -150,52 +180,56 @@ static void edit_bump_scale_nan(shd_material_desc *d) { d->bump_scale = (float)N
 static void edit_parallax_depth_negative(shd_material_desc *d) { d->parallax_depth = -1; }
 static void edit_parallax_steps_1(shd_material_desc *d) { d->parallax_steps = 1; }
 static void edit_parallax_steps_257(shd_material_desc *d) { d->parallax_steps = 257; }
-static void edit_slot_source_4(shd_material_desc *d) { d->slot[3].source = (shd_slot_source)4; }
-static void edit_slot_texture_missing(shd_material_desc *d) { d->slot[SHD_SLOT_NORMAL].source = SHD_SOURCE_TEXTURE; }
-static void edit_slot_texture_of_constant(shd_material_desc *d) { d->slot[1].texture = g_texture; }
-static void edit_slot_procedure_missing(shd_material_desc *d) { d->slot[2].source = SHD_SOURCE_PROCEDURE; }
-static void edit_slot_attribute_7(shd_material_desc *d)
+static void edit_slot_source_4(shd_material_desc *d)
 {
-    d->slot[2].source = SHD_SOURCE_VERTEX;
-    d->slot[2].attribute = 7;
+    add_slot(d, shd_slot_default(SHD_SLOT_EXPONENT))->source = (shd_slot_source)4;
 }
-static void edit_slot_attribute_8(shd_material_desc *d)
+static void edit_slot_texture_missing(shd_material_desc *d) { add_texture(d, SHD_SLOT_NORMAL)->texture = NULL; }
+static void edit_slot_texture_of_constant(shd_material_desc *d)
 {
-    d->slot[2].source = SHD_SOURCE_VERTEX;
-    d->slot[2].attribute = 8;
+    add_slot(d, shd_slot_default(SHD_SLOT_AMBIENT))->texture = g_texture;
 }
-static void edit_slot_uv_set_1(shd_material_desc *d)
+static void edit_slot_procedure_missing(shd_material_desc *d)
 {
-    d->slot[5].source = SHD_SOURCE_TEXTURE;
-    d->slot[5].texture = g_texture;
-    d->slot[5].uv_set = 1;
+    add_slot(d, shd_slot_procedure(SHD_SLOT_SPECULAR, NULL, NULL));
 }
-static void edit_slot_uv_set_2(shd_material_desc *d)
-{
-    d->slot[5].source = SHD_SOURCE_TEXTURE;
-    d->slot[5].texture = g_texture;
-    d->slot[5].uv_set = 2;
-}
-static void edit_slot_channel_4(shd_material_desc *d)
-{
-    d->slot[5].source = SHD_SOURCE_TEXTURE;
-    d->slot[5].texture = g_texture;
-    d->slot[5].channel = 4;
-}
+static void edit_slot_attribute_7(shd_material_desc *d) { add_slot(d, shd_slot_vertex(SHD_SLOT_SPECULAR, 7)); }
+static void edit_slot_attribute_8(shd_material_desc *d) { add_slot(d, shd_slot_vertex(SHD_SLOT_SPECULAR, 8)); }
+static void edit_slot_uv_set_1(shd_material_desc *d) { add_texture(d, SHD_SLOT_EMISSION)->uv_set = 1; }
+static void edit_slot_uv_set_2(shd_material_desc *d) { add_texture(d, SHD_SLOT_EMISSION)->uv_set = 2; }
+static void edit_slot_channel_4(shd_material_desc *d) { add_texture(d, SHD_SLOT_EMISSION)->channel = 4; }
 static void edit_slot_transform_nan(shd_material_desc *d)
 {
-    d->slot[5].source = SHD_SOURCE_TEXTURE;
-    d->slot[5].texture = g_texture;
-    d->slot[5].uv_transform[4] = (float)NAN;
+    add_texture(d, SHD_SLOT_EMISSION)->uv_transform[4] = (float)NAN;
 }
-static void edit_height_of_vertices(shd_material_desc *d) { d->slot[SHD_SLOT_HEIGHT].source = SHD_SOURCE_VERTEX; }
-static void edit_matcap_as_procedure(shd_material_desc *d) { d->slot[SHD_SLOT_MATCAP].source = SHD_SOURCE_PROCEDURE; }
+static void edit_height_of_vertices(shd_material_desc *d) { add_slot(d, shd_slot_vertex(SHD_SLOT_HEIGHT, 0)); }
+static void edit_matcap_as_procedure(shd_material_desc *d)
+{
+    add_slot(d, shd_slot_procedure(SHD_SLOT_MATCAP, NULL, NULL));
+}
 static void edit_slot_sampler_without_table(shd_material_desc *d)
 {
-    d->slot[5].source = SHD_SOURCE_TEXTURE;
-    d->slot[5].texture = g_texture;
-    d->slot[5].sampler = g_ripmap;
+    add_texture(d, SHD_SLOT_EMISSION)->sampler = g_ripmap;
 }
+static void edit_slots_missing(shd_material_desc *d) { d->slot_count = 1; }
+static void edit_slots_all(shd_material_desc *d)
+{
+    int target;
+    for (target = SHD_SLOT_MATCAP; target >= 0; --target) add_slot(d, shd_slot_default((shd_slot_target)target));
+}
+static void edit_slots_13(shd_material_desc *d)
+{
+    edit_slots_all(d);
+    d->slot_count = 13;
+}
+static void edit_slot_target_12(shd_material_desc *d) { add_texture(d, (shd_slot_target)12); }
+static void edit_slot_target_twice(shd_material_desc *d)
+{
+    add_texture(d, SHD_SLOT_DIFFUSE);
+    add_slot(d, shd_slot_default(SHD_SLOT_DIFFUSE));
+}
+static void edit_slot_size_0(shd_material_desc *d) { add_slot(d, shd_slot_default(SHD_SLOT_DIFFUSE))->struct_size = 0; }
+static void edit_slot_sizes_differ(shd_material_desc *d) { --add_texture(d, SHD_SLOT_DIFFUSE)->struct_size; }
 
 struct create_case {
     const char *name;
@@ -212,9 +246,9 @@ static const struct create_case k_create[] = {
     {"create/all_flags", edit_flags, SHD_OK, ""},
     {"create/all_0", edit_black, SHD_OK, ""},
     {"create/all_1e6", edit_largest, SHD_OK, ""},
-    {"create/struct_size_16", edit_size, BAD, "material.struct_size: 16"},
+    {"create/struct_size_4", edit_size, BAD, "material.struct_size: 4"},
     {"create/unlit", edit_unlit, SHD_OK, ""},
-    {"create/model_15", edit_model, BAD, "material.model: 15 is not in 0..14"},
+    {"create/model_15", edit_model, BAD, "material.model: 15 is not in 0..10"},
     {"create/model_negative", edit_model_negative, BAD, "material.model: "},
     {"create/program_without_fragment", edit_program_missing, BAD,
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},
@@ -244,10 +278,14 @@ static const struct create_case k_create[] = {
      "material.varying_count: 3, but material.program.vertex is NULL"},
     {"create/interpolation_3", edit_interpolation, BAD, "material.interpolation[15]: 3 is not in 0..2"},
     {"create/interpolation_negative", edit_interpolation_negative, BAD, "material.interpolation[2]: "},
-    {"create/reserved", edit_reserved, BAD, "material.reserved: 1 is not 0"},
-    {"create/light_as_texture", edit_light_as_texture, BAD, "material.slot[0].texture: not a live handle of its type"},
-    {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.slot[0].sampler: not a live handle of its type"},
+    {"create/interpolation_missing", edit_interpolation_missing, SHD_OK, ""},
+    {"create/interpolation_beyond", edit_interpolation_beyond, SHD_OK, ""},
+    {"create/light_as_texture", edit_light_as_texture, BAD, "material.slots[0].texture: not a live handle of its type"},
+    {"create/light_as_sampler", edit_light_as_sampler, BAD, "material.slots[1].sampler: not a live handle of its type"},
     {"create/last_model", edit_last_model, SHD_OK, ""},
+    {"create/last_view", edit_last_view, SHD_OK, ""},
+    {"create/debug_view_5", edit_debug_view_5, BAD, "material.debug_view: 5 is not in 0..4"},
+    {"create/view_of_program", edit_view_of_program, SHD_OK, ""},
     {"create/exponent_0", edit_exponent_0, SHD_OK, ""},
     {"create/exponent_1e6_of_metal", edit_exponent_1e6_of_metal, SHD_OK, ""},
     {"create/emission_1e12", edit_emission_1e12, SHD_OK, ""},
@@ -280,24 +318,32 @@ static const struct create_case k_create[] = {
     {"create/parallax_depth_negative", edit_parallax_depth_negative, BAD, "material.parallax_depth: -1"},
     {"create/parallax_steps_1", edit_parallax_steps_1, BAD, "material.parallax_steps: 1 is not in 2..256"},
     {"create/parallax_steps_257", edit_parallax_steps_257, BAD, "material.parallax_steps: 257"},
-    {"create/slot_source_4", edit_slot_source_4, BAD, "material.slot[3].source: 4 is not in 0..3"},
+    {"create/slot_source_4", edit_slot_source_4, BAD, "material.slots[0].source: 4 is not in 0..3"},
     {"create/slot_texture_missing", edit_slot_texture_missing, BAD,
-     "material.slot[9].texture: NULL, but the source is a texture"},
+     "material.slots[1].texture: NULL, but the source is a texture"},
     {"create/slot_texture_of_constant", edit_slot_texture_of_constant, BAD,
-     "material.slot[1].source: 0, but a texture or sampler is set"},
-    {"create/slot_procedure_missing", edit_slot_procedure_missing, BAD, "material.slot[2].procedure: NULL"},
+     "material.slots[0].source: 0, but a texture or sampler is set"},
+    {"create/slot_procedure_missing", edit_slot_procedure_missing, BAD, "material.slots[0].procedure: NULL"},
     {"create/slot_attribute_7", edit_slot_attribute_7, SHD_OK, ""},
-    {"create/slot_attribute_8", edit_slot_attribute_8, BAD, "material.slot[2].attribute: 8 is not in 0..7"},
+    {"create/slot_attribute_8", edit_slot_attribute_8, BAD, "material.slots[0].attribute: 8 is not in 0..7"},
     {"create/slot_uv_set_1", edit_slot_uv_set_1, SHD_OK, ""},
-    {"create/slot_uv_set_2", edit_slot_uv_set_2, BAD, "material.slot[5].uv_set: 2 is not in 0..1"},
-    {"create/slot_channel_4", edit_slot_channel_4, BAD, "material.slot[5].channel: 4 is not in 0..3"},
-    {"create/slot_transform_nan", edit_slot_transform_nan, BAD, "material.slot[5].uv_transform[4]: "},
+    {"create/slot_uv_set_2", edit_slot_uv_set_2, BAD, "material.slots[1].uv_set: 2 is not in 0..1"},
+    {"create/slot_channel_4", edit_slot_channel_4, BAD, "material.slots[1].channel: 4 is not in 0..3"},
+    {"create/slot_transform_nan", edit_slot_transform_nan, BAD, "material.slots[1].uv_transform[4]: "},
     {"create/height_of_vertices", edit_height_of_vertices, BAD,
-     "material.slot[10].source: 2, but this slot takes a texture or nothing"},
+     "material.slots[0].source: 2, but this slot takes textures only"},
     {"create/matcap_as_procedure", edit_matcap_as_procedure, BAD,
-     "material.slot[11].source: 3, but this slot takes a texture or nothing"},
+     "material.slots[0].source: 3, but this slot takes textures only"},
     {"create/slot_sampler_without_table", edit_slot_sampler_without_table, BAD,
-     "material.slot[5].sampler: its filter needs a table that the texture lacks"},
+     "material.slots[1].sampler: its filter needs a table that the texture lacks"},
+    {"create/slots_missing", edit_slots_missing, BAD, "material.slots: NULL"},
+    {"create/slots_all", edit_slots_all, SHD_OK, ""},
+    {"create/slots_13", edit_slots_13, BAD, "material.slot_count: 13 is not in 0..12"},
+    {"create/slot_target_12", edit_slot_target_12, BAD, "material.slots[1].target: 12 is not in 0..11"},
+    {"create/slot_target_twice", edit_slot_target_twice, BAD,
+     "material.slots[2].target: 0 is that of material.slots[1] too"},
+    {"create/slot_size_0", edit_slot_size_0, BAD, "material.slots[0].struct_size: 0 is below"},
+    {"create/slot_sizes_differ", edit_slot_sizes_differ, BAD, "material.slots[1].struct_size: "},
 };
 
 static void test_create(void **state)
@@ -305,6 +351,7 @@ static void test_create(void **state)
     const struct create_case *c = (const struct create_case *)*state;
     shd_material_desc desc = shd_material_desc_default();
     shd_material *material = (shd_material *)&desc;
+    g_slots.count = 0;
     c->edit(&desc);
     shd_assert_result(c->name, shd_material_create(g_context, &desc, &material), c->expected, c->message);
     if (c->expected == SHD_OK) {
@@ -366,11 +413,12 @@ static void test_parts_retained(void **state)
     struct parts p;
     shd_material_desc desc = shd_material_desc_default();
     shd_material *material = NULL;
+    shd_slot slot;
     (void)state;
     open_parts(&p);
-    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    desc.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
-    desc.slot[SHD_SLOT_DIFFUSE].sampler = p.sampler;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, p.texture, p.sampler);
+    desc.slots = &slot;
+    desc.slot_count = 1;
     shd_assert_ok(shd_material_create(p.context, &desc, &material));
     shd_texture_release(p.texture);
     shd_sampler_release(p.sampler);
@@ -388,23 +436,24 @@ static void test_parts_after_refusal(void **state)
     struct parts p;
     shd_material_desc desc = shd_material_desc_default();
     shd_material *material = (shd_material *)&p;
+    shd_slot slot;
     size_t before;
     (void)state;
     open_parts(&p);
     before = p.memory.live_bytes;
-    desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    desc.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
-    desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)(void *)p.texture;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, p.texture, (shd_sampler *)(void *)p.texture);
+    desc.slots = &slot;
+    desc.slot_count = 1;
     shd_assert_result("sampler", shd_material_create(p.context, &desc, &material), BAD,
-                      "material.slot[0].sampler: not a live handle of its type");
+                      "material.slots[0].sampler: not a live handle of its type");
     assert_null(material);
     assert_int_equal(p.memory.live_bytes, before);
     shd_assert_ok(look_up(&p));
     shd_texture_release(p.texture);
     shd_assert_result("texture", look_up(&p), BAD, "texture: not a live handle of its type");
-    desc.slot[SHD_SLOT_DIFFUSE].sampler = p.sampler;
+    slot.sampler = p.sampler;
     shd_assert_result("released", shd_material_create(p.context, &desc, &material), BAD,
-                      "material.slot[0].texture: not a live handle of its type");
+                      "material.slots[0].texture: not a live handle of its type");
     shd_sampler_release(p.sampler);
     shd_context_release(p.context);
     shd_assert_all_freed("parts_after_refusal", &p.memory);
@@ -416,10 +465,12 @@ static void test_one_part(void **state)
     struct parts p;
     shd_material_desc textured = shd_material_desc_default();
     shd_material *a = NULL;
+    shd_slot slot;
     (void)state;
     open_parts(&p);
-    textured.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    textured.slot[SHD_SLOT_DIFFUSE].texture = p.texture;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, p.texture, NULL);
+    textured.slots = &slot;
+    textured.slot_count = 1;
     shd_assert_ok(shd_material_create(p.context, &textured, &a));
     shd_context_release(p.context);
     shd_texture_release(p.texture);

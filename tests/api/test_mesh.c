@@ -206,7 +206,7 @@ static void test_create(void **state)
     const struct create_case *c = (const struct create_case *)*state;
     shd_mesh_desc desc = nine();
     shd_mesh *mesh = (shd_mesh *)&desc;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     c->edit(&desc);
     shd_assert_result(c->name, shd_mesh_create(g_context, &desc, &mesh), c->expected, c->message);
     if (c->expected != SHD_OK) {
@@ -224,11 +224,12 @@ static void test_create(void **state)
 static void test_null(void **state)
 {
     shd_mesh *mesh = (shd_mesh *)&g_context;
-    shd_mesh_info info = {1, 2, 3, 4, {5, 6, 7}, {8, 9, 10}, 11, 12};
-    const shd_mesh_info zero = {0, 0, 0, 0, {0, 0, 0}, {0, 0, 0}, 0, 0};
+    shd_mesh_info info, zero = shd_mesh_info_default();
     shd_f32_out out[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
     shd_mesh_desc desc = nine();
     (void)state;
+    memset(&info, 0x55, sizeof info);
+    info.struct_size = sizeof info;
     shd_assert_result("desc", shd_mesh_create(g_context, NULL, &mesh), BAD, "mesh: NULL");
     assert_null(mesh);
     shd_assert_result("info", shd_mesh_get_info(NULL, &info), BAD, "mesh: NULL");
@@ -246,7 +247,7 @@ static void test_bounds(void **state)
     static const float k_far[9] = {0, 1, 0, 0, 1, 0, 3e38f, 6, -3e38f};
     shd_mesh_desc desc = nine();
     shd_mesh *mesh = NULL;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     (void)state;
     desc.position[0].data = k_far;
     desc.position[1].data = k_with_nan; /* vertex 3 does not count */
@@ -264,7 +265,7 @@ static void test_bounds_of_nothing_finite(void **state)
     const float all[3] = {k_nan, k_inf, -k_inf};
     shd_mesh_desc desc = shd_mesh_desc_default();
     shd_mesh *mesh = NULL;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     int c;
     (void)state;
     desc.vertex_count = 3;
@@ -373,7 +374,7 @@ static void test_given_normal(void **state)
     shd_f32_out out[3];
     shd_mesh_desc desc = shd_mesh_desc_default();
     shd_mesh *mesh = NULL;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     const uint32_t none = 0;
     int i;
     desc.vertex_count = 1;

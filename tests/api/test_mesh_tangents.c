@@ -13,6 +13,7 @@ static shd_context *g_context;
 
 /* A strip of four squares side by side in the plane z = 0, facing +z; u right, v down. */
 struct strip {
+    shd_f32_in attributes[4];
     float p[3][VERTICES], n[3][VERTICES], uv[2][VERTICES], t[4][VERTICES], a[VERTICES];
     uint32_t indices[3 * TRIANGLES];
     shd_mesh_desc desc;
@@ -43,7 +44,9 @@ static void make_strip(struct strip *s)
     for (c = 0; c < 3; ++c) s->desc.normal[c].data = s->n[c];
     for (c = 0; c < 2; ++c) s->desc.uv[c].data = s->uv[c];
     for (c = 0; c < 2; ++c) s->desc.uv1[c].data = s->uv[1 - c];
-    s->desc.attribute[3].data = s->a;
+    s->attributes[3].data = s->a;
+    s->desc.attributes = s->attributes;
+    s->desc.attribute_count = 4;
 }
 
 static void as_it_is(struct strip *s) { (void)s; }
@@ -149,7 +152,7 @@ static void test_tangents(void **state)
     const struct tangent_case *c = (const struct tangent_case *)*state;
     static struct strip s;
     shd_mesh *mesh = NULL;
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     float t[4][MORE];
     uint32_t k, last;
     make_strip(&s);

@@ -47,7 +47,7 @@ struct pictures {
     double normal[2][2][SIZE * SIZE]; /* [mesh has tangents][x, y] of the shown normal */
 };
 
-/* Normals, as SHD_MODEL_SHOW_NORMAL has them, of a square with the map or the bump. */
+/* Normals, as SHD_DEBUG_VIEW_NORMAL shows them, of a square with the map or the bump. */
 static void show(const struct orient_case *c, int bump, int has_tangents, double *x, double *y)
 {
     static const float k_place[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -59,12 +59,14 @@ static void show(const struct orient_case *c, int bump, int has_tangents, double
     shd_draw *draw;
     shd_frame f;
     shd_texture *texture;
+    shd_slot slot;
     int i, k;
     shd_frame_open(&f, SIZE, SIZE);
     texture = make_dome(f.context, !bump);
-    material.model = SHD_MODEL_SHOW_NORMAL;
-    material.slot[bump ? SHD_SLOT_HEIGHT : SHD_SLOT_NORMAL].source = SHD_SOURCE_TEXTURE;
-    material.slot[bump ? SHD_SLOT_HEIGHT : SHD_SLOT_NORMAL].texture = texture;
+    material.debug_view = SHD_DEBUG_VIEW_NORMAL;
+    slot = shd_slot_texture(bump ? SHD_SLOT_HEIGHT : SHD_SLOT_NORMAL, texture, NULL);
+    material.slots = &slot;
+    material.slot_count = 1;
     material.bump = SHD_BUMP_TEXEL;
     for (i = 0; i < 4; ++i) {
         memset(rows[i], 0, sizeof rows[i]);

@@ -59,27 +59,28 @@ static void edit_base_huge(struct arguments *a) { a->base.width = a->base.height
 static void edit_size(struct arguments *a) { a->desc.struct_size = 4; }
 static void edit_kernel(struct arguments *a) { a->desc.kernel = (shd_mip_kernel)4; }
 static void edit_source(struct arguments *a) { a->desc.source = (shd_mip_source)2; }
-static void edit_semantic(struct arguments *a) { a->desc.semantic = (shd_semantic)5; }
+static void edit_content(struct arguments *a) { a->desc.content = (shd_texel_content)5; }
 static void edit_wrap_u(struct arguments *a) { a->desc.wrap_u = (shd_wrap)5; }
 static void edit_wrap_v(struct arguments *a) { a->desc.wrap_v = (shd_wrap)-1; }
 static void edit_cutoff(struct arguments *a) { a->desc.alpha_cutoff = 1.5f; }
 static void edit_cutoff_nan(struct arguments *a) { a->desc.alpha_cutoff = NAN; }
-static void edit_reserved(struct arguments *a) { a->desc.reserved = 1; }
 static void edit_normal_rg(struct arguments *a)
 {
     set_formats(a, SHD_FORMAT_RG8);
-    a->desc.semantic = SHD_SEMANTIC_NORMAL;
+    a->desc.content = SHD_TEXEL_CONTENT_NORMAL;
 }
 static void edit_coverage_rgb(struct arguments *a)
 {
     set_formats(a, SHD_FORMAT_RGB8);
-    a->desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
+    a->desc.content = SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
 }
 static void edit_level_format(struct arguments *a) { a->levels[1].format = SHD_FORMAT_RGBA8_SRGB; }
 static void edit_level_width(struct arguments *a) { a->levels[1].width = 3; }
 static void edit_level_height(struct arguments *a) { a->levels[2].height = 2; }
 static void edit_level_null(struct arguments *a) { a->levels[2].pixels = NULL; }
 static void edit_level_stride(struct arguments *a) { a->levels[0].row_stride = 15; }
+static void edit_level_in_base(struct arguments *a) { a->levels[1].pixels = (char *)a->base.pixels + 4; }
+static void edit_level_twice(struct arguments *a) { a->levels[2].pixels = (char *)a->levels[0].pixels + 12; }
 
 static const struct mip_case k_cases[] = {
     {"defaults", edit_nothing, SHD_OK, ""},
@@ -93,18 +94,19 @@ static const struct mip_case k_cases[] = {
     {"struct_size", edit_size, SHD_ERROR_INVALID_ARGUMENT, "mip.struct_size: 4"},
     {"kernel", edit_kernel, SHD_ERROR_INVALID_ARGUMENT, "mip.kernel: 4 is not in 0..3"},
     {"source", edit_source, SHD_ERROR_INVALID_ARGUMENT, "mip.source: 2 is not in 0..1"},
-    {"semantic", edit_semantic, SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: 5 is not in 0..4"},
+    {"content", edit_content, SHD_ERROR_INVALID_ARGUMENT, "mip.content: 5 is not in 0..4"},
     {"wrap_u", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "mip.wrap_u: 5 is not in 0..4"},
     {"wrap_v", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "mip.wrap_v: 4294967295"},
     {"cutoff_1.5", edit_cutoff, SHD_ERROR_INVALID_ARGUMENT, "mip.alpha_cutoff: 1.5 is not in 0..1"},
     {"cutoff_nan", edit_cutoff_nan, SHD_ERROR_INVALID_ARGUMENT, "mip.alpha_cutoff: nan"},
-    {"reserved", edit_reserved, SHD_ERROR_INVALID_ARGUMENT, "mip.reserved: 1 is not 0"},
-    {"normals_of_2_channels", edit_normal_rg, SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: normals need 3 or 4"},
-    {"coverage_of_3_channels", edit_coverage_rgb, SHD_ERROR_INVALID_ARGUMENT, "mip.semantic: alpha coverage needs 4"},
+    {"normals_of_2_channels", edit_normal_rg, SHD_ERROR_INVALID_ARGUMENT, "mip.content: normals need 3 or 4"},
+    {"coverage_of_3_channels", edit_coverage_rgb, SHD_ERROR_INVALID_ARGUMENT, "mip.content: alpha coverage needs 4"},
     {"level_format", edit_level_format, SHD_ERROR_INVALID_ARGUMENT, "levels[1].format: 3 is not the base's 2"},
     {"level_width", edit_level_width, SHD_ERROR_INVALID_ARGUMENT, "levels[1].width: 3 is not in 2..2"},
     {"level_height", edit_level_height, SHD_ERROR_INVALID_ARGUMENT, "levels[2].height: 2 is not in 1..1"},
     {"level_pixels", edit_level_null, SHD_ERROR_INVALID_ARGUMENT, "levels[2].pixels: NULL"},
+    {"level_in_base", edit_level_in_base, SHD_ERROR_INVALID_ARGUMENT, "levels[1].pixels: overlaps base.pixels"},
+    {"level_twice", edit_level_twice, SHD_ERROR_INVALID_ARGUMENT, "levels[2].pixels: overlaps levels[0].pixels"},
     {"level_stride", edit_level_stride, SHD_ERROR_INVALID_ARGUMENT, "levels[0].row_stride: 15 is below 16"},
 };
 
@@ -130,6 +132,26 @@ static void test_case(void **state)
     } else {
         assert_memory_equal(a.pixels, before, sizeof before);
     }
+    shd_context_release(context);
+}
+
+/* The second level lies right of the first, in rows of one picture: their bytes alternate, and share none. */
+static void test_beside(void **state)
+{
+    struct arguments a;
+    shd_context *context = NULL;
+    const unsigned char *first = (const unsigned char *)a.pixels[1];
+    (void)state;
+    set_up(&a);
+    a.levels[0].row_stride = a.levels[1].row_stride = 4 * (size_t)(a.levels[0].width + a.levels[1].width);
+    a.levels[1].pixels = (char *)a.levels[0].pixels + 4 * a.levels[0].width;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_assert_ok(shd_mip_build(context, &a.base, &a.desc, 2, a.levels));
+    assert_int_equal(first[0], 10);
+    assert_int_equal(first[4 * a.levels[0].width], 10);
+    a.levels[1].pixels = (char *)a.levels[1].pixels - 4;
+    shd_assert_result("one pixel", shd_mip_build(context, &a.base, &a.desc, 2, a.levels), SHD_ERROR_INVALID_ARGUMENT,
+                      "levels[1].pixels: overlaps levels[0].pixels");
     shd_context_release(context);
 }
 
@@ -164,8 +186,8 @@ static void test_allocation_faults(void **state)
         shd_context *context = NULL;
         shd_result result;
         set_up(&a);
-        a.desc.kernel = SHD_MIP_KAISER;
-        a.desc.semantic = SHD_SEMANTIC_ALPHA_COVERAGE;
+        a.desc.kernel = SHD_MIP_KERNEL_KAISER;
+        a.desc.content = SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
         shd_assert_ok(shd_context_create(&cd, &context));
         shd_fault_arm(&memory, n + 1, 1);
         result = shd_mip_build(context, &a.base, &a.desc, LEVELS, a.levels);
@@ -197,7 +219,7 @@ static void test_given_levels(void **state)
     static unsigned char texels[3][LEVELS + 1][WIDTH * HEIGHT * 4], base[3][WIDTH * HEIGHT * 4];
     shd_image levels[9], out = shd_image_default();
     shd_texture_desc desc = shd_texture_desc_default();
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_context *context = NULL;
     shd_texture *texture = NULL;
     unsigned char got[WIDTH * HEIGHT * 4];
@@ -328,6 +350,7 @@ int main(void)
     for (i = 0; i < sizeof k_textures / sizeof k_textures[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_textures[i].name, test_given_levels, NULL, NULL, (void *)&k_textures[i]};
     }
+    tests[n++] = (struct CMUnitTest){"levels_beside", test_beside, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"allocation_faults", test_allocation_faults, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"given/lookup", test_given_lookup, NULL, NULL, NULL};

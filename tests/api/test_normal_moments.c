@@ -186,7 +186,7 @@ static void bumpy(float height)
     }
 }
 
-static shd_texture *with_levels(shd_context *context, float *base, shd_semantic semantic)
+static shd_texture *with_levels(shd_context *context, float *base, shd_texel_content semantic)
 {
     shd_image levels[LEVELS];
     const shd_image image = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, base);
@@ -196,9 +196,9 @@ static shd_texture *with_levels(shd_context *context, float *base, shd_semantic 
     uint32_t l;
     for (l = 0; l < LEVELS; ++l) {
         levels[l] = make_image(SHD_FORMAT_RGBA32F, SIZE >> (l + 1), SIZE >> (l + 1),
-                               g_levels[semantic == SHD_SEMANTIC_NORMAL][l]);
+                               g_levels[semantic == SHD_TEXEL_CONTENT_NORMAL][l]);
     }
-    mip.semantic = semantic;
+    mip.content = semantic;
     shd_assert_ok(shd_mip_build(context, &image, &mip, LEVELS, levels));
     desc.format = SHD_FORMAT_RGBA32F;
     desc.width = desc.height = SIZE;
@@ -253,7 +253,7 @@ static void test_variance(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(height);
     shd_assert_ok(shd_normal_moments(context, &normals, &moments));
-    texture = with_levels(context, g_moments, SHD_SEMANTIC_DATA);
+    texture = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
     for (level = 0; level <= LEVELS; level += 2) {
         const uint32_t edge = 1u << level, left = 16u % SIZE / edge * edge;
         double sum[4] = {0, 0, 0, 0}, want;
@@ -296,8 +296,8 @@ static void test_length(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(0.1f);
     shd_assert_ok(shd_normal_moments(context, &normals, &moments));
-    by_moments = with_levels(context, g_moments, SHD_SEMANTIC_DATA);
-    by_length = with_levels(context, g_normals, SHD_SEMANTIC_NORMAL);
+    by_moments = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
+    by_length = with_levels(context, g_normals, SHD_TEXEL_CONTENT_NORMAL);
     for (i = 0; i <= 4 * LEVELS; ++i) {
         const float lod = (float)i / 4, u = 0.375f, v = 0.75f;
         float lower[4], upper[4], got[4], m[4];
@@ -336,7 +336,7 @@ static void test_length_in_codes(void **state)
         codes[0][i] = (unsigned char)(i % 4 == 3 ? 255 : (g_normals[i] + 1) / 2 * 255 + 0.5f);
     }
     for (l = 0; l <= LEVELS; ++l) images[l] = make_image(SHD_FORMAT_RGBA8, SIZE >> l, SIZE >> l, codes[l]);
-    mip.semantic = SHD_SEMANTIC_NORMAL;
+    mip.content = SHD_TEXEL_CONTENT_NORMAL;
     shd_assert_ok(shd_mip_build(context, &images[0], &mip, LEVELS, images + 1));
     desc.format = SHD_FORMAT_RGBA8;
     desc.width = desc.height = SIZE;
@@ -345,7 +345,7 @@ static void test_length_in_codes(void **state)
     desc.levels = images + 1;
     desc.level_count = LEVELS;
     shd_assert_ok(shd_texture_create(context, &desc, &by_codes));
-    by_length = with_levels(context, g_normals, SHD_SEMANTIC_NORMAL);
+    by_length = with_levels(context, g_normals, SHD_TEXEL_CONTENT_NORMAL);
     for (i = 0; i <= 4 * LEVELS; ++i) {
         float got[4], want[4];
         int c;
@@ -436,6 +436,9 @@ static void test_bad_arguments(void **state)
     moments.pixels = (char *)out + 2;
     shd_assert_result("aligned", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: ");
+    moments.pixels = normals.pixels;
+    shd_assert_result("overlap", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+                      "out.pixels: overlaps normals.pixels");
     moments.pixels = out;
     moments.row_stride = 60;
     shd_assert_result("stride", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,

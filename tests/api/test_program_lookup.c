@@ -83,6 +83,7 @@ static void test_bits(void **state)
     shd_material_desc model = shd_material_desc_default(), program = shd_material_desc_default();
     shd_context_desc cd = shd_context_desc_default();
     shd_context *context = NULL;
+    shd_slot slot;
     size_t i, different = 0, calls = 0;
     (void)state;
     cd.executor.parallel_for = count_calls, cd.executor.user_data = &calls, cd.executor.worker_count = 2;
@@ -91,9 +92,9 @@ static void test_bits(void **state)
     shd_assert_ok(shd_sampler_create(context, NULL, &look.sampler));
     model.model = SHD_MODEL_UNLIT;
     for (i = 0; i < 3; ++i) model.diffuse[i] = 1.0f;
-    model.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    model.slot[SHD_SLOT_DIFFUSE].texture = look.texture;
-    model.slot[SHD_SLOT_DIFFUSE].sampler = look.sampler;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, look.texture, look.sampler);
+    model.slots = &slot;
+    model.slot_count = 1;
     program.model = SHD_MODEL_PROGRAM;
     program.program.fragment = look_up, program.program.user_data = &look;
     render(&model, expected);

@@ -110,7 +110,7 @@ void test_throw(void **state)
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
     shd_frame_draw(&f, quad, 6, &m);
     m.model = SHD_MODEL_PROGRAM;
-    m.program = {fragment, &plan, vertex};
+    m.program = {fragment, vertex, &plan};
     m.varying_count = 4;
     shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.25f, quad);
     shd_frame_draw(&f, quad, 6, &m)->frequency = c.frequency;

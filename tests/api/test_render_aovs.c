@@ -202,7 +202,7 @@ static void test_truth(void **state)
 }
 
 /* A material with a texture of 64 x 64 and mip levels. */
-static shd_material_desc make_textured(shd_frame *f)
+static shd_material_desc make_textured(shd_frame *f, shd_slot *slot)
 {
     static unsigned char texels[64 * 64];
     shd_texture_desc texture = shd_texture_desc_default();
@@ -212,12 +212,14 @@ static shd_material_desc make_textured(shd_frame *f)
     texture.width = texture.height = 64;
     texture.texels = texels;
     texture.tables = SHD_TABLE_MIPMAP;
-    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    shd_assert_ok(shd_texture_create(f->context, &texture, &material.slot[SHD_SLOT_DIFFUSE].texture));
+    *slot = shd_slot_texture(SHD_SLOT_DIFFUSE, NULL, NULL);
+    material.slots = slot;
+    material.slot_count = 1;
+    shd_assert_ok(shd_texture_create(f->context, &texture, &slot->texture));
     sampler.filter = SHD_FILTER_TRILINEAR;
     sampler.wrap_u = sampler.wrap_v = SHD_WRAP_REPEAT;
     sampler.lod_bias = 0.25f;
-    shd_assert_ok(shd_sampler_create(f->context, &sampler, &material.slot[SHD_SLOT_DIFFUSE].sampler));
+    shd_assert_ok(shd_sampler_create(f->context, &sampler, &slot->sampler));
     return material;
 }
 
@@ -230,13 +232,15 @@ static void test_levels(void **state)
     uint32_t random = 7;
     size_t i, different = 0, kinds[7] = {0};
     shd_lookups lookups = shd_lookups_default();
-    shd_levels levels = {{lod, 0}, {level, 0}};
+    shd_levels levels = shd_levels_default();
     shd_material_desc material;
-    const shd_slot *slot = &material.slot[SHD_SLOT_DIFFUSE];
+    shd_slot slot;
     shd_frame f;
     shd_frame_open_aovs(&f, WIDTH, HEIGHT, samples, ALL_AOVS);
     set_perspective(&f);
-    material = make_textured(&f);
+    levels.lod = shd_f32_out_column(lod, 0);
+    levels.level = shd_u32_out_column(level, 0);
+    material = make_textured(&f, &slot);
     make_triangles(&random, triangles);
     shd_frame_draw(&f, triangles, 3 * TRIANGLES, &material);
     shd_frame_render(&f);
@@ -247,7 +251,7 @@ static void test_levels(void **state)
     lookups.dvdx.data = f.plane[SHD_PLANE_DVDX];
     lookups.dudy.data = f.plane[SHD_PLANE_DUDY];
     lookups.dvdy.data = f.plane[SHD_PLANE_DVDY];
-    shd_assert_ok(shd_texture_query_levels(slot->texture, slot->sampler, &lookups, &levels));
+    shd_assert_ok(shd_texture_query_levels(slot.texture, slot.sampler, &lookups, &levels));
     for (i = 0; i < WIDTH * HEIGHT; ++i) {
         const double xx = hypot((double)lookups.dudx.data[i], (double)lookups.dvdx.data[i]);
         const double yy = hypot((double)lookups.dudy.data[i], (double)lookups.dvdy.data[i]);
@@ -264,8 +268,8 @@ static void test_levels(void **state)
     }
     for (i = 0; i < 7; ++i) different += kinds[i] > 0;
     assert_true(different >= 4);
-    shd_texture_release(material.slot[SHD_SLOT_DIFFUSE].texture);
-    shd_sampler_release(material.slot[SHD_SLOT_DIFFUSE].sampler);
+    shd_texture_release(slot.texture);
+    shd_sampler_release(slot.sampler);
     shd_frame_close(&f);
 }
 
@@ -286,7 +290,7 @@ static void open_layers(shd_frame *f, uint32_t samples, const shd_material_desc 
 
 struct layer_case {
     const char *name;
-    shd_blend_mode blend;
+    shd_blend blend;
     float alpha, cutoff;
     int is_depth_alone;
     uint32_t draw, overdraw; /* wanted */
@@ -336,7 +340,7 @@ static void test_load(void **state)
     open_layers(&f, 2, &plain);
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 2);
-    f.desc.load = 1;
+    f.desc.flags |= SHD_RENDER_LOAD;
     f.draw[1].compare = SHD_COMPARE_LESS_EQUAL;
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 3);
@@ -344,7 +348,7 @@ static void test_load(void **state)
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 3);
     assert_int_equal(f.u32[SHD_PLANE_DRAW][77], 1);
-    f.desc.load = 0;
+    f.desc.flags &= ~(uint32_t)SHD_RENDER_LOAD;
     shd_frame_render(&f);
     assert_int_equal(f.u32[SHD_PLANE_OVERDRAW][77], 0);
     assert_int_equal(f.u32[SHD_PLANE_DRAW][77], 0xffffffffu);

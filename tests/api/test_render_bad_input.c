@@ -145,6 +145,7 @@ static void test_planes(void **state)
         shd_texture_desc texture_desc = shd_texture_desc_default();
         shd_material_desc material = shd_material_desc_default();
         shd_texture *texture = NULL;
+        shd_slot slot;
         shd_frame f;
         int plane;
         size_t i;
@@ -156,8 +157,9 @@ static void test_planes(void **state)
         texture_desc.tables = SHD_TABLE_MIPMAP;
         shd_assert_ok(shd_texture_create(f.context, &texture_desc, &texture));
         material.model = SHD_MODEL_BLINN_PHONG;
-        material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        material.slot[SHD_SLOT_DIFFUSE].texture = texture;
+        slot = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, NULL);
+        material.slots = &slot;
+        material.slot_count = 1;
         shd_frame_draw(&f, soup, 3 * TRIANGLES, &material);
         f.draw[0].fill = (shd_fill)(round / 3);
         f.draw[0].fill_width = 2.5f;

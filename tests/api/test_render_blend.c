@@ -8,7 +8,7 @@ enum { SIZE = 67, PIXELS = SIZE * SIZE };
 
 typedef struct layer {
     float color[3], opacity, depth;
-    shd_blend_mode blend;
+    shd_blend blend;
 } layer;
 
 /* Quads over the whole frame, one draw each, over a clear colour of (0.1, 0.2, 0.3, 0.4). */
@@ -64,7 +64,7 @@ static void blend_by_hand(const layer *l, double color[4])
 
 struct blend_case {
     const char *name;
-    shd_blend_mode blend;
+    shd_blend blend;
 };
 static const struct blend_case k_blends[] = {
     {"blend/opaque", SHD_BLEND_OPAQUE},     {"blend/premultiplied", SHD_BLEND_PREMULTIPLIED},
@@ -241,7 +241,7 @@ static void test_alpha_to_coverage(void **state)
     (void)state;
     for (samples = 1; samples <= 16; samples *= 2) {
         shd_frame f;
-        render_columns(&f, SHD_ALPHA_TO_COVERAGE, 0.0f, NULL, samples);
+        render_columns(&f, SHD_MATERIAL_ALPHA_TO_COVERAGE, 0.0f, NULL, samples);
         for (i = 0; i < PIXELS; ++i) {
             const double want = floor((i % SIZE + 0.5) / SIZE * samples + 0.5) / samples;
             shd_assert_close("r", (size_t)i, (double)f.plane[SHD_PLANE_R][i], want, 1e-6, 0.0);

@@ -26,7 +26,7 @@ static void open_scene(shd_scene *s, shd_scene_kind kind, uint32_t workers, shd_
     shd_assert_ok(shd_context_create(&desc, context));
     shd_scene_open(s, kind, *context);
     { /* without the index of the draw, in which they differ */
-        shd_framebuffer_info info;
+        shd_framebuffer_info info = shd_framebuffer_info_default();
         shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
         shd_assert_ok(shd_framebuffer_get_info(s->framebuffer, &info));
         framebuffer.width = info.width;

@@ -139,8 +139,9 @@ static const struct edges_case k_edges[] = {
 static shd_mesh *edges_as_triangles(const shd_frame *f, const shd_mesh *mesh, const shd_edges_desc *desc)
 {
     static uint32_t vertex[2][MAX_EDGES];
-    shd_edges out = {{{vertex[0], 0}, {vertex[1], 0}}, {{NULL, 0}, {NULL, 0}}, {NULL, 0}};
+    shd_edges out = shd_edges_default();
     size_t count = 0, i;
+    for (i = 0; i < 2; ++i) out.vertex[i].data = vertex[i];
     shd_assert_ok(shd_mesh_find_edges(mesh, desc, MAX_EDGES, &out, &count));
     assert_true(count <= SHD_SHAPE_TRIANGLES);
     for (i = 0; i < count; ++i) {
@@ -174,7 +175,7 @@ static void test_edges(void **state)
     start_shape(c->make, c->n);
     draw = add_lines(&f, make_mesh(&f));
     draw->fill_width = c->width;
-    draw->edges = desc.kinds = c->kinds;
+    draw->edges = desc.edges = c->kinds;
     draw->crease_cosine = desc.crease_cosine = c->crease_cosine;
     for (i = 0; i < 3; ++i) {
         const float towards = f.desc.view.world_to_view[4 * i + 2];

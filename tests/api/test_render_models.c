@@ -80,9 +80,10 @@ static double reflect(const shd_material_desc *m, vec3 p, vec3 n, double ambient
     const double kd = (double)m->diffuse[c], ks = (double)m->specular[c], exponent = (double)m->exponent;
     const double around = (double)m->ambient[c] * ambient, light = fmax(0, d.n_l), warmth = (1 + d.n_l) / 2;
     const double f = pow(((double)m->ior - 1) / ((double)m->ior + 1), 2), metal = (double)m->metallic;
-    const int shines = m->flags & SHD_SPECULAR_UNGATED || d.n_l > 0;
+    const int shines = m->flags & SHD_MATERIAL_SPECULAR_UNGATED || d.n_l > 0;
     const double shine = shines ? pow(d.n_h, exponent) : 0, steps = m->toon_steps;
     const double norm = (exponent + 2) * (exponent + 4) / (8 * k_pi * (pow(2, -exponent / 2) + exponent));
+    if (m->debug_view == SHD_DEBUG_VIEW_NORMAL) return 0.5 + 0.5 * (c == 0 ? n.x : c == 1 ? n.y : n.z);
     switch (m->model) {
         case SHD_MODEL_LAMBERT: return around + kd * d.e * light;
         case SHD_MODEL_BLINN_PHONG: return around + kd * d.e * light + ks * d.e * shine;
@@ -95,7 +96,6 @@ static double reflect(const shd_material_desc *m, vec3 p, vec3 n, double ambient
         case SHD_MODEL_GOOCH:
             return warmth * ((double)m->warm[c] + (double)m->warm_mix * kd) +
                    (1 - warmth) * ((double)m->cool[c] + (double)m->cool_mix * kd);
-        case SHD_MODEL_SHOW_NORMAL: return 0.5 + 0.5 * (c == 0 ? n.x : c == 1 ? n.y : n.z);
         default: return kd; /* unlit; a matcap without texture */
     }
 }
@@ -135,9 +135,9 @@ static double expected(const shd_material_desc *m, shd_frequency frequency, doub
     static const double k_third[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
     double sum = 0;
     int k;
-    if (m->model == SHD_MODEL_SHOW_BARYCENTRICS) return b[c];
-    if (m->model == SHD_MODEL_SHOW_UV) return c < 2 ? b[1 + c] : 0;
-    if (m->model == SHD_MODEL_SHOW_LEVEL) return c == 2;
+    if (m->debug_view == SHD_DEBUG_VIEW_BARYCENTRICS) return b[c];
+    if (m->debug_view == SHD_DEBUG_VIEW_UV) return c < 2 ? b[1 + c] : 0;
+    if (m->debug_view == SHD_DEBUG_VIEW_LEVEL) return c == 2;
     if (frequency == SHD_FREQUENCY_PHONG) return reflect(m, position(b), normal(b), ambient, c);
     if (frequency == SHD_FREQUENCY_FLAT) {
         const vec3 p0 = make(k_vertices[0]), p1 = make(k_vertices[1]), p2 = make(k_vertices[2]);
@@ -153,33 +153,35 @@ static double expected(const shd_material_desc *m, shd_frequency frequency, doub
 struct shade_case {
     const char *name;
     shd_model model;
+    shd_debug_view view;
     shd_frequency frequency;
     uint32_t flags;
     float exponent;
     int ambient_lights;
 };
-#define CASES_OF(name, frequency)                                                                                 \
-    {name "/lambert", SHD_MODEL_LAMBERT, frequency, 0, 1, 1},                                                     \
-        {name "/lambert_no_ambient", SHD_MODEL_LAMBERT, frequency, 0, 1, 0},                                      \
-        {name "/blinn_phong", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 1},                                         \
-        {name "/blinn_phong_sharp", SHD_MODEL_BLINN_PHONG, frequency, 0, 200, 1},                                 \
-        {name "/blinn_phong_exponent_0", SHD_MODEL_BLINN_PHONG, frequency, 0, 0, 1},                              \
-        {name "/two_ambient_lights", SHD_MODEL_BLINN_PHONG, frequency, 0, 8, 2},                                  \
-        {name "/ungated", SHD_MODEL_BLINN_PHONG, frequency, SHD_SPECULAR_UNGATED, 8, 1},                          \
-        {name "/phong", SHD_MODEL_PHONG, frequency, 0, 8, 1},                                                     \
-        {name "/phong_sharp", SHD_MODEL_PHONG, frequency, 0, 200, 1},                                             \
-        {name "/normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, frequency, 0, 8, 1},                               \
-        {name "/normalized_exponent_0", SHD_MODEL_BLINN_PHONG_NORMALIZED, frequency, 0, 0, 1},                    \
-        {name "/combined", SHD_MODEL_COMBINED, frequency, 0, 8, 1},                                               \
-        {name "/gooch", SHD_MODEL_GOOCH, frequency, 0, 8, 1}, {name "/toon", SHD_MODEL_TOON, frequency, 0, 8, 1}, \
-        {name "/metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS, frequency, 0, 8, 1},                           \
-        {name "/unlit", SHD_MODEL_UNLIT, frequency, 0, 8, 1},                                                     \
-        {name "/matcap_without_texture", SHD_MODEL_MATCAP, frequency, 0, 8, 1},                                   \
-        {name "/show_normal", SHD_MODEL_SHOW_NORMAL, frequency, 0, 8, 1},                                         \
-        {name "/show_uv", SHD_MODEL_SHOW_UV, frequency, 0, 8, 1},                                                 \
-        {name "/show_level_without_texture", SHD_MODEL_SHOW_LEVEL, frequency, 0, 8, 1},                           \
-    {                                                                                                             \
-        name "/show_barycentrics", SHD_MODEL_SHOW_BARYCENTRICS, frequency, 0, 8, 1                                \
+#define CASES_OF(name, frequency)                                                                                      \
+    {name "/lambert", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_NONE, frequency, 0, 1, 1},                                     \
+        {name "/lambert_no_ambient", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_NONE, frequency, 0, 1, 0},                      \
+        {name "/blinn_phong", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                         \
+        {name "/blinn_phong_sharp", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 200, 1},                 \
+        {name "/blinn_phong_exponent_0", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 0, 1},              \
+        {name "/two_ambient_lights", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 2},                  \
+        {name "/ungated", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NONE, frequency, SHD_MATERIAL_SPECULAR_UNGATED, 8, 1}, \
+        {name "/phong", SHD_MODEL_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                                     \
+        {name "/phong_sharp", SHD_MODEL_PHONG, SHD_DEBUG_VIEW_NONE, frequency, 0, 200, 1},                             \
+        {name "/normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},               \
+        {name "/normalized_exponent_0", SHD_MODEL_BLINN_PHONG_NORMALIZED, SHD_DEBUG_VIEW_NONE, frequency, 0, 0, 1},    \
+        {name "/combined", SHD_MODEL_COMBINED, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                               \
+        {name "/gooch", SHD_MODEL_GOOCH, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                                     \
+        {name "/toon", SHD_MODEL_TOON, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                                       \
+        {name "/metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},           \
+        {name "/unlit", SHD_MODEL_UNLIT, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                                     \
+        {name "/matcap_without_texture", SHD_MODEL_MATCAP, SHD_DEBUG_VIEW_NONE, frequency, 0, 8, 1},                   \
+        {name "/show_normal", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_NORMAL, frequency, 0, 8, 1},                       \
+        {name "/show_uv", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_UV, frequency, 0, 8, 1},                               \
+        {name "/show_level_without_texture", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_LEVEL, frequency, 0, 8, 1},         \
+    {                                                                                                                  \
+        name "/show_barycentrics", SHD_MODEL_BLINN_PHONG, SHD_DEBUG_VIEW_BARYCENTRICS, frequency, 0, 8, 1              \
     }
 static const struct shade_case k_shades[] = {CASES_OF("phong", SHD_FREQUENCY_PHONG),
                                              CASES_OF("gouraud", SHD_FREQUENCY_GOURAUD),
@@ -189,6 +191,7 @@ static shd_material_desc material_of(const struct shade_case *c)
 {
     shd_material_desc m = shd_material_desc_default();
     m.model = c->model;
+    m.debug_view = c->view;
     m.flags = c->flags;
     m.exponent = c->exponent;
     m.ambient[1] = 0.2f;

@@ -252,7 +252,7 @@ static void test_shading(void **state)
         material.program.fragment = shade_by_uv;
         material.program.user_data = &rows;
     }
-    light.kind = SHD_LIGHT_POINT;
+    light.kind = SHD_LIGHT_KIND_POINT;
     light.position[0] = 0.5f;
     light.position[2] = 2.0f;
     shd_frame_open(&f, EDGE, EDGE);

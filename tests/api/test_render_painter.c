@@ -209,8 +209,8 @@ static void test_layers(void **state)
 }
 
 /* Quads over the whole frame, one draw each; the blend of all is `blend`. */
-static void render_stack(shd_frame *f, const float *depths, size_t count, shd_blend_mode blend,
-                         shd_visibility visibility, uint32_t samples)
+static void render_stack(shd_frame *f, const float *depths, size_t count, shd_blend blend, shd_visibility visibility,
+                         uint32_t samples)
 {
     size_t i;
     shd_frame_open_samples(f, SIZE, SIZE, samples);
@@ -285,14 +285,14 @@ static void test_states(void **state)
         shd_frame f;
         render_stack(&f, depths, 2, SHD_BLEND_OPAQUE, (shd_visibility)method, 1);
         assert_true(f.plane[SHD_PLANE_R][0] == 1.0f && f.plane[SHD_PLANE_DEPTH][0] == 0.25f);
-        f.desc.load = 1;
+        f.desc.flags |= SHD_RENDER_LOAD;
         f.desc.draws = f.draw + 1;
         f.desc.draw_count = 1;
         f.draw[1].compare = SHD_COMPARE_NEVER;
         f.draw[1].flags = SHD_DRAW_KEEP_DEPTH;
         shd_frame_render(&f);
         assert_true(f.plane[SHD_PLANE_G][0] == 1.0f && f.plane[SHD_PLANE_DEPTH][0] == 0.25f);
-        f.desc.load = 0;
+        f.desc.flags &= ~(uint32_t)SHD_RENDER_LOAD;
         f.desc.draws = f.draw;
         f.desc.draw_count = 2;
         f.draw[1].flags = SHD_DRAW_NONE;

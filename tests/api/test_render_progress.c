@@ -68,6 +68,7 @@ static void test_progress(void **state)
     for (at = 1; at <= total; ++at) {
         start(&watcher, at);
         memset(&s.stats, 0xee, sizeof s.stats);
+        s.stats.struct_size = sizeof s.stats;
         shd_assert_result("cancel", shd_render(context, &s.desc), SHD_ERROR_CANCELLED, "render.progress: cancelled");
         assert_int_equal(watcher.mistakes, 0);
         assert_int_equal(watcher.reports, at); /* none after the cancel */

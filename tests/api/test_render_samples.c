@@ -99,7 +99,7 @@ static void test_edge(void **state)
             uint32_t x;
             shd_frame f;
             if (blend == SHD_BLEND_ADD || blend == SHD_BLEND_MULTIPLY) continue;
-            red.blend = (shd_blend_mode)blend;
+            red.blend = (shd_blend)blend;
             shd_frame_open_samples(&f, 64, 8, samples);
             shd_frame_quad(-1, -1, (float)(edge / 32 - 1), 1, 0.5f, 0.5f, quad);
             shd_frame_draw(&f, quad, 6, &red);

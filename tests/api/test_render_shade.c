@@ -18,12 +18,12 @@ static void test_ambient_per_light(void **state)
             float quad[48];
             shd_frame f;
             int i;
-            m.flags = per_light ? SHD_AMBIENT_PER_LIGHT : 0;
+            m.flags = per_light ? SHD_MATERIAL_AMBIENT_PER_LIGHT : 0;
             shd_frame_open(&f, 9, 9);
             shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
             shd_frame_draw(&f, quad, 6, &m);
             shd_frame_ambient(&f);
-            away.kind = SHD_LIGHT_DIRECTIONAL;
+            away.kind = SHD_LIGHT_KIND_DIRECTIONAL;
             away.direction[1] = 0.0f;
             away.direction[2] = 1.0f; /* from behind: no diffuse light */
             for (i = 0; i < lamps; ++i) shd_frame_light(&f, &away);

@@ -25,7 +25,7 @@ static shd_light *make_light(shd_light_kind kind, shd_texture *texture)
     desc.direction[0] = -0.5f;
     desc.direction[2] = -0.3f;
     desc.texture = texture;
-    if (kind == SHD_LIGHT_POINT) desc.intensity[0] = desc.intensity[1] = desc.intensity[2] = 6.0f;
+    if (kind == SHD_LIGHT_KIND_POINT) desc.intensity[0] = desc.intensity[1] = desc.intensity[2] = 6.0f;
     shd_assert_ok(shd_light_create(g.context, &desc, &light));
     return light;
 }
@@ -48,15 +48,15 @@ static int set_up(void **state)
     texture_desc.width = texture_desc.height = 2;
     texture_desc.texels = k_texels;
     shd_assert_ok(shd_texture_create(g.context, &texture_desc, &texture));
-    g.sun = make_light(SHD_LIGHT_DIRECTIONAL, NULL);
-    g.lamp = make_light(SHD_LIGHT_POINT, NULL);
-    g.cookie = make_light(SHD_LIGHT_SPOT, texture);
-    g.ambient = make_light(SHD_LIGHT_AMBIENT, NULL);
+    g.sun = make_light(SHD_LIGHT_KIND_DIRECTIONAL, NULL);
+    g.lamp = make_light(SHD_LIGHT_KIND_POINT, NULL);
+    g.cookie = make_light(SHD_LIGHT_KIND_SPOT, texture);
+    g.ambient = make_light(SHD_LIGHT_KIND_AMBIENT, NULL);
     shd_texture_release(texture);
     shd_boxes_open(&g.boxes, g.context);
     for (i = 0; i < 3; ++i) shd_boxes_add(&g.boxes, k_low[i], k_high[i]);
     shadow_desc.size = 256;
-    shadow_desc.filter = SHD_SHADOW_PCF;
+    shadow_desc.filter = SHD_SHADOW_FILTER_PCF;
     g.of_sun = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.sun);
     g.of_lamp = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.lamp);
     g.of_cookie = shd_boxes_shadow(&g.boxes, g.context, &shadow_desc, g.cookie);
@@ -112,7 +112,7 @@ static void read_planes(shd_plane first, float out[3][k_pixels])
     int k;
     for (k = 0; k < 3; ++k) {
         const shd_f32_out column = {out[k], 0};
-        shd_assert_ok(shd_framebuffer_read_plane(g.framebuffer, (shd_plane)((int)first + k), column));
+        shd_assert_ok(shd_framebuffer_read_plane(g.framebuffer, (shd_plane)((int)first + k), &column));
     }
 }
 
@@ -137,7 +137,7 @@ static void expect_product(const char *name, const shd_light *const *lights, con
                 lookups.position[k].data = position[k];
                 lookups.normal[k].data = normal[k];
             }
-            shd_assert_ok(shd_shadow_sample(shadows[l], &lookups, out));
+            shd_assert_ok(shd_shadow_sample(shadows[l], &lookups, &out));
         }
         for (i = 0; i < k_pixels; ++i) {
             for (k = 0; k < 3; ++k) sum[k][i] += part[k][i] * visible[i];
@@ -180,7 +180,7 @@ static void test_frequencies(void **state)
     shd_shadow *shadow;
     size_t f, i;
     (void)state;
-    desc.kind = SHD_LIGHT_DIRECTIONAL;
+    desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     shd_assert_ok(shd_light_create(g.context, &desc, &down));
     shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, down);
     lights[0] = down;
@@ -193,7 +193,7 @@ static void test_frequencies(void **state)
         for (i = 0; i < 4; ++i) g.boxes.draws[i].frequency = k_all[f];
         shd_assert_ok(render(lights, shadows, 1));
         read_planes(SHD_PLANE_R, color);
-        shd_assert_ok(shd_framebuffer_read_u32_plane(g.framebuffer, SHD_PLANE_DRAW, column));
+        shd_assert_ok(shd_framebuffer_read_u32_plane(g.framebuffer, SHD_PLANE_DRAW, &column));
         for (i = 0; i < k_pixels; ++i) {
             if (draws[i] == 3) assert_true(color[0][i] == 0.0f);
             lit += draws[i] == 2 && color[0][i] > 0.0f;

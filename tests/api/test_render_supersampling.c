@@ -56,7 +56,7 @@ static shd_framebuffer *make_framebuffer(shd_context *context, uint32_t width, u
 /* Element (x, y) of a plane as bits. The framebuffer is the test's own, so that it may write there. */
 static uint32_t *element(const shd_framebuffer *framebuffer, int plane, uint32_t x, uint32_t y)
 {
-    shd_plane_view view;
+    shd_plane_view view = shd_plane_view_default();
     shd_assert_ok(shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view));
     return (uint32_t *)(uintptr_t)((view.f32 ? (const char *)view.f32 : (const char *)view.u32) + y * view.row_stride) +
            x;
@@ -65,7 +65,7 @@ static uint32_t *element(const shd_framebuffer *framebuffer, int plane, uint32_t
 /* What a framebuffer holds before: something else in every pixel of the frame, n x n of them alike. */
 static void fill(const shd_framebuffer *framebuffer, uint32_t n)
 {
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     uint32_t x, y;
     int plane;
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
@@ -119,12 +119,13 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     s->desc.crop_y = c->crop_y * size;
     s->desc.viewport = c->viewport.width ? &viewport : NULL;
     s->desc.scissor = c->scissor.width ? &scissor : NULL;
-    s->desc.load = c->load;
+    s->desc.flags = c->load ? SHD_RENDER_LOAD : SHD_RENDER_NONE;
     s->desc.supersampling = n;
     outline_scene(s, (float)size);
     scale_lines(s, (float)size);
     fill(framebuffer, size);
     memset(&s->stats, 0xee, sizeof s->stats);
+    s->stats.struct_size = sizeof s->stats;
     shd_assert_ok(shd_render(s->context, &s->desc));
     scale_lines(s, 1.0f / (float)size);
     s->desc.viewport = s->desc.scissor = NULL;

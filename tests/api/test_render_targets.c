@@ -36,7 +36,7 @@ static void write_targets(const shd_fragments *in, shd_radiance *out, void *user
     }
 }
 
-static shd_material_desc program_desc(job *j, shd_blend_mode blend)
+static shd_material_desc program_desc(job *j, shd_blend blend)
 {
     shd_material_desc desc = shd_material_desc_default();
     desc.model = SHD_MODEL_PROGRAM;
@@ -96,8 +96,8 @@ static void test_combinations(void **state)
     }
 }
 
-static const shd_blend_mode k_blends[] = {SHD_BLEND_PREMULTIPLIED, SHD_BLEND_STRAIGHT, SHD_BLEND_ADD,
-                                          SHD_BLEND_MULTIPLY,      SHD_BLEND_WEIGHTED, SHD_BLEND_SORTED};
+static const shd_blend k_blends[] = {SHD_BLEND_PREMULTIPLIED, SHD_BLEND_STRAIGHT, SHD_BLEND_ADD,
+                                     SHD_BLEND_MULTIPLY,      SHD_BLEND_WEIGHTED, SHD_BLEND_SORTED};
 
 /* A blended layer over an opaque one: each target by its own a; order-independent blends leave targets. */
 static void test_blends(void **state)
@@ -108,7 +108,7 @@ static void test_blends(void **state)
     for (k = 0; k < sizeof k_blends / sizeof k_blends[0]; ++k) {
         uint32_t samples;
         for (samples = 1; samples <= 4; samples *= 4) {
-            const shd_blend_mode mode = k_blends[k];
+            const shd_blend mode = k_blends[k];
             job below = make_job(aovs, 0.5f), above = make_job(aovs, 0.75f);
             shd_material_desc desc = program_desc(&below, SHD_BLEND_OPAQUE);
             float quad[2][48];
@@ -172,13 +172,13 @@ static void test_models_and_keep(void **state)
     }
     f.desc.draw_count = 1;
     f.draw[0].depth_bias = -0.5f; /* in front of what is kept */
-    f.desc.load = 1;
+    f.desc.flags |= SHD_RENDER_LOAD;
     shd_frame_render(&f);
     check_planes(&f, 2, want, 0);
     f.desc.draw_count = 0;
     shd_frame_render(&f);
     check_planes(&f, 2, want, 0);
-    f.desc.load = 0;
+    f.desc.flags &= ~(uint32_t)SHD_RENDER_LOAD;
     shd_frame_render(&f);
     check_planes(&f, 2, k_zero, 0);
     f.desc.draw_count = 2;
@@ -232,7 +232,7 @@ static void test_alpha_drops(void **state)
     shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.25f, quad[1]);
     shd_frame_draw(&f, quad[0], 6, &desc);
     desc = program_desc(&above, SHD_BLEND_OPAQUE);
-    desc.flags = SHD_ALPHA_TO_COVERAGE;
+    desc.flags = SHD_MATERIAL_ALPHA_TO_COVERAGE;
     shd_frame_draw(&f, quad[1], 6, &desc);
     shd_frame_render(&f);
     for (c = 0; c < 4; ++c) want[c] = 0.5 * (double)below.value[1][c] + 0.5 * (double)above.value[1][c];

@@ -23,8 +23,7 @@ static void make_mesh(struct frame *f, const float *positions, uint32_t vertices
     int c;
     desc.vertex_count = vertices;
     for (c = 0; c < 3 && vertices; ++c) {
-        desc.position[c].data = positions + c;
-        desc.position[c].stride = 3 * sizeof(float);
+        desc.position[c] = shd_f32_column(positions + c, 3 * sizeof(float));
     }
     for (c = 0; c < 2; ++c) desc.uv[c] = desc.position[c];
     desc.flags = SHD_MESH_KEEP_NONFINITE;
@@ -39,6 +38,7 @@ static void open_frame(struct frame *f, const float *positions, uint32_t vertice
     shd_material_desc material = shd_material_desc_default();
     shd_light_desc light = shd_light_desc_default();
     shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
+    shd_slot slot;
     memset(f, 0, sizeof *f);
     shd_assert_ok(shd_context_create(NULL, &f->context));
     texture.format = SHD_FORMAT_R8;
@@ -47,11 +47,12 @@ static void open_frame(struct frame *f, const float *positions, uint32_t vertice
     texture.tables = SHD_TABLE_MIPMAP;
     shd_assert_ok(shd_texture_create(f->context, &texture, &f->texture));
     material.model = SHD_MODEL_BLINN_PHONG;
-    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    material.slot[SHD_SLOT_DIFFUSE].texture = f->texture;
+    slot = shd_slot_texture(SHD_SLOT_DIFFUSE, f->texture, NULL);
+    material.slots = &slot;
+    material.slot_count = 1;
     shd_assert_ok(shd_material_create(f->context, &material, &f->material));
     shd_assert_ok(shd_light_create(f->context, &light, &f->light[0]));
-    light.kind = SHD_LIGHT_AMBIENT;
+    light.kind = SHD_LIGHT_KIND_AMBIENT;
     shd_assert_ok(shd_light_create(f->context, &light, &f->light[1]));
     f->width = framebuffer.width = width;
     f->height = framebuffer.height = height;
@@ -66,6 +67,7 @@ static void open_frame(struct frame *f, const float *positions, uint32_t vertice
     f->desc.draw_count = 1;
     f->desc.lights = (const shd_light *const *)f->light;
     f->desc.light_count = 2;
+    f->stats = shd_render_stats_default();
     f->desc.stats = &f->stats;
 }
 
@@ -88,6 +90,7 @@ static void expect_sane(const char *what, const struct frame *f)
     uint64_t covered = 0;
     uint32_t x, y;
     int plane;
+    for (plane = 0; plane <= SHD_PLANE_TRIANGLE; ++plane) view[plane] = shd_plane_view_default();
     if (s->triangles != s->nonfinite + s->outside + s->culled + s->empty + s->rasterised) {
         fail_msg("%s: statistics do not add up", what);
     }

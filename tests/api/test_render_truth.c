@@ -152,7 +152,7 @@ static void test_load(void **state)
     for (plane = 0; plane < SHD_PLANE_TRIANGLE; ++plane) memcpy(together[plane], f.plane[plane], sizeof together[0]);
     f.desc.draw_count = 1;
     shd_frame_render(&f);
-    f.desc.load = 1;
+    f.desc.flags |= SHD_RENDER_LOAD;
     f.desc.clear_color[0] = 0.75f; /* not used */
     f.desc.clear_depth = 0.0f;
     f.desc.draws = &f.draw[1];
@@ -213,6 +213,7 @@ static void test_texels(void **state)
     shd_sampler_desc sampler = shd_sampler_desc_default();
     shd_material_desc material = shd_material_desc_default();
     shd_light_desc light = shd_light_desc_default();
+    shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, NULL, NULL);
     float quad[48];
     uint32_t x, y, c;
     shd_frame f;
@@ -229,16 +230,17 @@ static void test_texels(void **state)
     texture.width = k_width;
     texture.height = k_height;
     texture.texels = texels;
-    material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    shd_assert_ok(shd_texture_create(f.context, &texture, &material.slot[SHD_SLOT_DIFFUSE].texture));
+    shd_assert_ok(shd_texture_create(f.context, &texture, &slot.texture));
     sampler.filter = SHD_FILTER_NEAREST;
-    shd_assert_ok(shd_sampler_create(f.context, &sampler, &material.slot[SHD_SLOT_DIFFUSE].sampler));
+    shd_assert_ok(shd_sampler_create(f.context, &sampler, &slot.sampler));
+    material.slots = &slot;
+    material.slot_count = 1;
     for (c = 0; c < 3; ++c) material.diffuse[c] = 1.0f;
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
     shd_frame_draw(&f, quad, 6, &material);
-    shd_texture_release(material.slot[SHD_SLOT_DIFFUSE].texture); /* the material has them */
-    shd_sampler_release(material.slot[SHD_SLOT_DIFFUSE].sampler);
-    light.kind = SHD_LIGHT_DIRECTIONAL;
+    shd_texture_release(slot.texture); /* the material has them */
+    shd_sampler_release(slot.sampler);
+    light.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     light.direction[1] = 0.0f;
     light.direction[2] = -1.0f;
     shd_frame_light(&f, &light);

@@ -13,7 +13,7 @@ struct create_case {
 
 static void edit_nothing(shd_sampler_desc *d) { (void)d; }
 static void edit_size_zero(shd_sampler_desc *d) { d->struct_size = 0; }
-static void edit_size_small(shd_sampler_desc *d) { d->struct_size -= 4; }
+static void edit_size_small(shd_sampler_desc *d) { d->struct_size = 7; }
 static void edit_size_huge(shd_sampler_desc *d) { d->struct_size = 0x7fffffffu; }
 static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)12; }
 static void edit_filter_negative(shd_sampler_desc *d) { d->filter = (shd_filter)-1; }

@@ -24,9 +24,9 @@ static int set_up(void **state)
     static const float k_low[3] = {-1, -1, -1}, k_high[3] = {1, 0, 1};
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &g.context));
-    g.light = make_light(SHD_LIGHT_DIRECTIONAL);
-    g.ambient = make_light(SHD_LIGHT_AMBIENT);
-    g.point = make_light(SHD_LIGHT_POINT);
+    g.light = make_light(SHD_LIGHT_KIND_DIRECTIONAL);
+    g.ambient = make_light(SHD_LIGHT_KIND_AMBIENT);
+    g.point = make_light(SHD_LIGHT_KIND_POINT);
     shd_boxes_open(&g.boxes, g.context);
     shd_boxes_add(&g.boxes, k_low, k_high);
     return 0;
@@ -66,7 +66,7 @@ static void edit_bleed(shd_shadow_desc *d) { d->bleed = 1; }
 static void edit_min_variance(shd_shadow_desc *d) { d->min_variance = -1e-20f; }
 static void edit_all(shd_shadow_desc *d)
 {
-    d->filter = SHD_SHADOW_PCSS;
+    d->filter = SHD_SHADOW_FILTER_PCSS;
     d->taps = 15;
     d->filter_size = d->light_size = d->bias = d->normal_offset = d->min_variance = 1e9f;
     d->bias_slope = 1000;
@@ -134,7 +134,6 @@ static void no_light(shd_shadow_render_desc *d) { d->light = NULL; }
 static void mesh_as_light(shd_shadow_render_desc *d) { d->light = (const shd_light *)(const void *)g.boxes.cube; }
 static void ambient_light(shd_shadow_render_desc *d) { d->light = g.ambient; }
 static void render_size(shd_shadow_render_desc *d) { d->struct_size = 12; }
-static void render_reserved(shd_shadow_render_desc *d) { d->reserved = 1; }
 static void no_draws(shd_shadow_render_desc *d) { d->draws = NULL; }
 static void many_draws(shd_shadow_render_desc *d) { d->draw_count = (1u << 20) + 1; }
 static void near_nan(shd_shadow_render_desc *d) { d->near_plane = (float)NAN; }
@@ -172,7 +171,6 @@ static const struct render_case k_render[] = {
     {"render/mesh_as_light", mesh_as_light, "shadow_render.light: not a live handle"},
     {"render/ambient", ambient_light, "shadow_render.light: AMBIENT"},
     {"render/struct_size", render_size, "shadow_render.struct_size"},
-    {"render/reserved", render_reserved, "shadow_render.reserved"},
     {"render/no_draws", no_draws, "shadow_render.draws: NULL"},
     {"render/many_draws", many_draws, "shadow_render.draw_count: 1048577"},
     {"render/near_nan", near_nan, "shadow_render.near_plane[0]"},
@@ -228,29 +226,27 @@ static void test_lookups(void **state)
     (void)state;
     shd_assert_ok(shd_shadow_create(g.context, NULL, &shadow));
     out.data = &value;
-    shd_assert_result("not_rendered", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow: it was not rendered");
+    shd_assert_result("not_rendered", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow: it was not rendered");
     shd_shadow_release(shadow);
     shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, g.light);
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, out)); /* none */
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out)); /* none */
     lookups.count = 1;
-    shd_assert_result("null_shadow", shd_shadow_sample(NULL, &lookups, out), BAD, "shadow: NULL");
-    shd_assert_result("null_lookups", shd_shadow_sample(shadow, NULL, out), BAD, "shadow_lookups: NULL");
-    shd_assert_result("no_position", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow_lookups.position[0].data");
+    shd_assert_result("null_shadow", shd_shadow_sample(NULL, &lookups, &out), BAD, "shadow: NULL");
+    shd_assert_result("null_lookups", shd_shadow_sample(shadow, NULL, &out), BAD, "shadow_lookups: NULL");
+    shd_assert_result("no_position", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.position[0].data");
     for (k = 0; k < 3; ++k) lookups.position[k].data = k_p + k;
     lookups.normal[1].data = k_p;
-    shd_assert_result("one_normal", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow_lookups.normal[0].data");
+    shd_assert_result("one_normal", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.normal[0].data");
     lookups.normal[1].data = NULL;
     lookups.position[2].stride = 7;
-    shd_assert_result("stride", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow_lookups.position[2].stride: 7");
+    shd_assert_result("stride", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.position[2].stride: 7");
     lookups.position[2].stride = 0;
-    lookups.reserved = 3;
-    shd_assert_result("reserved", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow_lookups.reserved");
-    lookups.reserved = 0;
+    shd_assert_result("out", shd_shadow_sample(shadow, &lookups, NULL), BAD, "out: NULL");
     lookups.struct_size = 4;
-    shd_assert_result("struct_size", shd_shadow_sample(shadow, &lookups, out), BAD, "shadow_lookups.struct_size");
+    shd_assert_result("struct_size", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow_lookups.struct_size");
     lookups.struct_size = sizeof lookups;
     out.data = NULL;
-    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, out), BAD, "out.data: NULL");
+    shd_assert_result("no_out", shd_shadow_sample(shadow, &lookups, &out), BAD, "out.data: NULL");
     assert_true(value == -5.0f);
     shd_shadow_release(shadow);
 }
@@ -286,7 +282,7 @@ static void test_overlaps(void **state)
     }
     out.data = &g_rows[0][0] + c->first;
     out.stride = c->stride * sizeof(float);
-    shd_assert_result(c->name, shd_shadow_sample(shadow, &lookups, out), c->message[0] ? BAD : SHD_OK, c->message);
+    shd_assert_result(c->name, shd_shadow_sample(shadow, &lookups, &out), c->message[0] ? BAD : SHD_OK, c->message);
     shd_shadow_release(shadow);
 }
 
@@ -302,7 +298,7 @@ static void test_strides(void **state)
     uint32_t seed = 1;
     int i, k;
     (void)state;
-    desc.filter = SHD_SHADOW_PCF;
+    desc.filter = SHD_SHADOW_FILTER_PCF;
     shadow = shd_boxes_shadow(&g.boxes, g.context, &desc, g.light);
     for (i = 0; i < k_count; ++i) {
         for (k = 0; k < 6; ++k) {
@@ -315,7 +311,7 @@ static void test_strides(void **state)
         shd_f32_in *column = k < 3 ? &lookups.position[k] : &lookups.normal[k - 3];
         column->data = packed[k];
     }
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, out));
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out));
     for (k = 0; k < 6; ++k) {
         shd_f32_in *column = k < 3 ? &lookups.position[k] : &lookups.normal[k - 3];
         column->data = &points[0][k];
@@ -323,7 +319,7 @@ static void test_strides(void **state)
     }
     out.data = got;
     out.stride = 2 * sizeof(float);
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, out));
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out));
     for (i = 0; i < k_count; ++i) assert_true(got[2 * i] == want[i] && got[2 * i + 1] == 0.0f);
     shd_shadow_release(shadow);
 }

@@ -71,7 +71,7 @@ static void sample_wild(const char *name, int filter, const shd_shadow *shadow)
         lookups.position[k].data = points[k];
         lookups.normal[k].data = points[3 + k];
     }
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, column));
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &column));
     for (i = 0; i < k_points; ++i) {
         if (!(out[i] >= 0 && out[i] <= 1)) {
             fail_msg("%s, filter %d, at (%g, %g, %g): %g", name, filter, (double)points[0][i], (double)points[1][i],
@@ -106,7 +106,7 @@ static shd_mesh *make_square(const struct scene_case *c)
 
 static void test_scene(void **state)
 {
-    static const shd_light_kind k_kinds[] = {SHD_LIGHT_DIRECTIONAL, SHD_LIGHT_SPOT, SHD_LIGHT_POINT};
+    static const shd_light_kind k_kinds[] = {SHD_LIGHT_KIND_DIRECTIONAL, SHD_LIGHT_KIND_SPOT, SHD_LIGHT_KIND_POINT};
     const struct scene_case *c = (const struct scene_case *)*state;
     shd_mesh *mesh = make_square(c);
     int filter, kind, k;
@@ -117,7 +117,7 @@ static void test_scene(void **state)
         memcpy(light_desc.position, c->light, sizeof c->light);
         memcpy(light_desc.direction, c->direction, sizeof c->direction);
         shd_assert_ok(shd_light_create(g_context, &light_desc, &light));
-        for (filter = SHD_SHADOW_HARD; filter <= SHD_SHADOW_PCSS; ++filter) {
+        for (filter = SHD_SHADOW_FILTER_HARD; filter <= SHD_SHADOW_FILTER_PCSS; ++filter) {
             shd_shadow_desc desc = shd_shadow_desc_default();
             shd_shadow_render_desc render = shd_shadow_render_desc_default();
             shd_draw draw = shd_draw_default();
@@ -132,7 +132,7 @@ static void test_scene(void **state)
             render.light = light;
             render.draws = &draw;
             render.draw_count = 1;
-            if (k_kinds[kind] != SHD_LIGHT_DIRECTIONAL || c->far_plane < 1e8f) {
+            if (k_kinds[kind] != SHD_LIGHT_KIND_DIRECTIONAL || c->far_plane < 1e8f) {
                 render.near_plane = c->near_plane;
                 render.far_plane = c->far_plane;
             }
@@ -168,11 +168,11 @@ static void test_nothing(void **state)
     draw.mesh = mesh;
     render.draws = &draw;
     for (kind = 0; kind < 4; ++kind) {
-        if (kind == SHD_LIGHT_AMBIENT) continue;
+        if (kind == SHD_LIGHT_KIND_AMBIENT) continue;
         light_desc.kind = (shd_light_kind)kind;
         shd_assert_ok(shd_light_create(g_context, &light_desc, &light));
         render.light = light;
-        for (filter = SHD_SHADOW_HARD; filter <= SHD_SHADOW_PCSS; ++filter) {
+        for (filter = SHD_SHADOW_FILTER_HARD; filter <= SHD_SHADOW_FILTER_PCSS; ++filter) {
             shd_shadow_desc desc = shd_shadow_desc_default();
             shd_shadow *shadow = NULL;
             desc.size = 16;

@@ -37,7 +37,7 @@ static void test_steady(void **state)
     (void)state;
     shd_boxes_open(&boxes, g_context);
     for (i = 0; i < 2; ++i) shd_boxes_add(&boxes, k_low[i], k_high[i]);
-    light_desc.kind = SHD_LIGHT_DIRECTIONAL;
+    light_desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     light_desc.direction[0] = -0.7f;
     light_desc.direction[2] = 0.4f;
     shd_assert_ok(shd_light_create(g_context, &light_desc, &light));
@@ -97,7 +97,7 @@ static void test_casters(void **state)
     shd_light *light = NULL;
     size_t i;
     (void)state;
-    light_desc.kind = SHD_LIGHT_DIRECTIONAL;
+    light_desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     shd_assert_ok(shd_light_create(g_context, &light_desc, &light));
     for (i = 0; i < sizeof k_cases / sizeof k_cases[0]; ++i) {
         shd_shadow_desc desc = shd_shadow_desc_default();

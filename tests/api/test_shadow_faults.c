@@ -13,12 +13,12 @@ struct fault_case {
     int persistent;
 };
 static const struct fault_case k_faults[] = {
-    {"hard/directional/transient", SHD_SHADOW_HARD, SHD_LIGHT_DIRECTIONAL, 0},
-    {"pcf/point/persistent", SHD_SHADOW_PCF, SHD_LIGHT_POINT, 1},
-    {"variance/spot/transient", SHD_SHADOW_VARIANCE, SHD_LIGHT_SPOT, 0},
-    {"variance/spot/persistent", SHD_SHADOW_VARIANCE, SHD_LIGHT_SPOT, 1},
-    {"summed_area/point/transient", SHD_SHADOW_SUMMED_AREA_VARIANCE, SHD_LIGHT_POINT, 0},
-    {"summed_area/directional/persistent", SHD_SHADOW_SUMMED_AREA_VARIANCE, SHD_LIGHT_DIRECTIONAL, 1},
+    {"hard/directional/transient", SHD_SHADOW_FILTER_HARD, SHD_LIGHT_KIND_DIRECTIONAL, 0},
+    {"pcf/point/persistent", SHD_SHADOW_FILTER_PCF, SHD_LIGHT_KIND_POINT, 1},
+    {"variance/spot/transient", SHD_SHADOW_FILTER_VARIANCE, SHD_LIGHT_KIND_SPOT, 0},
+    {"variance/spot/persistent", SHD_SHADOW_FILTER_VARIANCE, SHD_LIGHT_KIND_SPOT, 1},
+    {"summed_area/point/transient", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, SHD_LIGHT_KIND_POINT, 0},
+    {"summed_area/directional/persistent", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, SHD_LIGHT_KIND_DIRECTIONAL, 1},
 };
 
 static void sample(const shd_shadow *shadow, float out[k_points])
@@ -32,7 +32,7 @@ static void sample(const shd_shadow *shadow, float out[k_points])
         for (i = 0; i < k_points; ++i) points[k][i] = (float)((i * (7 + 4 * k)) % 53) / 13.0f - 2.0f;
         lookups.position[k].data = points[k];
     }
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, column));
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &column));
 }
 
 static void test_faults(void **state)

@@ -43,15 +43,15 @@ struct truth_case {
 #define YARD k_yard, sizeof k_yard / sizeof k_yard[0]
 #define ROOM k_room, sizeof k_room / sizeof k_room[0]
 static const struct truth_case k_truth[] = {
-    {"directional/down", SHD_LIGHT_DIRECTIONAL, {0, 0, 0}, {0, -1, 0}, 0, YARD},
-    {"directional/slanted", SHD_LIGHT_DIRECTIONAL, {0, 0, 0}, {-0.7f, -1, 0.4f}, 0, YARD},
-    {"directional/low", SHD_LIGHT_DIRECTIONAL, {0, 0, 0}, {1, -0.35f, -0.3f}, 0, YARD},
-    {"spot/narrow", SHD_LIGHT_SPOT, {2, 6, -1}, {-0.25f, -1, 0.2f}, 0.4f, YARD},
-    {"spot/wide", SHD_LIGHT_SPOT, {0.2f, 4, 0.3f}, {0.1f, -1, 0}, 1.05f, YARD},
-    {"spot/six_faces", SHD_LIGHT_SPOT, {0.2f, 3, 0.3f}, {0.1f, -1, 0}, 1.5f, YARD},
-    {"point/above", SHD_LIGHT_POINT, {-1.5f, 3.5f, 1.2f}, {0, -1, 0}, 0, YARD},
-    {"point/six_faces", SHD_LIGHT_POINT, {0, 0, 0}, {0, -1, 0}, 0, ROOM},
-    {"point/off_centre", SHD_LIGHT_POINT, {0.3f, -0.2f, 0.4f}, {0, -1, 0}, 0, ROOM},
+    {"directional/down", SHD_LIGHT_KIND_DIRECTIONAL, {0, 0, 0}, {0, -1, 0}, 0, YARD},
+    {"directional/slanted", SHD_LIGHT_KIND_DIRECTIONAL, {0, 0, 0}, {-0.7f, -1, 0.4f}, 0, YARD},
+    {"directional/low", SHD_LIGHT_KIND_DIRECTIONAL, {0, 0, 0}, {1, -0.35f, -0.3f}, 0, YARD},
+    {"spot/narrow", SHD_LIGHT_KIND_SPOT, {2, 6, -1}, {-0.25f, -1, 0.2f}, 0.4f, YARD},
+    {"spot/wide", SHD_LIGHT_KIND_SPOT, {0.2f, 4, 0.3f}, {0.1f, -1, 0}, 1.05f, YARD},
+    {"spot/six_faces", SHD_LIGHT_KIND_SPOT, {0.2f, 3, 0.3f}, {0.1f, -1, 0}, 1.5f, YARD},
+    {"point/above", SHD_LIGHT_KIND_POINT, {-1.5f, 3.5f, 1.2f}, {0, -1, 0}, 0, YARD},
+    {"point/six_faces", SHD_LIGHT_KIND_POINT, {0, 0, 0}, {0, -1, 0}, 0, ROOM},
+    {"point/off_centre", SHD_LIGHT_KIND_POINT, {0.3f, -0.2f, 0.4f}, {0, -1, 0}, 0, ROOM},
 };
 
 /* Whether a box lies on the way from p to the light, from a little off p on. */
@@ -82,13 +82,13 @@ static int is_shadowed(const struct truth_case *c, const double p[3])
     size_t i;
     int k;
     for (k = 0; k < 3; ++k) {
-        way[k] = c->kind == SHD_LIGHT_DIRECTIONAL ? -c->direction[k] : c->position[k] - p[k];
+        way[k] = c->kind == SHD_LIGHT_KIND_DIRECTIONAL ? -c->direction[k] : c->position[k] - p[k];
         length += way[k] * way[k];
     }
     length = sqrt(length);
     for (k = 0; k < 3; ++k) way[k] /= length;
     for (i = 0; i < c->box_count; ++i) {
-        if (blocks(&c->boxes[i], p, way, c->kind == SHD_LIGHT_DIRECTIONAL ? 100.0 : length)) return 1;
+        if (blocks(&c->boxes[i], p, way, c->kind == SHD_LIGHT_KIND_DIRECTIONAL ? 100.0 : length)) return 1;
     }
     return 0;
 }
@@ -147,14 +147,14 @@ static struct tally check_points(const struct truth_case *c, const shd_shadow_de
         p[axis] = side ? box->high[axis] : box->low[axis];
         n[axis] = side ? 1.0f : -1.0f;
         for (k = 0; k < 3; ++k) {
-            way[k] = c->kind == SHD_LIGHT_DIRECTIONAL ? -c->direction[k] : c->position[k] - p[k];
+            way[k] = c->kind == SHD_LIGHT_KIND_DIRECTIONAL ? -c->direction[k] : c->position[k] - p[k];
             distance += way[k] * way[k];
             axial -= (c->position[k] - p[k]) * c->direction[k];
             squared += (c->position[k] - p[k]) * (c->position[k] - p[k]);
             length += c->direction[k] * c->direction[k];
         }
         if (way[axis] * n[axis] < 0.15 * sqrt(distance)) continue; /* steep: biases are large */
-        if (c->kind == SHD_LIGHT_SPOT && axial < cos(0.95 * c->outer_angle) * sqrt(squared * length)) continue;
+        if (c->kind == SHD_LIGHT_KIND_SPOT && axial < cos(0.95 * c->outer_angle) * sqrt(squared * length)) continue;
         /* Away from corners: another face comes near there. */
         for (k = 0; k < 3; ++k) {
             if (k != axis && (p[k] - box->low[k] < margin || box->high[k] - p[k] < margin)) break;
@@ -187,10 +187,11 @@ static void test_truth(void **state)
     light_desc.kind = c->kind;
     memcpy(light_desc.position, c->position, sizeof c->position);
     memcpy(light_desc.direction, c->direction, sizeof c->direction);
-    if (c->kind == SHD_LIGHT_SPOT) light_desc.outer_angle = c->outer_angle;
+    if (c->kind == SHD_LIGHT_KIND_SPOT) light_desc.outer_angle = c->outer_angle;
     shd_assert_ok(shd_light_create(g_context, &light_desc, &light));
-    for (filter = SHD_SHADOW_HARD; filter <= SHD_SHADOW_PCSS; ++filter) {
-        const int is_variance = filter == SHD_SHADOW_VARIANCE || filter == SHD_SHADOW_SUMMED_AREA_VARIANCE;
+    for (filter = SHD_SHADOW_FILTER_HARD; filter <= SHD_SHADOW_FILTER_PCSS; ++filter) {
+        const int is_variance =
+            filter == SHD_SHADOW_FILTER_VARIANCE || filter == SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE;
         shd_shadow_desc desc = shd_shadow_desc_default();
         shd_shadow *shadow;
         struct tally tally;
@@ -224,7 +225,7 @@ static void open_edge(struct edge *edge, float height, float light_height)
     shd_boxes_open(&edge->boxes, g_context);
     shd_boxes_add(&edge->boxes, floor_low, floor_high);
     shd_boxes_add(&edge->boxes, low, high);
-    desc.kind = light_height > 0 ? SHD_LIGHT_POINT : SHD_LIGHT_DIRECTIONAL;
+    desc.kind = light_height > 0 ? SHD_LIGHT_KIND_POINT : SHD_LIGHT_KIND_DIRECTIONAL;
     desc.position[1] = light_height;
     shd_assert_ok(shd_light_create(g_context, &desc, &edge->light));
 }
@@ -264,7 +265,7 @@ static void test_penumbra(void **state)
         shd_shadow *shadow;
         double got;
         open_edge(&edge, k_cases[i].height, k_cases[i].light_height);
-        desc.filter = SHD_SHADOW_PCSS;
+        desc.filter = SHD_SHADOW_FILTER_PCSS;
         desc.taps = 15;
         desc.light_size = k_cases[i].light_size;
         shadow = shd_boxes_shadow(&edge.boxes, g_context, &desc, edge.light);
@@ -293,9 +294,9 @@ static void test_chebyshev(void **state)
         desc.size = 256;
         desc.taps = taps;
         desc.bias_slope = 0;
-        desc.filter = SHD_SHADOW_PCF;
+        desc.filter = SHD_SHADOW_FILTER_PCF;
         pcf = shd_boxes_shadow(&edge.boxes, g_context, &desc, edge.light);
-        desc.filter = SHD_SHADOW_VARIANCE;
+        desc.filter = SHD_SHADOW_FILTER_VARIANCE;
         variance = shd_boxes_shadow(&edge.boxes, g_context, &desc, edge.light);
         for (i = 0; i < 400; ++i) {
             const float p[3] = {-0.4f + 0.002f * (float)i, 0, 0.3f};

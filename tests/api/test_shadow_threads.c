@@ -27,7 +27,7 @@ static uint64_t hash_of(const shd_shadow *shadow)
         for (i = 0; i < k_points; ++i) points[k][i] = (float)((i * (17 + 6 * k)) % 97) / 24.0f - 2.0f;
         lookups.position[k].data = points[k];
     }
-    if (shd_shadow_sample(shadow, &lookups, column) != SHD_OK) return 0;
+    if (shd_shadow_sample(shadow, &lookups, &column) != SHD_OK) return 0;
     return shd_hash(SHD_HASH_START, out, sizeof out);
 }
 
@@ -35,7 +35,7 @@ static shd_shadow_desc shadow_desc(void)
 {
     shd_shadow_desc desc = shd_shadow_desc_default();
     desc.size = 100;
-    desc.filter = SHD_SHADOW_SUMMED_AREA_VARIANCE;
+    desc.filter = SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE;
     desc.filter_size = 0.1f;
     return desc;
 }

@@ -448,7 +448,7 @@ static void test_large(void **state)
 
 /* Refusals. */
 
-static void edit_size(shd_shape_desc *d) { d->struct_size = 8; }
+static void edit_size(shd_shape_desc *d) { d->struct_size = 4; }
 static void edit_shape(shd_shape_desc *d)
 {
     const uint32_t unknown = 5;
@@ -508,7 +508,7 @@ struct refusal {
 };
 
 static const struct refusal k_refusals[] = {
-    {"refused/struct_size", edit_size, "shape.struct_size: 8"},
+    {"refused/struct_size", edit_size, "shape.struct_size: 4"},
     {"refused/shape_5", edit_shape, "shape.shape: 5 is not in 0..4"},
     {"refused/radius_0", edit_radius_0, "shape.radius: 0 is not in 1e-30..1e+30"},
     {"refused/radius_nan", edit_radius_nan, "shape.radius: "},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Slots of materials in frames: every source, uv sets and transforms, channels; normals and sides. */
 #include "support/frame.h"
+#include "support/slots.h"
 
 enum { k_size = 16, k_pixels = k_size * k_size };
 
@@ -8,6 +9,7 @@ enum { k_size = 16, k_pixels = k_size * k_size };
 typedef struct scene {
     shd_frame f;
     shd_material_desc material;
+    shd_slot_list slots;
     shd_texture *texture;
     shd_sampler *nearest;
     float quad[48], uv1[2][6], attribute[4][6], tangent[4][6];
@@ -56,16 +58,18 @@ static void close_scene(scene *s)
 static void render(scene *s)
 {
     shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_f32_in attributes[6] = {{NULL, 0}};
     shd_draw *draw = &s->f.draw[0];
     int c;
     desc.vertex_count = 6;
     for (c = 0; c < 8; ++c) {
         shd_f32_in *column = c < 3 ? &desc.position[c] : c < 6 ? &desc.normal[c - 3] : &desc.uv[c - 6];
-        column->data = s->quad + c;
-        column->stride = 8 * sizeof(float);
+        *column = shd_f32_column(s->quad + c, 8 * sizeof(float));
     }
     for (c = 0; c < 2 && s->has_uv1; ++c) desc.uv1[c].data = s->uv1[c];
-    for (c = 0; c < 4 && s->has_attributes; ++c) desc.attribute[2 + c].data = s->attribute[c];
+    for (c = 0; c < 4 && s->has_attributes; ++c) attributes[2 + c] = shd_f32_column(s->attribute[c], 0);
+    desc.attributes = attributes;
+    desc.attribute_count = s->has_attributes ? 6 : 0;
     shd_assert_ok(shd_mesh_create(s->f.context, &desc, &s->f.mesh[0]));
     shd_assert_ok(shd_material_create(s->f.context, &s->material, &s->f.material[0]));
     *draw = shd_draw_default();
@@ -86,12 +90,10 @@ static double texel(double u, double v, int c)
     return c == 0 ? x / 4.0 : c == 1 ? y / 4.0 : c == 2 ? i / 16.0 : 1 - i / 32.0;
 }
 
-static shd_slot *textured(scene *s, int slot)
+static shd_slot *add_slot(scene *s, shd_slot slot) { return shd_slot_list_add(&s->slots, &s->material, slot); }
+static shd_slot *textured(scene *s, shd_slot_target target)
 {
-    s->material.slot[slot].source = SHD_SOURCE_TEXTURE;
-    s->material.slot[slot].texture = s->texture;
-    s->material.slot[slot].sampler = s->nearest;
-    return &s->material.slot[slot];
+    return add_slot(s, shd_slot_texture(target, s->texture, s->nearest));
 }
 
 static void test_texture(void **state)
@@ -168,8 +170,7 @@ static void test_vertex(void **state)
         open_scene(&s);
         s.has_attributes = has;
         s.material.blend = SHD_BLEND_STRAIGHT;
-        s.material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
-        s.material.slot[SHD_SLOT_DIFFUSE].attribute = 2;
+        add_slot(&s, shd_slot_vertex(SHD_SLOT_DIFFUSE, 2));
         render(&s);
         for (i = 0; i < k_pixels; ++i) {
             const double a = has ? u_of(i) : 1; /* the fourth column */
@@ -190,8 +191,7 @@ static void test_vertex_end(void **state)
     size_t i;
     (void)state;
     open_scene(&s);
-    s.material.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
-    s.material.slot[SHD_SLOT_DIFFUSE].attribute = 5;
+    add_slot(&s, shd_slot_vertex(SHD_SLOT_DIFFUSE, 5));
     render(&s);
     for (i = 0; i < k_pixels; ++i) {
         shd_assert_close("r", i, (double)s.f.plane[0][i], u_of(i), 1e-6, 0);
@@ -224,9 +224,7 @@ static void test_procedure(void **state)
         s.material.diffuse[c] = 0.0f;
         s.material.emission[c] = 2.0f;
     }
-    s.material.slot[SHD_SLOT_EMISSION].source = SHD_SOURCE_PROCEDURE;
-    s.material.slot[SHD_SLOT_EMISSION].procedure = stripes;
-    s.material.slot[SHD_SLOT_EMISSION].user_data = &times;
+    add_slot(&s, shd_slot_procedure(SHD_SLOT_EMISSION, stripes, &times));
     render(&s);
     for (i = 0; i < k_pixels; ++i) {
         shd_assert_close("r", i, (double)s.f.plane[0][i], 6 * u_of(i), 1e-5, 0);
@@ -281,10 +279,9 @@ static void test_normal(void **state)
             desc.format = down ? SHD_FORMAT_RGBA16 : SHD_FORMAT_RGBA32F;
             desc.texels = down ? (const void *)k_codes : (const void *)k_texel;
             shd_assert_ok(shd_texture_create(s.f.context, &desc, &normals));
-            s.material.model = SHD_MODEL_SHOW_NORMAL;
-            s.material.flags = down ? SHD_NORMAL_Y_DOWN : 0;
-            s.material.slot[SHD_SLOT_NORMAL].source = SHD_SOURCE_TEXTURE;
-            s.material.slot[SHD_SLOT_NORMAL].texture = normals;
+            s.material.debug_view = SHD_DEBUG_VIEW_NORMAL;
+            s.material.flags = down ? SHD_MATERIAL_NORMAL_Y_DOWN : 0;
+            add_slot(&s, shd_slot_texture(SHD_SLOT_NORMAL, normals, NULL));
             s.flips = flips;
             render(&s);
             shd_texture_release(normals);
@@ -316,9 +313,8 @@ static void test_bump(void **state)
         desc.format = SHD_FORMAT_R32F;
         desc.texels = k_ramp;
         shd_assert_ok(shd_texture_create(s.f.context, &desc, &heights));
-        s.material.model = SHD_MODEL_SHOW_NORMAL;
-        s.material.slot[SHD_SLOT_HEIGHT].source = SHD_SOURCE_TEXTURE;
-        s.material.slot[SHD_SLOT_HEIGHT].texture = heights;
+        s.material.debug_view = SHD_DEBUG_VIEW_NORMAL;
+        add_slot(&s, shd_slot_texture(SHD_SLOT_HEIGHT, heights, NULL));
         s.material.bump = (shd_bump)bump;
         s.material.bump_scale = 3.0f;
         render(&s);
@@ -344,8 +340,8 @@ static void test_double_sided(void **state)
                 scene s;
                 int i;
                 open_scene(&s);
-                s.material.model = SHD_MODEL_SHOW_NORMAL;
-                s.material.flags = both ? SHD_DOUBLE_SIDED : 0;
+                s.material.debug_view = SHD_DEBUG_VIEW_NORMAL;
+                s.material.flags = both ? SHD_MATERIAL_DOUBLE_SIDED : 0;
                 s.flips = flips;
                 for (i = 0; i < 6 && behind; ++i) {
                     s.quad[8 * i] = -s.quad[8 * i]; /* the other winding */
@@ -365,7 +361,7 @@ static void test_double_sided(void **state)
 /* Values beyond their range, on a surface under a light: what the slot's documentation says becomes of them. */
 static const struct wild_case {
     const char *name;
-    int slot;
+    shd_slot_target slot;
     shd_model model;
     float value;
     float like;    /* gives the same picture; NaN = none */
@@ -405,8 +401,7 @@ static void render_wild(const struct wild_case *c, float value, float *out, uint
     s.material.bump = SHD_BUMP_GRADIENT;
     s.material.exponent = s.material.roughness = s.material.metallic = 1;
     for (k = 0; k < 3; ++k) s.material.emission[k] = 1;
-    s.material.slot[c->slot].source = SHD_SOURCE_TEXTURE;
-    s.material.slot[c->slot].texture = texture;
+    add_slot(&s, shd_slot_texture(c->slot, texture, NULL));
     light.position[2] = 2;
     shd_frame_light(&s.f, &light);
     s.f.desc.view.eye[2] = 3;

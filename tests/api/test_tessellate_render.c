@@ -36,10 +36,10 @@ struct render_case {
     double tolerance;
 };
 static const struct render_case k_cases[] = {
-    {"phong/uniform_1", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_UNIFORM, 1, 8, 0},
-    {"phong/uniform_5", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_UNIFORM, 5, 8, 2e-3},
-    {"phong/adaptive_6_pixels", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_ADAPTIVE, 1, 6, 2e-3},
-    {"flat/uniform_1", SHD_FREQUENCY_FLAT, SHD_TESSELLATION_UNIFORM, 1, 8, 0},
+    {"phong/uniform_1", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_MODE_UNIFORM, 1, 8, 0},
+    {"phong/uniform_5", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_MODE_UNIFORM, 5, 8, 2e-3},
+    {"phong/adaptive_6_pixels", SHD_FREQUENCY_PHONG, SHD_TESSELLATION_MODE_ADAPTIVE, 1, 6, 2e-3},
+    {"flat/uniform_1", SHD_FREQUENCY_FLAT, SHD_TESSELLATION_MODE_UNIFORM, 1, 8, 0},
 };
 
 static void render(shd_frame *f, float *color)
@@ -65,7 +65,7 @@ static void test_same_picture(void **state)
     material.model = SHD_MODEL_LAMBERT;
     draw = shd_frame_draw(&f, rows[0], make_sphere(rows), &material);
     draw->frequency = c->frequency;
-    light.kind = SHD_LIGHT_DIRECTIONAL;
+    light.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     light.direction[0] = -0.5f;
     light.direction[1] = -0.7f;
     light.direction[2] = -0.5f;

@@ -174,7 +174,7 @@ static void test_null_arguments(void **state)
     shd_context *context = NULL;
     shd_texture_desc desc = desc_4x4();
     shd_texture *texture = (shd_texture *)&desc;
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_image image = shd_image_default();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
@@ -184,6 +184,8 @@ static void test_null_arguments(void **state)
     shd_assert_result("context", shd_texture_create(NULL, &desc, &texture), SHD_ERROR_INVALID_ARGUMENT,
                       "context: NULL");
     memset(&info, 0xab, sizeof info);
+    shd_assert_result("size", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "out_info.struct_size");
+    info.struct_size = sizeof info;
     shd_assert_result("info", shd_texture_get_info(NULL, &info), SHD_ERROR_INVALID_ARGUMENT, "texture: NULL");
     assert_int_equal(info.width, 0);
     assert_int_equal(info.byte_size, 0);
@@ -224,7 +226,7 @@ static void test_info(void **state)
 {
     const struct info_case *c = (const struct info_case *)*state;
     shd_texture_desc desc = shd_texture_desc_default();
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_context *context = NULL;
     shd_texture *texture = NULL;
     void *texels = calloc((size_t)c->width * c->height, 16);
@@ -300,7 +302,7 @@ static void test_stale_handle(void **state)
 {
     shd_context *context = NULL;
     shd_texture *texture = NULL;
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_texture_desc desc = desc_4x4();
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));

@@ -107,7 +107,7 @@ static void test_format(void **state)
     const size_t texel = shd_format_size(c->format), row = texel * (WIDTH + 2), layer = row * HEIGHT + 4 * texel;
     unsigned char *texels = (unsigned char *)calloc(LAYERS, layer);
     shd_texture_desc desc = shd_texture_desc_default();
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     shd_texture *texture = NULL;
     uint32_t i;
     int k;

@@ -38,7 +38,7 @@ static shd_image patch_image(uint32_t width, uint32_t height)
 /* All levels of all layers, one after another. */
 static size_t read_all(const shd_texture *texture, unsigned char *out)
 {
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     unsigned char *at = out;
     uint32_t layer, level;
     shd_assert_ok(shd_texture_get_info(texture, &info));

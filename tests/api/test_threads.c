@@ -65,8 +65,8 @@ static uint64_t sample(const shd_texture *texture, const shd_sampler *sampler)
 static uint64_t render_as(const shd_scene *scene, shd_render_desc frame, shd_context *context)
 {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
-    shd_render_stats stats;
-    shd_framebuffer_info info;
+    shd_render_stats stats = shd_render_stats_default();
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     shd_framebuffer *framebuffer = NULL;
     uint64_t hash = 0;
     if (shd_framebuffer_get_info(scene->framebuffer, &info) != SHD_OK) return 0;

@@ -287,7 +287,7 @@ static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
     h->mistakes += in->struct_size != sizeof *in || out->struct_size != sizeof *out || in->count == 0;
     h->mistakes += in->draw > 1 || in->instance >= k_instances || in->first + in->count > k_vertices;
     if (h->mistakes) return;
-    h->mistakes += in->uniforms != draw->uniforms || out->varying_count != 2 || !out->varying[1] || out->varying[2];
+    h->mistakes += in->uniforms != draw->uniforms || out->varying_count != 2 || !out->varying[0] || !out->varying[1];
     h->mistakes += memcmp(in->object_to_world, world, 16 * sizeof(float)) != 0;
     h->mistakes += memcmp(in->world_to_view, h->desc->view.world_to_view, 16 * sizeof(float)) != 0;
     h->mistakes += memcmp(in->view_to_clip, h->desc->view.view_to_clip, 16 * sizeof(float)) != 0;

@@ -202,7 +202,6 @@ static void test_camera(void **state)
     if (c->expected == SHD_OK) {
         check_rigid(c->name, &camera, &view);
         check_projection(c->name, &camera, &view);
-        assert_true(view.reserved == 0);
     } else {
         assert_memory_equal(&view, &zero, sizeof view);
     }
@@ -240,11 +239,15 @@ static void test_sweep(void **state)
 static void test_bits(void **state)
 {
     shd_camera camera = shd_camera_default();
-    shd_view view;
+    struct {
+        shd_view view;
+        uint32_t zero; /* hashed too */
+    } bits;
     (void)state;
+    memset(&bits, 0, sizeof bits);
     edit_oblique(&camera);
-    shd_assert_ok(shd_view_from_camera(&camera, &view));
-    assert_int_equal(shd_hash(SHD_HASH_START, &view, sizeof view), 0x6e74224b1922b5dfull);
+    shd_assert_ok(shd_view_from_camera(&camera, &bits.view));
+    assert_int_equal(shd_hash(SHD_HASH_START, &bits, sizeof bits), 0x6e74224b1922b5dfull);
 }
 
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])

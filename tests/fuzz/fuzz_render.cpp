@@ -20,6 +20,7 @@ struct DrawData {
   MeshData mesh;
   shd_material_desc material = shd_material_desc_default();
   shd_draw draw = shd_draw_default();
+  std::vector<shd_slot> slots;
   uint32_t textured = 0;  // slots, by bit
 };
 
@@ -66,7 +67,10 @@ void fill_mesh(Source& source, MeshData& mesh) {
 
 void fill_material(Source& source, shd_material_desc& material) {
   const auto pick = [&](uint32_t count) { return source.below(source.one_in(32) ? 100 : count); };
-  material.model = static_cast<shd_model>(source.one_in(4) ? pick(2) : 3 + pick(12));
+  const uint32_t model = source.one_in(4) ? pick(2) : 3 + pick(12);  // debug views come after the models
+  material.model = static_cast<shd_model>(model > SHD_MODEL_MATCAP && model < 15 ? 0 : model);
+  if (model > SHD_MODEL_MATCAP && model < 15)
+    material.debug_view = static_cast<shd_debug_view>(model - SHD_MODEL_MATCAP);
   material.flags = source.one_in(64) ? source.word() : source.below(4) + 16 * source.below(4);
   material.normal_encoding = static_cast<shd_normal_encoding>(pick(4));
   material.bump = static_cast<shd_bump>(pick(3));
@@ -81,10 +85,10 @@ void fill_draw(Source& source, DrawData& data) {
   fill_mesh(source, data.mesh);
   fill_material(source, data.material);
   data.textured = source.one_in(2) ? source.word() & source.word() : 0;
-  for (int slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+  for (int slot = 0; slot <= SHD_SLOT_MATCAP; ++slot) {
     if (data.textured >> slot & 1 || slot >= SHD_SLOT_HEIGHT || !source.one_in(8)) continue;
-    data.material.slot[slot].source = SHD_SOURCE_VERTEX;
-    data.material.slot[slot].attribute = source.below(source.one_in(32) ? 100 : 4);
+    data.slots.push_back(
+        shd_slot_vertex(static_cast<shd_slot_target>(slot), source.below(source.one_in(32) ? 100 : 4)));
   }
   data.material.exponent = source.one_in(16) ? source.hostile() : static_cast<float>(source.below(200));
   for (float& value : data.material.diffuse) value = source.one_in(64) ? source.hostile() : std::fabs(source.unit());
@@ -124,7 +128,7 @@ void fill_case(Source& source, Case& c) {
   if (source.one_in(4)) fill_matrix(source, c.render.view.world_to_view, true);
   if (source.one_in(4)) fill_matrix(source, c.render.view.view_to_clip, false);
   for (float& value : c.render.clear_color) value = source.one_in(16) ? source.hostile() : source.unit();
-  c.render.load = source.below(source.one_in(32) ? 5 : 2);
+  c.render.flags = source.below(source.one_in(32) ? 5 : 2) * SHD_RENDER_LOAD;
   c.render.visibility = static_cast<shd_visibility>(source.below(source.one_in(32) ? 5 : 3));
 }
 
@@ -138,6 +142,7 @@ struct Objects {
 };
 
 bool make_mesh(shd_context* context, const MeshData& data, shd_mesh** out) {
+  shd_f32_in attributes[4] = {};
   shd_mesh_desc desc = shd_mesh_desc_default();
   desc.vertex_count = data.vertex_count;
   desc.flags = data.flags;
@@ -146,8 +151,10 @@ bool make_mesh(shd_context* context, const MeshData& data, shd_mesh** out) {
     desc.position[k].data = data.columns[k].data();
     if (data.normals) desc.normal[k].data = data.columns[3 + k].data();
     if (data.uvs && k < 2) desc.uv[k].data = data.columns[6 + k].data();
-    if (data.uvs) desc.attribute[k + 1].data = data.columns[3 + k].data();
+    if (data.uvs) attributes[k + 1].data = data.columns[3 + k].data();
   }
+  desc.attributes = attributes;
+  desc.attribute_count = 4;
   if (data.indexed) {
     desc.indices.data = data.indices.data();
     desc.index_count = data.indices.size();
@@ -166,11 +173,13 @@ bool make_objects(shd_context* context, const Case& c, Objects& o) {
               shd_framebuffer_create(context, &c.framebuffer, &o.framebuffer) == SHD_OK;
   for (size_t i = 0; i < c.draw_count && made; ++i) {
     shd_material_desc material = c.draws[i].material;
-    for (int slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+    std::vector<shd_slot> slots = c.draws[i].slots;
+    for (int slot = 0; slot <= SHD_SLOT_MATCAP; ++slot) {
       if (!(c.draws[i].textured >> slot & 1)) continue;
-      material.slot[slot].source = SHD_SOURCE_TEXTURE;
-      material.slot[slot].texture = o.texture;
+      slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(slot), o.texture, nullptr));
     }
+    material.slots = slots.data();
+    material.slot_count = static_cast<uint32_t>(slots.size());
     made = make_mesh(context, c.draws[i].mesh, &o.meshes[i]) &&
            shd_material_create(context, &material, &o.materials[i]) == SHD_OK;
   }
@@ -193,7 +202,7 @@ void read_planes(const Case& c, const Objects& o, std::vector<float>& planes) {
   for (int plane = SHD_PLANE_R; plane <= SHD_PLANE_NZ; ++plane) {
     std::vector<float> values(pixels);
     shd_f32_out out = {values.data(), 0};
-    if (shd_framebuffer_read_plane(o.framebuffer, static_cast<shd_plane>(plane), out) != SHD_OK) continue;
+    if (shd_framebuffer_read_plane(o.framebuffer, static_cast<shd_plane>(plane), &out) != SHD_OK) continue;
     planes.insert(planes.end(), values.begin(), values.end());
   }
 }
@@ -206,7 +215,7 @@ bool run(const Case& c, shd_simd simd, std::vector<float>& planes) {
   bool made = make_objects(context, c, o);
   if (made) {
     shd_draw draws[kMaxDraws];
-    shd_render_stats stats = {};
+    shd_render_stats stats = shd_render_stats_default();
     shd_render_desc desc = c.render;
     for (size_t i = 0; i < c.draw_count; ++i) {
       draws[i] = c.draws[i].draw;

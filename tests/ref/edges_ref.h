@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Edges of a mesh the slow way: every edge of every triangle is compared with every other one. */
+/* Brute-force edges of a mesh: every edge of every triangle is compared with every other one. */
 #ifndef SHD_TESTS_REF_EDGES_REF_H
 #define SHD_TESTS_REF_EDGES_REF_H
 
@@ -9,7 +9,7 @@
 
 #include <shd/edges.h>
 
-/** Records of x, y, z, and triangles. */
+/** Records of x, y, z, and triangles as index triples. */
 typedef struct shd_ref_mesh {
   const float* position;
   const uint32_t* indices;
@@ -18,20 +18,20 @@ typedef struct shd_ref_mesh {
 
 typedef struct shd_ref_edge {
   uint32_t vertex[2], triangle[2], kinds;
-  double margin; /* how far, relatively, the eye is from the planes of its triangles and they from the threshold */
+  double margin; /* smallest relative distance of the eye from the planes, and of the angle from the threshold */
 } shd_ref_edge;
 
 static inline uint32_t shd_ref_corner(const shd_ref_mesh* m, size_t triangle, size_t k) {
   return m->indices[3 * triangle + k % 3];
 }
 
-/* Whether two vertices are at the same place. */
+/* Whether two vertices have the same position. */
 static inline int shd_ref_meet(const shd_ref_mesh* m, uint32_t a, uint32_t b) {
   const float *p = m->position + 3 * (size_t)a, *q = m->position + 3 * (size_t)b;
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/* Unit normal of a triangle; 0 without one. */
+/* Unit normal of a triangle; 0 if it has none. */
 static inline int shd_ref_unit_normal(const shd_ref_mesh* m, size_t triangle, long double n[3]) {
   const float* p = m->position + 3 * (size_t)shd_ref_corner(m, triangle, 0);
   const float* q = m->position + 3 * (size_t)shd_ref_corner(m, triangle, 1);
@@ -49,7 +49,7 @@ static inline int shd_ref_unit_normal(const shd_ref_mesh* m, size_t triangle, lo
   return 1;
 }
 
-/* 1 if edge l of triangle u is edge k of triangle t from the other end, 2 if from the same one, else 0. */
+/* 1 if edge l of triangle u is edge k of triangle t in opposite direction, 2 if in the same direction, otherwise 0. */
 static inline int shd_ref_same_edge(const shd_ref_mesh* m, size_t t, size_t k, size_t u, size_t l) {
   const uint32_t a = shd_ref_corner(m, t, k), b = shd_ref_corner(m, t, k + 1);
   const uint32_t c = shd_ref_corner(m, u, l), d = shd_ref_corner(m, u, l + 1);
@@ -57,7 +57,7 @@ static inline int shd_ref_same_edge(const shd_ref_mesh* m, size_t t, size_t k, s
   return shd_ref_meet(m, a, c) && shd_ref_meet(m, b, d) ? 2 : 0;
 }
 
-/* (e - p) . n of a triangle, divided by the length of e - p: the sine of the angle that it is seen at. */
+/* (e - p) . n of a triangle, divided by the length of e - p: the sine of the angle at which it is seen. */
 static inline long double shd_ref_side(const shd_ref_mesh* m, size_t triangle, const long double n[3],
                                        const float eye[4]) {
   const float* p = m->position + 3 * (size_t)shd_ref_corner(m, triangle, 0);
@@ -71,7 +71,7 @@ static inline long double shd_ref_side(const shd_ref_mesh* m, size_t triangle, c
   return square > 0 ? sum / sqrtl(square) : 0;
 }
 
-/* Kinds of an edge between two triangles, `way` as shd_ref_same_edge has it. */
+/* Kinds of an edge between two triangles; `way` is the result of shd_ref_same_edge. */
 static inline void shd_ref_classify(const shd_ref_mesh* m, const shd_edges_desc* desc, int way, shd_ref_edge* edge) {
   long double n[2][3], side[2], cosine = 0;
   int i;
@@ -89,7 +89,7 @@ static inline void shd_ref_classify(const shd_ref_mesh* m, const shd_edges_desc*
   edge->margin = (double)fminl(fabsl(cosine - (long double)desc->crease_cosine), fminl(fabsl(side[0]), fabsl(side[1])));
 }
 
-/** Every edge, those of none of the kinds too, in the order of triangles; returns how many. */
+/** Every edge, including edges of no kind, in the order of triangles. Returns their number. */
 static inline size_t shd_ref_find_edges(const shd_ref_mesh* m, const shd_edges_desc* desc, shd_ref_edge* out) {
   size_t count = 0, t, u, k, l;
   long double n[3];

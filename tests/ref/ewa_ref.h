@@ -25,15 +25,15 @@ inline Ellipse2 ewa_axes(const Image& image, const Ellipse& e, int level) {
   return {0.84 * 0.84 * a * a + texel, 0.84 * 0.84 * b * b + texel};
 }
 
-/// A coordinate in texels whose centres are whole numbers; no further outside than 512 where the wrap does not repeat,
-/// as an ellipse is at most 256 texels long.
+/// A coordinate in texels whose centres are whole numbers. Without a periodic wrap it is at most 512 texels outside,
+/// because an ellipse is at most 256 texels long.
 inline double ewa_centre(shd_wrap wrap, double u, double du, double size) {
   const bool periodic = wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR;
   if (periodic || !isfinite(u)) return (reduce(wrap, u) + du) * size - 0.5;
   return fmin(fmax((u + du) * size - 0.5, -size - 512), size + 512);
 }
 
-/// The share of bilinear: 1 where the longer axis is at most a texel, 0 from two texels on.
+/// The weight of bilinear: 1 where the longer axis is at most a texel, 0 from two texels on.
 inline double ewa_bilinear_share(const Image& image, const Ellipse& e) {
   const double low = fmin(static_cast<double>(image.sampler->lod_min), image.level_count - 1);
   return 2 - fmin(fmax(e.a * exp2(static_cast<double>(image.sampler->lod_bias) - low), 1), 2);

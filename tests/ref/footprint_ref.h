@@ -39,19 +39,19 @@ inline Ellipse ellipse(const Covariance& c) {
   return {sqrt(square), sqrt(fmax(other, 0)), cosine, sine};
 }
 
-/// The same from the derivatives in texels themselves, whose shorter axis does not cancel.
+/// The ellipse computed from the derivatives in texels, so that the shorter axis does not cancel.
 inline Ellipse ellipse(const Jacobian& j) {
   Ellipse e = ellipse(Covariance{j.ux * j.ux + j.uy * j.uy, j.ux * j.vx + j.uy * j.vy, j.vx * j.vx + j.vy * j.vy});
   e.b = e.a > 0 ? fabs(j.ux * j.vy - j.uy * j.vx) / e.a : 0;
   return e;
 }
 
-/// Longer by shorter axis, limited.
+/// Ratio of longer to shorter axis, limited.
 inline double aspect(const Ellipse& e, double limit) {
   return e.a == 0 ? 1 : e.a > limit * e.b ? limit : e.a / e.b;
 }
 
-/// A coordinate with the same texels around it, small enough for exact doubles where it has a period.
+/// A coordinate with the same texels around it; if it has a period, it is small enough for exact doubles.
 inline double whole_period(shd_wrap wrap, double u) {
   const bool periodic = wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR;
   return periodic || !isfinite(u) ? reduce(wrap, u) : u;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Vertex normals, the slow way: every vertex asks every face; angles by acos, areas by Heron's formula. */
+/* Brute-force vertex normals: every vertex visits every face; angles by acos, areas by Heron's formula. */
 #ifndef SHD_TESTS_REF_MESH_REF_H
 #define SHD_TESTS_REF_MESH_REF_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mip levels by separable kernels in doubles, with the C library's functions: the oracle of shd_mip_build.
+// Mip levels by separable kernels in doubles, with the functions of the C library: the oracle of shd_mip_build.
 #pragma once
 
 #include <math.h>
@@ -24,15 +24,15 @@ inline double mip_bessel(double x) {
 
 inline double mip_kernel(shd_mip_kernel kernel, double x) {
   switch (kernel) {
-    case SHD_MIP_BOX: return 1;
-    case SHD_MIP_TRIANGLE: return 1 - fabs(x);
-    case SHD_MIP_LANCZOS: return mip_sinc(x) * mip_sinc(x / 3);
+    case SHD_MIP_KERNEL_BOX: return 1;
+    case SHD_MIP_KERNEL_TRIANGLE: return 1 - fabs(x);
+    case SHD_MIP_KERNEL_LANCZOS: return mip_sinc(x) * mip_sinc(x / 3);
     default: return mip_sinc(x) * mip_bessel(4 * sqrt(fmax(0, 1 - x * x / 9))) / 11.301921952136330496;  // I0(4)
   }
 }
 
 inline double mip_radius(shd_mip_kernel kernel) {
-  return kernel == SHD_MIP_BOX ? 0.5 : kernel == SHD_MIP_TRIANGLE ? 1 : 3;
+  return kernel == SHD_MIP_KERNEL_BOX ? 0.5 : kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : 3;
 }
 
 /// Integral over [low, high] by Simpson's rule, on each side of 0.
@@ -42,7 +42,7 @@ inline double mip_area(shd_mip_kernel kernel, double low, double high) {
   high = fmin(high, radius);
   if (low >= high) return 0;
   if (low < 0 && high > 0) return mip_area(kernel, low, 0) + mip_area(kernel, 0, high);
-  const int steps = kernel <= SHD_MIP_TRIANGLE ? 2 : 64;
+  const int steps = kernel <= SHD_MIP_KERNEL_TRIANGLE ? 2 : 64;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
     const double x = low + (high - low) * i / steps;
@@ -51,7 +51,7 @@ inline double mip_area(shd_mip_kernel kernel, double low, double high) {
   return sum * (high - low) / (3 * steps);
 }
 
-/// Weights [size][source] of one axis; free() them.
+/// Weights [size][source] of one axis; the caller must free() them.
 inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source, int64_t size) {
   auto* weights = static_cast<double*>(calloc(static_cast<size_t>(source * size), sizeof(double)));
   const double ratio = static_cast<double>(source) / static_cast<double>(size), radius = mip_radius(kernel);
@@ -62,8 +62,8 @@ inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source,
     for (auto k = static_cast<int64_t>(floor(centre - radius * ratio)) - 1; k <= centre + radius * ratio + 1; ++k) {
       const double low = (static_cast<double>(k) - centre) / ratio;
       const int64_t texel = wrap_index(wrap, k, source);
-      if (texel < 0 && kernel != SHD_MIP_BOX) continue;
-      if (texel < 0 || (kernel == SHD_MIP_BOX && texel != k)) continue;
+      if (texel < 0 && kernel != SHD_MIP_KERNEL_BOX) continue;
+      if (texel < 0 || (kernel == SHD_MIP_KERNEL_BOX && texel != k)) continue;
       const double area = mip_area(kernel, low, low + 1 / ratio);
       row[texel] += area;
       sum += area;
@@ -76,7 +76,7 @@ inline double* mip_weights(shd_mip_kernel kernel, shd_wrap wrap, int64_t source,
   return weights;
 }
 
-/// Filters [height][width] values into [to_height][to_width]; free() the result.
+/// Filters [height][width] values into [to_height][to_width]; the caller must free() the result.
 inline double* mip_filter(const shd_mip_desc& desc, const double* values, int64_t width, int64_t height,
                           int64_t to_width, int64_t to_height) {
   double* across = mip_weights(desc.kernel, desc.wrap_u, width, to_width);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every model with lobes under every kind of light, the slow way, in long double, and how far float may be off.
+// Every model with lobes under every kind of light, by direct formulas in long double, with bounds for the error of
+// float.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +13,11 @@ inline long double clamped(long double x, long double low, long double high) {
   return x < low ? low : x > high ? high : x;
 }
 
-/// E / I of a light at a point, without its texture.
+/// E / I of a light at a point, without its cookie.
 struct Arriving {
-  Vector l;  // 0 at the light
+  Vector l;  // 0 at the position of the light
   long double e;
-  long double error;  // of e in float
+  long double error;  // bound of the error of e in float
 };
 
 inline long double smooth(long double t) {
@@ -24,10 +25,10 @@ inline long double smooth(long double t) {
   return held * held * (3 - 2 * held);
 }
 
-/// The desc says where the light ends; the direction is what make_light rounded it to.
+/// The range is taken from the desc, the direction from make_light, which rounds it.
 inline Arriving arriving(const shd_light_desc& desc, const light::Light& light, Vector p) {
   const Vector axis = vector(light.to_light);
-  if (desc.kind == SHD_LIGHT_DIRECTIONAL) return {axis, 1, 0};
+  if (desc.kind == SHD_LIGHT_KIND_DIRECTIONAL) return {axis, 1, 0};
   const Vector way = vector(desc.position) - p;
   const long double squared = dot(way, way);
   if (!(squared > 0)) return {{0, 0, 0}, 0, 0};
@@ -39,7 +40,7 @@ inline Arriving arriving(const shd_light_desc& desc, const light::Light& light, 
     part = std::max(0.0L, 1 - ratio * ratio);
     error *= ratio < 1.001L ? 1 : 0;
   }
-  if (desc.kind == SHD_LIGHT_SPOT) {
+  if (desc.kind == SHD_LIGHT_KIND_SPOT) {
     const long double outer = cosl(desc.outer_angle), inner = cosl(desc.inner_angle);
     const long double scale = 1 / std::max(inner - outer, 1e-9L), cosine = dot(axis, l), off = 3e-7L;
     const long double cone = smooth(scale * (cosine - outer));
@@ -50,13 +51,13 @@ inline Arriving arriving(const shd_light_desc& desc, const light::Light& light, 
   return {l, full * part, full * error};
 }
 
-/// Lobes over E; error is how far a float may be off, and `ambiguous` that a step may go either way.
+/// Lobes over E; error bounds the error in float; `ambiguous` means that a step may be rounded either way.
 struct LobeTerms {
   long double lobe[3], error[3];
   bool ambiguous;
 };
 
-/// x^p with 0^0 = 1, and what an x that is off by `off` makes of it.
+/// x^p with 0^0 = 1, and its bounds if x has an error of `off`.
 struct Power {
   long double value, low, high;
 };
@@ -66,7 +67,7 @@ inline Power power(long double x, long double p, long double off) {
 }
 
 /// max(0, n.h)^p or, for Phong, max(0, v.r)^p. h: unit half vector, or 0.
-inline Power shine(shd_model model, Vector n, Vector v, Vector l, long double p) {
+inline Power shine(material::ModelKey model, Vector n, Vector v, Vector l, long double p) {
   const Vector sum = v + l;
   const long double size = length(sum);
   if (model == SHD_MODEL_PHONG) return power(2 * dot(n, l) * dot(n, v) - dot(v, l), p, 6e-7L);
@@ -80,7 +81,7 @@ inline long double normalization(long double p) {
   return (p + 2) * (p + 4) / (8 * pi * (exp2l(-p / 2) + p));
 }
 
-/// Diffuse, mirror and edge lobe of glTF's metallic-roughness: n.l (1 - f), n.l D V (1 - f), n.l D V f.
+/// Diffuse, F0 and F90 lobe of glTF's metallic-roughness: n.l (1 - f), n.l D V (1 - f), n.l D V f.
 inline LobeTerms metallic_lobes(Vector n, Vector v, Vector l, long double alpha) {
   const long double pi = acosl(-1.0L), a2 = alpha * alpha;
   const Vector sum = v + l, h = unit(sum);
@@ -98,7 +99,7 @@ inline LobeTerms metallic_lobes(Vector n, Vector v, Vector l, long double alpha)
           fabsl(dot(n, l)) < 1e-6L || size < 1e-5L};
 }
 
-/// Lobes of a model; Gooch's is (1 + n.l) / 2.
+/// Lobes of a model; the lobe of Gooch is (1 + n.l) / 2.
 inline LobeTerms lobes_of(const material::Material& m, long double p, long double alpha, Vector n, Vector v, Vector l) {
   const long double cosine = std::max(0.0L, dot(n, l));
   if (m.model == SHD_MODEL_GOOCH) return {{(1 + dot(n, l)) / 2, 0, 0}, {1e-6L, 0, 0}, false};
@@ -106,7 +107,7 @@ inline LobeTerms lobes_of(const material::Material& m, long double p, long doubl
   if (m.model == SHD_MODEL_LAMBERT) return {{cosine, 0, 0}, {2e-6L, 0, 0}, false};
   const Power s = shine(m.model, n, v, l, p);
   LobeTerms t = {{cosine, s.value, 0}, {2e-6L, 2e-6L + std::max(s.high - s.value, s.value - s.low), 0}, false};
-  const bool gated = !(m.flags & SHD_SPECULAR_UNGATED);
+  const bool gated = !(m.flags & SHD_MATERIAL_SPECULAR_UNGATED);
   if (m.model == SHD_MODEL_TOON) {
     const long double steps = m.toon_steps;
     t.lobe[0] = std::min(1.0L, ceill(cosine * steps) / steps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wide lines the slow way: a segment in homogeneous raster coordinates, cut by every plane at once, and the rectangle
-// around it.
+// Wide lines by direct formulas: a segment in homogeneous raster coordinates, clipped by all planes together, and the
+// rectangle around it.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace shd::ref {
 
-/// What is left of a segment, in pixels, with its depths.
+/// The rest of a clipped segment, in pixels, with its depths.
 struct Segment {
   bool any;
   double x[2], y[2], z[2];
@@ -22,7 +22,7 @@ inline Segment clip_segment(const float a[4], const float b[4]) {
     from[c] = a[c];
     step[c] = static_cast<long double>(b[c]) - a[c];
   }
-  // Rows of factors of X, Y, Z, W: inside is sum + constant >= 0.
+  // Rows of factors of X, Y, Z, W: a point is inside if sum + constant >= 0.
   constexpr long double kGuard = 1048576.0L;
   const long double planes[7][4] = {{0, 0, 0, 1},       {0, 0, 1, 0},      {0, 0, -1, 1},     {1, 0, 0, kGuard},
                                     {-1, 0, 0, kGuard}, {0, 1, 0, kGuard}, {0, -1, 0, kGuard}};
@@ -53,7 +53,8 @@ inline Segment clip_segment(const float a[4], const float b[4]) {
   return s;
 }
 
-/// Where a point lies to the rectangle of a line: how far inside (negative: outside) [pixels], and its place along.
+/// Position of a point relative to the rectangle of a line: distance inside (negative: outside) [pixels], and position
+/// along it.
 struct LinePlace {
   double inside, along;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What painted triangles show, and which pairs of them an order gets wrong: by looking at every sample and every pair.
+// Visible triangles after painting, and pairs in the wrong order, by examining every sample and every pair.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline size_t painted_last(const geometry::ScreenTriangle* triangles, size_t cou
   return kNothing;
 }
 
-/// The nearest triangle at the centre of a pixel; `sign` is -1 where depth falls with the distance.
+/// The nearest triangle at the centre of a pixel; `sign` is -1 if depth decreases with the distance.
 inline size_t nearest(const geometry::ScreenTriangle* triangles, size_t count, int x, int y, double sign = 1.0) {
   size_t found = kNothing;
   double best = 0.0;
@@ -47,9 +47,8 @@ inline Real depth_on(const DepthPlane& p, Real x, Real y) {
   return p.z0 + p.dx * (x - p.x0) + p.dy * (y - p.y0);
 }
 
-/// How much nearer `a` is than `b` at the place of their overlap where it is nearest, beyond what one grid step and
-/// 2^-23 make; -inf if they do not overlap. The corners of the overlap are vertices of one inside the other, and
-/// crossings of edges.
+/// Largest distance by which `a` is nearer than `b` in their overlap, minus one grid step and 2^-23; -inf if they do
+/// not overlap. The corners of the overlap are vertices of one triangle inside the other, and crossings of edges.
 inline double nearer_by(const geometry::ScreenTriangle& a, const geometry::ScreenTriangle& b) {
   const DepthPlane pa = plane_of(a), pb = plane_of(b);
   double found = -HUGE_VAL;

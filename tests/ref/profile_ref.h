@@ -25,7 +25,7 @@ inline Jacobian widened(const Jacobian& j, const shd_sampler_desc& s) {
   return {j.ux * wx, j.vx * wx, j.uy * wy, j.vy * wy};
 }
 
-/// `slack` is added to what is rounded up or down to a number of probes.
+/// `slack` is added to a value before it is rounded up or down to a number of probes.
 inline Line vulkan_line(const Jacobian& j, const shd_sampler_desc& s, double w, double h, double slack) {
   const double x = hypot(j.ux * w, j.vx * h), y = hypot(j.uy * w, j.vy * h),
                cap = static_cast<double>(s.max_anisotropy);
@@ -37,7 +37,7 @@ inline Line vulkan_line(const Jacobian& j, const shd_sampler_desc& s, double w, 
           log2(longer / eta)};
 }
 
-/// The functional specification's own steps.
+/// The steps of the functional specification.
 inline Line d3d11_line(const Jacobian& j, const shd_sampler_desc& s, double w, double h, double slack) {
   double xu = j.ux * w, xv = j.vx * h, yu = j.uy * w, yv = j.vy * h;
   const double cap = static_cast<double>(s.max_anisotropy);
@@ -61,7 +61,7 @@ inline Line d3d11_line(const Jacobian& j, const shd_sampler_desc& s, double w, d
           log2(minor)};
 }
 
-/// Level m - 1 + blend of a filter of a width in units of the texture; log2 of its texels where level 0 is enough.
+/// Level m - 1 + blend of a filter with a width in units of the texture; log2 of its texels where level 0 suffices.
 inline double oiio_lambda(const Image& image, double width, bool one_level) {
   for (int m = 0; m < image.level_count; ++m) {
     const double texels =
@@ -137,7 +137,7 @@ inline Line profile_line(const Image& image, const Jacobian& derivatives, double
   return s.profile == SHD_PROFILE_VULKAN ? vulkan_line(j, s, w, h, slack) : d3d11_line(j, s, w, h, slack);
 }
 
-/// The level of detail between levels, as a profile with 8 bits has it.
+/// The level of detail between levels, rounded as a profile with 8 fractional bits requires.
 inline double profile_lod(const Image& image, double lambda) {
   const double lod = clamp_lod(image, lambda);
   return image.sampler->profile == SHD_PROFILE_OIIO ? lod : floor(lod * 256 + 0.5) / 256;
@@ -151,7 +151,7 @@ inline int profile_level(const Image& image, double lambda) {
   return static_cast<int>(fmax(ceil(lod + 0.5) - 1, 0));
 }
 
-/// Trilinear at a level of detail that is final.
+/// Trilinear lookup at a final level of detail.
 inline double trilinear_at(const Image& image, double u, double v, double lod, int c) {
   const int high = static_cast<int>(floor(lod));
   const int low = high + 1 < image.level_count ? high + 1 : image.level_count - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What models make of their lobes and coefficients, one channel at a time, in long double.
+// Radiance of models from their lobes and coefficients, for a single channel, in long double.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace shd::ref {
 
-/// Values of slots at a row in one channel; 1 where there are none.
+/// Values of slots at a row in one channel; 1 for unset slots.
 struct SlotValues {
-  long double of[SHD_SLOT_COUNT];
-  long double alpha;  // of the diffuse slot
+  long double of[material::kSlotCount];
+  long double alpha;  // alpha of the diffuse slot
 };
 
-/// A sum and the sum of its terms' magnitudes, which its rounding errors go by.
+/// A sum and the sum of its terms' magnitudes, which bounds its rounding errors.
 struct Sum {
   long double value, magnitude;
   void add(long double term) {
@@ -23,7 +23,7 @@ struct Sum {
   }
 };
 
-/// I_a k_a of the model, occluded.
+/// I_a k_a of the model, with occlusion.
 inline long double ambient_of(const material::Material& m, const SlotValues& s, long double ambient, int c) {
   const bool own = m.model != SHD_MODEL_COMBINED;
   const long double occlusion = 1 + m.occlusion_strength * (s.of[SHD_SLOT_OCCLUSION] - 1);
@@ -43,20 +43,20 @@ inline Sum metallic_radiance(const material::Material& m, const SlotValues& s, l
 }
 
 /// L of a row in channel c, with emission and without opacity.
-/// @param lights   how many but ambient ones
+/// @param lights   number of lights except ambient ones
 /// @param ambient  I_a, once or once per light
 inline Sum radiance(const material::Material& m, const SlotValues& s, long double lights, long double ambient,
                     const long double lobe[3], int c) {
   const long double pi = acosl(-1.0L), diffuse = m.diffuse[c] * s.of[SHD_SLOT_DIFFUSE];
   const long double specular = m.specular[c] * s.of[SHD_SLOT_SPECULAR], from_all = ambient_of(m, s, ambient, c);
   Sum sum = {};
-  switch (m.model) {
+  switch (static_cast<uint32_t>(m.model)) {
     case SHD_MODEL_UNLIT: sum.add(diffuse); break;
     case SHD_MODEL_MATCAP: sum.add(diffuse * lobe[0]); break;
-    case SHD_MODEL_SHOW_NORMAL:
-    case SHD_MODEL_SHOW_UV:
-    case SHD_MODEL_SHOW_LEVEL:
-    case SHD_MODEL_SHOW_BARYCENTRICS: sum.add(lobe[0]); break;
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_NORMAL)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_UV)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_LEVEL)):
+    case static_cast<uint32_t>(material::key_of(SHD_DEBUG_VIEW_BARYCENTRICS)): sum.add(lobe[0]); break;
     case SHD_MODEL_GOOCH: {
       const long double warmth = lights > 0 ? lobe[0] / lights : 0.5L;
       sum.add(warmth * (m.warm[c] + m.warm_mix * diffuse));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coverage, depth and perspective-correct interpolation, the slow way: exact integers and 113-bit reals.
+// Coverage, depth and perspective-correct interpolation by direct formulas, with exact integers and 113-bit reals.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ inline Real magnitude(Real x) {
   return x < 0 ? -x : x;
 }
 
-/// Sign of (q - p) x (c - p) with c moved right by e and down by e^2 for an endlessly small e: a centre on a left edge
-/// moves inside, one on a right edge outside; on horizontal edges the step down decides the same way.
+/// Sign of (q - p) x (c - p), with c moved right by e and down by e^2 for an infinitesimal e. A centre on a left edge
+/// moves inside, a centre on a right edge outside; on horizontal edges the step down decides in the same way.
 inline int side(int64_t px, int64_t py, int64_t qx, int64_t qy, int64_t cx, int64_t cy) {
   const Wide cross = Wide{qx - px} * (cy - py) - Wide{qy - py} * (cx - px);
   if (cross != 0) return cross > 0 ? 1 : -1;
@@ -30,7 +30,7 @@ inline int side(int64_t px, int64_t py, int64_t qx, int64_t qy, int64_t cx, int6
   return qx > px ? 1 : -1;
 }
 
-/// True if a sample of pixel (x, y), by default its centre, is inside the triangle, or on a left or top edge; either
+/// Whether a sample of pixel (x, y), by default its centre, is inside the triangle, or on a left or top edge. Any
 /// winding.
 inline bool covers(const geometry::ScreenTriangle& t, int64_t x, int64_t y, int64_t sample_x = 128,
                    int64_t sample_y = 128) {
@@ -42,7 +42,7 @@ inline bool covers(const geometry::ScreenTriangle& t, int64_t x, int64_t y, int6
 /// Depth at a sample of a pixel on the plane through the three vertices, clamped to their range.
 struct Depth {
   double value;
-  double scale;  // |base| + |dx (x - x0)| + |dy (y - y0)|: what rounding errors are proportional to
+  double scale;  // |base| + |dx (x - x0)| + |dy (y - y0)|, to which rounding errors are proportional
 };
 inline Depth depth_at(const geometry::ScreenTriangle& t, int64_t x, int64_t y, int64_t sample_x = 128,
                       int64_t sample_y = 128) {
@@ -96,7 +96,7 @@ inline Weights perspective_weights(const float (*v)[4], double x, double y) {
   return w;
 }
 
-/// The same for any W, by Cramer's rule on b0 V0 + b1 V1 + b2 V2 = s (x, y, 1).
+/// The weights for any W, by Cramer's rule on b0 V0 + b1 V1 + b2 V2 = s (x, y, 1).
 inline Weights homogeneous_weights(const float (*v)[4], double x, double y) {
   Real e[3], e_dx[3], e_dy[3], sum = 0, sum_dx = 0, sum_dy = 0;
   for (int k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ inline Weights homogeneous_weights(const float (*v)[4], double x, double y) {
   return w;
 }
 
-/// A float calculation followed exactly: its true value, and how far rounding may have carried the float result.
+/// A float calculation in exact arithmetic: its true value, and a bound of the rounding error of the float result.
 /// Running error analysis: Higham, "Accuracy and Stability of Numerical Algorithms" (2002), section 3.3.
 struct Bounded {
   Real value;

@@ -31,7 +31,7 @@ inline double ripmap_bilinear(shd_format format, const Ripmap& ripmap, const shd
   return bilinear(image, 0, u, v, c);
 }
 
-/// `lambda_u` and `lambda_v` before bias and clamps.
+/// @param lambda_u,lambda_v  before bias and clamps
 inline double ripmap(shd_format format, const Ripmap& ripmap, const shd_sampler_desc& sampler, double u, double v,
                      double lambda_u, double lambda_v, int c) {
   const double lod_u = axis_lod(sampler, lambda_u, ripmap.columns), lod_v = axis_lod(sampler, lambda_v, ripmap.rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lambert and Blinn-Phong under point and directional lights, the slow way, in long double.
+// Lambert and Blinn-Phong under point and directional lights, by direct formulas in long double.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ inline Vector cross(Vector a, Vector b) {
 inline long double length(Vector a) {
   return sqrtl(dot(a, a));
 }
-/// a / |a|; 0 stays 0.
+/// a / |a|, or 0 for the zero vector.
 inline Vector unit(Vector a) {
   const long double size = length(a);
   return size > 0 ? 1 / size * a : a;
@@ -43,14 +43,14 @@ inline Vector unit(Vector a) {
 /// One light at a point: L = k_d (I / r^2) max(0, n.l) + k_s (I / r^2) max(0, n.h)^p, h = (v + l) / |v + l|.
 struct Term {
   long double diffuse, specular;  // factors of I k_d and I k_s
-  long double falloff;            // 1 / r^2, not above 1e8; 1 for a directional light
+  long double falloff;            // 1 / r^2, at most 1e8; 1 for a directional light
   long double n_dot_l;
   long double half;  // |v + l|
 };
 inline Term light_term(const light::Light& light, Vector p, Vector n, Vector v, float exponent, bool gated) {
   Term t = {0, 0, 1, 0, 0};
   Vector l = vector(light.to_light);
-  if (light.kind == SHD_LIGHT_POINT) {
+  if (light.kind == SHD_LIGHT_KIND_POINT) {
     const Vector way = vector(light.position) - p;
     const long double squared = dot(way, way);
     if (!(squared > 0)) return {0, 0, 0, 0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadow lookups the slow way, from the depths themselves: one point at a time, in double.
+// Shadow lookups by direct formulas from the depths, point by point, in double.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace shd::ref {
 
-/// A point on a map as the header of light/shadow.h has it, with the slopes of its surface.
+/// A point on a map as defined in light/shadow.h, with the slopes of its surface.
 struct ShadowPoint {
   bool inside;
   uint32_t face;
@@ -64,9 +64,9 @@ struct ShadowRef {
     const double sx = has_normal ? slope(dot(axes.right, m)) : 0, sy = has_normal ? slope(dot(axes.down, m)) : 0;
     out.dx = sx * out.texel;
     out.dy = sy * out.texel;
-    const double steepness = has_normal                         ? std::fabs(sx) + std::fabs(sy) + 0.25
-                             : options.filter == SHD_SHADOW_PCF ? options.taps + 1.0
-                                                                : 2.0;
+    const double steepness = has_normal                                ? std::fabs(sx) + std::fabs(sy) + 0.25
+                             : options.filter == SHD_SHADOW_FILTER_PCF ? options.taps + 1.0
+                                                                       : 2.0;
     out.z = z - (static_cast<double>(options.bias) + static_cast<double>(placement.guard) +
                  static_cast<double>(placement.guard_square) * z * z +
                  static_cast<double>(options.bias_slope) * steepness * out.texel);
@@ -108,7 +108,7 @@ struct ShadowRef {
     const double bleed = static_cast<double>(options.bleed);
     return std::min(std::max((v / (v + d * d) - bleed) / (1 - bleed), 0.0), 1.0);
   }
-  /// Adds a texel's depth and its square; empty ones are far.
+  /// Adds a texel's depth and its square; empty texels have the far depth.
   void add_moments(uint32_t face, int x, int y, double weight, double (&sum)[3]) const {
     const double d = std::min(at(face, x, y), static_cast<double>(placement.far));
     sum[0] += weight;
@@ -185,10 +185,10 @@ struct ShadowRef {
   double visibility(const ShadowPoint& p) const {
     if (!p.inside) return 1;
     switch (options.filter) {
-      case SHD_SHADOW_PCF: return pcf(p);
-      case SHD_SHADOW_VARIANCE: return variance(p);
-      case SHD_SHADOW_SUMMED_AREA_VARIANCE: return summed_area(p);
-      case SHD_SHADOW_PCSS: return pcss(p);
+      case SHD_SHADOW_FILTER_PCF: return pcf(p);
+      case SHD_SHADOW_FILTER_VARIANCE: return variance(p);
+      case SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE: return summed_area(p);
+      case SHD_SHADOW_FILTER_PCSS: return pcss(p);
       default: return hard(p);
     }
   }

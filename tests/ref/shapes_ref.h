@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What is known about shapes without cutting them into triangles: areas and volumes by calculus, normals and places by
+/* Properties of shapes without their triangles: areas and volumes by calculus, normals and places by
    equations; and measures of a triangle mesh by sums. */
 #ifndef SHD_TESTS_REF_SHAPES_REF_H
 #define SHD_TESTS_REF_SHAPES_REF_H
@@ -35,7 +35,7 @@ static inline long double shd_ref_shape_volume(const shd_shape_desc* d) {
   }
 }
 
-/* How far p is from the surface, and the gradient of that distance into `normal`. Only spheres and tori. */
+/* Distance of p from the surface, and the gradient of that distance into `normal`. Only spheres and tori. */
 static inline long double shd_ref_shape_distance(const shd_shape_desc* d, const float* p, long double* normal) {
   long double q[3], away = 0, length;
   int c;

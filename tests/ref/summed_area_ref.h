@@ -6,11 +6,11 @@
 
 namespace ref {
 
-/// Level 0 as linear values, and what to do outside.
+/// Level 0 as linear values, and the sampler for the area outside.
 struct Texels {
   const double* values;  // [height][width][4]
   int64_t width, height;
-  int channels;  // beyond these there is no border either
+  int channels;  // other channels have no border either
   const shd_sampler_desc* sampler;
 };
 
@@ -19,7 +19,7 @@ struct Box {
   double x, y, width, height;
 };
 
-/// Length of first..last in every texel of one axis, and in the border at [n].
+/// Length of first..last inside every texel of one axis, and inside the border at [n].
 inline void axis_lengths(shd_wrap wrap, double first, double last, int64_t n, double* lengths) {
   for (int64_t i = 0; i <= n; ++i) lengths[i] = 0;
   for (auto cell = static_cast<int64_t>(floor(first)); static_cast<double>(cell) < last; ++cell) {
@@ -29,7 +29,7 @@ inline void axis_lengths(shd_wrap wrap, double first, double last, int64_t n, do
   }
 }
 
-/// A texel coordinate around which a box of `side` texels has the same texels, small enough for whole indices.
+/// A coordinate in texels, small enough for exact indices, around which a box of `side` texels has the same texels.
 inline double near_coordinate(shd_wrap wrap, double u, double side, int64_t n) {
   const double size = static_cast<double>(n), reach = side + 2 * size + 2;
   return fmin(fmax(whole_period(wrap, isfinite(u) ? u : 0) * size, -reach), reach);
@@ -40,7 +40,7 @@ struct BoxSum {
   double sum[4], area;
 };
 
-/// `lengths_u` and `lengths_v` are room for width + 1 and height + 1 numbers.
+/// @param lengths_u,lengths_v  room for width + 1 and height + 1 numbers
 inline void add_box(const Texels& t, const Box& box, double* lengths_u, double* lengths_v, BoxSum* out) {
   const shd_sampler_desc& s = *t.sampler;
   axis_lengths(s.wrap_u, box.x - box.width / 2, box.x + box.width / 2, t.width, lengths_u);
@@ -77,20 +77,20 @@ inline Jacobian box_sides(const Jacobian& given, const shd_sampler_desc& s, doub
   return {out.ux * scale, out.vx * scale, out.uy * scale, out.vy * scale};
 }
 
-/// A side of a box within what the sampler allows.
+/// The side of a box, clamped to the sampler's range.
 inline double limited_side(const shd_sampler_desc& s, double side) {
   const double low = static_cast<double>(s.lod_min), high = fmax(low, static_cast<double>(s.lod_max));
   return fmin(fmax(side, exp2(fmin(low, 22))), exp2(fmin(high, 22)));
 }
 
-/// Box k of `count` along the first side, around the point.
+/// Box k of `count` along the first side, relative to the point.
 inline Box box_part(const Jacobian& j, const shd_sampler_desc& s, int k, int count) {
   const double t = (2.0 * k + 1 - count) / (2.0 * count);
   return {t * j.ux, t * j.vx, limited_side(s, fabs(j.ux) / count + fabs(j.uy)),
           limited_side(s, fabs(j.vx) / count + fabs(j.vy))};
 }
 
-/// In how many parts the first side, the longer one, is cut.
+/// Number of parts, before rounding, into which the first and longer side is divided.
 inline double box_ratio(const Jacobian& j) {
   return hypot(j.ux, j.vx) / fmax(hypot(j.uy, j.vy), 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals that maps and heights turn, the slow way, in long double.
+// Normals turned by maps and heights, by direct formulas in long double.
 #pragma once
 
 #include "material/material.h"
@@ -7,7 +7,7 @@
 
 namespace shd::ref {
 
-/// A normal in tangent space, and the variance of slopes that its texel lost.
+/// A normal in tangent space, and the variance of slopes removed by filtering its texel.
 struct MappedNormal {
   Vector m;
   long double variance;
@@ -17,15 +17,15 @@ inline MappedNormal decode(const material::Material& material, const long double
   const long double s = material.normal_scale[0], r = material.normal_scale[1], x = 2 * t[0] - 1, y = 2 * t[1] - 1,
                     z = 2 * t[2] - 1;
   switch (material.normal_encoding) {
-    case SHD_NORMAL_XY: {
+    case SHD_NORMAL_ENCODING_XY: {
       const long double rest = 1 - x * x - y * y;
       return {{s * x, r * y, rest > 0 ? sqrtl(rest) : 0}, 0};
     }
-    case SHD_NORMAL_TOKSVIG: {
+    case SHD_NORMAL_ENCODING_TOKSVIG: {
       const long double length = t[3] < 0.01L ? 0.01L : t[3];
       return {{s * x, r * y, z}, length < 1 ? s * s * (1 - length) / length : 0};
     }
-    case SHD_NORMAL_MOMENTS: {
+    case SHD_NORMAL_ENCODING_MOMENTS: {
       const long double spread = t[2] + t[3] - t[0] * t[0] - t[1] * t[1];
       return {{s * t[0], r * t[1], 1}, spread > 0 ? 0.5L * s * s * spread : 0};
     }
@@ -33,12 +33,12 @@ inline MappedNormal decode(const material::Material& material, const long double
   }
 }
 
-/// m through t, w (n x t) and n, of the length that it has.
+/// m in the basis t, w (n x t), n; the length of m is kept.
 inline Vector from_tangent_space(Vector n, Vector t, long double side, Vector m) {
   return m.x * t + (side * m.y) * cross(n, t) + m.z * n;
 }
 
-/// n - grad h on a surface with these derivatives of its points and of h.
+/// n - grad h on a surface with the given derivatives of its points and of h.
 inline Vector bumped(Vector n, Vector dpdu, Vector dpdv, long double dhdu, long double dhdv) {
   const long double area = dot(n, cross(dpdu, dpdv));
   return n - (1 / area) * (dhdu * cross(dpdv, n) + dhdv * cross(n, dpdu));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tangents by the rules of Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), the slow way: every corner
-   asks every other. Double throughout, angles by atan2. */
+/* Brute-force tangents by the rules of Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008): every corner
+   visits every other corner. All arithmetic in double, angles by atan2. */
 #ifndef SHD_TESTS_REF_TANGENT_REF_H
 #define SHD_TESTS_REF_TANGENT_REF_H
 
@@ -11,17 +11,17 @@
 
 #define SHD_REF_NO_CORNER ((size_t)-1)
 
-/* Rows of position, normal, uv; index triples; and one entry of the rest for each corner. */
+/* Rows of position, normal, uv; index triples; the other arrays have one entry for each corner. */
 typedef struct shd_ref_tangents {
   const float (*vertex)[8];
   const uint32_t* indices;
   size_t corner_count;
-  size_t* group;        /* smallest corner of the group, SHD_REF_NO_CORNER without */
+  size_t* group;        /* smallest corner of the group; SHD_REF_NO_CORNER if there is none */
   size_t* forward;      /* the corner across the edge to the next corner */
-  size_t* backward;     /* across the edge from the previous one */
-  int* sign;            /* of the corner's triangle: +1, -1, 0 = no uv area, 2 = left out; set to the group's if 0 */
-  int* has_area;        /* sign was not 0 */
-  double (*tangent)[4]; /* unit, with handedness; the fallback where there is none */
+  size_t* backward;     /* the corner across the edge from the previous corner */
+  int* sign;            /* sign of the triangle: +1, -1, 0 = no uv area (then the sign of the group), 2 = left out */
+  int* has_area;        /* whether the sign was not 0 */
+  double (*tangent)[4]; /* unit, with handedness; the fallback if there is no tangent */
   double* strength;     /* length of the sum / sum of lengths; 0 for the fallback */
 } shd_ref_tangents;
 
@@ -47,7 +47,7 @@ static inline size_t shd_ref_previous(size_t corner) {
   return corner / 3 * 3 + (corner + 2) % 3;
 }
 
-/* Positions, normals and uv of two corners are equal. */
+/* Whether positions, normals and uv of two corners are equal. */
 static inline int shd_ref_same(const shd_ref_tangents* m, size_t a, size_t b) {
   int i;
   for (i = 0; i < 8; ++i) {
@@ -77,7 +77,7 @@ static inline int shd_ref_along_u(const shd_ref_tangents* m, size_t triangle, do
   return area > 0 ? 1 : -1;
 }
 
-/* How many triangles before `corner`'s run along the edge from `corner` to the next one in the same direction. */
+/* Number of triangles before `corner`'s that run along the edge from `corner` to the next one in the same direction. */
 static inline size_t shd_ref_rank(const shd_ref_tangents* m, size_t corner) {
   size_t rank = 0, c;
   for (c = 0; c < corner / 3 * 3; ++c) {
@@ -124,7 +124,7 @@ static inline double shd_ref_contribution(const shd_ref_tangents* m, size_t corn
   return sqrt(shd_ref_dot3(out, out));
 }
 
-/* Corner joins the group if the signs allow it. */
+/* Adds the corner to the group if the signs allow it. Returns whether it was added. */
 static inline int shd_ref_join(shd_ref_tangents* m, size_t corner, size_t group, int sign) {
   size_t c;
   if (corner == SHD_REF_NO_CORNER || m->group[corner] != SHD_REF_NO_CORNER) return 0;
@@ -164,7 +164,7 @@ static inline void shd_ref_group(shd_ref_tangents* m) {
   }
 }
 
-/* The x axis, or y where the normal is near x, in the plane of the normal. */
+/* The x axis, or y if the normal is near x, projected into the plane of the normal. */
 static inline void shd_ref_fallback(const float* n, double* out) {
   const int axis = fabs((double)n[0]) > 0.9;
   int i;
@@ -180,7 +180,7 @@ static inline void shd_ref_tangents_of(shd_ref_tangents* m) {
   for (c = 0; c < m->corner_count; ++c) {
     double sum[3] = {0, 0, 0}, lengths = 0;
     size_t group = m->group[c];
-    for (d = 0; d < m->corner_count; ++d) { /* the first at the vertex for those without */
+    for (d = 0; d < m->corner_count; ++d) { /* corners without a group use the first one at their vertex */
       if (m->group[c] != SHD_REF_NO_CORNER) break;
       if (m->group[d] < group && shd_ref_same(m, c, d)) group = m->group[d];
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texture lookup in doubles, one obvious step at a time: the oracle of the texture kernels.
+// Texture lookup in doubles, in single obvious steps: the oracle of the texture kernels.
 #pragma once
 
 #include <math.h>
@@ -32,7 +32,7 @@ inline double half_value(uint16_t half) {
   return sign * (exponent == 0 ? ldexp(mantissa, -24) : ldexp(1024 + mantissa, exponent - 25));
 }
 
-/// Channels of a stored format, and bytes of one of them.
+/// Number of channels of a stored format, and size of a channel in bytes.
 struct Layout {
   int channels, size;
   enum { kUnorm8, kSrgb8, kUnorm16, kFloat16, kFloat32 } component;
@@ -57,7 +57,7 @@ inline Layout layout(shd_format format) {
   }
 }
 
-/// What a channel that the format lacks reads, by default.
+/// Default value of a channel that the format lacks.
 inline double missing(int c) {
   return c == 3 ? 1 : 0;
 }
@@ -81,7 +81,7 @@ inline int64_t modulo(int64_t i, int64_t n) {
   return (i % n + n) % n;
 }
 
-/// Vulkan 1.3 specification, "Wrapping Operation"; -1 stands for the border.
+/// Vulkan 1.3 specification, "Wrapping Operation"; -1 means the border.
 inline int64_t wrap_index(shd_wrap wrap, int64_t i, int64_t n) {
   const auto mirror = [](int64_t x) { return x >= 0 ? x : -(1 + x); };
   switch (wrap) {
@@ -93,8 +93,8 @@ inline int64_t wrap_index(shd_wrap wrap, int64_t i, int64_t n) {
   }
 }
 
-/// A coordinate with the same texels as u, small enough for exact doubles: 2 is a period of repeat and mirror, and
-/// beyond [-2, 3] the others do not change.
+/// A coordinate with the same texels as u, small enough for exact doubles. 2 is a period of repeat and mirror; the
+/// other modes are constant beyond [-2, 3].
 inline double reduce(shd_wrap wrap, double u) {
   if (!isfinite(u)) return 0;
   if (wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR) return fmod(u, 2);
@@ -117,7 +117,7 @@ inline double texel(const Image& image, int level, int64_t i, int64_t j, int c) 
   return decode(image.format, l.texels + (y * l.width + x) * size, c);
 }
 
-/// A texel of weight 0 does not count, whatever it is.
+/// A texel of weight 0 is ignored, whatever its value.
 inline double mix(double a, double b, double s) {
   if (s == 0) return a;
   if (s == 1) return b;
@@ -182,7 +182,7 @@ inline double cubic_weight(shd_cubic cubic, double x) {
   }
 }
 
-/// The 4 x 4 texels of level 0 around (u, v); one of weight 0 does not count.
+/// The 4 x 4 texels of level 0 around (u, v); a texel of weight 0 is ignored.
 inline double bicubic(const Image& image, double u, double v, int c) {
   const Level& l = image.levels[0];
   const double x = reduce(image.sampler->wrap_u, u) * static_cast<double>(l.width) - 0.5;
@@ -203,7 +203,7 @@ inline double nearest(const Image& image, double u, double v, double du, double 
   return nearest_on(image, 0, u, v, du, dv, c);
 }
 
-/// Length of the part of texel i of n that texel j of m covers, both spanning [0, n m].
+/// Length of the part of texel i of n that is covered by texel j of m, where both rows span [0, n m].
 inline double overlap(int64_t i, int64_t n, int64_t j, int64_t m) {
   const int64_t begin = i * m > j * n ? i * m : j * n;
   const int64_t end = (i + 1) * m < (j + 1) * n ? (i + 1) * m : (j + 1) * n;

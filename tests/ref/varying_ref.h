@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Oracle of varyings: the blend of three vertices at a place on the screen, in double. */
+/* Oracle of varyings: interpolation between three vertices at a position on the screen, in double. */
 #ifndef SHD_TESTS_REF_VARYING_REF_H
 #define SHD_TESTS_REF_VARYING_REF_H
 
 #include <shd/vertices.h>
 
-/** Weights from the doubled areas e of the three sub-triangles, kept inside the triangle. */
+/** Weights from twice the areas e of the three sub-triangles, clamped to the triangle. */
 static inline void shd_ref_normalise(const double e[3], double b[3]) {
   const double sum = e[0] + e[1] + e[2];
   b[1] = e[1] / sum < 0 ? 0 : e[1] / sum > 1 ? 1 : e[1] / sum;
@@ -14,8 +14,8 @@ static inline void shd_ref_normalise(const double e[3], double b[3]) {
 }
 
 /** Weights of three vertices v, [3][4] raster X, Y, Z, W, at raster position (x, y). Linear on the triangle: by areas
-   of the vertices moved so that (x, y) is the origin. Linear on the screen: by areas between (X / W, Y / W), where
-   there are such places. */
+    of the vertices translated so that (x, y) is the origin. Linear on the screen: by areas between (X / W, Y / W), if
+    all three exist. */
 static inline void shd_ref_weights(const double* v, double x, double y, shd_interpolation mode, double b[3]) {
   int on_screen = mode == SHD_INTERPOLATION_AFFINE, k;
   double p[3][2], e[3];
@@ -32,7 +32,7 @@ static inline void shd_ref_weights(const double* v, double x, double y, shd_inte
   shd_ref_normalise(e, b);
 }
 
-/** The value between a[0], a[1] and a[2]. */
+/** The interpolated value of a[0], a[1] and a[2]. */
 static inline double shd_ref_varying(const double* v, const float a[3], double x, double y, shd_interpolation mode) {
   double b[3];
   if (mode == SHD_INTERPOLATION_FLAT) return (double)a[0];

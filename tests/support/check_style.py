@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """House rules that a compiler does not see, over the tracked sources of the tree.
 
-    check_style.py includes|third_party|arithmetic|spdx [--root DIR]
+    check_style.py includes|third_party|arithmetic|spdx|prose|abi_names|abi_structs [--root DIR]
 
 Each check prints file:line and what is wrong, and exits 1 if anything is.
 """
@@ -11,7 +11,10 @@ import pathlib
 import re
 import sys
 
-# The data flow. An include may point to the same stage or to one before it; abi sees all.
+sys.dont_write_bytecode = True
+import prose
+
+# The data flow. An include may point to the same stage or to one before it; abi may include all.
 STAGES = ["core", "data", "shapes", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
           "frame", "extension", "color", "io", "scene", "abi", "tool"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
@@ -90,11 +93,97 @@ def check_spdx(root):
             yield f"{path}: no SPDX-License-Identifier in the first three lines"
 
 
+C_COMMENT = re.compile(r"/\*.*?\*/", re.S)
+ENUM = re.compile(r"\benum\s*(\w*)\s*\{([^}]*)\}\s*(\w*)\s*;", re.S)
+PUBLIC_STRUCT = re.compile(r"(/\*\*(?:(?!\*/).)*\*/\s*)typedef struct (\w+) \{(.*?)\n\} \2;", re.S)
+# Results are the words that every program writes: SHD_OK and SHD_ERROR_<VALUE>.
+RESULT = "shd_result"
+FLAG_SUFFIXES = ("_flag", "_target")
+
+
+def public_headers(root):
+    for path in sources(root, ["include"], {".h"}):
+        yield path, (root / path).read_text(encoding="utf-8")
+
+
+def check_enum(path, name, body, text):
+    """Constants of one enum: SHD_<NOUN>_<VALUE> with explicit values, and a MAX_ENUM at the end."""
+    noun = next((name[:-len(s)] for s in FLAG_SUFFIXES if name.endswith(s)), name)
+    constants = [c.strip() for c in body.split(",") if c.strip()]
+    names = [c.split("=")[0].strip() for c in constants]
+    for constant in names:
+        is_result = name == RESULT and (constant == "SHD_OK" or constant.startswith("SHD_ERROR_"))
+        if not constant.startswith(f"{noun.upper()}_") and not is_result:
+            yield f"{path}: {constant} of {name} does not begin with {noun.upper()}_"
+    for constant in constants:
+        if "=" not in constant:
+            yield f"{path}: {constant} of {name} has no value"
+    if names[-1] != f"{name.upper()}_MAX_ENUM":
+        yield f"{path}: {name} does not end with {name.upper()}_MAX_ENUM"
+    if name.endswith("_flag") and f"typedef uint32_t {name}s;" not in text:
+        yield f"{path}: no typedef uint32_t {name}s"
+
+
+def check_abi_names(root):
+    """Constants of the public headers bear the names of their enums, and words of flags have a type of their own."""
+    owners = {}
+    for path, text in public_headers(root):
+        code = C_COMMENT.sub("", text)
+        for tag, body, name in ENUM.findall(code):
+            if not name or tag != name:
+                yield f"{path}: an enum without a name"
+                continue
+            yield from check_enum(path, name, body, code)
+            for constant in re.findall(r"\bSHD_\w+(?=\s*=)", body):
+                if owners.setdefault(constant, name) != name:
+                    yield f"{path}: {constant} belongs to {owners[constant]} and {name}"
+        for number, line in numbered_lines(root, path):
+            if re.search(r"^\s+uint32_t \w+;.*\bshd_\w+ bits", line):
+                yield f"{path}:{number}: a word of flags that is not of a type shd_<noun>_flags"
+
+
+def check_struct(path, comment, name, body, text):
+    """One public struct: sized with defaults, or frozen and says so."""
+    fields = [" ".join(f.split()) for f in C_COMMENT.sub("", body).split(";") if f.strip()]
+    is_sized = fields[0] == "uint32_t struct_size"
+    says_so = re.search(r"\b(Frozen|Grows with)\b", comment)
+    if is_sized == bool(says_so):
+        yield f"{path}: {name} has " + ("struct_size, but is called frozen" if is_sized else "no struct_size, but is not called frozen")
+    if is_sized and "/* ---- end of 0.1; append below ---- */" not in body:
+        yield f"{path}: {name} does not mark where fields are appended"
+    is_callback = "size of the library's struct" in body
+    if is_sized and not is_callback and f"static inline {name} {name}_default(" not in text:
+        yield f"{path}: no {name}_default()"
+    for field in fields:
+        if re.search(r"\breserved\w*$", field):
+            yield f"{path}: {name}.{field.split()[-1]}"
+
+
+def check_abi_structs(root):
+    """Public structs grow or are frozen, none keeps a place free, and none goes by value but out of inline functions."""
+    texts = list(public_headers(root))
+    structs = {m.group(2) for _, text in texts for m in PUBLIC_STRUCT.finditer(text)}
+    for path, text in texts:
+        code = C_COMMENT.sub("", text)
+        for match in re.finditer(r"typedef struct (\w+) \{", code):
+            if match.group(1) not in structs:
+                yield f"{path}: {match.group(1)} has no comment"
+        for match in PUBLIC_STRUCT.finditer(text):
+            yield from check_struct(path, *match.groups(), text)
+        for declaration in re.findall(r"SHD_API\b([^;]*);", code):
+            for name in re.findall(r"\b(shd_\w+)\b(?! *\*| *const *\*)", declaration):
+                if name in structs:
+                    yield f"{path}: {name} by value: {' '.join(declaration.split())}"
+
+
 CHECKS = {
+    "abi_names": check_abi_names,
+    "abi_structs": check_abi_structs,
     "includes": check_includes,
     "third_party": check_third_party,
     "arithmetic": check_arithmetic,
     "spdx": check_spdx,
+    "prose": prose.check,
 }
 
 

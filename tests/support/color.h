@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the colour tests share: images, framebuffers with given pixels, reference curves. */
+/* Common code of the colour tests: images, framebuffers with given pixels, reference curves. */
 #ifndef SHD_TESTS_SUPPORT_COLOR_H
 #define SHD_TESTS_SUPPORT_COLOR_H
 
@@ -53,7 +53,7 @@ static inline shd_framebuffer *shd_test_framebuffer(shd_context *context, uint32
     desc.height = height;
     shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
     for (c = 0; c < 4; ++c) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         shd_assert_ok(shd_framebuffer_view_plane(framebuffer, (shd_plane)(SHD_PLANE_R + (int)c), &view));
         for (y = 0; y < height; ++y) {
             float *row = (float *)((uintptr_t)view.f32 + y * view.row_stride);
@@ -63,7 +63,7 @@ static inline shd_framebuffer *shd_test_framebuffer(shd_context *context, uint32
     return framebuffer;
 }
 
-/** Scattered values in 0..2, the same for the same index. */
+/** Scattered values in 0..2, a function of the index. */
 static inline float shd_test_value(size_t i) { return (float)((i * 2654435761u >> 7) % 4099u) / 2048.0f; }
 
 /** Value of a binary16. */

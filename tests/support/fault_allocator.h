@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An allocator that counts, that fails when told to, and that checks what comes back. For one thread: give the
-   context worker_count 1. */
+/* An allocator that counts, fails on request, and checks what is freed. For one thread only: the context must have
+   worker_count 1. */
 #ifndef SHD_TESTS_SUPPORT_FAULT_ALLOCATOR_H
 #define SHD_TESTS_SUPPORT_FAULT_ALLOCATOR_H
 
@@ -10,18 +10,18 @@
 
 #include <shd/context.h>
 
-/** Counts since it was zeroed, and when to fail. */
+/** Counts since it was zeroed, and the point of failure. */
 typedef struct shd_fault_allocator {
-    size_t calls;   /* allocations asked for since the last shd_fault_arm */
-    size_t fail_at; /* 1 = the next one fails; 0 = none does */
-    int persistent; /* every one after that fails too */
+    size_t calls;   /* allocations requested since the last shd_fault_arm */
+    size_t fail_at; /* 1 = the next one fails; 0 = none fails */
+    int persistent; /* all later ones fail too */
     size_t live_bytes;
     size_t live_blocks;
     size_t peak_bytes;
     size_t mistakes; /* frees of foreign memory, or with another size or alignment */
 } shd_fault_allocator;
 
-/** What stands before every block. */
+/** Header in front of every block. */
 typedef struct shd_fault_header {
     void *raw;
     size_t size, alignment;
@@ -50,7 +50,7 @@ static inline void *shd_fault_allocate(void *user_data, size_t size, size_t alig
     header.alignment = alignment;
     header.magic = SHD_FAULT_MAGIC;
     memcpy(block - sizeof header, &header, sizeof header);
-    memset(block, 0xcd, size); /* whoever reads before writing sees it */
+    memset(block, 0xcd, size); /* makes reads before the first write visible */
     self->live_bytes += size;
     ++self->live_blocks;
     if (self->live_bytes > self->peak_bytes) self->peak_bytes = self->live_bytes;
@@ -72,7 +72,7 @@ static inline void shd_fault_free(void *user_data, void *memory, size_t size, si
     free(header.raw);
 }
 
-/** Fail the n-th allocation from now on, 1 = the next; 0 = none. */
+/** Makes the n-th allocation from now on fail, 1 = the next; 0 = none. */
 static inline void shd_fault_arm(shd_fault_allocator *self, size_t n, int persistent)
 {
     self->calls = 0;
@@ -80,7 +80,7 @@ static inline void shd_fault_arm(shd_fault_allocator *self, size_t n, int persis
     self->persistent = persistent;
 }
 
-/** Options of a single-threaded context that takes its memory from `self`. */
+/** Options of a single-threaded context that allocates its memory from `self`. */
 static inline shd_context_desc shd_fault_context_desc(shd_fault_allocator *self)
 {
     shd_context_desc desc = shd_context_desc_default();
@@ -91,7 +91,7 @@ static inline shd_context_desc shd_fault_context_desc(shd_fault_allocator *self)
     return desc;
 }
 
-/** Fails unless everything came back as it was handed out. */
+/** Fails unless all memory was freed correctly. */
 static inline void shd_assert_all_freed(const char *what, const shd_fault_allocator *self)
 {
     if (self->live_bytes || self->live_blocks || self->mistakes) {

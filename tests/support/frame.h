@@ -12,7 +12,7 @@
 
 enum { SHD_FRAME_DRAWS = 4, SHD_FRAME_LIGHTS = 4, SHD_FRAME_PLANES = SHD_PLANE_TARGET3_A + 1 };
 
-/** What a test renders. shd_frame_render fills `plane`, and `u32` for planes of integers; absent ones are NULL. */
+/** The frame of a test. shd_frame_render fills `plane`, and `u32` for integer planes; absent planes are NULL. */
 typedef struct shd_frame {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -40,7 +40,7 @@ static inline void shd_frame_open_aovs(shd_frame *f, uint32_t width, uint32_t he
     desc.aovs = aovs;
     shd_assert_ok(shd_framebuffer_create(f->context, &desc, &f->framebuffer));
     for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         void *memory;
         if (shd_framebuffer_view_plane(f->framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
         memory = malloc((size_t)width * height * 4);
@@ -56,6 +56,7 @@ static inline void shd_frame_open_aovs(shd_frame *f, uint32_t width, uint32_t he
     f->desc.framebuffer = f->framebuffer;
     f->desc.draws = f->draw;
     f->desc.lights = (const shd_light *const *)f->light;
+    f->stats = shd_render_stats_default();
     f->desc.stats = &f->stats;
 }
 
@@ -82,7 +83,7 @@ static inline void shd_frame_close(shd_frame *f)
 }
 
 /**
- * Add a draw of `count` vertices, in records of eight floats: position, normal, uv; every three are a triangle.
+ * Adds a draw of `count` vertices, in records of eight floats: position, normal, uv; every three form a triangle.
  */
 static inline shd_draw *shd_frame_draw(shd_frame *f, const float *vertices, uint32_t count,
                                        const shd_material_desc *material)
@@ -93,8 +94,7 @@ static inline shd_draw *shd_frame_draw(shd_frame *f, const float *vertices, uint
     desc.vertex_count = count;
     for (c = 0; c < 8; ++c) {
         shd_f32_in *column = c < 3 ? &desc.position[c] : c < 6 ? &desc.normal[c - 3] : &desc.uv[c - 6];
-        column->data = vertices + c;
-        column->stride = 8 * sizeof(float);
+        *column = shd_f32_column(vertices + c, 8 * sizeof(float));
     }
     shd_assert_ok(shd_mesh_create(f->context, &desc, &f->mesh[which]));
     shd_assert_ok(shd_material_create(f->context, material, &f->material[which]));
@@ -110,7 +110,7 @@ static inline void shd_frame_light(shd_frame *f, const shd_light_desc *desc)
     ++f->desc.light_count;
 }
 
-/** Render and read every plane there is. */
+/** Renders, and reads all planes. */
 static inline void shd_frame_render(shd_frame *f)
 {
     int plane;
@@ -118,8 +118,8 @@ static inline void shd_frame_render(shd_frame *f)
     for (plane = 0; plane < SHD_FRAME_PLANES; ++plane) {
         const shd_f32_out floats = {f->plane[plane], 0};
         const shd_u32_out integers = {f->u32[plane], 0};
-        if (floats.data) shd_assert_ok(shd_framebuffer_read_plane(f->framebuffer, (shd_plane)plane, floats));
-        if (integers.data) shd_assert_ok(shd_framebuffer_read_u32_plane(f->framebuffer, (shd_plane)plane, integers));
+        if (floats.data) shd_assert_ok(shd_framebuffer_read_plane(f->framebuffer, (shd_plane)plane, &floats));
+        if (integers.data) shd_assert_ok(shd_framebuffer_read_u32_plane(f->framebuffer, (shd_plane)plane, &integers));
     }
 }
 
@@ -136,7 +136,7 @@ static inline void shd_frame_quad(float x0, float y0, float x1, float y1, float 
     for (i = 0; i < 6; ++i) memcpy(out + 8 * i, corner[k_order[i]], sizeof corner[0]);
 }
 
-/** A material that shines by itself, given an ambient light of 1. */
+/** A material that emits its colour, given an ambient light of 1. */
 static inline shd_material_desc shd_frame_plain(float r, float g, float b)
 {
     shd_material_desc desc = shd_material_desc_default();
@@ -149,7 +149,7 @@ static inline shd_material_desc shd_frame_plain(float r, float g, float b)
 static inline void shd_frame_ambient(shd_frame *f)
 {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = SHD_LIGHT_AMBIENT;
+    desc.kind = SHD_LIGHT_KIND_AMBIENT;
     shd_frame_light(f, &desc);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every type of handle behind one signature, for tests that run one script over all of them. A new type is a row
-   of k_types. Call open_rest before using any, close_rest at the end. */
+/* All types of handle behind one signature, for tests that run one script over all of them. A new type is a row of
+   k_types. Call open_rest before using any row, and close_rest at the end. */
 #ifndef SHD_TESTS_SUPPORT_HANDLE_TYPES_H
 #define SHD_TESTS_SUPPORT_HANDLE_TYPES_H
 
@@ -8,7 +8,7 @@
 
 #include <shd/shd.h>
 
-/* What a handle needs beside it to be used: of another context, since objects may come from any. */
+/* Other objects that the use of a handle needs. They belong to another context, because any context is allowed. */
 static struct {
     shd_context *context;
     shd_framebuffer *framebuffer;
@@ -18,7 +18,7 @@ static struct {
     shd_light *light;
 } g_rest;
 
-/* The types behind one signature. `use` hands the handle to a call that must refuse a bad one. */
+/* The types behind one signature. `use` passes the handle to a call that must refuse a bad one. */
 struct type_row {
     const char *name;
     const char *type;
@@ -54,7 +54,7 @@ static void retain_mesh(void *handle) { shd_mesh_retain((shd_mesh *)handle); }
 static void release_mesh(void *handle) { shd_mesh_release((shd_mesh *)handle); }
 static shd_result use_mesh(void *handle)
 {
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     return shd_mesh_get_info((const shd_mesh *)handle, &info);
 }
 
@@ -114,7 +114,7 @@ static void retain_framebuffer(void *handle) { shd_framebuffer_retain((shd_frame
 static void release_framebuffer(void *handle) { shd_framebuffer_release((shd_framebuffer *)handle); }
 static shd_result use_framebuffer(void *handle)
 {
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     return shd_framebuffer_get_info((const shd_framebuffer *)handle, &info);
 }
 
@@ -137,7 +137,7 @@ static void retain_texture(void *handle) { shd_texture_retain((shd_texture *)han
 static void release_texture(void *handle) { shd_texture_release((shd_texture *)handle); }
 static shd_result use_texture(void *handle)
 {
-    shd_texture_info info;
+    shd_texture_info info = shd_texture_info_default();
     return shd_texture_get_info((const shd_texture *)handle, &info);
 }
 
@@ -191,9 +191,9 @@ static shd_result create_textured_material(shd_context *context, void **out)
     shd_result result = create_texture(context, &texture);
     if (result == SHD_OK) result = create_sampler(context, &sampler);
     if (result == SHD_OK) {
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = (shd_texture *)texture;
-        desc.slot[SHD_SLOT_DIFFUSE].sampler = (shd_sampler *)sampler;
+        const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, (shd_texture *)texture, (shd_sampler *)sampler);
+        desc.slots = &slot;
+        desc.slot_count = 1;
         result = shd_material_create(context, &desc, &material);
     } else {
         assert_null(sampler);

@@ -50,7 +50,7 @@ static inline io_bytes io_copy(const void *data, size_t size)
     return bytes;
 }
 
-/** The file that shd_image_save makes of a 5 x 4 pattern, unless it is there already; empty if that fails. */
+/** The file that shd_image_save writes for a 5 x 4 pattern, unless it exists already; empty if saving fails. */
 static inline io_bytes io_make_saved(shd_format format, const char *name)
 {
     static unsigned char pixels[5 * 4 * 16];

@@ -12,7 +12,7 @@
 
 #include <shd/io.h>
 
-/** Bytes of a file; free() them. */
+/** Bytes of a file; the caller must free() them. */
 typedef struct io_bytes {
     unsigned char *data;
     size_t size;
@@ -29,7 +29,7 @@ static inline int io_make_folder(void **state)
     return mkdtemp(g_folder) ? 0 : -1;
 }
 
-/** Number of entries of the folder whose name starts with `prefix`; removes them if asked. */
+/** Number of entries of the folder whose name starts with `prefix`; removes them if remove_them. */
 static inline int io_count_files(const char *prefix, int remove_them)
 {
     DIR *folder = opendir(g_folder);
@@ -48,7 +48,7 @@ static inline int io_count_files(const char *prefix, int remove_them)
     return count;
 }
 
-/** Group teardown: removes the folder and what is in it. */
+/** Group teardown: removes the folder and its contents. */
 static inline int io_remove_folder(void **state)
 {
     (void)state;
@@ -56,7 +56,7 @@ static inline int io_remove_folder(void **state)
     return rmdir(g_folder);
 }
 
-/** Path of a name in the folder; one of eight buffers in turn. */
+/** Path of a name in the folder, in one of eight buffers that are reused in turn. */
 static inline const char *io_path(const char *name)
 {
     static char paths[8][600];
@@ -98,10 +98,10 @@ static inline uint64_t io_random(uint64_t *state)
     return *state;
 }
 
-/** Hash of what a bitmap holds. */
+/** Hash of the contents of a bitmap. */
 static inline uint64_t io_hash_bitmap(const shd_bitmap *bitmap)
 {
-    shd_image image;
+    shd_image image = shd_image_default();
     uint64_t hash = SHD_HASH_START;
     if (shd_bitmap_image(bitmap, &image) != SHD_OK) return 0;
     hash = shd_hash(hash, &image.format, sizeof image.format);

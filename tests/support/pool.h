@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A host job system on POSIX threads with odd orders, for shd_executor. Every call starts its own threads: slow, but
-   it owns nothing, and any thread may call it. Define _POSIX_C_SOURCE 200809L before the first include. */
+/* A host job system on POSIX threads with unusual task orders, for shd_executor. Every call starts its own threads:
+   this is slow, but owns nothing, and any thread may call it. Define _POSIX_C_SOURCE 200809L before the first
+   include. */
 #ifndef SHD_TESTS_SUPPORT_POOL_H
 #define SHD_TESTS_SUPPORT_POOL_H
 
@@ -9,7 +10,7 @@
 
 #include <shd/context.h>
 
-/** The order in which tasks are handed out. */
+/** The order in which tasks are started. */
 typedef enum shd_pool_order { SHD_POOL_FORWARD = 0, SHD_POOL_REVERSE = 1, SHD_POOL_RANDOM = 2 } shd_pool_order;
 
 /** Settings, constant while a context uses them. */
@@ -19,7 +20,7 @@ typedef struct shd_pool {
     uint32_t seed;
 } shd_pool;
 
-/** One parallel_for in flight. */
+/** One running parallel_for. */
 typedef struct shd_pool_job {
     pthread_mutex_t mutex;
     uint32_t next, count;
@@ -28,7 +29,7 @@ typedef struct shd_pool_job {
     void *task_data;
 } shd_pool_job;
 
-/** One thread of it. */
+/** One thread of a job. */
 typedef struct shd_pool_worker {
     shd_pool_job *job;
     uint32_t index;

@@ -7,7 +7,7 @@
 namespace shd::tests
 {
 
-/// Deterministic numbers: the same on every machine. Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
+/// Deterministic random numbers, equal on every machine. Steele, Lea and Flood, "Fast Splittable Pseudorandom Number
 /// Generators" (2014), the mix of SplitMix64.
 struct Random {
     uint64_t state;
@@ -19,17 +19,17 @@ struct Random {
         z = (z ^ z >> 27) * 0x94d049bb133111ebull;
         return z ^ z >> 31;
     }
-    /// In [0, 1).
+    /// Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-    /// In [low, high).
+    /// Uniform in [low, high).
     double in(double low, double high) { return low + (high - low) * unit(); }
     float real(double low, double high) { return static_cast<float>(in(low, high)); }
-    /// In low..high, both included.
+    /// Uniform in low..high, both included.
     int32_t whole(int64_t low, int64_t high)
     {
         return static_cast<int32_t>(low + static_cast<int64_t>(bits() % static_cast<uint64_t>(high - low + 1)));
     }
-    /// Magnitudes spread evenly over powers of two in [2^low, 2^high), either sign.
+    /// Magnitudes uniform over the powers of two in [2^low, 2^high), either sign.
     float scaled(double low, double high)
     {
         const double magnitude = std::exp2(in(low, high));

@@ -12,7 +12,7 @@ enum { MAX_CASES = 200 };
 static struct CMUnitTest g_tests[MAX_CASES];
 static size_t g_count;
 
-/** Adds one case; `state` is what its body gets. */
+/** Adds one case; `state` is passed to its body. */
 static inline void add(const char *name, CMUnitTestFunction body, const void *state)
 {
     if (g_count < MAX_CASES) {

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* Small scenes that every test of whole frames shares. Built from exact arithmetic only (no libm but sqrtf), so
-   that their hashes are the same on every machine. Objects are made one step at a time, so that a test can make
-   each step fail. */
+/* Small scenes that all tests of whole frames share. They use only exact arithmetic (no libm except sqrtf), so that
+   their hashes are equal on every machine. Objects are made step by step, so that a test can make each step fail. */
 #ifndef SHD_TESTS_SUPPORT_SCENE_H
 #define SHD_TESTS_SUPPORT_SCENE_H
 
 #include <stdlib.h>
 
 #include "support/check.h"
+#include "support/slots.h"
 
 #include <shd/extension.h>
 #include <shd/shd.h>
 
-/** Which scene. */
+/** The scenes. */
 typedef enum shd_scene_kind {
     SHD_SCENE_MIXED = 0, /* every model, frequency and filter, clipped at the near plane, NaN; 5k triangles */
     SHD_SCENE_FLOOR = 1, /* a textured plane that runs behind the eye: trilinear, minified to one texel; every plane */
     SHD_SCENE_LIT = 2,   /* lights of every kind on all three frequencies */
-    SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples a pixel */
+    SHD_SCENE_GLASS = 3, /* as MIXED with every blend and depth state, and four samples per pixel */
     SHD_SCENE_SMALL =
         4, /* as GLASS with few triangles, two samples and every plane: for tests that render hundreds of times */
     SHD_SCENE_MOVED = 5,   /* as GLASS with one sample, every vertex moved by a program */
     SHD_SCENE_LINES = 6,   /* as GLASS, most draws as lines */
-    SHD_SCENE_SURFACE = 7, /* as MIXED with every model, slot and way to turn normals; lights that end and project */
+    SHD_SCENE_SURFACE = 7, /* as MIXED with every model, slot and normal modification; lights with ranges and cookies */
     SHD_SCENE_KINDS = 8
 } shd_scene_kind;
 
@@ -37,10 +37,10 @@ enum {
         SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS + SHD_SCENE_LIGHTS + 1
 };
 
-/** Objects of a scene and the frame made of them. Zero is an empty one. */
+/** Objects of a scene, and the frame of them. All zero is an empty scene. */
 typedef struct shd_scene {
     shd_scene_kind kind;
-    shd_vertex_fn vertex; /* of every material but those that have another; set before the steps */
+    shd_vertex_fn vertex; /* for every material without its own; set before the steps */
     shd_context *context; /* borrowed */
     shd_texture *texture[SHD_SCENE_TEXTURES];
     shd_sampler *sampler[SHD_SCENE_SAMPLERS];
@@ -60,7 +60,7 @@ static inline float shd_scene_random(uint32_t *state)
     return (float)(*state >> 8) * (1.0f / 16777216.0f);
 }
 
-/** Fails unless memory was there: the test's own, not the library's. */
+/** Allocates memory of the test, not of the library; aborts on failure. */
 static inline void *shd_scene_memory(size_t size)
 {
     void *memory = malloc(size);
@@ -130,7 +130,7 @@ static inline void shd_scene_vertex(shd_scene_geometry *g, float x, float y, flo
     out[4] = v;
 }
 
-/** An (n + 1) x (n + 1) grid of the latest vertices as triangles. */
+/** Triangulates the latest (n + 1) x (n + 1) vertices as a grid. */
 static inline void shd_scene_grid_indices(shd_scene_geometry *g, uint32_t n)
 {
     const uint32_t first = g->vertex_count - (n + 1) * (n + 1);
@@ -144,7 +144,7 @@ static inline void shd_scene_grid_indices(shd_scene_geometry *g, uint32_t n)
     }
 }
 
-/** A unit sphere: a cube of n x n cells a side, its vertices pushed out. */
+/** A unit sphere: a cube of n x n cells per side, with its vertices projected outwards. */
 static inline void shd_scene_sphere(shd_scene_geometry *g, uint32_t n)
 {
     uint32_t face, x, y;
@@ -188,7 +188,7 @@ static inline void shd_scene_plane(shd_scene_geometry *g)
     shd_scene_grid_indices(g, 1);
 }
 
-/** Loose triangles, every third with a vertex that is not finite, some without area. */
+/** Separate triangles, every third with a non-finite vertex, some without area. */
 static inline void shd_scene_broken(shd_scene_geometry *g, uint32_t triangles)
 {
     uint32_t seed = 9, i, k;
@@ -222,8 +222,7 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     desc.vertex_count = g.vertex_count;
     for (c = 0; c < 5; ++c) {
         shd_f32_in *column = c < 3 ? &desc.position[c] : &desc.uv[c - 3];
-        column->data = g.vertices + c;
-        column->stride = 5 * sizeof(float);
+        *column = shd_f32_column(g.vertices + c, 5 * sizeof(float));
         if (c < 3 && which == 1) desc.normal[c] = *column; /* the unit sphere is its own normal */
     }
     desc.indices.data = g.indices;
@@ -235,7 +234,8 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
         desc.flags |= which == 2 ? 0 : SHD_MESH_TANGENTS;
         desc.uv1[0] = desc.position[0];
         desc.uv1[1] = desc.position[2];
-        for (c = 0; c < 3; ++c) desc.attribute[c] = desc.position[c];
+        desc.attributes = desc.position;
+        desc.attribute_count = 3;
     }
     result = shd_mesh_create(s->context, &desc, &s->mesh[which]);
     free(g.vertices);
@@ -243,7 +243,7 @@ static inline shd_result shd_scene_mesh(shd_scene *s, size_t which)
     return result;
 }
 
-/** A program that moves vertices along their normals and hands on three values. */
+/** A program that moves vertices along their normals and outputs three varyings. */
 static inline void shd_scene_wave(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     size_t i;
@@ -298,12 +298,11 @@ static inline void shd_scene_program(const shd_fragments *in, shd_radiance *out,
     }
 }
 
-static inline shd_slot *shd_scene_slot(shd_scene *s, shd_material_desc *desc, int slot, size_t texture)
+static inline shd_slot *shd_scene_slot(shd_scene *s, shd_slot_list *slots, shd_material_desc *desc,
+                                       shd_slot_target target, size_t texture)
 {
-    desc->slot[slot].source = SHD_SOURCE_TEXTURE;
-    desc->slot[slot].texture = s->texture[texture];
-    desc->slot[slot].sampler = texture == 1 ? NULL : s->sampler[texture];
-    return &desc->slot[slot];
+    shd_sampler *sampler = texture == 1 ? NULL : s->sampler[texture];
+    return shd_slot_list_add(slots, desc, shd_slot_texture(target, s->texture[texture], sampler));
 }
 
 static inline void shd_scene_stripes(const shd_fragments *in, float *const out[4], void *user_data)
@@ -324,38 +323,38 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
                                                             SHD_MODEL_COMBINED,
                                                             SHD_MODEL_PROGRAM,
                                                             SHD_MODEL_MATCAP};
+    shd_slot_list slots;
     shd_material_desc desc = shd_material_desc_default();
+    slots.count = 0;
     desc.model = k_models[which];
-    desc.flags = SHD_DOUBLE_SIDED;
+    desc.flags = SHD_MATERIAL_DOUBLE_SIDED;
     desc.metallic = 0.4f;
     if (which == 0) {
-        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
-        shd_scene_slot(s, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
-        shd_scene_slot(s, &desc, SHD_SLOT_OCCLUSION, 1)->channel = 2;
-        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 2)->uv_transform[1] = 0.5f;
-        desc.normal_encoding = SHD_NORMAL_TOKSVIG;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_OCCLUSION, 1)->channel = 2;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, 2)->uv_transform[1] = 0.5f;
+        desc.normal_encoding = SHD_NORMAL_ENCODING_TOKSVIG;
     } else if (which == 2 || which == 3) {
-        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, which == 2 ? 2 : 0)->channel = (uint32_t)which - 2;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_HEIGHT, which == 2 ? 2 : 0)->channel = (uint32_t)which - 2;
         desc.bump = which == 2 ? SHD_BUMP_TEXEL : SHD_BUMP_GRADIENT;
         desc.bump_scale = 0.25f;
     } else if (which == 5) {
-        shd_scene_slot(s, &desc, SHD_SLOT_HEIGHT, 0);
-        shd_scene_slot(s, &desc, SHD_SLOT_DIFFUSE, 0);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_HEIGHT, 0);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, 0);
         desc.parallax_depth = 0.125f;
         desc.parallax_steps = 9;
     } else if (which == 6) {
         desc.program.fragment = shd_scene_program;
     } else if (which == 7) {
-        shd_scene_slot(s, &desc, SHD_SLOT_MATCAP, 1);
-        shd_scene_slot(s, &desc, SHD_SLOT_NORMAL, 2);
-        desc.normal_encoding = SHD_NORMAL_MOMENTS;
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_MATCAP, 1);
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 2);
+        desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
     }
     if (which == 1 || which == 4) {
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_VERTEX;
-        desc.slot[SHD_SLOT_EXPONENT].source = SHD_SOURCE_PROCEDURE;
-        desc.slot[SHD_SLOT_EXPONENT].procedure = shd_scene_stripes;
-        desc.slot[SHD_SLOT_EMISSION].source = SHD_SOURCE_VERTEX;
-        desc.slot[SHD_SLOT_EMISSION].attribute = 1;
+        shd_slot_list_add(&slots, &desc, shd_slot_vertex(SHD_SLOT_DIFFUSE, 0));
+        shd_slot_list_add(&slots, &desc, shd_slot_procedure(SHD_SLOT_EXPONENT, shd_scene_stripes, NULL));
+        shd_slot_list_add(&slots, &desc, shd_slot_vertex(SHD_SLOT_EMISSION, 1));
         desc.emission[1] = 0.125f;
     }
     return shd_material_create(s->context, &desc, &s->material[which]);
@@ -363,21 +362,21 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
 
 static inline shd_result shd_scene_material(shd_scene *s, size_t which)
 {
+    static const shd_interpolation k_interpolation[3] = {SHD_INTERPOLATION_PERSPECTIVE, SHD_INTERPOLATION_AFFINE,
+                                                         SHD_INTERPOLATION_FLAT};
+    shd_slot_list slots;
     shd_material_desc desc = shd_material_desc_default();
+    slots.count = 0;
     if (s->kind == SHD_SCENE_SURFACE) return shd_scene_surface(s, which);
     desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
     desc.exponent = which == 2 ? 7.5f : 64.0f;
     if (which < SHD_SCENE_TEXTURES) {
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[which];
-        desc.slot[SHD_SLOT_DIFFUSE].sampler = which == 1 ? NULL : s->sampler[which];
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, which);
     } else if (which == 4) {
-        desc.flags = SHD_SPECULAR_UNGATED;
+        desc.flags = SHD_MATERIAL_SPECULAR_UNGATED;
     } else if (which == 5) {
-        desc.flags = SHD_AMBIENT_PER_LIGHT;
-        desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-        desc.slot[SHD_SLOT_DIFFUSE].texture = s->texture[0];
-        desc.slot[SHD_SLOT_DIFFUSE].sampler = s->sampler[1];
+        desc.flags = SHD_MATERIAL_AMBIENT_PER_LIGHT;
+        shd_slot_list_add(&slots, &desc, shd_slot_texture(SHD_SLOT_DIFFUSE, s->texture[0], s->sampler[1]));
     } else if (which == 6) {
         desc.model = SHD_MODEL_PROGRAM;
         desc.program.fragment = shd_scene_program;
@@ -385,17 +384,16 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
         desc.model = SHD_MODEL_LAMBERT;
     }
     if (s->kind >= SHD_SCENE_GLASS) {
-        desc.blend = (shd_blend_mode)(which % (SHD_BLEND_SORTED + 1));
+        desc.blend = (shd_blend)(which % (SHD_BLEND_SORTED + 1));
         desc.opacity = 0.6f;
         desc.alpha_cutoff = which == 1 ? 0.3f : 0.0f;
-        if (which == 4) desc.flags |= SHD_ALPHA_TO_COVERAGE;
+        if (which == 4) desc.flags |= SHD_MATERIAL_ALPHA_TO_COVERAGE;
     }
     desc.program.vertex = s->vertex;
     if (s->kind == SHD_SCENE_MOVED || (s->kind == SHD_SCENE_SMALL && which == 6)) {
         desc.program.vertex = shd_scene_wave;
         desc.varying_count = 3;
-        desc.interpolation[1] = SHD_INTERPOLATION_AFFINE;
-        desc.interpolation[2] = SHD_INTERPOLATION_FLAT;
+        desc.interpolation = k_interpolation;
     }
     return shd_material_create(s->context, &desc, &s->material[which]);
 }
@@ -403,7 +401,7 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
 static inline shd_result shd_scene_light(shd_scene *s, size_t which)
 {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = which == 0 ? SHD_LIGHT_AMBIENT : which == 1 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.kind = which == 0 ? SHD_LIGHT_KIND_AMBIENT : which == 1 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
     desc.position[0] = which == 2 ? 2.0f : -1.5f;
     desc.position[1] = which == 2 ? 3.0f : 1.0f;
     desc.position[2] = 1.0f;
@@ -413,7 +411,7 @@ static inline shd_result shd_scene_light(shd_scene *s, size_t which)
     desc.intensity[1] = which == 3 ? 2.0f : 0.5f;
     if (s->kind == SHD_SCENE_SURFACE) {
         if (which == 1) desc.extent[0] = 3.0f;
-        if (which == 2) desc.kind = SHD_LIGHT_SPOT;
+        if (which == 2) desc.kind = SHD_LIGHT_KIND_SPOT;
         if (which == 2) desc.direction[2] = -0.5f;
         if (which == 1 || which == 2) desc.texture = s->texture[which];
         if (which == 3) desc.range = 3.5f;
@@ -432,7 +430,7 @@ static inline shd_result shd_scene_framebuffer(shd_scene *s)
     return shd_framebuffer_create(s->context, &desc, &s->framebuffer);
 }
 
-/** One object of the scene: steps 0..SHD_SCENE_STEPS - 1, in order. */
+/** Creates one object of the scene: steps 0..SHD_SCENE_STEPS - 1, in order. */
 static inline shd_result shd_scene_step(shd_scene *s, size_t step)
 {
     if (step < SHD_SCENE_TEXTURES) return shd_scene_texture(s, step);
@@ -447,7 +445,7 @@ static inline shd_result shd_scene_step(shd_scene *s, size_t step)
     return shd_scene_framebuffer(s);
 }
 
-/** Where a draw stands and what it is made of. */
+/** Position and contents of a draw. */
 typedef struct shd_scene_placement {
     unsigned mesh, material;
     float scale[3], at[3];
@@ -470,7 +468,7 @@ static inline void shd_scene_place(shd_scene *s, const shd_scene_placement *p)
     }
 }
 
-/** Draws as lines of every kind, width and depth state. */
+/** Turns draws into lines of every kind, width and depth state. */
 static inline void shd_scene_draw_lines(shd_scene *s, size_t first, size_t step)
 {
     size_t i;
@@ -483,7 +481,7 @@ static inline void shd_scene_draw_lines(shd_scene *s, size_t first, size_t step)
     }
 }
 
-/** The frame, once every step is done. */
+/** Composes the frame after all steps. */
 static inline void shd_scene_compose(shd_scene *s)
 {
     static const shd_scene_placement k_mixed[SHD_SCENE_DRAWS] = {
@@ -527,10 +525,11 @@ static inline void shd_scene_compose(shd_scene *s)
     s->desc.light_count = SHD_SCENE_LIGHTS;
     s->desc.clear_color[2] = 0.25f;
     s->desc.clear_color[3] = 1.0f;
+    s->stats = shd_render_stats_default();
     s->desc.stats = &s->stats;
 }
 
-/** Make a scene that has no reason to fail. */
+/** Makes a scene that must not fail. */
 static inline void shd_scene_open(shd_scene *s, shd_scene_kind kind, shd_context *context)
 {
     size_t step;
@@ -541,7 +540,7 @@ static inline void shd_scene_open(shd_scene *s, shd_scene_kind kind, shd_context
     shd_scene_compose(s);
 }
 
-/** Release every object; those never made are skipped. */
+/** Releases every object; skips objects that were never made. */
 static inline void shd_scene_close(shd_scene *s)
 {
     size_t i;
@@ -554,15 +553,15 @@ static inline void shd_scene_close(shd_scene *s)
     memset(s, 0, sizeof *s);
 }
 
-/** Hash of every plane a framebuffer has; all NaN count as one. */
+/** Hash of all planes of a framebuffer; all NaN are equal. */
 static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
 {
     uint64_t hash = SHD_HASH_START;
-    shd_framebuffer_info info;
+    shd_framebuffer_info info = shd_framebuffer_info_default();
     int plane;
     shd_assert_ok(shd_framebuffer_get_info(framebuffer, &info));
     for (plane = SHD_PLANE_R; plane <= SHD_PLANE_TARGET3_A; ++plane) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         uint32_t x, y;
         if (shd_framebuffer_view_plane(framebuffer, (shd_plane)plane, &view) != SHD_OK) continue;
         for (y = 0; y < info.height; ++y) {
@@ -578,21 +577,23 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     return hash;
 }
 
-/** Hash of what the statistics count; time and memory are left out. */
+/** Hash of the counts of the statistics, without time and memory. */
 static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
 {
-    return shd_hash(hash, stats, offsetof(shd_render_stats, hidden_samples));
+    const size_t begin = offsetof(shd_render_stats, triangles), end = offsetof(shd_render_stats, hidden_samples);
+    return shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
 }
 
-/** Render; hash of the planes and the statistics. */
+/** Renders, and returns the hash of the planes and the statistics. */
 static inline uint64_t shd_scene_render(shd_scene *s)
 {
     memset(&s->stats, 0xee, sizeof s->stats);
+    s->stats.struct_size = sizeof s->stats;
     shd_assert_ok(shd_render(s->context, &s->desc));
     return shd_hash_stats(shd_hash_framebuffer(s->framebuffer), &s->stats);
 }
 
-/** The hash that a scene has on one thread with the best SIMD target. */
+/** The hash of a scene on one thread with the best SIMD target. */
 static inline uint64_t shd_scene_reference(shd_scene_kind kind)
 {
     shd_context_desc desc = shd_context_desc_default();

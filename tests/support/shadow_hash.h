@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Shadows of a small scene as a number: the same for every SIMD target and worker count. */
+/* Shadows of a small scene as a number, which is equal for every SIMD target and worker count. */
 #ifndef SHD_TESTS_SUPPORT_SHADOW_HASH_H
 #define SHD_TESTS_SUPPORT_SHADOW_HASH_H
 
 #include "support/shadow_scene.h"
 
-/** Visibility of points in a crossing of boxes, by every filter under every kind of light, with normals and without. */
+/** Visibility of points in a crossing of boxes: every filter, every kind of light, with and without normals. */
 static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
 {
     enum { k_points = 6000 };
-    static const shd_light_kind k_kinds[] = {SHD_LIGHT_DIRECTIONAL, SHD_LIGHT_SPOT, SHD_LIGHT_POINT};
+    static const shd_light_kind k_kinds[] = {SHD_LIGHT_KIND_DIRECTIONAL, SHD_LIGHT_KIND_SPOT, SHD_LIGHT_KIND_POINT};
     static const float k_low[3][3] = {{-3, -1, -3}, {-1, 0, -0.5f}, {0.7f, 1, 0.3f}};
     static const float k_high[3][3] = {{3, 0, 3}, {0.3f, 1.2f, 0.4f}, {1.6f, 1.1f, 2}};
     static float points[6][k_points], out[k_points];
@@ -22,7 +22,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
     shd_assert_ok(shd_context_create(desc, &context));
     shd_boxes_open(&boxes, context);
     for (i = 0; i < 3; ++i) shd_boxes_add(&boxes, k_low[i], k_high[i]);
-    boxes.draws[1].object_to_world[4] = 0.3f; /* leans */
+    boxes.draws[1].object_to_world[4] = 0.3f; /* sheared */
     for (i = 0; i < k_points; ++i) {
         for (k = 0; k < 6; ++k) {
             seed = seed * 1664525u + 1013904223u;
@@ -39,7 +39,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
         light_desc.direction[0] = -0.6f;
         light_desc.direction[2] = 0.2f;
         shd_assert_ok(shd_light_create(context, &light_desc, &light));
-        for (filter = SHD_SHADOW_HARD; filter <= SHD_SHADOW_PCSS; ++filter) {
+        for (filter = SHD_SHADOW_FILTER_HARD; filter <= SHD_SHADOW_FILTER_PCSS; ++filter) {
             shd_shadow_desc shadow_desc = shd_shadow_desc_default();
             shd_shadow *shadow;
             shadow_desc.size = 200;
@@ -57,7 +57,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
                     lookups.position[k].data = points[k];
                     if (normals) lookups.normal[k].data = points[3 + k];
                 }
-                shd_assert_ok(shd_shadow_sample(shadow, &lookups, column));
+                shd_assert_ok(shd_shadow_sample(shadow, &lookups, &column));
                 hash = shd_hash(hash, out, sizeof out);
             }
             shd_shadow_release(shadow);

@@ -73,7 +73,7 @@ static inline float shd_shadow_at(const shd_shadow *shadow, const float p[3], co
         lookups.position[k].data = p + k;
         if (n) lookups.normal[k].data = n + k;
     }
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, out));
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out));
     return visibility;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Meshes whose edges are known, as records of x, y, z and index triples. */
+/* Meshes with known edges, as records of x, y, z and index triples. */
 #ifndef SHD_TESTS_SUPPORT_SHAPES_H
 #define SHD_TESTS_SUPPORT_SHAPES_H
 
@@ -32,7 +32,7 @@ static inline void shd_test_shape_triangle(shd_test_shape *s, uint32_t a, uint32
     t[2] = c;
 }
 
-/** The cube [-1, 1]^3 of n x n cells a side; its sides share no vertices. */
+/** The cube [-1, 1]^3 of n x n cells per side; its sides share no vertices. */
 static inline void shd_test_shape_cube(shd_test_shape *s, uint32_t n)
 {
     uint32_t face, x, y;
@@ -58,7 +58,7 @@ static inline void shd_test_shape_cube(shd_test_shape *s, uint32_t n)
     }
 }
 
-/** The unit sphere of that cube. Its sides still meet: opposite numbers have opposite bits. */
+/** The unit sphere of that cube. Its sides still meet, because opposite numbers have opposite signs. */
 static inline void shd_test_shape_sphere(shd_test_shape *s, uint32_t n)
 {
     uint32_t i, first = s->vertices;
@@ -72,7 +72,7 @@ static inline void shd_test_shape_sphere(shd_test_shape *s, uint32_t n)
     }
 }
 
-/** n x m cells of the plane z = 0, with the vertices of each its own. */
+/** n x m cells of the plane z = 0, each with its own vertices. */
 static inline void shd_test_shape_grid(shd_test_shape *s, uint32_t n, uint32_t m)
 {
     uint32_t x, y;
@@ -119,7 +119,7 @@ static inline void shd_test_shape_moebius(shd_test_shape *s, uint32_t n)
     }
 }
 
-/** Triangles between random points of a lattice so small that most edges meet others and many have no area. */
+/** Triangles between random points of a lattice so small that most edges are shared and many have no area. */
 static inline void shd_test_shape_lattice(shd_test_shape *s, uint32_t triangles, uint32_t seed)
 {
     uint32_t i, c;
@@ -136,7 +136,7 @@ static inline void shd_test_shape_lattice(shd_test_shape *s, uint32_t triangles,
     s->triangles += triangles;
 }
 
-/** A mesh of a shape. */
+/** Makes a mesh of a shape. */
 static inline shd_mesh *shd_test_shape_mesh(shd_context *context, const shd_test_shape *s, uint32_t flags)
 {
     shd_mesh_desc desc = shd_mesh_desc_default();

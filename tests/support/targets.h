@@ -11,8 +11,8 @@
 namespace shd::tests
 {
 
-/// Highway's bits of the SIMD targets that are compiled in and run here, asked for once: asking runs CPUID, which is
-/// slow in a virtual machine.
+/// Highway's bits of the SIMD targets that are compiled in and run here. They are queried once, because the query runs
+/// CPUID, which is slow in a virtual machine.
 inline const std::vector<int64_t> &target_bits()
 {
     static const std::vector<int64_t> bits = hwy::SupportedAndGeneratedTargets();
@@ -21,7 +21,7 @@ inline const std::vector<int64_t> &target_bits()
 
 inline core::SimdTarget best_target() { return core::simd_target_from_bit(target_bits().front()); }
 
-/// Calls body(target, first) for every such target; `first` is true once.
+/// Calls body(target, first) for every target; `first` is true once.
 template <class Body>
 void for_each_target(Body body)
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A host that watches the progress of a frame, and cancels it at one of its reports. */
+/* A host that records the progress of a frame, and cancels it at one of the reports. */
 #ifndef SHD_TESTS_SUPPORT_WATCHER_H
 #define SHD_TESTS_SUPPORT_WATCHER_H
 
 #include <shd/render.h>
 
-/** `mistakes` counts fractions that do not grow or are not in (0, 1]; cancel_at 0 = never. */
+/** `mistakes` counts fractions that do not increase or are not in (0, 1]; cancel_at 0 = never. */
 typedef struct shd_watcher {
     int reports, mistakes, cancel_at;
     float latest;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Does shd-render do what its help says? Usage: check_shd_render.sh SHD-RENDER FOLDER
+# Tests shd-render against its help text. Usage: check_shd_render.sh SHD-RENDER FOLDER
 set -euo pipefail
 render=$1
 folder=$2
@@ -10,7 +10,7 @@ mkdir -p "$folder"
 cd "$folder"
 failed=0
 
-# expect CODE TEXT ARGUMENTS...: exit code, and a piece of what is said
+# expect CODE TEXT ARGUMENTS...: exit code, and a part of the output
 expect() {
   local code=$1 text=$2 got=0
   shift 2
@@ -30,7 +30,7 @@ written() {
   fi
 }
 
-# Pictures of the same bits, or of others: pairs of lists of options, with -- between them.
+# Compares two pictures, which must be equal or different: two lists of options, separated by --.
 small=(--size 48x32 --tessellation 4 --no-color)
 compare() {
   local wanted=$1 first=()
@@ -59,10 +59,12 @@ expect 0 "" --size 64x64 --threads 1 --simd baseline --no-color -o one.png
 expect 0 "" --size 64x64 --threads 5 --no-color -o many.png
 cmp one.png many.png || failed=1
 
-# What options do, told by pairs of pictures.
+# Effects of options, tested on pairs of pictures.
 models=(lambert phong blinn-phong normalized ggx gooch toon unlit matcap normal uv level barycentrics)
+shows() { case $1 in normal | uv | level | barycentrics) echo "--show $1" ;; *) echo "--model $1" ;; esac; }
 for i in "${!models[@]}"; do
-  expect 0 "" "${small[@]}" --texture checker --model "${models[i]}" -o "${models[i]}.png"
+  # shellcheck disable=SC2046
+  expect 0 "" "${small[@]}" --texture checker $(shows "${models[i]}") -o "${models[i]}.png"
   for ((k = 0; k < i; ++k)); do
     if cmp -s "${models[k]}.png" "${models[i]}.png"; then
       echo "the models ${models[k]} and ${models[i]} look the same"
@@ -71,7 +73,10 @@ for i in "${!models[@]}"; do
   done
 done
 same --model combined -- --model blinn-phong  # with the same colour for ambient light
-for model in unlit matcap normal uv barycentrics; do same --model $model -- --model $model --lights none --ambient 0; done
+for how in "--model unlit" "--model matcap" "--show normal" "--show uv" "--show barycentrics"; do
+  # shellcheck disable=SC2086
+  same $how -- $how --lights none --ambient 0
+done
 same --sun 1,1,1:1,1,1 --exposure 1 --ambient 0 -- --sun 1,1,1:2,2,2 --ambient 0
 same --model toon --specular 0 -- --model toon --specular 0 --exponent 5
 other --model ggx --metallic 0 -- --model ggx --metallic 1
@@ -91,7 +96,7 @@ same --shape sphere -- --shape sphere --height checker
 same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0
 for form in gradient texel; do other --shape sphere -- --shape sphere --height checker --bump $form --bump-scale 0.2; done
 other --shape plane --texture checker -- --shape plane --texture checker --height checker --parallax 0.2
-expect 0 "" --size 64x64 --no-color --shape sphere --model normal -o normals.png
+expect 0 "" --size 64x64 --no-color --shape sphere --show normal -o normals.png
 other --shape sphere -- --shape sphere --normal-map normals.png
 other --shape plane --normal-map normals.png --uv-scale 30 -- \
   --shape plane --normal-map normals.png --uv-scale 30 --keep-roughness toksvig
@@ -106,7 +111,7 @@ done
 other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
 other -- --lines 1
 other --lines 1 -- --lines 3
-same --model normal -- --model normal --height checker --displace 0
+same --show normal -- --show normal --height checker --displace 0
 other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
 
 shapes=(teapot sphere plane box torus)
@@ -144,6 +149,7 @@ expect 2 "--size needs a value" --size
 expect 2 "WIDTHxHEIGHT" --size 0x10
 expect 2 "WIDTHxHEIGHT" --size 10x10x10
 expect 2 "one of lambert" --model shiny
+expect 2 "one of normal uv level barycentrics" --show shiny
 expect 2 "1, 2, 4, 8 or 16" --samples 3
 expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0

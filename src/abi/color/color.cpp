@@ -92,14 +92,14 @@ void require_no_overlap(const shd_image& in, const shd_image& out) {
 
 color::Planes read_planes(const shd_framebuffer* framebuffer, const shd_context* context) {
   if (!framebuffer) refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
-  shd_framebuffer_info info;
+  shd_framebuffer_info info = shd_framebuffer_info_default();
   extension::require(shd_framebuffer_get_info(framebuffer, &info));
   if (shd_framebuffer_context(framebuffer) != context) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: of another context than color");
   }
   color::Planes planes{{}, {}, info.width, info.height};
   for (int c = 0; c < 4; ++c) {
-    shd_plane_view view;
+    shd_plane_view view = shd_plane_view_default();
     extension::require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(SHD_PLANE_R + c), &view));
     planes.plane[c] = view.f32;
     planes.row_stride[c] = view.row_stride;
@@ -139,7 +139,6 @@ shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, sh
     extension::require_context(context);
     shd_color_desc read = shd_color_desc_default();
     extension::read_desc("color", desc, &read);
-    if (read.reserved != 0) refuse(SHD_ERROR_INVALID_ARGUMENT, "color.reserved: %u is not 0", read.reserved);
     std::unique_ptr<Body> body = make_body(read);
     const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
     shd_object* object = nullptr;

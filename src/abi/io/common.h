@@ -7,7 +7,7 @@
 #include "extension/guard.h"
 #include "io/memory.h"
 
-/// What the bodies of shd/io.h share.
+/// Functions shared by the bodies of shd/io.h.
 namespace shd::extension {
 
 /// Throws Failure for no path and an empty one.

@@ -184,16 +184,16 @@ void shd_bitmap_release(shd_bitmap* bitmap) {
 }
 
 shd_result shd_bitmap_image(const shd_bitmap* bitmap, shd_image* out_image) {
-  if (!out_image) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_image: NULL");
-  std::memset(out_image, 0, sizeof *out_image);
+  if (const shd_result result = begin_output("out_image", out_image)) return result;
   const BitmapBody* body = body_of(bitmap);
   if (!body) return SHD_ERROR_INVALID_ARGUMENT;
-  *out_image = shd_image_default();
-  out_image->format = body->bitmap.format;
-  out_image->width = body->bitmap.width;
-  out_image->height = body->bitmap.height;
-  out_image->pixels = body->bitmap.pixels.data();
-  out_image->row_stride = body->bitmap.width * io::bitmap_pixel_size(body->bitmap.format);
+  shd_image image = shd_image_default();
+  image.format = body->bitmap.format;
+  image.width = body->bitmap.width;
+  image.height = body->bitmap.height;
+  image.pixels = body->bitmap.pixels.data();
+  image.row_stride = body->bitmap.width * io::bitmap_pixel_size(body->bitmap.format);
+  write_desc(image, out_image);
   return SHD_OK;
 }
 
@@ -203,11 +203,10 @@ const char* shd_bitmap_color_space(const shd_bitmap* bitmap) {
 }
 
 shd_result shd_bitmap_get_info(const shd_bitmap* bitmap, shd_bitmap_info* out_info) {
-  if (!out_info) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_info: NULL");
-  *out_info = shd_bitmap_info();
+  if (const shd_result result = begin_output("out_info", out_info)) return result;
   const BitmapBody* body = body_of(bitmap);
   if (!body) return SHD_ERROR_INVALID_ARGUMENT;
-  *out_info = body->bitmap.info;
+  write_desc(body->bitmap.info, out_info);
   return SHD_OK;
 }
 

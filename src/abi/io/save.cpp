@@ -121,8 +121,8 @@ struct Planes {
   uint32_t width = 0;
   bool half = false;               // colour, in EXR
   bool curve = true;               // sRGB-encode, in integer formats
-  bool dither = false;             // the same
-  const float* display = nullptr;  // [height][width][4], straight, encoded: what the caller's display made of colour
+  bool dither = false;             // ordered dither, in integer formats
+  const float* display = nullptr;  // [height][width][4], straight, encoded: colour converted by the caller's display
 };
 
 float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
@@ -132,7 +132,7 @@ float plane_value(const Planes& planes, int plane, uint32_t x, uint32_t y) {
   return value;
 }
 
-/// What a pixel shows, straight and encoded if asked, of any value.
+/// Displayed colour of a pixel, straight, encoded on request, in any range.
 void shown_color(const Planes& planes, uint32_t x, uint32_t y, double out[4]) {
   if (planes.display) {
     const float* pixel = planes.display + 4 * (size_t{y} * planes.width + x);
@@ -198,13 +198,14 @@ void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
 }
 
 Planes view_planes(const shd_framebuffer* framebuffer, EncodeJob* job) {
-  shd_framebuffer_info info;
+  shd_framebuffer_info info = shd_framebuffer_info_default();
   require(shd_framebuffer_get_info(framebuffer, &info));
   Planes planes;
   job->width = planes.width = info.width;
   job->height = info.height;
   for (int plane = 0; plane < kPlaneCount; ++plane) {
     if (kPlanes[plane].aov && !(info.aovs & kPlanes[plane].aov)) continue;
+    planes.view[plane] = shd_plane_view_default();
     require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(plane), &planes.view[plane]));
   }
   return planes;

@@ -2,6 +2,7 @@
 #include <shd/scene.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 
@@ -81,7 +82,6 @@ Request read_scene_desc(shd_context* context, const shd_scene_desc* in) {
     refuse(SHD_ERROR_UNSUPPORTED, "scene.flags: bits 0x%x are not known",
            desc.flags & ~uint32_t{SHD_SCENE_REQUIRE_TEXTURES});
   }
-  if (desc.reserved) refuse(SHD_ERROR_INVALID_ARGUMENT, "scene.reserved: %u is not 0", desc.reserved);
   Request request = {{shd_sampler_desc_default(), shd_load_desc_default(), desc.mesh_flags, false}, {}};
   read_desc("scene.sampler", desc.sampler, &request.options.sampler);
   read_desc("scene.texture", desc.texture, &request.options.load);
@@ -100,7 +100,7 @@ std::unique_ptr<Body> load(shd_context* context, const char* path, const Request
                       deadline, body.get());
   for (std::string& warning : body->warnings) {
     core::make_printable(warning.data(), warning.size());
-    shd_context_log(context, SHD_LOG_WARNING, warning.c_str());
+    shd_context_log(context, SHD_LOG_LEVEL_WARNING, warning.c_str());
   }
   return body;
 }
@@ -123,34 +123,17 @@ auto handle_of(const shd_scene* handle, const std::vector<Owner> Body::*rows, ui
   return body && index < (body->*rows).size() ? (body->*rows)[index].get() : nullptr;
 }
 
-/// Throws Failure unless the caller's struct is there and as large as that of any version.
-template <class Out>
-void check_out(const char* name, const Out* out) {
-  if (!out) refuse(SHD_ERROR_INVALID_ARGUMENT, "%s: NULL", name);
-  if (out->struct_size >= sizeof *out) return;
-  refuse(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is below %zu; take the defaults function", name,
-         out->struct_size, sizeof *out);
-}
-
-/// Writes a struct to the caller's, which keeps its size.
-template <class Out>
-void write_out(const Out& from, Out* out) {
-  const uint32_t size = out->struct_size;
-  std::memcpy(static_cast<void*>(out), &from, sizeof from);
-  out->struct_size = size;
-}
-
 /// Row `index` to the caller's struct.
 template <class Out>
 shd_result read_row(const shd_scene* handle, const std::vector<Out> Body::*rows, const char* part, uint32_t index,
                     const char* name, Out* out) {
   return guard([&]() -> shd_result {
-    check_out(name, out);
+    require(begin_output(name, out));
     const Body& body = require_body(handle);
     if (index >= (body.*rows).size()) {
       refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu %s", index, (body.*rows).size(), part);
     }
-    write_out((body.*rows)[index], out);
+    write_desc((body.*rows)[index], out);
     return SHD_OK;
   });
 }
@@ -204,9 +187,8 @@ void shd_scene_release(shd_scene* scene) {
 
 shd_result shd_scene_get_info(const shd_scene* scene, shd_scene_info* out_info) {
   return guard([&]() -> shd_result {
-    check_out("info", out_info);
-    write_out(shd_scene_info(), out_info);
-    write_out(info_of(require_body(scene)), out_info);
+    require(begin_output("out_info", out_info));
+    write_desc(info_of(require_body(scene)), out_info);
     return SHD_OK;
   });
 }
@@ -240,20 +222,20 @@ shd_light* shd_scene_light(const shd_scene* scene, uint32_t index) {
 }
 
 shd_result shd_scene_get_material_desc(const shd_scene* scene, uint32_t index, shd_material_desc* out_desc) {
-  return read_row(scene, &Body::material_descs, "materials", index, "desc", out_desc);
+  return read_row(scene, &Body::material_descs, "materials", index, "out_desc", out_desc);
 }
 
 shd_result shd_scene_get_light_desc(const shd_scene* scene, uint32_t index, shd_light_desc* out_desc) {
-  return read_row(scene, &Body::light_descs, "lights", index, "desc", out_desc);
+  return read_row(scene, &Body::light_descs, "lights", index, "out_desc", out_desc);
 }
 
 shd_result shd_scene_get_camera(const shd_scene* scene, uint32_t index, shd_camera* out_camera) {
-  return read_row(scene, &Body::cameras, "cameras", index, "camera", out_camera);
+  return read_row(scene, &Body::cameras, "cameras", index, "out_camera", out_camera);
 }
 
 shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_scene_instance* out_instance) {
   return guard([&]() -> shd_result {
-    check_out("instance", out_instance);
+    require(begin_output("out_instance", out_instance));
     const Body& body = require_body(scene);
     if (index >= body.instances.size()) {
       refuse(SHD_ERROR_NOT_FOUND, "index: %u, but the scene has %zu instances", index, body.instances.size());
@@ -263,14 +245,16 @@ shd_result shd_scene_get_instance(const shd_scene* scene, uint32_t index, shd_sc
     instance.mesh = static_cast<uint32_t>(from.geometry);
     instance.material = static_cast<uint32_t>(from.surface);
     std::memcpy(instance.object_to_world, from.object_to_world.data(), sizeof instance.object_to_world);
-    write_out(instance, out_instance);
+    write_desc(instance, out_instance);
     return SHD_OK;
   });
 }
 
 shd_result shd_scene_fill_render(const shd_scene* scene, shd_render_desc* in_out_render) {
   return guard([&]() -> shd_result {
-    check_out("render", in_out_render);
+    if (!in_out_render) refuse(SHD_ERROR_INVALID_ARGUMENT, "render: NULL");
+    constexpr size_t kRequired = offsetof(shd_render_desc, light_count) + sizeof in_out_render->light_count;
+    require(core::check_desc_size(fail, "render", in_out_render, kRequired));
     const Body& body = require_body(scene);
     in_out_render->draws = body.draws.data();
     in_out_render->draw_count = body.draws.size();

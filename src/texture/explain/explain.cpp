@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/read_desc.h"
 #include "texture/explain/record.h"
 #include "texture/filter/magnify.h"
 #include "texture/footprint/lod.h"
+#include "texture/format/formats.h"
 #include "texture/sample.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 
@@ -25,7 +26,7 @@ float finish(CodeScale scale, float value) {
   return scale.low == 0.0f ? value : value * scale.high + value * scale.low;
 }
 
-/// Channel of a stored texel as the blends of its format read it, or as a result.
+/// Returns a channel of a stored texel in the lerp domain of its format, or as a result if `finished`.
 float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, bool finished) {
   double value[4] = {};
   visit_stored(texture.component, texture.channels, [&](auto codec) { codec.load(texel, value); });
@@ -33,7 +34,7 @@ float lerp_value(const Texture& texture, const uint8_t* texel, size_t channel, b
   return finished ? finish(scale_of(texture.component, channel), number) : number;
 }
 
-/// Where a texel of one layer lies.
+/// Level of a texel, and the first texel of this level in the layer.
 struct Place {
   uint32_t level_u, level_v, first;
 };
@@ -79,7 +80,8 @@ uint32_t node_number(const Recording& recording, uint32_t node) {
   return static_cast<uint32_t>(recording.tap_count) + (node & ~kBlendNode);
 }
 
-/// Weights of all nodes from that of the last: blends hand theirs down in reverse order.
+/// Returns the weights of all nodes. The last node has weight 1; each blend distributes its weight to its two operands,
+/// in reverse order.
 core::Array<float> weights(const core::Allocator& allocator, const Recording& recording) {
   const size_t count = recording.tap_count + recording.blend_count;
   core::Array<float> weight(allocator, count);
@@ -94,16 +96,24 @@ core::Array<float> weights(const core::Allocator& allocator, const Recording& re
   return weight;
 }
 
+/// Writes element i of the caller's array, whose elements are `size` bytes apart.
+template <class Element>
+void store_element(const Element& element, Element* elements, size_t i, size_t size) {
+  core::write_element_bytes(&element, sizeof element, reinterpret_cast<unsigned char*>(elements) + i * size, size);
+}
+
 void write_tree(const core::Context& context, const Texture& texture, const Sampler& sampler,
                 const Recording& recording, shd_explanation* out) {
   const core::Array<float> weight = weights(context.allocator, recording);
   for (size_t i = 0; i < recording.tap_count && i < out->tap_capacity; ++i) {
-    out->taps[i] = describe(texture, sampler, recording, recording.taps[i]);
-    out->taps[i].weight = weight[i];
+    shd_tap tap = describe(texture, sampler, recording, recording.taps[i]);
+    tap.weight = weight[i];
+    store_element(tap, out->taps, i, out->tap_size);
   }
   for (size_t k = 0; k < recording.blend_count && k < out->blend_capacity; ++k) {
     const RecordedBlend& blend = recording.blends[k];
-    out->blends[k] = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+    const shd_blend_step step = {node_number(recording, blend.a), node_number(recording, blend.b), blend.s};
+    store_element(step, out->blends, k, out->blend_size);
   }
   out->tap_count = static_cast<uint32_t>(recording.tap_count);
   out->blend_count = static_cast<uint32_t>(recording.blend_count);
@@ -126,7 +136,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   Recording recording(context.allocator);
   run_filter(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
-  out->filter = static_cast<uint32_t>(taken.filter);
+  out->filter = taken.filter;
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   sample(texture, sampler, context.simd, lookups, result);

@@ -8,10 +8,11 @@
 
 namespace shd::texture {
 
-/// Whether a filter is a tree of blends, which explain() can show.
+/// Returns whether a filter is a tree of blends, which explain() can show.
 bool is_explainable(shd_filter filter);
 
-/// Explains the one lookup of `lookups` with a filter that is_explainable: fills all that shd_explanation has written.
+/// Explains the single lookup in `lookups` with a filter that is_explainable(). Fills the output fields of
+/// shd_explanation.
 void explain(const core::Context& context, const Texture& texture, const Sampler& sampler, const Lookups& lookups,
              shd_explanation* out);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The format and the blend that record one lookup: values are the numbers of nodes (record.h). All lanes are copies of
-// that lookup; the first one counts.
+// The Format and the Blend that record one lookup. Their values are node numbers (record.h). All lanes are copies of
+// the lookup; only the first lane is recorded.
 
 #if defined(SHD_TEXTURE_RECORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RECORD_INL_H_
@@ -28,10 +28,12 @@ struct Recorded {
     return hn::Load(hn::RebindToSigned<D>(), index);
   }
   template <class D>
-  static HWY_INLINE void fetch_pair(D, const TexelSource&, const int32_t* index, Texel<D>* left, Texel<D>* right) {
+  static HWY_INLINE void fetch_quad(D, const TexelSource&, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
     const hn::RebindToSigned<D> di;
-    *left = hn::Load(di, index);
-    *right = *left + hn::Set(di, 1);
+    for (size_t k = 0; k < 4; ++k) {
+      quad[k] = hn::Load(di, k < 2 ? upper : lower) + hn::Set(di, static_cast<int32_t>(k % 2));
+    }
   }
   template <class D>
   static HWY_INLINE void fetch_row(D, const TexelSource&, const int32_t* index, Texel<D> (&row)[4]) {

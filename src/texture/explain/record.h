@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a lookup is explained: the consumer that records (record-inl.h) computes with node numbers in place of values and
-/// writes down the texels and blends of the stream.
+/// Recording of one lookup. The consumer that records (record-inl.h) computes with node numbers in place of values and
+/// stores the texels and blends of the stream.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,29 @@
 
 namespace shd::texture {
 
-/// A texel by its index in the texture's block, or the border.
+/// A texel, or the border colour.
 struct RecordedTap {
-  uint32_t index;
-  bool border;
+  uint32_t index;  // texel of the texture
+  bool border;     // the border colour replaces the texel
 };
 
-/// Nodes are taps by number, or blends by number with kBlendNode set.
+/// Flag of nodes that are blends. The other bits of a node are the number of its tap or blend.
 constexpr uint32_t kBlendNode = 1u << 31;
+
+/// The blend a + s (b - a) of two nodes.
 struct RecordedBlend {
   uint32_t a, b;
   float s;
 };
 
-/// The tree of one lookup. Its tables hold what any filter needs for any input.
+/// Tree of blends of one lookup. The tables are large enough for every filter and input.
 struct Recording {
   static constexpr size_t kMaxTaps = 4096;
 
   core::Array<RecordedTap> taps;
   core::Array<RecordedBlend> blends;
   size_t tap_count = 0, blend_count = 0;
-  bool finished_taps = false;  // values leave the lerp domain before they are blended
+  bool finished_taps = false;  // texels leave the lerp domain before they are blended
   uint32_t root = 0;
 
   explicit Recording(const core::Allocator& allocator) : taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}

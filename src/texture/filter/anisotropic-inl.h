@@ -17,8 +17,9 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// All probes read the same two levels. The bilinear lookups of the finer level make the first average and those of
-/// the coarser one the second, which are merged by the fraction between the levels.
+/// The filter SHD_FILTER_ANISOTROPIC. All probes read the same two levels. Bilinear lookups on the finer level form the
+/// first average, lookups on the coarser level the second. The merge blends the averages by the fraction between the
+/// levels.
 struct Anisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = ProbeBlock;
@@ -37,7 +38,7 @@ struct Anisotropic : OnMipLevels {
     V total = hn::Zero(d);
     uint32_t how = kStart;
     for (float k = 0.0f; k < max_probes; k += 1.0f) {
-      // Lanes that are done stay at their last probe with weight 0.
+      // Finished lanes repeat their last probe with weight 0.
       const V position = line.position(d, hn::Set(d, k));
       const V u = line.u_at(position), v = line.v_at(position);
       const auto active = hn::Lt(hn::Set(d, k), line.probes);
@@ -49,8 +50,8 @@ struct Anisotropic : OnMipLevels {
         total = total + weight;
         share = weight / total;
       }
-      sink.quad(d, how, QuadAt(d, sampler, levels.high, u, v), share);
-      if (levels.blended) sink.quad(d, how | kSecond, QuadAt(d, sampler, levels.low, u, v), share);
+      sink.quad(d, how, levels.high, u, v, share);
+      if (levels.blended) sink.quad(d, how | kSecond, levels.low, u, v, share);
       how = kBlend;
     }
     if (levels.blended) sink.merge(d, levels.fraction);

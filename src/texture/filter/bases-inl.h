@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What filters have in common that read level 0, or the levels around a level of detail.
+// Bases of filters that read level 0, or the levels around a level of detail.
 
 #if defined(SHD_TEXTURE_BASES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_BASES_INL_H_
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What filters on level 0 have in common.
+/// Base of filters on level 0.
 struct OnBaseLevel {
   using Block = PointBlock;
 
@@ -41,7 +41,7 @@ struct OnBaseLevel {
   }
 };
 
-/// What filters with a level of detail have in common.
+/// Base of filters with a level of detail.
 struct OnMipLevels {
   using Block = LodBlock;
 

@@ -22,7 +22,7 @@ struct Bilinear : OnBaseLevel {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const PointBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    sink.quad(d, kStart, QuadAt(d, sampler, level(d, block, i), u, v));
+    sink.quad(d, kStart, level(d, block, i), u, v);
     sink.finish();
   }
 };

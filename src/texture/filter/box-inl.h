@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Boxes of summed-area lookups. Along one axis, with P(x) the integral of the texture from 0 to x, the integral of the
-// wrapped texture from 0 to x is turns P(size) + sign P(m) for some m, or P extended by its first or last texel.
+// Boxes of summed-area lookups. Let P(x) be the integral of the texture from 0 to x along one axis. The integral of the
+// wrapped texture from 0 to x is turns P(size) + sign P(m) for some m in 0..size, or P extended by the first or last
+// texel.
 
 #if defined(SHD_TEXTURE_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_BOX_INL_H_
@@ -20,10 +21,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Longer boxes count as this long: whole texels, and their sums, stay whole floats.
+/// Maximum length of a box [texels]. It keeps numbers of whole texels and their sums exact in floats.
 constexpr float kLongestBox = 0x1p22f;
 
-/// What a sampler makes of the sides of a box, in texels.
+/// Scale (lod_bias) and limits (lod_min, lod_max) of the sides of a box [texels].
 struct BoxRange {
   float scale, low, high;
 };
@@ -36,8 +37,8 @@ inline BoxRange box_range(const Sampler& sampler) {
   return {power(sampler.lod_bias), power(sampler.lod_min), power(sampler.lod_max)};
 }
 
-/// The boxes of a block of lookups, in texels: part k of `parts` is 2 half_u x 2 half_v around the point moved by
-/// (2 k + 1 - parts) / (2 parts) of the longer side.
+/// The boxes of a block of lookups [texels]. Each lookup has `parts` boxes of size 2 half_u x 2 half_v. The centre of
+/// box k = 0..parts - 1 is the point plus (2 k + 1 - parts) / (2 parts) (side_u, side_v).
 struct BoxBlock : PointBlock {
   alignas(64) float parts[kBlock];
   alignas(64) float side_u[kBlock], side_v[kBlock];
@@ -66,8 +67,8 @@ HWY_INLINE Boxes<D> SquareBoxes(D d, hn::Vec<D> lod, const BoxRange& range) {
   return {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d), half, half};
 }
 
-/// Boxes along the parallelogram of the derivatives. The number of parts is the length of the longer side over that of
-/// the shorter side or of a texel, rounded up, and at most `max_parts`.
+/// Finds the boxes along the parallelogram of the derivatives. The number of boxes is the length of the longer side
+/// divided by that of the shorter side (at least one texel), rounded up and at most `max_parts`.
 template <class D>
 SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, float height, float max_parts,
                                  const BoxRange& range) {
@@ -99,13 +100,12 @@ SHD_KERNEL_PART Boxes<D> BoxesOf(D d, const Derivatives<D>& j, float width, floa
   return b;
 }
 
-/// One end of a box along one axis: the cell that it cuts, between entries `inner` (towards the middle of the box) and
-/// `outer` of the table, and how much of the cell is in the box. Behind the last texel that is more than all of it.
+/// One end of a box along one axis, which cuts a cell of the table.
 template <class D>
 struct BoxEnd {
-  Ints<D> inner, outer;
-  hn::Vec<D> weight, sign, turns;
-  hn::Vec<D> place;  // m
+  Ints<D> inner, outer;            // table entries on both sides of the cell; `inner` is nearer to the box's middle
+  hn::Vec<D> weight, sign, turns;  // weight: part of the cell in the box; above 1 outside the texture
+  hn::Vec<D> place;                // m
 };
 
 template <class D>
@@ -138,7 +138,7 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
     default: break;
   }
   const V cell = hn::Min(hn::Max(hn::Floor(e.place), zero), size - one), next = cell + one;
-  const auto below = upper ? hn::Not(mirrored) : mirrored;  // whether the box holds the lower part of the cell
+  const auto below = upper ? hn::Not(mirrored) : mirrored;  // the box contains the lower part of the cell
   e.inner = hn::ConvertTo(di, hn::IfThenElse(below, cell, next));
   e.outer = hn::ConvertTo(di, hn::IfThenElse(below, next, cell));
   e.weight = hn::IfThenElse(below, e.place - cell, next - e.place);
@@ -146,13 +146,13 @@ HWY_INLINE BoxEnd<D> FoldEnd(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> size, 
   return e;
 }
 
-/// Along one axis, one vector of boxes: cells at both ends and what is between.
+/// One vector of boxes along one axis: the cells at both ends, and the extent between them.
 struct BoxSpans {
   alignas(64) int32_t inner[2][kMaxLanes], outer[2][kMaxLanes];
   alignas(64) float weight[2][kMaxLanes], sign[2][kMaxLanes];
-  alignas(64) float turns[kMaxLanes];    // whole textures between
-  alignas(64) float between[kMaxLanes];  // texels between, less than 0 where one cell has both ends
-  alignas(64) float outside[kMaxLanes];  // texels of border
+  alignas(64) float turns[kMaxLanes];    // whole textures between the ends
+  alignas(64) float between[kMaxLanes];  // texels between the two cells; negative if both ends cut one cell
+  alignas(64) float outside[kMaxLanes];  // texels of border colour
 
   double inside(size_t lane) const {
     return static_cast<double>(weight[0][lane]) + static_cast<double>(between[lane]) +
@@ -160,13 +160,14 @@ struct BoxSpans {
   }
 };
 
-/// The box from x - half to x + half; true for lanes whose table entries just rise from end to end.
+/// Wraps the box from x - half to x + half. Returns the lanes whose boxes do not wrap: their table
+/// entries rise from end to end.
 template <class D>
 SHD_KERNEL_PART MaskOf<D> WrapBox(D d, shd_wrap wrap, hn::Vec<D> x, hn::Vec<D> half, hn::Vec<D> size, BoxSpans* out) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   if (wrap != SHD_WRAP_REPEAT && wrap != SHD_WRAP_MIRROR) {
-    // Further outside all texels are the same.
+    // Beyond this limit all texels are the same.
     const V reach = half + one, low = wrap == SHD_WRAP_MIRROR_ONCE ? reach + size : reach;
     x = hn::Min(hn::Max(x, hn::Neg(low)), reach + size);
   }

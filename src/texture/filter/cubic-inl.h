@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Weights of the cubic kernels of Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988),
-// equation (8), as running averages: the second tap, then the third, the first and the fourth are blended in, each by
-// its weight over the sum of the weights so far. The sums are positive for every kernel here, and a weight of 0 blends
-// nothing. As only ratios count, the kernels are scaled to whole coefficients:
+// Cubic kernels of Mitchell and Netravali, "Reconstruction Filters in Computer Graphics" (1988), equation (8), as
+// shares of a running average. The average starts with the second tap; then the third, first and fourth taps are
+// blended in. The share of a tap is its weight divided by the sum of the weights so far. These sums are positive for
+// every kernel here, and a weight of 0 leaves the average unchanged. Only ratios of weights matter, so the kernels are
+// scaled to integer coefficients:
 //
 //   inner taps, at distance x < 1      p3 x^3 + p2 x^2 + p0
 //   outer taps, at distance 2 - r      q3 r^3 + q2 r^2
@@ -33,14 +34,14 @@ inline CubicKernel cubic_kernel(shd_cubic cubic) {
   }
 }
 
-/// Weights of the blends of the third, first and fourth tap, and their change with the coordinate.
+/// Shares of the third, first and fourth tap, and the derivatives of the shares in the coordinate.
 template <class D>
 struct CubicSteps {
   hn::Vec<D> step[3], rate[3];
 };
 
-/// At s between the second and the third tap; ds is its change with the coordinate. Rates take six divisions and are 0
-/// unless they are wanted.
+/// Returns the shares at the fraction s between the second and the third tap. ds is the derivative of s in the
+/// coordinate. Rates take six divisions; they are 0 unless has_rates is set.
 template <class D, class V>
 SHD_KERNEL_PART CubicSteps<D> StepsOf(D d, shd_cubic cubic, V s, V ds, bool has_rates) {
   const CubicKernel k = cubic_kernel(cubic);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ellipse of each lane on its level, and the weights inside (Heckbert, "Fundamentals of Texture Mapping and Image
-// Warping", 1989, 3.5).
+// The ellipse of each lane on its level, and the weights of texels inside it (Heckbert, "Fundamentals of Texture
+// Mapping and Image Warping", 1989, 3.5).
 
 #if defined(SHD_TEXTURE_ELLIPSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_ELLIPSE_INL_H_
@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// (1 - x) (c0 + c1 x + ... + c6 x^6): exp(-2 x) - exp(-2) within 3e-7 for x in [0, 1], by interpolation at Chebyshev's
-/// points.
+/// Returns exp(-2 x) - exp(-2) for x in [0, 1], |error| <= 3e-7. The approximation (1 - x) (c0 + c1 x + ... + c6 x^6)
+/// interpolates at Chebyshev points.
 template <class D, class V>
 HWY_INLINE V WeightAt(D d, V x) {
   V q = hn::Set(d, 0.00853181087f);
@@ -33,16 +33,16 @@ HWY_INLINE V WeightAt(D d, V x) {
   return (hn::Set(d, 1.0f) - x) * q;
 }
 
-/// One vector of an EllipseBlock. Lanes that bilinear takes over have a circle of one texel, which must not count.
+/// One vector of an EllipseBlock. Lanes that are bilinear only have a circle of one texel, whose texels must not count.
 template <class D>
 struct Ellipse {
   using V = hn::Vec<D>;
   Level<D> level;
-  V u, v;              // reduced coordinates of the middle
-  TexelPoint<D> x, y;  // the middle in texels
+  V u, v;              // reduced coordinates of the centre
+  TexelPoint<D> x, y;  // centre [texels]
   V shear, height2, width2;
-  V bilinear;         // its share
-  MaskOf<D> is_quad;  // bilinear alone
+  V bilinear;         // share of bilinear, 0..1
+  MaskOf<D> is_quad;  // lanes that are bilinear only
 
   HWY_INLINE Ellipse(D d, const Texture& texture, const Sampler& sampler, const EllipseBlock& block, size_t i)
       : level(LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.level + i))),

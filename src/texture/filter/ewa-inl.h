@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Elliptical weighted average: the texels inside the footprint's ellipse on one level, under a Gaussian (Greene and
-// Heckbert, "Creating Raster Omnimax Images from Multiple Perspective Views Using the Elliptical Weighted Average
-// Filter", 1986; Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5).
+// Elliptical weighted average (EWA): the average of the texels inside the ellipse of the footprint on one level, with
+// Gaussian weights (Greene and Heckbert, "Creating Raster Omnimax Images from Multiple Perspective Views Using the
+// Elliptical Weighted Average Filter", 1986; Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5).
 
 #if defined(SHD_TEXTURE_EWA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_EWA_INL_H_
@@ -13,19 +13,19 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/ellipse-inl.h"
-#include "texture/filter/sink-inl.h"
-#include "texture/footprint/shapes-inl.h"
+#include "texture/filter/runner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One vector of ellipses, and the weights so far.
+/// Visits the texels in one vector of ellipses, and sums their weights.
 template <class D>
 struct EllipseWalk {
   using V = hn::Vec<D>;
 
-  /// The texels of one row that lie inside: `last` + 1 of them from `left` on, the first `dx` from the row's middle.
+  /// The texels of one row that lie inside: columns left..left + last. `dx` is the distance of `left` from the middle
+  /// of the row, `dy` is the distance of the row from the centre, and `height` is the part of r^2 that comes from dy.
   struct Row {
     V dy, height, left, dx, last;
   };
@@ -33,9 +33,9 @@ struct EllipseWalk {
   const Sampler& sampler;
   Ellipse<D> ellipse;
   V per_height2, per_width2;
-  V top, last;                // lowest row, and how many more there are; -1 = none
+  V top, last;                // rows top..top + last; last = -1: no row
   V total, total_u, total_v;  // sum of the weights, and its derivatives
-  bool any = false;           // whether an element was emitted
+  bool any = false;           // an element was emitted
 
   HWY_INLINE EllipseWalk(D d, const Texture& texture, const Sampler& of_sampler, const EllipseBlock& block, size_t i)
       : sampler(of_sampler), ellipse(d, texture, of_sampler, block, i) {
@@ -48,14 +48,15 @@ struct EllipseWalk {
     total = total_u = total_v = hn::Zero(d);
   }
 
-  /// Whether the lanes' ellipses fill little of the rectangle around all of them.
+  /// Returns whether the ellipses differ: the rectangle of the greatest height and the greatest row width of all lanes
+  /// is more than twice as large as that of any single lane.
   HWY_INLINE bool are_unlike(D d) const {
     const float height2 = hn::GetLane(hn::MaxOfLanes(d, ellipse.height2));
     const float width2 = hn::GetLane(hn::MaxOfLanes(d, ellipse.width2));
     return height2 * width2 > 4.0f * hn::GetLane(hn::MaxOfLanes(d, ellipse.height2 * ellipse.width2));
   }
 
-  /// Row r of every lane; those beyond the last are empty.
+  /// Returns row r of every lane. Rows beyond the last row of a lane are empty.
   HWY_INLINE Row row_at(D d, V r) const {
     Row row;
     row.dy = top + r - ellipse.y.x;
@@ -70,7 +71,7 @@ struct EllipseWalk {
     return row;
   }
 
-  /// Lanes in step, row by row: the shortest way for ellipses that are alike.
+  /// Emits the texels row by row, with all lanes in step. This takes the fewest steps for similar ellipses.
   template <class Sink>
   HWY_INLINE void emit_together(D d, Sink& sink) {
     const float max_row = hn::GetLane(hn::MaxOfLanes(d, last));
@@ -88,7 +89,7 @@ struct EllipseWalk {
     }
   }
 
-  /// Every lane at its own pace, for ellipses that lie across each other.
+  /// Emits the texels with each lane at its own row and column, for ellipses of different orientation.
   template <class Sink>
   HWY_INLINE void emit_apart(D d, Sink& sink) {
     const V one = hn::Set(d, 1.0f);
@@ -115,7 +116,7 @@ struct EllipseWalk {
     }
   }
 
-  /// Returns whether the texel lies in any ellipse.
+  /// Emits texel `column` of a row. Returns whether it lies in the ellipse of any lane.
   template <class Sink>
   HWY_INLINE bool emit_texel(D d, const Row& row, V column, const Walk<D>& down, const Walk<D>& across, uint32_t flags,
                              Sink& sink) {
@@ -134,14 +135,14 @@ struct EllipseWalk {
     return true;
   }
 
-  /// Bilinear by its share.
+  /// Emits the bilinear lookup with its share.
   template <class Sink>
   HWY_INLINE void emit_quad(D d, Sink& sink) {
     const V share = hn::IfThenElse(ellipse.is_quad, hn::Set(d, kWhole), ellipse.bilinear);
-    sink.quad(d, how(true), QuadAt(d, sampler, ellipse.level, ellipse.u, ellipse.v), share);
+    sink.quad(d, how(true), ellipse.level, ellipse.u, ellipse.v, share);
   }
 
-  /// `starts`: the average of some lane begins.
+  /// Returns the operation of the next element. `starts`: the average of some lane starts with this element.
   HWY_INLINE uint32_t how(bool starts) {
     const uint32_t how = !any ? kStart : starts ? kReplace : kBlend;
     any = true;
@@ -153,7 +154,7 @@ struct EllipseWalk {
     return {hn::IfThenElseZero(active, weight / total), hn::Zero(d), hn::Zero(d)};
   }
 
-  /// With w' = -2 (w + exp(-2)) r^2' the share has the derivative (w' - share total') / total.
+  /// Returns the share with its derivatives (w' - share total') / total, where w' = -2 (w + exp(-2)) (r^2)'.
   HWY_INLINE Share<D> rated_share(D d, const Row& row, V dx, V weight, MaskOf<D> active) {
     Share<D> share = plain_share(d, weight, active);
     const V slope = hn::IfThenElseZero(active, hn::Set(d, 4.0f)) * (weight + hn::Set(d, 0.135335283f));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Scalar and in doubles: the filter that others are measured by. The bilinear reconstruction is a u + b v + c u v + d
-// on each cell of the lattice of texel centres, so its integral over a piece of a cell is made of the piece's moments.
+// SHD_FILTER_EXACT, scalar and in doubles: the reference for the error of other filters. The bilinear reconstruction is
+// a u + b v + c u v + d on each cell of the lattice of texel centres, so the moments of a piece of a cell give its
+// integral over the piece.
 #include "texture/filter/exact.h"
 
 #include <cmath>
@@ -8,16 +9,33 @@
 
 #include "texture/footprint/block.h"
 #include "texture/footprint/exact_footprint.h"
-#include "texture/sample.h"
+#include "texture/format/formats.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 #include "texture/store/wrap.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "texture/filter/exact.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "texture/filter/filters-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+size_t RunExact(const FilterCall& call) {
+  return run_exact(call, RunBilinear);
+}
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace shd::texture {
 namespace {
 
-/// Weighted mean of values, as deviations from the first one: equal values give that value. Those that are not finite
-/// add up on their own.
+/// Weighted mean of values. Deviations from the first value are summed, so equal values give exactly this value. Values
+/// that are not finite are summed separately, without weights; the sum then replaces the mean.
 struct Mean {
   double first = 0, sum = 0, nonfinite = 0;
   bool started = false, poisoned = false;
@@ -35,7 +53,7 @@ struct Mean {
   double over(double weight) const { return poisoned ? canonical(nonfinite) : first + sum / weight; }
 };
 
-/// Integrates the reconstruction of one level over the pieces that visit_cells() names.
+/// Integrates the reconstruction of one level. A visitor of visit_cells().
 template <class Codec>
 class Integral {
  public:
@@ -71,7 +89,7 @@ class Integral {
   float channel(size_t c) const { return static_cast<float>(mean_[c].over(weight_) / one_of(texture_.component, c)); }
 
  private:
-  /// Null for the border.
+  /// Returns row j after wrapping, or null for the border colour.
   const uint8_t* row(int64_t j) const {
     const int64_t y = wrap_index(sampler_.wrap_v, footprint_.y + j, height_);
     return y < 0 ? nullptr : row_of(texture_, footprint_.layer, footprint_.level, static_cast<uint32_t>(y));
@@ -93,7 +111,7 @@ class Integral {
   const Sampler& sampler_;
   const ExactFootprint& footprint_;
   const double
-      negligible_;  // share of a cell's area below which a weight is rounding, or the width of a thin footprint
+      negligible_;  // part of a piece's area; smaller weights come from rounding, or from the width of thin footprints
   int64_t width_, height_;
   double border_[Codec::kChannels];
   double weight_ = 0;
@@ -112,21 +130,23 @@ void integrate(const Texture& texture, const Sampler& sampler, const ExactFootpr
 
 }  // namespace
 
-size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out) {
-  Sampler bilinear = sampler;
+size_t run_exact(const FilterCall& call, RunFilter run_bilinear) {
+  Sampler bilinear = call.sampler;
   bilinear.filter = SHD_FILTER_BILINEAR;
   size_t nonfinite = 0;
-  for (size_t i = 0; i < lookups.count; ++i) {
-    const ExactFootprint footprint = exact_footprint(texture, sampler, lookups, i);
+  for (size_t i = 0; i < call.in.count; ++i) {
+    const ExactFootprint footprint = exact_footprint(call.texture, call.sampler, call.in, i);
+    const Texels out = part_of(call.out, i);
     nonfinite += !footprint.finite;
     if (footprint.point) {
-      run_filter(texture, bilinear, simd, part_of(lookups, i, 1), part_of(out, i), nullptr);
+      const Lookups lookup = part_of(call.in, i, 1);
+      run_bilinear({call.texture, bilinear, lookup, out, call.format, nullptr, nullptr});
     } else {
-      integrate(texture, sampler, footprint, part_of(out, i));
+      integrate(call.texture, call.sampler, footprint, out);
     }
   }
   return nonfinite;
 }
 
 }  // namespace shd::texture
+#endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/texture.h"
+#include "texture/stream.h"
 
 namespace shd::texture {
 
-/// SHD_FILTER_EXACT: the integral over the footprint, in doubles. Returns how many lookups were not finite.
-size_t sample_exact(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
-                    const Lookups& lookups, const Texels& out);
+/// Runs SHD_FILTER_EXACT: integrates over the footprint in doubles. Point lookups go to `run_bilinear`, the bilinear
+/// filter of the same target. Returns the number of lookups that were not finite.
+size_t run_exact(const FilterCall& call, RunFilter run_bilinear);
 
 }  // namespace shd::texture

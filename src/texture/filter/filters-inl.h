@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The filters: a row for each, with the name of its RunFilter and whether it has derivatives (it is a continuous tree of
-// blends). SHD_FILTER_EXACT has no row: it is scalar (exact.h).
+// Table of the filters: name, RunFilter, and whether the filter has derivatives (is a continuous tree of blends).
 
 #if defined(SHD_TEXTURE_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FILTERS_INL_H_
@@ -25,7 +24,8 @@
   ROW(SHD_FILTER_SUMMED_AREA, RunSummedArea, false)  \
   ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropic, true)  \
   ROW(SHD_FILTER_EWA, RunEwa, true)                  \
-  ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)
+  ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)   \
+  ROW(SHD_FILTER_EXACT, RunExact, false)
 #endif
 
 HWY_BEFORE_NAMESPACE();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels of a texture, and where the texels of a lookup lie in them.
+// Levels of a texture, and the addresses of texels in them.
 
 #if defined(SHD_TEXTURE_LEVEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_LEVEL_INL_H_
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One level per lane, or the same for all.
+/// Size and first texel of one level per lane. All lanes may have the same level.
 template <class D>
 struct Level {
   AxisSize<D> across, down;
@@ -34,7 +34,7 @@ SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_te
           first_texel + hn::Set(di, static_cast<int32_t>(texture.offset[level]))};
 }
 
-/// max(1, floor(base * scale)), scale a power of two: exact, as sizes are below 2^24.
+/// Returns max(1, floor(base * scale)), where scale is a power of two. This is exact, because sizes are below 2^24.
 template <class D, class V>
 HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
   const hn::RebindToSigned<D> di;
@@ -50,7 +50,8 @@ SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first
           first_texel + hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texture.offset), level)};
 }
 
-/// A level per lane, given as a whole float: the same bits by a shorter way where all lanes agree.
+/// Returns one level per lane. `level` contains integer-valued floats. A faster path with the same bits is used if all
+/// lanes have the same level.
 template <class D>
 HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> level) {
   const hn::RebindToSigned<D> di;
@@ -61,12 +62,12 @@ HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn
   return LevelPerLane(d, texture, first_texel, hn::ConvertTo(di, level));
 }
 
-/// The levels floor(lod) and the next of every lane, and the fraction between them.
+/// The two levels around the level of detail of each lane.
 template <class D>
 struct LevelPair {
-  Level<D> high, low;
-  hn::Vec<D> fraction;
-  bool blended;  // whether any fraction is not 0
+  Level<D> high, low;   // floor(lod), and the next coarser level
+  hn::Vec<D> fraction;  // share of `low`, [0, 1)
+  bool blended;         // some fraction is not 0; otherwise `low` is not set
 };
 
 template <class D>
@@ -81,21 +82,21 @@ SHD_KERNEL_PART LevelPair<D> LevelsOf(D d, const Texture& texture, Ints<D> first
   return pair;
 }
 
-/// Index of the first texel of row y from the first of the texture: all the addressing there is, as levels are
-/// packed rows.
+/// Returns the index of the first texel of row y in the texture. Levels are packed rows, so addresses need no other
+/// computation.
 template <class D>
 HWY_INLINE Ints<D> RowIndex(D, const Level<D>& level, Ints<D> y) {
   return y * level.across.whole + level.offset;
 }
 
-/// A texel of a stream: its index, or ~index where the border colour takes its place.
+/// Returns the index of a texel as streams store it: ~index where the border colour replaces the texel.
 template <class D>
 HWY_INLINE Ints<D> TexelOrBorder(D, Ints<D> index, MaskOf<D> in) {
   const hn::RebindToSigned<D> di;
   return hn::IfThenElse(hn::RebindMask(di, in), index, hn::Not(index));
 }
 
-/// Weights to 8 bits, as texture units have them; a weight of 1 is 0 of the other tap.
+/// Rounds weights to 8 bits, as texture units do. A weight of 1 becomes weight 0 with the other tap as the first.
 template <class D>
 HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
   const hn::RebindToSigned<D> di;
@@ -105,34 +106,6 @@ HWY_INLINE void RoundWeights(D d, LinearTaps<D>* taps) {
   taps->s = hn::IfThenZeroElse(next, s);
   taps->i0 = hn::IfThenElse(hn::RebindMask(di, next), taps->i1, taps->i0);
   taps->in0 = hn::Or(hn::And(next, taps->in1), hn::AndNot(next, taps->in0));
-}
-
-/// The texels around a point of a level: 2 columns of 2 rows.
-template <class D>
-struct Quad {
-  LinearTaps<D> x, y;
-  Ints<D> top, bottom;  // first texels of the rows
-
-  /// Index of the texel in column i and row j.
-  HWY_INLINE Ints<D> index(size_t i, size_t j) const { return (j ? bottom : top) + (i ? x.i1 : x.i0); }
-  HWY_INLINE MaskOf<D> in(size_t i, size_t j) const { return hn::And(i ? x.in1 : x.in0, j ? y.in1 : y.in0); }
-};
-
-template <class D>
-HWY_INLINE Quad<D> QuadOfTaps(D d, const Level<D>& level, const LinearTaps<D>& x, const LinearTaps<D>& y) {
-  return {x, y, RowIndex(d, level, y.i0), RowIndex(d, level, y.i1)};
-}
-
-/// At reduced coordinates.
-template <class D>
-HWY_INLINE Quad<D> QuadAt(D d, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
-  LinearTaps<D> x = WrapLinear(d, sampler.wrap_u, u, level.across);
-  LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, level.down);
-  if (HWY_UNLIKELY(sampler.rounded_weights)) {
-    RoundWeights(d, &x);
-    RoundWeights(d, &y);
-  }
-  return QuadOfTaps(d, level, x, y);
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

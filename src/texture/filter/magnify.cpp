@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A block whose lookups all go one way is filtered in place; else both kinds are gathered, filtered and scattered.
+// A block whose lookups all take the same filter is filtered in place. Otherwise the lookups of each filter are
+// gathered and filtered, and the results are scattered.
 #include "texture/filter/magnify.h"
 
 #include "texture/footprint/lod.h"
@@ -8,16 +9,16 @@
 namespace shd::texture {
 namespace {
 
-/// Lookups that are divided together; their copies take 6 KB of stack.
+/// Lookups in a block. Their copies take 6 KB of stack.
 constexpr size_t kPart = 64;
 
-/// Levels of detail that the texture's own levels do not clamp.
+/// Returns the sampler's range of levels of detail, not limited to the levels of the texture.
 LodRange free_range(const Sampler& sampler) {
   return {sampler.lod_min, sampler.lod_max};
 }
 
-/// The levels of detail that decide between magnification and minification: those of the longer axis, or of the probes
-/// where a profile places them.
+/// Finds the levels of detail that decide between magnification and minification. They are those of the longer axis, or
+/// those of the probes if a profile places the probes. Returns the number of lookups that were not finite.
 size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
                     float* out) {
   const bool by_probes = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.profile != SHD_PROFILE_EXACT;
@@ -25,7 +26,7 @@ size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::
                    out);
 }
 
-/// Packed copies of some lookups of a block, and room for their results.
+/// Packed copies of some lookups of a block, and their results.
 struct Gathered {
   float floats[kFloatColumns][kPart];
   uint32_t integers[kIntegerColumns][kPart];
@@ -62,12 +63,12 @@ void sample_rows(const Texture& texture, const Sampler& sampler, const core::Sim
                  const uint16_t* rows, size_t count, const Texels& out) {
   if (count == 0) return;
   if (count == in.count) {
-    sample_filter(texture, sampler, simd, in, out);
+    run_filter(texture, sampler, simd, in, out, nullptr);
     return;
   }
   Gathered gathered;
   const Lookups some = gathered.load(in, rows, count);
-  sample_filter(texture, sampler, simd, some, gathered.wanted(out));
+  run_filter(texture, sampler, simd, some, gathered.wanted(out), nullptr);
   gathered.scatter(rows, count, out);
 }
 

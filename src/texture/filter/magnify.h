@@ -5,16 +5,17 @@
 
 namespace shd::texture {
 
-/// The sampler that lookups take whose level of detail, after bias and clamps, is 0 or below ...
+/// Returns the sampler for magnification: for lookups whose level of detail is at most 0 after bias and clamps.
 Sampler magnifier(const Sampler& sampler);
-/// ... and the one of the others.
+/// Returns the sampler for all other lookups.
 Sampler minifier(const Sampler& sampler);
 
-/// sample_filter() with the magnifier or the minifier, chosen for each lookup; the two filters differ.
+/// Calls run_filter() with the magnifier or the minifier, chosen for each lookup. The sampler's magnification is not
+/// SHD_MAGNIFICATION_DEFAULT.
 size_t sample_magnified(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);
 
-/// The one of the two that a single lookup takes.
+/// Returns the sampler of the two that a single lookup takes.
 Sampler sampler_of(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookup);
 
 }  // namespace shd::texture

@@ -16,7 +16,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// The nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
+/// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
 template <class D>
 HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& block, size_t i) {
   const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
@@ -26,7 +26,7 @@ HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& bl
 struct NearestMip : OnMipLevels {
   using OnMipLevels::OnMipLevels;
 
-  /// One texel each: prefetching would cost more than it saves.
+  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
   static bool is_scattered(const Texture&, const PointBlock&) { return false; }
 
   template <class D, class Sink>
@@ -41,7 +41,7 @@ struct BilinearMip : OnMipLevels {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    sink.quad(d, kStart, QuadAt(d, sampler, NearestLevel(d, texture, block, i), u, v));
+    sink.quad(d, kStart, NearestLevel(d, texture, block, i), u, v);
     sink.finish();
   }
 };

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The texel of a level that contains the point.
+/// Emits the texel of a level that contains the point.
 template <class D, class Sink>
 HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level, const PointBlock& block, size_t i,
                              Sink& sink) {
@@ -30,7 +30,7 @@ HWY_INLINE void emit_nearest(D d, const Sampler& sampler, const Level<D>& level,
 struct Nearest : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
 
-  /// One texel each: prefetching would cost more than it saves.
+  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
   static bool is_scattered(const Texture&, const PointBlock&) { return false; }
 
   template <class D, class Sink>

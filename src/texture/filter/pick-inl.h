@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One tap of a filter, picked with the probabilities that are its weights. A number x, uniform in [0, 1), is below a
-// weight w with probability w, and never below 0.
+// Random choice of one tap of a filter; the weight of a tap is its probability. A number x, uniform in [0, 1), is below
+// a weight w with probability w, and never below a weight of 0.
 
 #if defined(SHD_TEXTURE_PICK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_PICK_INL_H_
@@ -19,14 +19,14 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One tap along one axis.
+/// The chosen tap along one axis.
 template <class D>
 struct Pick {
   Ints<D> index;
   MaskOf<D> in;  // false = border colour
 };
 
-/// One of the two taps of linear filtering at a reduced coordinate.
+/// Picks one of the two taps of linear filtering at a reduced coordinate.
 template <class D>
 HWY_INLINE Pick<D> PickLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, hn::Vec<D> x) {
   const hn::RebindToSigned<D> di;
@@ -36,9 +36,9 @@ HWY_INLINE Pick<D> PickLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const Axis
           hn::Or(hn::And(second, taps.in1), hn::AndNot(second, taps.in0))};
 }
 
-/// One of the four taps of the cubic B-spline, by the running sums of the weights: six times those are (1 - s)^3,
-/// 3 s^3 - 6 s^2 + 4, 3 (1 - s)^3 - 6 (1 - s)^2 + 4 and s^3. At s = 0 the first three sum to 6 exactly, which 6 x never
-/// reaches.
+/// Picks one of the four taps of the cubic B-spline by the running sums of their weights. The weights times six are
+/// (1 - s)^3, 3 s^3 - 6 s^2 + 4, 3 (1 - s)^3 - 6 (1 - s)^2 + 4 and s^3. At s = 0 the sum of the first three is exactly
+/// 6, which 6 x never reaches, so the fourth tap with its weight of 0 is never picked.
 template <class D>
 HWY_INLINE Pick<D> PickCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, hn::Vec<D> x) {
   using V = hn::Vec<D>;
@@ -66,7 +66,7 @@ HWY_INLINE Level<D> PickLevel(D d, const Texture& texture, Ints<D> first_texel, 
   return LevelAt(d, texture, first_texel, hn::Min(floor + next, last));
 }
 
-/// The one texel of a lookup.
+/// Emits the chosen texel of a lookup.
 template <class D, class Sink>
 HWY_INLINE void emit_pick(D d, const Level<D>& level, const Pick<D>& x, const Pick<D>& y, Sink& sink) {
   sink.texel(d, kStart | kNewLine, RowIndex(d, level, y.index) + x.index, hn::And(x.in, y.in));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One texel of an ellipse, picked by the weights of the elliptical weighted average.
+// Random choice of one texel of an ellipse by the weights of the elliptical weighted average.
 
 #if defined(SHD_TEXTURE_PICK_ELLIPSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_PICK_ELLIPSE_INL_H_
@@ -19,18 +19,18 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The texels of an ellipse as lines across the axis, u or v, that it reaches further along: many short lines, whatever
-/// its angle, so that lanes have about as many texels in step as alone. With the shorter half axis b < 1.96 a line has
-/// at most 2 sqrt(2) b + 1 texels: six.
+/// The texels of an ellipse as lines. Lines are perpendicular to the axis, u or v, along which the ellipse is longer,
+/// so an ellipse of any angle has many short lines. Lanes in step then visit few texels more than a single lane would.
+/// With the shorter half axis b < 1.96 a line has at most 2 sqrt(2) b + 1 texels: six.
 template <class D>
 class EllipseLines {
  public:
   using V = hn::Vec<D>;
 
-  /// With the middle at (x, y) in texels whose centres are whole numbers.
+  /// Finds the lines of ellipses with the centre (x, y), in texels whose centres have integer coordinates.
   HWY_INLINE EllipseLines(D d, V x, V y, V shear, V height2, V width2) {
     const V one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-    const V across = width2 + shear * shear * height2;  // half of its width, squared
+    const V across = width2 + shear * shear * height2;  // square of half the width of the ellipse
     by_column_ = hn::Gt(across, height2);
     const V turn = hn::IfThenElse(by_column_, height2 / across, one);
     along_ = hn::IfThenElse(by_column_, x, y);
@@ -46,14 +46,15 @@ class EllipseLines {
     texels_ = hn::Floor(half_width_ * two) + one;
   }
 
-  /// Most lines of any lane, and most texels of any line.
+  /// Returns the maximum number of lines of a lane.
   HWY_INLINE size_t lines(D d) const { return static_cast<size_t>(hn::GetLane(hn::MaxOfLanes(d, lines_))); }
+  /// Returns the maximum number of texels of a line.
   HWY_INLINE float texels(D d) const { return hn::GetLane(hn::MaxOfLanes(d, texels_)); }
 
   struct Line {
-    V square;  // the part of r^2 that its distance from the middle makes; 1 beyond the last
-    V start;   // its first texel
-    V offset;  // of that from the middle
+    V square;  // part of r^2 from the distance between line and centre; 1 for lines beyond the last one
+    V start;   // first texel of the line
+    V offset;  // distance of the first texel from the middle of the line
   };
   HWY_INLINE Line line(D d, V k) const {
     const V one = hn::Set(d, 1.0f);
@@ -65,14 +66,14 @@ class EllipseLines {
     line.offset = line.start - middle;
     return line;
   }
-  /// Weight of texel k of a line; 0 beyond the last and outside the ellipse.
+  /// Returns the weight of texel k of a line. It is 0 beyond the last texel and outside the ellipse.
   HWY_INLINE V weight(D d, const Line& line, float k) const {
     const V one = hn::Set(d, 1.0f), at = hn::Set(d, k);
     const V offset = line.offset + at;
     const V square = line.square + offset * offset * per_short_;
     return WeightAt(d, hn::IfThenElse(hn::Lt(at, texels_), hn::Min(square, one), one));
   }
-  /// Coordinates of texel `texel` of line k.
+  /// Returns the coordinates of texel `texel` of line k.
   HWY_INLINE void locate(D d, V k, V texel, V* x, V* y) const {
     const V place = first_ + k, start = line(d, k).start + texel;
     *x = hn::IfThenElse(by_column_, place, start);
@@ -84,12 +85,12 @@ class EllipseLines {
   V along_, across_, shear_, per_long_, per_short_, half_width_, first_, lines_, texels_;
 };
 
-/// Running sums are kept for so many groups of lines, to find the texel without walking all of them again. The largest
-/// ellipse has 216 lines, more than the stack should hold.
+/// Number of groups of lines whose running sums are kept, so that the texel is found without a second walk over all
+/// lines. The largest ellipse has 216 lines; so many sums would take too much stack.
 constexpr size_t kGroups = 56;
 
-/// Coordinates of the first texel with the running sum of weights above x times their sum: as that is below the sum,
-/// there is one, and its weight is not 0.
+/// Picks the first texel whose running sum of weights is above random times the sum of all weights. Such a texel always
+/// exists, because random is below 1, and its weight is not 0.
 template <class D>
 HWY_INLINE void PickInEllipse(D d, const EllipseLines<D>& lines, hn::Vec<D> random, hn::Vec<D>* x, hn::Vec<D>* y) {
   using V = hn::Vec<D>;
@@ -130,7 +131,8 @@ HWY_INLINE void PickInEllipse(D d, const EllipseLines<D>& lines, hn::Vec<D> rand
   lines.locate(d, k, texel, x, y);
 }
 
-/// One tap of an elliptical weighted average, its column and row: of bilinear by its share, else of the ellipse.
+/// Picks the column and the row of one tap of an elliptical weighted average. The share of bilinear is the probability
+/// of a bilinear tap; other taps are texels of the ellipse.
 template <class D>
 HWY_INLINE void PickEwa(D d, const Sampler& sampler, const Ellipse<D>& e, Rng<D>* rng, Pick<D>* x, Pick<D>* y) {
   using V = hn::Vec<D>;

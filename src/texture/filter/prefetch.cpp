@@ -9,7 +9,7 @@ namespace shd::texture {
 
 bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod) {
   constexpr size_t kPairs = 8, kNear = size_t{1} << 20;
-  constexpr float kApart = 16.0f;  // texels of the level
+  constexpr float kApart = 16.0f;  // [texels of the level]
   if (texture.texels.size() + texture.borrowed_texels * texel_size(texture) <= kNear || block.count <= kPairs) {
     return false;
   }
@@ -26,7 +26,7 @@ bool is_scattered(const Texture& texture, const PointBlock& block, const float* 
 
 void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes) {
   const auto ask = [&](const int32_t* index) {
-    // A function that does nothing but prefetch has no effect in the compiler's eyes: gcc 12 drops its calls.
+    // gcc 12 treats a function that only prefetches as free of effects and removes its calls. This prevents it.
     __asm__ volatile("");
     for (size_t k = 0; k < lanes; ++k) {
       const auto i = static_cast<uint32_t>(index[k] < 0 ? ~index[k] : index[k]);
@@ -38,6 +38,15 @@ void prefetch_elements(const TexelSource& source, const Stream& stream, size_t f
     const uint32_t op = stream.op[e];
     if (op & (kQuad | kNewLine)) ask(stream.index[0] + e * lanes);
     if (op & (kQuad | kRow)) ask(stream.index[2] + e * lanes);
+  }
+}
+
+InputColumns::InputColumns(const Lookups& in) : count_(in.count) {
+  for (size_t c = 0; c < kFloatColumns; ++c) {
+    if (in.real(c)) column_[columns_++] = reinterpret_cast<const uint32_t*>(in.real(c));
+  }
+  for (size_t c = 0; c < kIntegerColumns; ++c) {
+    if (in.integer(c)) column_[columns_++] = in.integer(c);
   }
 }
 

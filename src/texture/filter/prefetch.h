@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Lookups that lie all over a large texture wait for memory, one vector after the other. The lines of a stream are
-/// asked for at once before it is consumed; where neighbours lie near each other that would only cost.
+/// Prefetches for lookups that are scattered over a large texture. Without prefetches, each vector of such lookups
+/// waits for memory on its own. All cache lines of a part of a stream are prefetched before the part is consumed.
+/// Lookups that are near their neighbours are not prefetched, because prefetches would only cost time.
 #pragma once
 
 #include "texture/footprint/block.h"
@@ -9,12 +10,28 @@
 
 namespace shd::texture {
 
-/// Whether most neighbouring lookups of a block read lines of memory far from each other, as eight pairs of them show,
-/// in a texture that is larger than a cache close to a core. `lod` holds their levels of detail, or is null for level
-/// 0. Decides how fast the lookups are, not what they give.
+/// Returns whether most neighbouring lookups of a block read distant cache lines of a texture that is larger than a
+/// cache close to a core. Eight pairs of neighbours are tested. `lod` holds the levels of detail; null = level 0. The
+/// answer changes the speed of the lookups, not their results.
 bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod);
 
-/// Asks for the lines of elements first..end - 1: of quads, of rows, and of texels that begin a line.
+/// The input columns that a batch of lookups has.
+class InputColumns {
+ public:
+  explicit InputColumns(const Lookups& in);
+
+  /// Prefetches the columns at lookup i if it is in the batch.
+  void prefetch(size_t i) const {
+    if (i >= count_) return;
+    for (size_t c = 0; c < columns_; ++c) __builtin_prefetch(column_[c] + i);
+  }
+
+ private:
+  size_t count_, columns_ = 0;
+  const uint32_t* column_[kFloatColumns + kIntegerColumns];  // columns of any type of four bytes
+};
+
+/// Prefetches the texels of elements first..end - 1: of quads, of rows, and of single texels with kNewLine.
 void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes);
 
 }  // namespace shd::texture

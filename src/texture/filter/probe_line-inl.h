@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line of probes of each lane.
+// The line of probes of an anisotropic lookup.
 
 #if defined(SHD_TEXTURE_PROBE_LINE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_PROBE_LINE_INL_H_
@@ -18,11 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The lines of probes of one vector of lookups.
 template <class D>
 struct ProbeLine {
   using V = hn::Vec<D>;
   V u, v;            // reduced coordinates of the middle
-  V step_u, step_v;  // half the step, in reduced coordinates
+  V step_u, step_v;  // half the step between probes, in reduced coordinates
   V probes;
   shd_wrap wrap_u, wrap_v;
 
@@ -35,17 +36,17 @@ struct ProbeLine {
         wrap_u(sampler.wrap_u),
         wrap_v(sampler.wrap_v) {}
 
-  /// Half steps from the middle to probe k; to the last one for k beyond.
+  /// Returns the position of probe k, in half steps from the middle. It is the last probe's for k beyond it.
   HWY_INLINE V position(D d, V k) const {
     const V last = probes - hn::Set(d, 1.0f);
     return hn::Min(k + k, last + last) - last;
   }
-  /// Reduced coordinates at a position.
+  /// Return the reduced coordinates at a position.
   HWY_INLINE V u_at(V position) const { return At(wrap_u, u, position, step_u); }
   HWY_INLINE V v_at(V position) const { return At(wrap_v, v, position, step_v); }
 
  private:
-  /// A distance in the units of reduced coordinates.
+  /// Converts a distance to the unit of reduced coordinates.
   static HWY_INLINE V Distance(D d, shd_wrap wrap, V step) {
     return wrap == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
   }
@@ -55,7 +56,7 @@ struct ProbeLine {
   }
 };
 
-/// exp(-2 x^2).
+/// Returns exp(-2 x^2).
 template <class D, class V>
 HWY_INLINE V ProbeGaussian(D d, V x) {
   return simd::HWY_NAMESPACE::Exp2(d, x * x * hn::Set(d, -2.88539008f));  // -2 / ln 2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random bits without state: hashes of what a lane is given, so that a lookup depends on itself only. Hashes of several
-// words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020, section 4.2).
+// Random numbers without state: hashes of the inputs of a lane, so that a lookup depends on its own inputs only. Hashes
+// of several words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020, section 4.2).
 
 #if defined(SHD_TEXTURE_RANDOM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_RANDOM_INL_H_
@@ -18,10 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D>
 using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
 
-/// 2^32 over the golden ratio: steps of a Weyl sequence.
+/// Step of a Weyl sequence: 2^32 divided by the golden ratio.
 constexpr uint32_t kWeylStep = 0x9e3779b9u;
 
-/// A bijection of 32-bit words: xor-shifts and multiplications with the constants that Wellons found by search
+/// Hashes 32-bit words by a bijection of xor-shifts and multiplications. Wellons found its constants by search
 /// ("Prospecting for Hash Functions", 2018, lowbias32).
 template <class DU, class VU>
 HWY_INLINE VU MixBits(DU du, VU x) {
@@ -32,7 +32,7 @@ HWY_INLINE VU MixBits(DU du, VU x) {
   return x ^ hn::ShiftRight<16>(x);
 }
 
-/// One word for a point.
+/// Combines the bits of a point into one word.
 template <class D, class V>
 HWY_INLINE Bits<D> BitsOfPoint(D, V u, V v) {
   const hn::RebindToUnsigned<D> du;
@@ -47,7 +47,7 @@ class Rng {
     const hn::RebindToUnsigned<D> du;
     state_ = MixBits(du, random + MixBits(du, hn::Set(du, seed + kWeylStep)));
   }
-  /// A multiple of 2^-24, uniform in [0, 1).
+  /// Returns the next number, a multiple of 2^-24, uniform in [0, 1).
   HWY_INLINE hn::Vec<D> next(D d) {
     const hn::RebindToUnsigned<D> du;
     const hn::RebindToSigned<D> di;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels that are halved along each axis on its own ("rip maps", after Akenine-Moller et al., "Real-Time Rendering",
+// Filter on levels that are halved along each axis on its own ("ripmap": Akenine-Moller et al., "Real-Time Rendering",
 // 2018, 6.2.2).
 #include "texture/stream.h"
 
@@ -16,9 +16,9 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// log2 of the extent of the footprint along one axis in texels, sqrt(x^2 + y^2) of the derivatives of that axis: the
-/// half width of the bounding box of the ellipse that a circle of one pixel becomes, so that a footprint along the
-/// axes has the levels of trilinear's. Clamped to 2^-32..2^31.
+/// Returns log2 of the extent of the footprint along one axis in base texels, clamped to -32..31. The extent is
+/// sqrt(x^2 + y^2) of the derivatives of the axis: half the width of the bounding box of the ellipse that a circle of
+/// one pixel becomes. A footprint along the axes therefore has the levels of trilinear.
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V AxisLambda(D d, V along_x, V along_y, float size) {
   const V x = along_x * hn::Set(d, size), y = along_y * hn::Set(d, size);
@@ -32,13 +32,13 @@ struct AxisLodBlock : PointBlock {
   alignas(64) float lod_u[kBlock], lod_v[kBlock];
 };
 
-/// The two levels of one axis around a level of detail, and where between them it lies.
+/// The two levels of one axis around a level of detail.
 template <class D>
 struct AxisLevels {
   Ints<D> level[2];
   AxisSize<D> size[2];
-  hn::Vec<D> fraction;
-  bool blended;  // whether any fraction is not 0
+  hn::Vec<D> fraction;  // share of the second level, [0, 1)
+  bool blended;         // some fraction is not 0
 };
 
 template <class D>
@@ -57,8 +57,8 @@ HWY_INLINE AxisLevels<D> LevelsAround(D d, hn::Vec<D> lod, uint32_t base, uint32
   return levels;
 }
 
-/// Bilinear on the levels (i, j), (i + 1, j), (i, j + 1) and (i + 1, j + 1), blended by the fractions of the levels
-/// of detail of both axes.
+/// SHD_FILTER_RIPMAP: bilinear lookups on the levels (i, j), (i + 1, j), (i, j + 1) and (i + 1, j + 1), blended by the
+/// fractions of the levels of detail of both axes.
 struct Ripmap {
   using Block = AxisLodBlock;
 
@@ -72,14 +72,12 @@ struct Ripmap {
     const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
     const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
     const bool lod_given = in.lod != nullptr;
-    out->count = in.count;
-    return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       const auto& j = p.derivatives;
       const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
       const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
       hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
       hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   }
   static bool is_scattered(const Texture& texture, const AxisLodBlock& block) {
@@ -107,9 +105,9 @@ struct Ripmap {
     for (int j = 0; j < (rows.blended ? 2 : 1); ++j) {
       const uint32_t average = j == 0 ? 0 : kSecond;
       const LinearTaps<D> y = WrapLinear(d, sampler.wrap_v, v, rows.size[j]);
-      const auto quad = [&](int k) { return QuadOfTaps(d, LevelOf(d, first_texel, columns, k, rows, j), x[k], y); };
-      sink.quad(d, average | kStart, quad(0));
-      if (columns.blended) sink.quad(d, average | kBlend, quad(1), columns.fraction);
+      const auto level = [&](int k) { return LevelOf(d, first_texel, columns, k, rows, j); };
+      sink.quad(d, average | kStart, level(0), x[0], y);
+      if (columns.blended) sink.quad(d, average | kBlend, level(1), x[1], y, columns.fraction);
     }
     if (rows.blended) sink.merge(d, rows.fraction);
     sink.finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One texel per lookup, picked by the weights of a filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading
-// With Stochastic Texture Filtering", 2024): an unbiased estimate of that filter from one sample.
+// Stochastic filtering: one texel per lookup, picked by the weights of a filter. The result is an unbiased one-sample
+// estimate of this filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading With Stochastic Texture
+// Filtering", 2024).
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -21,19 +22,19 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// A block of shapes with random bits for each lookup.
+/// A block of shapes, with random bits for each lookup.
 template <class Shape>
 struct RandomBlock : Shape {
   alignas(64) uint32_t random[kBlock];
 };
 
-/// The bits that a lookup was given, or its own.
+/// Loads the random bits of lookups. Without a column of random bits they are a hash of the coordinates.
 template <class Shape>
-void FindRandom(const Sampler& sampler, const Lookups& in, RandomBlock<Shape>* out) {
-  ForEachVector(unwidened(sampler), in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+void FindRandom(const Lookups& in, RandomBlock<Shape>* out) {
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
     const hn::RebindToUnsigned<decltype(d)> du;
-    const auto bits = from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, p.u, p.v);
-    hn::Store(bits, du, out->random + to);
+    const auto u = FiniteOrZero(d, hn::LoadU(d, from.u + i)), v = FiniteOrZero(d, hn::LoadU(d, from.v + i));
+    hn::Store(from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, u, v), du, out->random + to);
   });
 }
 
@@ -42,14 +43,14 @@ HWY_INLINE Rng<D> RngOf(D d, const Sampler& sampler, const RandomBlock<Shape>& b
   return Rng<D>(d, hn::Load(hn::RebindToUnsigned<D>(), block.random + i), sampler.seed);
 }
 
-/// A texel of the base level by the weights of a bilinear or bicubic filter.
+/// Picks a texel of the base level by the weights of a bilinear or bicubic filter.
 template <bool kCubic>
 struct PickOnBase : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
   using Block = RandomBlock<PointBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindPoints(texture, sampler, in, block);
   }
 
@@ -79,7 +80,7 @@ struct PickTrilinear : OnMipLevels {
   using Block = RandomBlock<LodBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return OnMipLevels::find(texture, sampler, in, block);
   }
 
@@ -94,13 +95,13 @@ struct PickTrilinear : OnMipLevels {
   }
 };
 
-/// One probe, then one texel of its trilinear lookup.
+/// Picks one probe, and then one texel of its trilinear lookup.
 struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
   }
 
@@ -119,7 +120,8 @@ struct PickAnisotropic : OnMipLevels {
     emit_pick(d, level, column, row, sink);
   }
 
-  /// Position of the first probe with the running sum of weights above x times their sum; the last one at least.
+  /// Returns the position of the first probe whose running sum of weights is above x times the sum of all weights, or
+  /// of the last probe if rounding leaves none.
   template <class D, class V>
   static HWY_INLINE V PickGaussian(D d, const ProbeLine<D>& line, V x) {
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
@@ -147,7 +149,7 @@ struct PickEllipse {
   PickEllipse(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
   static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(sampler, in, block);
+    FindRandom(in, block);
     return FindEllipses(texture, sampler, in, block);
   }
   static bool is_scattered(const Texture& texture, const Block& block) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Channels lie in the lanes of a vector and lookups follow one another: the entries of a texel are one load. A box is
-// cut where it cuts cells, into three columns of three patches. The sums of patches are differences of table entries,
-// exact where those are whole numbers; each is weighted by the part of its cells that the box covers.
+// The lanes of a vector are the channels of one lookup, so that the entries of a texel are one load. The cells at its
+// ends divide a box into three columns of three patches. The sum of a patch is a difference of table entries, which is
+// exact for integer entries. It is weighted by the part of its cells that the box covers.
 #include "texture/store/summed_area.h"
 
 #include "texture/filter/prefetch.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,7 +22,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
-/// Entries as they are stored, for differences that are not negative, and as real numbers.
+/// Integer table entries. Differences are computed on integers and must not be negative; real() converts them.
 template <class Real>
 struct WholeEntries {
   using Entry = uint32_t;
@@ -31,10 +31,11 @@ struct WholeEntries {
   static HWY_INLINE hn::Vec<Real> real(hn::Vec<Tag> v) {
     const Real d;
     const hn::Rebind<uint64_t, Real> bits;
-    const auto magic = hn::Set(d, 0x1p52);  // the low 32 bits of its mantissa count ones
+    const auto magic = hn::Set(d, 0x1p52);  // the lowest bit of its mantissa has the value 1
     return hn::BitCast(d, hn::PromoteTo(bits, v) | hn::BitCast(bits, magic)) - magic;
   }
 };
+/// Table entries that are doubles.
 template <class Real>
 struct RealEntries {
   using Entry = double;
@@ -43,7 +44,7 @@ struct RealEntries {
   static HWY_INLINE hn::Vec<Real> real(hn::Vec<Real> v) { return v; }
 };
 
-/// One lane's box along one axis.
+/// The box of one lane along one axis.
 struct BoxSpan {
   int32_t inner[2], outer[2];
   double weight[2], sign[2], turns;
@@ -69,11 +70,11 @@ struct BoxSums {
   using Raw = hn::Vec<Tag>;
   using Entry = typename Stored::Entry;
 
-  const Entry* table;  // of the first of the channels
+  const Entry* table;  // entry (0, 0) of the first channel of the vector
   size_t pitch;
   uint32_t width, height;
 
-  /// Differences along one row: the cells cut at both ends and those between.
+  /// Differences along one row: over the cell at the first end, the cells between, and the cell at the last end.
   template <class T>
   struct Row {
     T first, middle, last;
@@ -98,7 +99,7 @@ struct BoxSums {
   static HWY_INLINE V rising_column(Raw outer0, Raw inner0, Raw inner1, Raw outer1, const BoxSpan& v) {
     return weighted(real(inner0 - outer0), real(inner1 - inner0), real(outer1 - inner1), v);
   }
-  /// Sum over a box that lies in the texture, its ends in rising order.
+  /// Returns the sum over a box inside the texture, whose table entries rise from end to end.
   HWY_INLINE V rising(const BoxSpan& u, const BoxSpan& v) const {
     const Row<Raw> outer0 = rising_row(row(v.outer[0]), u), inner0 = rising_row(row(v.inner[0]), u);
     const Row<Raw> inner1 = rising_row(row(v.inner[1]), u), outer1 = rising_row(row(v.outer[1]), u);
@@ -108,7 +109,7 @@ struct BoxSums {
     return weighted(first, middle, last, u);
   }
 
-  /// Differences between four entries, and a fifth for whole textures.
+  /// Returns the differences between the four entries of a wrapped box. `whole` is the entry of the whole texture.
   static HWY_INLINE Row<V> differences(V outer0, V inner0, V inner1, V outer1, V whole, const BoxSpan& s) {
     const Real d;
     const V sign0 = hn::Set(d, s.sign[0]), sign1 = hn::Set(d, s.sign[1]);
@@ -124,7 +125,7 @@ struct BoxSums {
     const Row<V> rows = differences(outer0, inner0, inner1, outer1, whole, v);
     return weighted(rows.first, rows.middle, rows.last, v);
   }
-  /// Sum over any box.
+  /// Returns the sum over any box.
   HWY_NOINLINE V wrapped(const BoxSpan& u, const BoxSpan& v) const {
     const Row<V> outer0 = wrapped_row(row(v.outer[0]), u), inner0 = wrapped_row(row(v.inner[0]), u);
     const Row<V> inner1 = wrapped_row(row(v.inner[1]), u), outer1 = wrapped_row(row(v.outer[1]), u);
@@ -136,7 +137,7 @@ struct BoxSums {
   }
 };
 
-/// What a lane has gathered over its boxes.
+/// Sums of each lane over its boxes.
 template <size_t kChannels>
 struct BoxTotals {
   double sum[kMaxLanes][kChannels] = {};
@@ -144,7 +145,7 @@ struct BoxTotals {
   bool nonfinite[kMaxLanes][kChannels] = {};
 };
 
-/// What does not depend on the lookup, by channel.
+/// Constants of each channel: the stored number of 1, and the border colour.
 template <size_t kChannels>
 struct BoxScale {
   double one[kChannels], border[kChannels];
@@ -167,7 +168,7 @@ struct SummedArea {
   const Texture& texture;
   const Sampler& sampler;
   BoxScale<kChannels> scale;
-  bool scattered;  // ask for the lines of a vector's boxes before they are summed
+  bool scattered;  // prefetch the table entries of a vector of boxes before they are summed
 
   template <class S>
   HWY_INLINE S sums_of(const typename S::Entry* tables, size_t layer, size_t channel) const {
@@ -237,14 +238,15 @@ struct SummedArea {
     }
   }
 
-  /// A reduced coordinate in texels.
+  /// Converts a reduced coordinate to texels.
   template <class D>
   static HWY_INLINE hn::Vec<D> TexelCoordinate(D d, shd_wrap wrap, const float* reduced, hn::Vec<D> size) {
     const auto x = hn::Load(d, reduced) * size;
     return wrap == SHD_WRAP_MIRROR ? x + x : x;
   }
 
-  /// The vector of lookups at i, to elements i.. of the columns, no more than the block has.
+  /// Filters the vector of lookups at i and writes the results to elements i.. of the columns. Nothing is written past
+  /// the count of the block.
   template <class D>
   HWY_INLINE void run(D d, const BoxBlock& block, size_t i, const Texels& out) const {
     using V = hn::Vec<D>;
@@ -286,8 +288,7 @@ size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& 
       sampler.box == SHD_BOX_ORIENTED ? static_cast<float>(static_cast<int>(sampler.max_anisotropy)) : 1.0f;
   const BoxRange range = box_range(sampler);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto boxes =
         lod_given ? SquareBoxes(d, p.lod, range) : BoxesOf(d, p.derivatives, width, height, max_parts, range);
     hn::Store(boxes.count, d, out->parts + to);
@@ -295,7 +296,6 @@ size_t FindBoxes(const Texture& texture, const Sampler& sampler, const Lookups& 
     hn::Store(boxes.side_v, d, out->side_v + to);
     hn::Store(boxes.half_u, d, out->half_u + to);
     hn::Store(boxes.half_v, d, out->half_v + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 
@@ -307,7 +307,7 @@ size_t SummedAreaOf(const FilterCall& call) {
   BoxBlock block;
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = part_of(call.in, first, call.in.count - first < kBlock ? call.in.count - first : kBlock);
+    const Lookups in = block_of(call.in, first);
     nonfinite += FindBoxes(call.texture, call.sampler, in, &block);
     filter.scattered = is_scattered(call.texture, block, nullptr);
     const Texels out = part_of(call.out, first);
@@ -327,7 +327,7 @@ size_t SummedAreaOf(const FilterCall& call) {
 
 }  // namespace
 
-/// Reads a table in place of texels, and so writes its values itself.
+/// Runs SHD_FILTER_SUMMED_AREA. It reads a table in place of texels, so it writes values itself without a stream.
 size_t RunSummedArea(const FilterCall& call) {
   return has_integer_sums(call.texture) ? SummedAreaOf<WholeEntries>(call) : SummedAreaOf<RealEntries>(call);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bilinear on the two levels around the level of detail (Williams, "Pyramidal Parametrics", 1983).
+// Trilinear filter: blend of bilinear lookups on the two levels around the level of detail (Williams, "Pyramidal
+// Parametrics", 1983).
 
 #if defined(SHD_TEXTURE_TRILINEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_TRILINEAR_INL_H_
@@ -24,8 +25,8 @@ struct Trilinear : OnMipLevels {
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
     const LevelPair<D> levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
-    sink.quad(d, kStart, QuadAt(d, sampler, levels.high, u, v));
-    if (levels.blended) sink.quad(d, kBlend, QuadAt(d, sampler, levels.low, u, v), levels.fraction);
+    sink.quad(d, kStart, levels.high, u, v);
+    if (levels.blended) sink.quad(d, kBlend, levels.low, u, v, levels.fraction);
     sink.finish();
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texels along one axis, one after the other: only the first is wrapped by division.
+// Walks over consecutive texels along one axis. Only the first texel is wrapped by a division.
 
 #if defined(SHD_TEXTURE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_WALK_INL_H_
@@ -17,14 +17,16 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How far outside a level every texel is the same for wraps that do not repeat, and more than any walk is long.
+/// Distance from a level at which wraps without repetition read one texel only, longer than any walk [texels].
 constexpr float kFarOutside = 512.0f;
 
-/// A reduced coordinate in texels whose centres are whole numbers, and its change with the coordinate.
+/// A coordinate in texels whose centres are integers, and its derivative in the normalised coordinate.
 template <class D>
 struct TexelPoint {
   hn::Vec<D> x, rate;
 };
+
+/// Converts a reduced coordinate to texels. Wraps without repetition clamp it at kFarOutside.
 template <class D>
 HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec<D> size) {
   using V = hn::Vec<D>;
@@ -36,7 +38,7 @@ HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec
   return {near, hn::IfThenElseZero(hn::Eq(near, x), size)};
 }
 
-/// A place on an axis that moves up by one texel a step; |start| <= 2 (size + kFarOutside).
+/// A position on an axis that advances by one texel per step; |start| <= 2 (size + kFarOutside).
 template <class D>
 class Walk {
  public:
@@ -50,17 +52,17 @@ class Walk {
     at_ = at_ + hn::Set(di, 1);
     if (is_periodic()) at_ = hn::IfThenZeroElse(hn::Eq(at_, end_), at_);
   }
-  /// In some lanes.
+  /// Advances some lanes.
   HWY_INLINE void step_if(D d, MaskOf<D> lanes) {
     const Ints<D> before = at_;
     step(d);
     at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), at_, before);
   }
-  /// Goes elsewhere in some lanes.
+  /// Restarts some lanes at `start`.
   HWY_INLINE void restart_if(D d, MaskOf<D> lanes, hn::Vec<D> start) {
     at_ = hn::IfThenElse(hn::RebindMask(hn::RebindToSigned<D>(), lanes), wrapped(d, start), at_);
   }
-  /// Index in 0..size - 1; `in` is false on the border of SHD_WRAP_BORDER alone.
+  /// Returns the index of the texel, 0..size - 1. Lanes of `in` are clear for the border colour (SHD_WRAP_BORDER only).
   HWY_INLINE Ints<D> index(D d, MaskOf<D>* in) const {
     const hn::RebindToSigned<D> di;
     *in = hn::Eq(hn::Zero(d), hn::Zero(d));

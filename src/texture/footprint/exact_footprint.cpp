@@ -23,7 +23,8 @@ double zero_if_not_finite(float value) {
   return std::isfinite(value) ? static_cast<double>(value) : 0.0;
 }
 
-/// 2^x for x clamped to -200..200, |relative error| < 1e-15 and exact for whole x: Taylor's series of the fraction.
+/// Returns 2^x for x clamped to -200..200, by the Taylor series of the fraction. |relative error| < 1e-15; exact for
+/// whole x.
 double power_of_two(double x) {
   const double clamped = x < -200 ? -200 : x > 200 ? 200 : x;
   const double whole = std::floor(clamped + 0.5), t = (clamped - whole) * 0x1.62e42fefa39efp-1;
@@ -35,7 +36,7 @@ double power_of_two(double x) {
   return power * scale;
 }
 
-/// Widen() of footprint-inl.h.
+/// Applies width and blur to the sides, as Widen() of footprint-inl.h does in floats.
 void widen(const Sampler& sampler, Sides* s) {
   const auto scaled = [](double value, float width) {
     const double product = value * static_cast<double>(width);
@@ -54,7 +55,8 @@ void widen(const Sampler& sampler, Sides* s) {
   *s = {{length, scale * length}, {0, std::sqrt(rest)}};
 }
 
-/// In units of the base level's texels where a level of detail is given, else normalised.
+/// Returns the sides of a footprint in normalised coordinates, with width, blur and bias. A given level of detail has a
+/// square of 2^lod base texels.
 Sides load_sides(const Texture& texture, const Sampler& sampler, const Lookups& in, size_t i) {
   const double bias = static_cast<double>(sampler.lod_bias);
   if (in.lod) {
@@ -92,7 +94,8 @@ Vec2 shortened(Vec2 side, double limit) {
   return {side.x * scale, side.y * scale};
 }
 
-/// Sides within 1 / 32 of the limit each, then the area within half of it: cell_bound() is then the limit and 16.
+/// Shortens both sides until their components are at most 1 / 32 of the limit, and then until the area is at most half
+/// of the limit. cell_bound() is then at most the limit plus 16.
 Sides shortened(const Sides& s, double limit) {
   Sides out = {shortened(s.a, limit / 32), shortened(s.b, limit / 32)};
   const double area = std::fabs(cross(out.a, out.b));
@@ -106,7 +109,8 @@ double length_of(Vec2 v) {
   return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
-/// Makes a parallelogram counter-clockwise and, across its longer side, at least kThinnest wide; true if it was not.
+/// Makes a parallelogram counter-clockwise and at least kThinnest wide across its longer side. Returns whether it was
+/// thinner.
 bool give_width(Sides* s) {
   if (length_of(s->a) < length_of(s->b)) *s = {s->b, s->a};
   const double length = length_of(s->a);
@@ -122,7 +126,8 @@ bool give_width(Sides* s) {
   return true;
 }
 
-/// Texel coordinate of a finite u: whole periods taken off, or moved no nearer than the footprint reaches.
+/// Returns the texel coordinate of a finite u. Wraps that repeat remove whole periods; the others clamp the coordinate
+/// at a distance where the whole footprint lies outside the image.
 double place(shd_wrap wrap, double u, double size, double extent) {
   if (wrap == SHD_WRAP_REPEAT) return (u - std::floor(u)) * size - 0.5;
   if (wrap == SHD_WRAP_MIRROR) return (u - 2 * std::floor(u / 2)) * size - 0.5;

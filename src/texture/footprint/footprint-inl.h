@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The footprint: the ellipse that a unit circle of pixels covers in base texels, by the singular values of the
-// derivatives (Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5.9; Golub and Van Loan, "Matrix
-// Computations", 1996, 8.6). Scaled by a power of two, so that no square leaves the range of floats.
+// The footprint: the ellipse that a unit circle of pixels covers in base texels. Its axes are the singular values of
+// the derivatives (Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, 3.5.9; Golub and Van Loan,
+// "Matrix Computations", 1996, 8.6). Derivatives are scaled by a power of two, so that no square leaves the range of
+// floats.
 
 #if defined(SHD_TEXTURE_FOOTPRINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FOOTPRINT_INL_H_
@@ -21,14 +22,14 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// 2^exponent, exponent in -126..127.
+/// Returns 2^exponent, for exponents in -126..127.
 template <class D>
 HWY_INLINE hn::Vec<D> PowerOfTwo(D d, hn::Vec<hn::RebindToSigned<D>> exponent) {
   const hn::RebindToSigned<D> di;
   return hn::BitCast(d, hn::ShiftLeft<23>(exponent + hn::Set(di, 127)));
 }
 
-/// floor(log2 |x|) clamped to -126..126, for x that is not NaN.
+/// Returns floor(log2 |x|) clamped to -126..126, for x that is not NaN.
 template <class D>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> ExponentOf(D, hn::Vec<D> x) {
   const hn::RebindToSigned<D> di;
@@ -37,20 +38,20 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> ExponentOf(D, hn::Vec<D> x) {
   return hn::Min(hn::Max(exponent, hn::Set(di, -126)), hn::Set(di, 126));
 }
 
-/// The largest magnitude of four vectors without NaN.
+/// Returns the largest magnitude of four vectors without NaN.
 template <class V>
 HWY_INLINE V LargestMagnitude(V a, V b, V c, V e) {
   return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Max(hn::Abs(c), hn::Abs(e)));
 }
 
-/// Whether the sampler changes the derivatives.
+/// Returns whether width or blur of the sampler change the derivatives.
 inline bool widens(const Sampler& s) {
   return s.width_x != 1.0f || s.width_y != 1.0f || s.blur_u != 0.0f || s.blur_v != 0.0f;
 }
 
-/// Derivatives of the footprint with width and blur: J' with J' J'^T = J diag(width^2) J^T + diag(blur^2), the
-/// covariance of the sum of Gaussians. The lower triangular one: rows of [J diag(width) | diag(blur)] orthogonalised
-/// (Gram and Schmidt). A width of 0 removes an infinite derivative; other infinities stay.
+/// Applies width and blur to derivatives J: J' J'^T = J diag(width^2) J^T + diag(blur^2), the covariance of the sum of
+/// Gaussians. With blur, J' is lower triangular: the rows of [J diag(width) | diag(blur)] are orthogonalised (Gram and
+/// Schmidt). A width of 0 removes an infinite derivative; other infinities stay.
 template <class D>
 HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
   using V = hn::Vec<D>;
@@ -86,13 +87,13 @@ HWY_NOINLINE void Widen(D d, const Sampler& sampler, Derivatives<D>* j) {
 /// Footprints of one vector of lookups; every field is finite.
 template <class D>
 struct Footprint {
-  hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; the bits of LambdaOf in -15..31
-  hn::Vec<D> length;     // the longer half axis itself, at most 2^100
-  hn::Vec<D> roundness;  // shorter by longer axis in [0, 1]; 1 where both are 0 or infinite
+  hn::Vec<D> lambda;     // log2 of the longer half axis in base texels, -32..126; has the bits of LambdaOf() in -15..31
+  hn::Vec<D> length;     // longer half axis [base texels], at most 2^100
+  hn::Vec<D> roundness;  // shorter axis divided by longer axis, [0, 1]; 1 if both are 0 or infinite
   hn::Vec<D> u, v;       // unit vector of the longer axis, in base texels
 };
 
-/// |error| of the axes <= 1e-6 of the longer one.
+/// Finds the footprint of derivatives. |error| of the axes <= 1e-6 of the longer axis.
 template <class D>
 SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float width, float height) {
   using V = hn::Vec<D>;
@@ -114,10 +115,10 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   const V mean = half * (x + y), skew = half * (x - y);
   const V square = mean + hn::Sqrt(skew * skew + xy * xy);
   const V one = hn::Set(d, 1.0f);
-  const auto round = hn::Lt(square, hn::Set(d, 0x1p-20f));  // 0 or infinite, or below every level by far
+  const auto round = hn::Lt(square, hn::Set(d, 0x1p-20f));  // derivatives 0 or infinite, or far below every level
 
   Footprint<D> f;
-  // The square of the axis itself as far as floats reach, the rest as a whole number of levels.
+  // The exponent is applied to the square of the axis within the range of floats; the rest adds whole levels.
   const auto near = hn::Min(hn::Max(exponent, hn::Set(di, -31)), hn::Set(di, 31));
   const V unscaled = square * PowerOfTwo(d, near + near);
   const V bounded = hn::Max(unscaled, hn::Set(d, 0x1p-64f));
@@ -129,7 +130,7 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   const V determinant = hn::Abs(ux * vy - uy * vx);
   f.roundness = hn::IfThenElse(round, one, hn::Min(determinant / square, one));
 
-  // The eigenvector of J J^T to the larger eigenvalue, from the row of its two that does not cancel.
+  // Eigenvector of J J^T for the larger eigenvalue, computed from the row without cancellation.
   const V p = half * (ux * ux + uy * uy - (vx * vx + vy * vy));
   const V q = ux * vx + uy * vy;
   const V a = hn::Sqrt(p * p + q * q) + hn::Abs(p);
@@ -143,7 +144,7 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   return f;
 }
 
-/// The circle of a given level of detail.
+/// Returns the circle of a given level of detail.
 template <class D>
 HWY_INLINE Footprint<D> RoundFootprint(D d, hn::Vec<D> lod) {
   using V = hn::Vec<D>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Level of detail from the footprint: the larger singular value of the derivatives in base texels, exact (the
-// longer axis of the ellipse that Heckbert, "Fundamentals of Texture Mapping and Image Warping", 1989, derives).
+// Level of detail from the exact larger singular value of the derivatives in base texels. This is the longer axis of
+// the ellipse of Heckbert, "Fundamentals of Texture Mapping and Image Warping" (1989).
 
 #if defined(SHD_TEXTURE_LOD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_LOD_INL_H_
@@ -20,15 +20,15 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Derivatives of one vector, none of them NaN.
+/// Derivatives of one vector of lookups, without NaN.
 template <class D>
 struct Derivatives {
   hn::Vec<D> dudx, dvdx, dudy, dvdy;
 };
 
-/// Half the base-2 logarithm of the larger eigenvalue of J^T J, which is first clamped to 2^-64..2^62: what is smaller
-/// or larger is beyond every level for any bias, so neither underflow nor overflow matters.
-/// |error| <= 2e-6 where the result lies in 0..16 (measured 5.8e-7).
+/// Returns half the base-2 logarithm of the larger eigenvalue of J^T J. The eigenvalue is clamped to 2^-64..2^62: for
+/// values beyond, the level is outside the texture for any bias, so underflow and overflow do no harm.
+/// |error| <= 2e-6 for results in 0..16 (measured 5.8e-7).
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f);
@@ -39,12 +39,12 @@ SHD_KERNEL_PART V LambdaOf(D d, const Derivatives<D>& j, float width, float heig
   const V mean = half * (x + y), skew = half * (x - y);
   const V square = mean + hn::Sqrt(skew * skew + xy * xy);
   const V huge = hn::Set(d, 0x1p62f);
-  // Also where the sum overflowed to infinity or NaN.
+  // This comparison also catches sums that overflowed to infinity or NaN.
   const V bounded = hn::IfThenElse(hn::Lt(square, huge), hn::Max(square, hn::Set(d, 0x1p-64f)), huge);
   return half * simd::HWY_NAMESPACE::Log2(d, bounded);
 }
 
-/// lambda + bias, clamped to the range; lambda may be infinite but not NaN.
+/// Returns lambda + bias clamped to the range. lambda may be infinite but not NaN.
 template <class D, class V>
 HWY_INLINE V ClampLod(D d, V lambda, float bias, const LodRange& range) {
   const V biased = lambda + hn::Set(d, bias);

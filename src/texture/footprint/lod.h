@@ -10,7 +10,7 @@ struct LodRange {
   float low, high;  // low <= high
 };
 
-/// Range of a sampler, limited to the levels of a texture.
+/// Returns the range of a sampler, limited to the levels of a texture.
 inline LodRange lod_range(uint32_t level_count, const Sampler& sampler) {
   const auto last = static_cast<float>(level_count - 1);
   return {sampler.lod_min < last ? sampler.lod_min : last, sampler.lod_max < last ? sampler.lod_max : last};
@@ -20,16 +20,16 @@ inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
   return lod_range(texture.level_count, sampler);
 }
 
-/// Whose level of detail: the longer axis of the footprint, or the probes of anisotropic filtering.
+/// Source of a level of detail: the longer axis of the footprint, or the probes of anisotropic filtering.
 enum class LodAxis { kLonger, kProbes };
 
-/// Levels of detail of packed lookups by the sampler's profile, biased, clamped to a range and not rounded. Returns how
-/// many lookups were not finite.
+/// Finds the levels of detail of packed lookups according to the sampler's profile: with bias, clamped to a range, not
+/// rounded. Returns the number of lookups that were not finite.
 size_t find_lods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis,
                  const core::SimdTarget& simd, const Lookups& lookups, float* out);
 
-/// Half axes of the footprint of one lookup in base texels, width and blur included: u and v of the longer one, then
-/// of the shorter one.
+/// Finds the half axes of the footprint of one lookup in base texels, with width and blur: u and v of the longer axis,
+/// then u and v of the shorter axis.
 void find_axes(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookup,
                float (&axes)[4]);
 

@@ -19,10 +19,7 @@ namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out) {
-  out->count = in.count;
-  return ForEachVector(unwidened(sampler), in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
-    StorePoints(d, texture, sampler, p, from, i, to, out);
-  });
+  return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
 }
 
 size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
@@ -30,11 +27,9 @@ size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& 
   if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
     hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 
@@ -42,7 +37,7 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
                  float* out) {
   size_t nonfinite = 0;
   for (size_t first = 0; first < in.count; first += kBlock) {
-    const Lookups part = part_of(in, first, in.count - first < kBlock ? in.count - first : kBlock);
+    const Lookups part = block_of(in, first);
     ProbeBlock block;
     nonfinite += axis == LodAxis::kProbes ? FindProbes(texture, sampler, range, LodRounding::kNone, part, &block)
                                           : FindLods(texture, sampler, range, LodRounding::kNone, part, &block);
@@ -51,11 +46,12 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
   return nonfinite;
 }
 
-/// Half axes in base texels: u and v of the longer one, then of the shorter one.
+/// Implements find_axes().
 void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup, float (&axes)[4]) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = lookup.lod != nullptr;
-  ForEachVector(sampler, lookup, [&](auto d, const auto& p, const Lookups&, size_t, size_t) {
+  PointBlock point;
+  FillBlock(texture, sampler, lookup, &point, [&](auto d, const auto& p, size_t) {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto shorter = f.length * f.roundness;
     axes[0] = hn::GetLane(f.length * f.u);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A parallelogram cut into the unit cells of a lattice, with the moments of every piece: what integrals of functions
-/// that are bilinear on each cell need. Doubles; + - * / and floor only, so the bits are those of any machine.
+/// Cuts a parallelogram into the unit cells of a lattice and finds the moments of every piece, for integrals of
+/// functions that are bilinear on each cell. Arithmetic is + - * / and floor on doubles only, so every machine computes
+/// the same bits.
 #pragma once
 
 #include <cmath>
@@ -19,7 +20,8 @@ inline double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Convex. Four clips of a parallelogram add at most one corner each; the rest is room for rounding.
+/// A convex polygon. Each of four clips adds at most one corner to a parallelogram; the other corners are slack for
+/// rounding.
 struct Polygon {
   static constexpr size_t kMaxCorners = 16;
   size_t count = 0;
@@ -30,7 +32,7 @@ struct Polygon {
   }
 };
 
-/// center + s a + t b for |s|, |t| <= 1/2, counter-clockwise for cross(a, b) > 0.
+/// Returns the parallelogram center + s a + t b, |s|, |t| <= 1/2. It is counter-clockwise if cross(a, b) > 0.
 inline Polygon parallelogram(Vec2 center, Vec2 a, Vec2 b) {
   const Vec2 sum = {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, difference = {0.5 * (a.x - b.x), 0.5 * (a.y - b.y)};
   Polygon out;
@@ -41,8 +43,8 @@ inline Polygon parallelogram(Vec2 center, Vec2 a, Vec2 b) {
   return out;
 }
 
-/// The part of a polygon between 0 and 1 of one axis, moved by -origin along it first (Sutherland and Hodgman,
-/// "Reentrant Polygon Clipping", 1974). Corners on the lines have coordinates of exactly 0 and 1.
+/// Moves a polygon by -origin along one axis and returns its part between 0 and 1 of this axis (Sutherland and Hodgman,
+/// "Reentrant Polygon Clipping", 1974). Corners on the two lines have coordinates of exactly 0 and 1.
 inline Polygon clip_to_unit(const Polygon& polygon, double Vec2::*axis, double Vec2::*other, double origin) {
   Polygon moved = polygon;
   for (size_t i = 0; i < moved.count; ++i) moved.corner[i].*axis -= origin;
@@ -65,13 +67,14 @@ inline Polygon clip_to_unit(const Polygon& polygon, double Vec2::*axis, double V
   return moved;
 }
 
-/// Integrals of 1, x, y and x y.
+/// Integrals of 1, x, y and x y over a polygon.
 struct Moments {
   double one, x, y, xy;
 };
 
-/// Moments of a polygon by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons", 1996). They
-/// are summed about its first corner, where small and thin polygons do not cancel, and then moved to the origin.
+/// Returns the moments of a polygon by Green's theorem (Steger, "On the Calculation of Arbitrary Moments of Polygons",
+/// 1996). They are summed about the first corner, which avoids cancellation for small and thin polygons, and then moved
+/// to the origin.
 inline Moments moments(const Polygon& polygon) {
   if (polygon.count < 3) return {0, 0, 0, 0};
   const Vec2 about = polygon.corner[0];
@@ -90,7 +93,7 @@ inline Moments moments(const Polygon& polygon) {
   return {one, x + about.x * one, y + about.y * one, xy + about.x * y + about.y * x + about.x * about.y * one};
 }
 
-/// Smallest and largest x of the corners whose y is `y`, or an empty interval.
+/// A closed interval; empty by default.
 struct Interval {
   double low = HUGE_VAL, high = -HUGE_VAL;
 
@@ -99,6 +102,7 @@ struct Interval {
     if (x > high) high = x;
   }
 };
+/// Returns the smallest and the largest x of the corners whose y is `y`, or an empty interval.
 inline Interval corners_at(const Polygon& polygon, double y) {
   Interval out;
   for (size_t i = 0; i < polygon.count; ++i) {
@@ -107,9 +111,9 @@ inline Interval corners_at(const Polygon& polygon, double y) {
   return out;
 }
 
-/// visitor.cell(i, j, moments) for the cells [i, i + 1] x [j, j + 1] that a counter-clockwise parallelogram covers in
-/// part, with the moments about (i, j); visitor.run(j, begin, end) for cells begin..end - 1 of row j that it covers.
-/// Rows from below, cells from the left, a row's run after the cells to its left. At most cell_bound() cells.
+/// Visits the cells of row j that a counter-clockwise parallelogram covers, from left to right. Calls
+/// visitor.cell(i, j, moments) for each cell [i, i + 1] x [j, j + 1] that is covered in part, with the moments about
+/// (i, j), and visitor.run(j, begin, end) once for the cells begin..end - 1 that are covered completely.
 template <class Visitor>
 void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
   const Polygon slab = clip_to_unit(polygon, &Vec2::y, &Vec2::x, static_cast<double>(j));
@@ -118,7 +122,7 @@ void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
   if (!(extent.low < extent.high)) return;
   const auto first = static_cast<int64_t>(std::floor(extent.low));
   const auto end = static_cast<int64_t>(std::floor(extent.high)) + 1;
-  // A cell is covered if both its lower and its upper side are.
+  // A cell is covered completely if its lower and its upper side are.
   const Interval lower = corners_at(slab, 0), upper = corners_at(slab, 1);
   const double low = lower.low > upper.low ? lower.low : upper.low;
   const double high = lower.high < upper.high ? lower.high : upper.high;
@@ -139,6 +143,7 @@ void visit_row(const Polygon& polygon, int64_t j, Visitor* visitor) {
   }
 }
 
+/// Visits the cells of a parallelogram row by row, from below. It visits at most cell_bound() cells.
 template <class Visitor>
 void visit_cells(const Polygon& polygon, Visitor* visitor) {
   Interval extent;
@@ -147,8 +152,9 @@ void visit_cells(const Polygon& polygon, Visitor* visitor) {
   for (auto j = static_cast<int64_t>(std::floor(extent.low)); j <= last; ++j) visit_row(polygon, j, visitor);
 }
 
-/// No fewer than the cells that visit_cells() comes to for sides a and b: the covered ones are at most the area, and
-/// each of the two chains of the outline, left to right and bottom to top, enters a cell through a line of the lattice.
+/// Returns an upper bound of the number of cells that visit_cells() visits for sides a and b. Completely covered cells
+/// are at most the area. Partly covered cells are crossed by the outline: each of its two chains, left to right and
+/// bottom to top, enters a cell through a line of the lattice.
 inline double cell_bound(Vec2 a, Vec2 b) {
   const double extent = std::fabs(a.x) + std::fabs(b.x) + std::fabs(a.y) + std::fabs(b.y);
   return std::fabs(cross(a, b)) + 4 * extent + 16;

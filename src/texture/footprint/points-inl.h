@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One vector of lookups, and the loop over a block of them.
+// Loops over a block of lookups, vector by vector.
 
 #if defined(SHD_TEXTURE_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_POINTS_INL_H_
@@ -24,12 +24,12 @@ using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
 
-/// One vector of lookups, made finite: NaN and infinite coordinates and NaN derivatives are 0.
+/// One vector of lookups. NaN and infinite coordinates, NaN derivatives and NaN levels of detail are replaced by 0.
 template <class D>
 struct Points {
   hn::Vec<D> u, v;
-  Derivatives<D> derivatives;  // 0 where the lookups have none
-  hn::Vec<D> lod;              // not NaN
+  Derivatives<D> derivatives;  // 0 if the lookups have no derivatives
+  hn::Vec<D> lod;              // 0 if the lookups have no level of detail
   MaskOf<D> finite;            // lanes whose inputs were all finite
 };
 
@@ -38,7 +38,7 @@ HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
   return column ? hn::LoadU(d, column + i) : hn::Zero(d);
 }
 
-/// First texel of each lane's layer; the last layer for those beyond.
+/// Returns the first texel of the layer of each lane. Layers beyond the last one are clamped to it.
 template <class D>
 HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, size_t i) {
   const hn::RebindToSigned<D> di;
@@ -76,7 +76,7 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
   return p;
 }
 
-/// The last lookups of a block, fewer than a vector has lanes, followed by copies of the last one.
+/// The incomplete last vector of a block, filled with copies of the last lookup.
 struct Tail {
   float reals[kFloatColumns][kMaxLanes];
   uint32_t integers[kIntegerColumns][kMaxLanes];
@@ -98,43 +98,46 @@ struct Tail {
   }
 };
 
-/// body(d, points, in, from, to) for every vector of a block: its lookups stand at `from` of the lookups `in`, its
-/// results belong at `to`. Width and blur of the sampler are applied. Returns how many lookups were not finite.
+/// Calls body(d, in, from, to) for every vector of a block. Its lookups are at `from` in the lookups `in`; `to` is the
+/// place of its results.
 template <class Body>
-HWY_INLINE size_t ForEachVector(const Sampler& sampler, const Lookups& block, const Body& body) {
+HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   const BatchTag d;
   const size_t lanes = hn::Lanes(d);
-  const bool widened = !block.lod && widens(sampler);
   Tail tail;
   Lookups in = block;
-  size_t nonfinite = 0;
   for (size_t to = 0; to < block.count; to += lanes) {
-    size_t from = to;
-    if (HWY_UNLIKELY(block.count - to < lanes)) {
-      in = tail.copy(block, to);
-      from = 0;
-    }
-    Points<BatchTag> points = LoadPoints(d, in, from);
+    const bool whole = block.count - to >= lanes;
+    if (HWY_UNLIKELY(!whole)) in = tail.copy(block, to);
+    body(d, static_cast<const Lookups&>(in), whole ? to : 0, to);
+  }
+}
+
+/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. Width and
+/// blur of the sampler are applied to the derivatives of `points`. Returns the number of lookups that were not finite.
+template <class Body>
+HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
+                            const Body& body) {
+  const bool widened = !in.lod && widens(sampler);
+  size_t nonfinite = 0;
+  out->count = in.count;
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    auto points = LoadPoints(d, from, i);
     if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
-      nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, block.count - to)));
+      nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, in.count - to)));
+    }
+    hn::Store(ReduceCoordinate(d, sampler.wrap_u, points.u), d, out->u + to);
+    hn::Store(ReduceCoordinate(d, sampler.wrap_v, points.v), d, out->v + to);
+    if (texture.layers > 1) {
+      hn::Store(LoadFirstTexel(d, texture, from, i), hn::RebindToSigned<decltype(d)>(), out->first_texel + to);
     }
     if (HWY_UNLIKELY(widened)) Widen(d, sampler, &points.derivatives);
-    body(d, points, in, from, to);
-  }
+    body(d, points, to);
+  });
   return nonfinite;
 }
 
-/// Writes where one vector of lookups lies.
-template <class D>
-HWY_INLINE void StorePoints(D d, const Texture& texture, const Sampler& sampler, const Points<D>& p, const Lookups& in,
-                            size_t from, size_t to, PointBlock* block) {
-  hn::Store(ReduceCoordinate(d, sampler.wrap_u, p.u), d, block->u + to);
-  hn::Store(ReduceCoordinate(d, sampler.wrap_v, p.v), d, block->v + to);
-  if (texture.layers == 1) return;
-  hn::Store(LoadFirstTexel(d, texture, in, from), hn::RebindToSigned<D>(), block->first_texel + to);
-}
-
-/// First texel of each lane's layer.
+/// Returns the first texel of the layer of each lane.
 template <class D>
 HWY_INLINE Ints<D> FirstTexel(D, const Texture& texture, const PointBlock& block, size_t i) {
   const hn::RebindToSigned<D> di;

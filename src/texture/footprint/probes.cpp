@@ -18,9 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A footprint this much longer than its probes are wide takes no further probe. On a receding floor (2048^2
-/// checkerboard) 1/2 in place of 1/8 costs 3.3 dB; more than one probe per width of the shorter axis is slower and
-/// gains 0.6 dB at most, and probes that end where the footprint does, not half a width before, lose 5 dB.
+/// Part of a probe's width that the footprint may exceed its probes by before it gets another probe. Alternatives on a
+/// receding floor (2048^2 checkerboard): 1/2 in place of 1/8 costs 3.3 dB. More than one probe per width of the shorter
+/// axis is slower and gains at most 0.6 dB. Probes up to the ends of the footprint, instead of half a width before
+/// them, cost 5 dB.
 constexpr float kSlack = 0.125f;
 
 size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
@@ -28,8 +29,7 @@ size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange
   if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
-  return ForEachVector(sampler, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
     const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
@@ -42,11 +42,10 @@ size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange
     hn::Store(probes, d, out->probes + to);
     hn::Store(probes, d, out->reach + to);
     hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
-    StorePoints(d, texture, sampler, p, from, i, to, out);
   });
 }
 
-/// For any caller.
+/// Implements find_probes().
 size_t ProbesOfFilter(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* out) {
   return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, out);
 }

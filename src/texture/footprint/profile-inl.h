@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What each profile makes of a footprint. A profile has
+// Levels of detail and probes of the profiles. A profile has these members:
 //
-//   Lambda(d, derivatives)    level of detail of a lookup without anisotropy, before bias and clamps
+//   Lambda(d, derivatives)    level of detail of an isotropic lookup, before bias and clamps
 //   ProbesOf(d, derivatives)  probes and level of detail of an anisotropic lookup, before bias and clamps
-//   NearestLevel(d, lod)      a level of detail whose nearest level is the one that the profile reads at `lod`
-//   kLevelSteps               steps in a level that fractions are rounded to, 0 = they are not rounded
+//   NearestLevel(d, lod)      a level of detail whose nearest level is the level that the profile reads at `lod`
+//   kLevelSteps               steps per level to which fractions are rounded; 0 = fractions are not rounded
 
 #if defined(SHD_TEXTURE_PROFILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_PROFILE_INL_H_
@@ -23,21 +23,21 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `count` probes at the point + (2 k + 1 - count) (step_u, step_v), k = 0..count - 1, of weights that are equal or
-/// exp(-2 x^2), x = (2 k + 1 - count) / reach.
+/// A line of probes: probe k = 0..count - 1 lies at the point + (2 k + 1 - count) (step_u, step_v). The weights are
+/// equal or exp(-2 x^2), x = (2 k + 1 - count) / reach.
 template <class D>
 struct Probes {
   hn::Vec<D> step_u, step_v, count, reach, lambda;
 };
 
-/// Half axes of a footprint, or the derivatives in x and y, by their length in base texels times 2^-exponent.
+/// Lengths of the derivatives in x and y, in base texels times 2^-exponent.
 template <class D>
 struct Lengths {
   hn::Vec<D> x, y;
   hn::Vec<hn::RebindToSigned<D>> exponent;
 };
 
-/// Both 0 where a derivative is infinite.
+/// Returns the lengths of the derivatives. Both lengths are 0 if a derivative is infinite.
 template <class D>
 SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, float height) {
   using V = hn::Vec<D>;
@@ -57,7 +57,7 @@ SHD_KERNEL_PART Lengths<D> LengthsOf(D d, const Derivatives<D>& j, float width, 
   return lengths;
 }
 
-/// log2 of the longer derivative in base texels, clamped to -32..31. Error as that of LambdaOf().
+/// Returns log2 of the longer derivative in base texels, clamped to -32..31. Its error is that of LambdaOf().
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float height) {
   const V w = hn::Set(d, width), h = hn::Set(d, height);
@@ -67,7 +67,7 @@ SHD_KERNEL_PART V LongerLambda(D d, const Derivatives<D>& j, float width, float 
   return hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::Log2(d, bounded);
 }
 
-/// A level of detail to the nearest multiple of 1 / steps.
+/// Rounds a level of detail to the nearest multiple of 1 / steps.
 template <class D, class V>
 HWY_INLINE V RoundLevel(D d, V lod, float steps) {
   const V count = hn::Set(d, steps);
@@ -80,8 +80,9 @@ HWY_INLINE V ClampStep(D d, V step) {
   return hn::Max(hn::Min(step, limit), hn::Neg(limit));
 }
 
-/// Vulkan 1.3 specification, "Image Operations": "Scale Factor Operation", "Level-of-Detail Operation" and "Texel
-/// Anisotropic Filtering", with the lengths of the derivatives as the scale factors and the probes of its note.
+/// SHD_PROFILE_VULKAN: Vulkan 1.3 specification, "Image Operations": "Scale Factor Operation", "Level-of-Detail
+/// Operation" and "Texel Anisotropic Filtering". The scale factors are the lengths of the derivatives; the probes are
+/// those of the note on anisotropic filtering.
 struct VulkanProfile {
   static constexpr float kLevelSteps = 256;  // mipmapPrecisionBits = 8, as most desktop GPUs report
   const Texture& texture;
@@ -119,10 +120,10 @@ struct VulkanProfile {
   }
 };
 
-/// "Direct3D 11.3 Functional Specification", 7.18.10 (level of detail) and 7.18.11 (anisotropy). Its transform of the
-/// derivatives to the axes of the implicit ellipse gives the axes of FootprintOf(); parallel derivatives, which it
-/// leaves as they are, have a footprint without area. It does not specify the places of the probes: they are those of
-/// VulkanProfile.
+/// SHD_PROFILE_D3D11: "Direct3D 11.3 Functional Specification", 7.18.10 (level of detail) and 7.18.11 (anisotropy). Its
+/// transform of the derivatives to the axes of the implicit ellipse gives the axes of FootprintOf(). It does not
+/// transform parallel derivatives, whose footprint has no area. It does not specify the positions of the probes; they
+/// are those of VulkanProfile.
 struct D3d11Profile {
   static constexpr float kLevelSteps = 256;  // at least 8 bits
   const Texture& texture;
@@ -133,7 +134,7 @@ struct D3d11Profile {
     hn::Vec<D> length, lambda;
   };
 
-  /// The longer axis of the ellipse, or the longer derivative where the derivatives are parallel.
+  /// Returns the longer axis of the ellipse, or the longer derivative if the derivatives are parallel.
   template <class D>
   SHD_KERNEL_PART Major<D> MajorOf(D d, const Derivatives<D>& j, const Footprint<D>& f) const {
     const hn::RebindToSigned<D> di;
@@ -162,7 +163,7 @@ struct D3d11Profile {
     const V ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
     Probes<D> probes;
     probes.lambda = major.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
-    // A minor axis below one texel: no more probes than the major axis has texels.
+    // A minor axis below one texel limits the probes to the texels of the major axis.
     probes.count = hn::Ceil(hn::Min(ratio, hn::Max(major.length, one)));
     const V parts = probes.count + probes.count + hn::Set(d, 2.0f);
     const V step = major.length / parts;
@@ -172,30 +173,31 @@ struct D3d11Profile {
     return probes;
   }
 
-  /// floor(lod + 1/2) of the fixed-point level of detail.
+  /// Returns floor(lod + 1/2) of the fixed-point level of detail.
   template <class D, class V>
   HWY_INLINE V NearestLevel(D d, V lod) const {
     return hn::Floor(RoundLevel(d, lod, kLevelSteps) + hn::Set(d, 0.5f));
   }
 };
 
-/// OpenImageIO 2.4, TextureSystem with the default options (a conservative filter): axes in units of the texture, not
-/// in texels; levels by the texture's smaller side.
+/// SHD_PROFILE_OIIO: TextureSystem of OpenImageIO 2.4 with the default options (conservative filter). Axes are in units
+/// of the texture, not in texels. The smaller side of the texture determines the level.
 struct OiioProfile {
   static constexpr float kLevelSteps = 0;
   const Texture& texture;
   const Sampler& sampler;
   bool one_level;  // MipModeOneLevel
 
-  /// Derivatives times width, where it scales u and v.
+  /// Returns derivatives times width. OpenImageIO applies width_x to u and width_y to v, not to x and y.
   template <class D>
   HWY_INLINE Derivatives<D> Scaled(D d, const Derivatives<D>& j) const {
     const auto wu = hn::Set(d, sampler.width_x), wv = hn::Set(d, sampler.width_y);
     return {ZeroIfNaN(j.dudx * wu), ZeroIfNaN(j.dvdx * wv), ZeroIfNaN(j.dudy * wu), ZeroIfNaN(j.dvdy * wv)};
   }
 
-  /// Level of detail of a filter whose width is in units of the texture. Level m is the first one where the width is at
-  /// most a texel of the smaller side: the result is 2 * width in texels - 1 of the way from level m - 1 to m.
+  /// Returns the level of detail of a filter whose width is in units of the texture. Let m be the first level where the
+  /// width is at most one texel of the smaller side. The result lies between m - 1 and m, at the fraction
+  /// 2 * (width in texels of m) - 1.
   template <class D, class V>
   SHD_KERNEL_PART V LambdaOfWidth(D d, V width) const {
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
@@ -206,7 +208,7 @@ struct OiioProfile {
       const V here = hn::Set(d, static_cast<float>(level - 1)) + (one_level ? one : blend);
       lambda = hn::IfThenElse(hn::Le(texels, one), here, lambda);
     }
-    // Below level 0, where OpenImageIO goes no further, as other profiles do: for bias and magnification.
+    // OpenImageIO stops at level 0. Continue below it as other profiles do, for bias and magnification.
     const V texels = hn::Max(width * hn::Set(d, smaller_side(0)), hn::Set(d, 0x1p-32f));
     const auto magnified = hn::Le(texels, one);
     return hn::IfThenElse(magnified, simd::HWY_NAMESPACE::Log2(d, hn::IfThenElse(magnified, texels, one)), lambda);
@@ -219,7 +221,8 @@ struct OiioProfile {
     return LambdaOfWidth(d, LargestMagnitude(j.dudx, j.dvdx, j.dudy, j.dvdy) + hn::Set(d, blur));
   }
 
-  /// Scaled derivatives, a tiny one replaced by a vector of length 1e-8 across the other.
+  /// Returns scaled derivatives. A derivative shorter than 1e-8 is replaced by a vector of this length perpendicular to
+  /// the other derivative.
   template <class D>
   SHD_KERNEL_PART Derivatives<D> Adjusted(D d, const Derivatives<D>& derivatives) const {
     using V = hn::Vec<D>;
@@ -243,11 +246,11 @@ struct OiioProfile {
     return a;
   }
 
-  /// Axes of the ellipse, with blur and no longer than the limit of anisotropy allows.
+  /// Axes of the ellipse, with blur, and shortened to the limit of anisotropy.
   template <class D>
   struct Axes {
     hn::Vec<D> major, minor, aspect;
-    hn::Vec<D> u, v;  // unit vector of the major one
+    hn::Vec<D> u, v;  // unit vector of the major axis
   };
 
   template <class D>
@@ -284,7 +287,7 @@ struct OiioProfile {
     const Axes<D> axes = AxesOf(d, j);
     Probes<D> probes;
     probes.lambda = LambdaOfWidth(d, axes.minor);
-    // A minor axis below half a texel of level 0: a probe per half texel of the major one is enough.
+    // If the minor axis is below half a texel of level 0, one probe per half texel of the major axis is enough.
     const V larger = hn::Set(d, static_cast<float>(texture.width > texture.height ? texture.width : texture.height));
     const auto magnified =
         hn::And(hn::Le(axes.minor * hn::Set(d, smaller_side(0)), one), hn::Lt(axes.minor * larger, half));
@@ -295,13 +298,13 @@ struct OiioProfile {
     const V spread = axes.major - axes.minor, step = spread / probes.count;
     probes.step_u = step * axes.u;
     probes.step_v = step * axes.v;
-    // Weights exp(-2 x^2), x = p major / (2 spread) at p = -1..1 of the spread.
+    // Weights are exp(-2 x^2), x = p major / (2 spread), at positions p = -1..1 along the spread.
     const V reach = (probes.count + probes.count) * spread / axes.major;
-    probes.reach = hn::Max(reach, hn::Set(d, 0x1p-20f));  // 0 for a single probe, which stands at 0
+    probes.reach = hn::Max(reach, hn::Set(d, 0x1p-20f));  // not 0 even for a circle, whose single probe has x = 0
     return probes;
   }
 
-  /// The coarser of both levels, whole: the nearest one to itself.
+  /// Returns the coarser of both levels, a whole number, which is its own nearest level.
   template <class D, class V>
   HWY_INLINE V NearestLevel(D, V lod) const {
     return hn::Ceil(lod);

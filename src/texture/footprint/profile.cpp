@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What the filters do to a level of detail after bias and clamps.
+/// Rounding of a level of detail after bias and clamps: none, fraction to 8 bits, or nearest level.
 enum class Finish { kNone, kFraction, kNearest };
 
 Finish finish_of(const Sampler& sampler, LodRounding rounding) {
@@ -32,7 +32,8 @@ HWY_INLINE V Finished(D d, const Profile& profile, const LodRange& range, Finish
   return RoundLevel(d, lod, Profile::kLevelSteps);
 }
 
-/// body(profile, sampler whose width and blur the loop over a block applies).
+/// Calls body(profile, widening). FillBlock() applies width and blur of the sampler `widening`, which has none if the
+/// profile applies them itself.
 template <class Body>
 HWY_INLINE size_t WithProfile(const Texture& texture, const Sampler& sampler, Finish finish, const Body& body) {
   switch (sampler.profile) {
@@ -46,12 +47,10 @@ size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const Lo
                         const Lookups& in, LodBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
   return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       const auto lambda = lod_given ? p.lod : profile.Lambda(d, p.derivatives);
       hn::Store(Finished(d, profile, range, finish, lambda), d, out->lod + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   });
 }
@@ -60,9 +59,8 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
                           const Lookups& in, ProbeBlock* out) {
   const Finish finish = finish_of(sampler, rounding);
   const bool lod_given = in.lod != nullptr;
-  out->count = in.count;
   return WithProfile(texture, sampler, finish, [&](const auto& profile, const Sampler& widening) {
-    return ForEachVector(widening, in, [&](auto d, const auto& p, const Lookups& from, size_t i, size_t to) {
+    return FillBlock(texture, widening, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
       using D = decltype(d);
       const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
       const Probes<D> probes = lod_given ? Probes<D>{zero, zero, one, one, p.lod} : profile.ProbesOf(d, p.derivatives);
@@ -71,7 +69,6 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
       hn::Store(probes.count, d, out->probes + to);
       hn::Store(probes.reach, d, out->reach + to);
       hn::Store(Finished(d, profile, range, finish, probes.lambda), d, out->lod + to);
-      StorePoints(d, texture, sampler, p, from, i, to, out);
     });
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In double: products of four floats neither overflow nor underflow there, so nothing has to be scaled.
+// Arithmetic is in double, where products of four floats neither overflow nor underflow, so no scaling is needed.
 #include "texture/footprint/ray_footprint.h"
 
 #include <cmath>
@@ -10,18 +10,18 @@ namespace {
 
 using data::Vec3d;
 
-/// a / |a|, by the reciprocal of the length. Not finite where `a` is 0, so that the footprint then is 0, unlike with
-/// data::normalized().
+/// Returns a / |a|, by the reciprocal of the length. Unlike data::normalized(), the result is not finite if `a` is 0;
+/// the footprint is then 0.
 Vec3d unit_of(const Vec3d& a) {
   return (1.0 / std::sqrt(dot(a, a))) * a;
 }
 
-/// Whether the value is in the range of float.
+/// Returns whether the value is in the range of float.
 bool is_representable(double value) {
   return std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
-/// A vector in the surface as a combination of dp/du and dp/dv, by the normal equations.
+/// Expresses a vector in the surface as a combination of dp/du and dp/dv, by the normal equations.
 Step in_surface(const Surface& surface, const Vec3d& change) {
   const double uu = dot(surface.dpdu, surface.dpdu), uv = dot(surface.dpdu, surface.dpdv);
   const double vv = dot(surface.dpdv, surface.dpdv);
@@ -49,10 +49,10 @@ ConeSteps steps_of_cone(const Surface& surface, const Vec3d& direction, double w
   const double cosine = dot(ray, normal);
   const Vec3d projected = ray - cosine * normal;
   const double sine = dot(projected, projected);
-  // A cone that meets the surface head on cuts out a circle: any direction will do.
+  // A cone perpendicular to the surface cuts out a circle: every direction is an axis.
   const Vec3d along = unit_of(sine > 0.0 ? projected : surface.dpdu);
   const double slant = std::fabs(cosine) > kMinCosine ? std::fabs(cosine) : kMinCosine;
-  // A ray that is not finite has no cosine: let it give no footprint.
+  // The cosine of a ray that is not finite is NaN; pass it on, so that the footprint is 0.
   const double length = cosine == cosine ? width / slant : cosine;
   return {in_surface(surface, length * along), in_surface(surface, width * cross(normal, along))};
 }

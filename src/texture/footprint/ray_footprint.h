@@ -15,15 +15,18 @@ struct Surface {
   data::Vec3d dpdu, dpdv;
 };
 
-/// Change of the hit point of a ray whose origin and direction change by `origin` and `direction_step` per pixel
-/// step, in coordinates of the surface. 0 where it is not finite or the surface has no area.
+/// Returns the change of the hit point of a ray in coordinates of the surface. The origin and the direction of the ray
+/// change by `origin` and `direction_step` per pixel step. The result is 0 if it is not finite or the surface has no
+/// area.
 Step step_of_differential(const Surface& surface, const data::Vec3d& direction, double distance,
                           const data::Vec3d& origin, const data::Vec3d& direction_step);
 
-/// Axes of the ellipse that a cone of a width cuts out of the surface, in its coordinates.
+/// Axes of the ellipse that a ray cone cuts out of the surface, in coordinates of the surface.
 struct ConeSteps {
   Step along, across;
 };
+
+/// Returns the axes of the ellipse of a cone with the given width at the hit point.
 ConeSteps steps_of_cone(const Surface& surface, const data::Vec3d& direction, double width);
 
 }  // namespace shd::texture

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a block of lookups, one function for each kind of block. They are functions of their target, compiled
-// once for all filters; each returns how many lookups had something that is not finite.
+// The kernels that fill blocks, one for each shape. Each is compiled once per target and shared by all filters. Each
+// returns the number of lookups with an input that is not finite.
 
 #if defined(SHD_TEXTURE_SHAPES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_SHAPES_INL_H_
@@ -18,17 +18,17 @@ namespace shd::texture::HWY_NAMESPACE {
 
 size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out);
 
-/// Levels of detail of the longer axis, clamped to a range; by the sampler's profile.
+/// Finds the levels of detail of the longer axis, clamped to a range, according to the sampler's profile.
 size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                 const Lookups& in, LodBlock* out);
 
-/// Probes along the longer axis, on the level of the shorter one; by the sampler's profile.
+/// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile.
 size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                   const Lookups& in, ProbeBlock* out);
 
 size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out);
 
-/// FindLods() and FindProbes() of the profiles that are not SHD_PROFILE_EXACT.
+/// Implement FindLods() and FindProbes() for the profiles other than SHD_PROFILE_EXACT.
 size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                         const Lookups& in, LodBlock* out);
 size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The consumer of a stream: fetches the texels of each element, blends them, and takes them into the running averages.
-// A Format has
+// The consumer of a stream: it fetches the texels of each element, blends them, and adds them to the running averages.
+//
+// A Format fetches and decodes texels. It has these members:
 //
 //   Texel<D>                  raw bits of one texel per lane
-//   fetch(d, source, index)   texels at indices, which lie aligned in memory; what is behind the channels that the
-//                             texture has is not defined
-//   fetch_pair(...)           texels at indices and the ones behind them
-//   fetch_row(...)            four texels side by side, from indices on
-//   decode<C>(d, texel)       channel C as a float in the format's lerp domain: unorm channels stay codes
-//   finish<C>(d, value)       from the lerp domain to the result
-//   kFloat                    texels may be infinite, NaN or so far apart that their difference overflows
+//   fetch(d, source, index)   texels at an aligned array of indices; bits beyond the channels of the texture are not
+//                             defined
+//   fetch_quad(...)           texels at indices and at the next indices, in an upper and a lower row of one level
+//   fetch_row(...)            four consecutive texels from each index
+//   decode<C>(d, texel)       channel C as a float in the format's lerp domain; unorm channels stay codes
+//   finish<C>(d, value)       result of a value in the lerp domain
+//   kFloat                    texels may be infinite or NaN, and their differences may overflow
+//
+// A Blend computes with the texels of a format. Every filter is a tree of blends, so equal texels give exactly their
+// value. It has these members:
+//
+//   Value<D>         one channel of one vector of lookups
+//   tap<C>           value of a texel, or of the border colour in lanes outside `in`
+//   blend            a + s (b - a), where s does not depend on the point
+//   blend_s, blend_t blend with ds/du = rate, and blend with dt/dv = rate
+//   blend_by         blend with the rates of s in u and v
+//   replace          b in some lanes, a in the others
+//   store<C>         finishes and writes a value
+//   wanted           whether a channel is written
 
 #if defined(SHD_TEXTURE_CONSUME_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_CONSUME_INL_H_
@@ -18,23 +31,108 @@
 #define SHD_TEXTURE_CONSUME_INL_H_
 #endif
 
+#include <cstring>
 #include <type_traits>
 
 #include <hwy/highway.h>
 
 #include "texture/footprint/points-inl.h"
-#include "texture/format/blend-inl.h"
-#include "texture/format/gradient-inl.h"
+#include "texture/store/wrap-inl.h"
+#include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Which of the four channels a consumer writes.
+/// Returns a + s (b - a) for values whose difference cannot overflow. The result is exactly a if a == b or s == 0.
+template <class D, class V>
+HWY_INLINE V Lerp(D, V a, V b, V s) {
+  return a + s * (b - a);
+}
+
+/// Returns a + s (b - a) for any floats. If s == 0 the result is a, even if b is infinite or NaN; with other weights
+/// infinities and NaN propagate. Finite values give finite results: (1 - s) a + s b is used if b - a overflows.
+template <class D, class V>
+HWY_INLINE V Mix(D d, V a, V b, V s) {
+  const V difference = b - a;
+  const auto finite = hn::Eq(difference - difference, hn::Zero(d));
+  V mixed = a + s * difference;
+  if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+    const V weighted = (hn::Set(d, 1.0f) - s) * a + s * b;
+    mixed = hn::IfThenElse(finite, mixed, weighted);
+  }
+  return hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a, mixed);
+}
+
+/// Writes up to `count` lanes.
+template <class D>
+HWY_INLINE void StoreFirst(D d, hn::Vec<D> value, size_t count, float* to) {
+  if (HWY_LIKELY(count >= hn::Lanes(d))) return hn::StoreU(value, d, to);
+  alignas(64) float lanes[hn::MaxLanes(D())];
+  hn::Store(value, d, lanes);
+  std::memcpy(to, lanes, count * sizeof(float));
+}
+
+/// A Blend for values of format F. With a border, texels leave the lerp domain of the format before they are blended,
+/// because the border colour may be any finite float.
+template <class F, bool kBorder>
+struct Blend {
+  template <class D>
+  using Value = hn::Vec<D>;
+
+  const Sampler& sampler;
+
+  explicit Blend(const Consumption& consumption) : sampler(consumption.sampler) {}
+
+  template <size_t C, class D>
+  HWY_INLINE Value<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in) const {
+    const hn::Vec<D> value = F::template decode<C>(d, texel);
+    if constexpr (!kBorder) return value;
+    return hn::IfThenElse(in, F::template finish<C>(d, value), hn::Set(d, sampler.border[C]));
+  }
+
+  /// s is in [0, 1], except in the lobes of cubic kernels.
+  template <class D>
+  HWY_INLINE Value<D> blend(D d, Value<D> a, Value<D> b, hn::Vec<D> s) const {
+    if constexpr (kBorder || F::kFloat) return Mix(d, a, b, s);
+    return Lerp(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_s(D d, Value<D> a, Value<D> b, hn::Vec<D> s, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_t(D d, Value<D> a, Value<D> b, hn::Vec<D> t, const float*) const {
+    return blend(d, a, b, t);
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_by(D d, Value<D> a, Value<D> b, hn::Vec<D> s, const float*, const float*) const {
+    return blend(d, a, b, s);
+  }
+  template <class D>
+  HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, Value<D> a, Value<D> b) const {
+    return hn::IfThenElse(lanes, b, a);
+  }
+
+  /// Returns the result. All NaN become the same NaN, because the NaN of an operation depends on the target.
+  template <size_t C, class D>
+  static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {
+    if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
+    if constexpr (kBorder) return value;
+    return F::template finish<C>(d, value);
+  }
+  template <size_t C, class D>
+  HWY_INLINE void store(D d, Value<D> value, size_t i, const Consumption& to) const {
+    StoreFirst(d, finish<C>(d, value), to.count - i, to.out.channel[C] + i);
+  }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
+};
+
+/// The channels that a consumer writes.
 struct WantedChannels {
   bool channel[4];
 
-  /// body(std::integral_constant<size_t, C>()) for every wanted channel C.
+  /// Calls body(std::integral_constant<size_t, C>()) for every wanted channel C.
   template <class Body>
   HWY_INLINE void for_each(const Body& body) const {
     if (channel[0]) body(std::integral_constant<size_t, 0>());
@@ -44,7 +142,7 @@ struct WantedChannels {
   }
 };
 
-/// One texel a lane, and whether it is one of the image.
+/// One texel per lane, and the mask of lanes whose texel lies in the image; the others read the border colour.
 template <class F, class D>
 struct Tap {
   typename F::template Texel<D> texel;
@@ -74,8 +172,9 @@ SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const E
   if (HWY_LIKELY(op & kNeighbours)) {
     Tap<F, D>* tap = four.tap;
     if (HWY_LIKELY(op & kQuad)) {
-      F::fetch_pair(d, source, stream.index[0] + at, &tap[0].texel, &tap[1].texel);
-      F::fetch_pair(d, source, stream.index[2] + at, &tap[2].texel, &tap[3].texel);
+      typename F::template Texel<D> quad[4];
+      F::fetch_quad(d, source, stream.index[0] + at, stream.index[2] + at, quad);
+      for (size_t k = 0; k < 4; ++k) tap[k].texel = quad[k];
     } else {
       typename F::template Texel<D> row[4];
       F::fetch_row(d, source, stream.index[2] + at, row);
@@ -91,7 +190,7 @@ SHD_KERNEL_PART FourTaps<F, D> FetchFour(D d, const TexelSource& source, const E
   return four;
 }
 
-/// Bilinear value of channel C.
+/// Returns the bilinear value of channel C.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
   const auto s = hn::Load(d, stream.s + at), t = hn::Load(d, stream.t + at);
@@ -104,16 +203,16 @@ HWY_INLINE auto BlendQuad(D d, const B& b, const FourTaps<F, D>& four, const Ele
   return b.blend_t(d, top, bottom, t, stream.rate_t + at);
 }
 
-/// The running average of channel C of a row.
+/// Returns the running average of channel C over the texels of a row.
 template <size_t C, class B, class F, class D, class Elements>
 HWY_INLINE auto BlendRow(D d, const B& b, const FourTaps<F, D>& four, const Elements& stream, size_t at) {
-  const auto tap = [&](size_t k) { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
+  const auto tap = [&](size_t k) SHD_INLINE_LAMBDA { return b.template tap<C>(d, four.tap[k].texel, four.tap[k].in); };
   auto value = b.blend_s(d, tap(0), tap(1), hn::Load(d, stream.s + at), stream.rate_s + at);
   value = b.blend_s(d, value, tap(2), hn::Load(d, stream.t + at), stream.rate_t + at);
   return b.blend_s(d, value, tap(3), hn::Load(d, stream.r + at), stream.rate_r + at);
 }
 
-/// A running average and one more value.
+/// Blends one more value into a running average.
 template <class B, class D, class Value, class Elements>
 HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream,
                           uint32_t op, size_t at) {
@@ -125,13 +224,13 @@ HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& va
   return b.replace(d, hn::Eq(share, hn::Set(d, kWhole)), blended, value);
 }
 
-/// The running averages of one vector of lookups, in the wanted channels: the first one, then the second one.
+/// The first and the second running average of one vector of lookups, in the wanted channels.
 template <class B, class D>
 struct Averages {
   typename B::template Value<D> value[2][4] = {};
 };
 
-/// What does not change from element to element, apart from memory that vectors are stored to.
+/// Constants of a consumer over all elements, copied out of Consumption so that stores of vectors cannot alias them.
 template <class B>
 struct Consumer {
   B blend;
@@ -144,7 +243,8 @@ struct Consumer {
         wanted{{B::wanted(c.out, 0), B::wanted(c.out, 1), B::wanted(c.out, 2), B::wanted(c.out, 3)}} {}
 };
 
-/// Takes the element at `at` into the averages. Of the last element of its lookups, writes the result instead.
+/// Blends the element at `at` into the averages. For the last element of a vector of lookups it writes the result
+/// instead.
 template <class B, class F, bool kBorder, class D, class Elements>
 HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements& stream, uint32_t op, size_t at,
                                Averages<B, D>* averages, Consumption* to) {
@@ -156,28 +256,28 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
   if (op & (kQuad | kRow)) {
     const FourTaps<F, D> four = FetchFour<F, kBorder>(d, consumer.source, stream, op, at);
     if (HWY_LIKELY(op & kQuad)) {
-      wanted.for_each([&](auto c) { value[c] = BlendQuad<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendQuad<c>(d, b, four, stream, at); });
     } else {
-      wanted.for_each([&](auto c) { value[c] = BlendRow<c>(d, b, four, stream, at); });
+      wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = BlendRow<c>(d, b, four, stream, at); });
     }
   } else if (op & kMerge) {
-    wanted.for_each([&](auto c) { value[c] = averages->value[1][c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = averages->value[1][c]; });
   } else {
     const Tap<F, D> tap = FetchTap<F, kBorder>(d, consumer.source, stream.index[0] + at);
-    wanted.for_each([&](auto c) { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = b.template tap<c>(d, tap.texel, tap.in); });
   }
   if (op & (kHow | kMerge)) {
-    wanted.for_each([&](auto c) { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
   }
   if (op & kLast) {
-    wanted.for_each([&](auto c) { b.template store<c>(d, value[c], to->done, *to); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { b.template store<c>(d, value[c], to->done, *to); });
     to->done += hn::Lanes(d);
   } else {
-    wanted.for_each([&](auto c) { into[c] = value[c]; });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { into[c] = value[c]; });
   }
 }
 
-/// A Consume: B is the Blend, F the Format.
+/// Consumes elements with the Blend B and the Format F; a Consume.
 template <class B, class F, bool kBorder>
 void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* consumption) {
   using D = BatchTag;
@@ -191,12 +291,6 @@ void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* 
   }
   consumption->open = !(stream.op[end - 1] & kLast);
   if (consumption->open) std::memcpy(consumption->state, &averages, sizeof averages);
-}
-
-template <class F>
-FormatKernels KernelsOf() {
-  return {ConsumeStream<Blend<F, false>, F, false>, ConsumeStream<Blend<F, true>, F, true>,
-          ConsumeStream<GradientBlend<F>, F, true>};
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of one target that name the consumers of each format.
+// The consumers of every format, for one target. Each function returns the consumer of a component type.
 
 #if defined(SHD_TEXTURE_FORMATS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_FORMATS_INL_H_
@@ -10,15 +10,15 @@
 
 #include <hwy/highway.h>
 
-#include "texture/format/formats.h"
+#include "image/format.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 
-#define SHD_TEXTURE_DECLARE_FORMAT(component, codec, kernels) FormatKernels kernels();
-SHD_TEXTURE_FORMATS(SHD_TEXTURE_DECLARE_FORMAT)
-#undef SHD_TEXTURE_DECLARE_FORMAT
+Consume ValuesOf(image::Component component);
+Consume BorderedOf(image::Component component);
+Consume GradientOf(image::Component component);
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

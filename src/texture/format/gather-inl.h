@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Loads of texels at an index per lane. A gather costs by the element, so neighbours are loaded together where the
-// target has the instructions: a whole vector of points along a row by loads and permutations, the two texels of a row
-// by one element of 8 bytes. Loads alone differ, so the bits are those of plain gathers.
+// Loads of texels with one index per lane. The cost of a gather is proportional to its elements, so neighbours are
+// loaded together if the target has the instructions: a vector of points along a row by loads and permutations, the two
+// texels of a row by one element of 8 bytes. Only the loads differ; the bits are those of plain gathers.
 
 #if defined(SHD_TEXTURE_GATHER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_GATHER_INL_H_
@@ -28,14 +28,14 @@ HWY_INLINE Ints<D> GatherWords(D, const uint8_t* texels, Ints<D> index) {
   return hn::GatherIndex(di, reinterpret_cast<const int32_t*>(texels), index);
 }
 
-/// Words at byte offsets of any alignment; up to 3 bytes behind the texel are read.
+/// Gathers words at byte offsets of any alignment. Reads up to 3 bytes after a texel.
 template <class D>
 HWY_INLINE Ints<D> GatherBytes(D, const uint8_t* texels, Ints<D> offset) {
   const hn::RebindToSigned<D> di;
   return hn::GatherOffset(di, reinterpret_cast<const int32_t*>(texels), offset);
 }
 
-/// Base address of the texels at the indices; null where some of them are borrowed and some are not.
+/// Returns the base address of the texels at the indices, or null if some of them are borrowed and others are not.
 template <class D>
 HWY_INLINE const uint8_t* TexelsOf(D, const TexelSource& source, Ints<D> index) {
   if (HWY_LIKELY(!source.borrowed)) return source.origin;
@@ -45,7 +45,8 @@ HWY_INLINE const uint8_t* TexelsOf(D, const TexelSource& source, Ints<D> index) 
   return hn::AllFalse(di, borrowed) ? source.origin : nullptr;
 }
 
-/// Words `byte` bytes into texels that are not all in one block. Few vectors have lanes on level 0 and on others.
+/// Loads the words `byte` bytes after the start of texels that are not all in one block. This is rare: a vector must
+/// have lanes on a borrowed level 0 and on other levels.
 template <class D>
 HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, size_t byte) {
   const hn::RebindToSigned<D> di;
@@ -61,7 +62,8 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
 }
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-/// Words at first + index, index in 0..2 * lanes - 1, where `low` and `high` are the words from first on.
+/// Returns the words at first + index, for indices in 0..2 * lanes - 1. `low` and `high` are the two vectors of words
+/// that begin at `first`.
 template <class D>
 HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
   const hn::RebindToSigned<D> di;
@@ -71,34 +73,76 @@ HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
   return hn::IfThenElse(in_low, hn::TableLookupLanes(low, indices), hn::TableLookupLanes(high, indices));
 }
 
-/// Words at index and index + 1, if all lanes lie near each other.
+/// A window of two vectors of words along a row that may contain the words at index and index + 1 of every lane.
 template <class D>
-HWY_INLINE bool LoadRow(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+struct RowWindow {
+  Ints<D> left, right;  // index - first, index - first + 1
+  int32_t first;        // first word of the window
+  bool fits;            // the window contains both words of every lane
+};
+
+template <class D>
+HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
   const hn::RebindToSigned<D> di;
-  const size_t lanes = hn::Lanes(di);
-  const int32_t begin = index[0], end = index[lanes - 1], first = begin < end ? begin : end;
-  if ((begin < end ? end - begin : begin - end) >= static_cast<int32_t>(2 * lanes)) return false;
-  const auto from_first = hn::Load(di, index) - hn::Set(di, first), next = from_first + hn::Set(di, 1);
-  const auto outside = hn::AndNot(hn::Set(di, static_cast<int32_t>(2 * lanes - 1)), from_first | next);
-  if (!hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)))) return false;
-  const int32_t* words = reinterpret_cast<const int32_t*>(texels) + first;
-  const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + lanes);
-  *left = LookUpRow(d, low, high, from_first);
-  *right = LookUpRow(d, low, high, next);
-  return true;
+  const auto lanes = static_cast<int32_t>(hn::Lanes(di));
+  const int32_t begin = index[0], end = index[lanes - 1];
+  RowWindow<D> window;
+  window.first = begin < end ? begin : end;
+  window.fits = (begin < end ? end - begin : begin - end) < 2 * lanes;
+  if (!window.fits) return window;
+  window.left = hn::Load(di, index) - hn::Set(di, window.first);
+  window.right = window.left + hn::Set(di, 1);
+  const auto outside = hn::AndNot(hn::Set(di, 2 * lanes - 1), window.left | window.right);
+  window.fits = hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)));
+  return window;
 }
 
-/// The two words from an index on, which counts `kStride` bytes.
+/// Loads the words at index and index + 1 from a window that fits, moved so that it begins at `first`.
+template <class D>
+HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& window, int32_t first, Ints<D>* left,
+                           Ints<D>* right) {
+  const hn::RebindToSigned<D> di;
+  const int32_t* words = reinterpret_cast<const int32_t*>(texels) + first;
+  const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + hn::Lanes(di));
+  *left = LookUpRow(d, low, high, window.left);
+  *right = LookUpRow(d, low, high, window.right);
+}
+
+/// Gathers the words at index and index + 1 of every lane, where lanes may be far apart.
 template <size_t kStride, class D>
-HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
-  if (kStride == 4 && LoadRow(d, texels, index, left, right)) return;
+HWY_INLINE void GatherWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
   const auto at = hn::Load(di, index);
-  const auto* words = reinterpret_cast<const int32_t*>(texels);
-  simd::HWY_NAMESPACE::GatherPairs(di, words, kStride == 4 ? at : at + at, left, right);
+  simd::HWY_NAMESPACE::GatherPairs(di, reinterpret_cast<const int32_t*>(texels), kStride == 4 ? at : at + at, left,
+                                   right);
+}
+
+/// Loads two consecutive words from each index, which counts units of `kStride` bytes.
+template <size_t kStride, class D>
+HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+  if constexpr (kStride == 4) {
+    const RowWindow<D> window = WindowOf(d, index);
+    if (window.fits) return LoadWindow(d, texels, window, window.first, left, right);
+  }
+  GatherWordPairs<kStride>(d, texels, index, left, right);
+}
+
+/// Loads two consecutive words from each index, in the upper and in the lower row of quads.
+template <class D>
+HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, const int32_t* lower,
+                              Ints<D> (&word)[4]) {
+  const hn::RebindToSigned<D> di;
+  const RowWindow<D> window = WindowOf(d, upper);
+  const int32_t down = lower[0] - upper[0];
+  if (window.fits && hn::AllTrue(di, hn::Eq(hn::Load(di, lower) - hn::Load(di, upper), hn::Set(di, down)))) {
+    LoadWindow(d, texels, window, window.first, &word[0], &word[1]);
+    return LoadWindow(d, texels, window, window.first + down, &word[2], &word[3]);
+  }
+  GatherWordPairs<4>(d, texels, upper, &word[0], &word[1]);
+  GatherWordPairs<4>(d, texels, lower, &word[2], &word[3]);
 }
 #else
-/// The two words from an index on, which counts `kStride` bytes, by one load of 8 bytes a lane.
+/// Loads two consecutive words from each index, which counts units of `kStride` bytes, by one load of 8 bytes per lane.
 template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
   const hn::RebindToSigned<D> di;
@@ -109,10 +153,17 @@ HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, In
   }
   hn::LoadInterleaved2(di, pair, *left, *right);
 }
+
+template <class D>
+HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, const int32_t* lower,
+                              Ints<D> (&word)[4]) {
+  LoadWordPairs<4>(d, texels, upper, &word[0], &word[1]);
+  LoadWordPairs<4>(d, texels, lower, &word[2], &word[3]);
+}
 #endif
 
-/// The four words from an index on, which counts `kStride` bytes, by one load of 16 bytes a lane. The indices are read
-/// from memory, as elements of a vector are dear to extract.
+/// Loads four consecutive words from each index, which counts units of `kStride` bytes, by one load of 16 bytes per
+/// lane. The indices are read from memory, because it is expensive to extract the elements of a vector.
 template <size_t kStride, class D>
 HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, Ints<D> (&word)[4]) {
   const hn::RebindToSigned<D> di;
@@ -124,7 +175,8 @@ HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, In
   static_assert(kLanes == 1);
   for (size_t k = 0; k < 4; ++k) word[k] = hn::LoadU(di, at(0) + k);
 #else
-  // Block b of vector r is the four words of lane 4 b + r: transposed, word k of every lane is one vector.
+  // Block b of vector r holds the four words of lane 4 b + r. After the transposition, word k of every lane is in one
+  // vector.
   Ints<D> lane[4];
   for (size_t r = 0; r < 4; ++r) {
     if constexpr (kLanes == 4) {

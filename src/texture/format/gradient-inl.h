@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Derivatives in u and v: the same tree of blends, whose values carry their derivatives along (forward
-// differentiation). The footprint is held constant, so weights that depend on it alone have no derivative. At a texel
-// centre the derivative is that to the right.
+// Derivatives in u and v by forward differentiation: the tree of blends is that of the values, and each value carries
+// its derivatives. The footprint is constant, so weights that depend on it alone have no derivative. At a texel centre
+// the result is the derivative to the right.
 
 #if defined(SHD_TEXTURE_GRADIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_GRADIENT_INL_H_
@@ -12,7 +12,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/format/blend-inl.h"
+#include "texture/format/consume-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
@@ -71,14 +71,14 @@ struct GradientBlend {
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.du[channel] || out.dv[channel]; }
 
  private:
-  /// The derivative in v added to a blend that has the one in u.
+  /// Adds the derivative of the weight in v to a blend that has its derivative in u.
   template <class D>
   HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D>, const float* rate,
                               Value<D> blended) const {
     blended.dv = blended.dv + Slope(d, a.value, b.value, hn::Load(d, rate));
     return blended;
   }
-  /// rate (b - a); 0 for a rate of 0, whatever the values.
+  /// Returns rate (b - a). A rate of 0 gives 0 even if the values are infinite or NaN.
   template <class D, class V>
   static HWY_INLINE V Slope(D d, V a, V b, V rate) {
     return hn::IfThenZeroElse(hn::Eq(rate, hn::Zero(d)), rate * (b - a));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texels that are one or two 32-bit words where they have four channels.
+// Fetches of formats whose texels of four channels are one or two 32-bit words.
 
 #if defined(SHD_TEXTURE_WORDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_WORDS_INL_H_
@@ -10,21 +10,21 @@
 
 #include <hwy/highway.h>
 
+#include "texture/format/codec.h"
 #include "texture/format/gather-inl.h"
-#include "texture/store/texel_codec.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// code times a scale: the correctly rounded quotient by 255 or 65535 for whole codes, else within 1.2e-7 of it,
-/// relative; a division would take three times as long.
+/// Returns code times scale. For whole codes the result is the correctly rounded quotient by 255 or 65535; for other
+/// values its relative error is at most 1.2e-7. A division would take three times as long.
 template <class D, class V>
 HWY_INLINE V CodeToUnit(D d, CodeScale scale, V code) {
   return code * hn::Set(d, scale.high) + code * hn::Set(d, scale.low);
 }
 
-/// Byte C of every word.
+/// Returns byte C of every word.
 template <size_t C, class DI, class VI>
 HWY_INLINE VI Byte(DI di, VI words) {
   const hn::RebindToUnsigned<DI> du;
@@ -32,7 +32,7 @@ HWY_INLINE VI Byte(DI di, VI words) {
   return C == 3 ? shifted : shifted & hn::Set(di, 255);
 }
 
-/// Four 8-bit codes in a word. The number of channels is the same for a whole batch: fetch branches on it.
+/// Fetches of four 8-bit codes in one word. fetch branches on the number of channels, which is constant over a batch.
 struct OneWord {
   static constexpr bool kFloat = false;
   template <class D>
@@ -49,7 +49,7 @@ struct OneWord {
       default: return GatherWords(d, texels, index);
     }
   }
-  /// With one or two channels, both texels lie in one word.
+  /// Fetches the texels at the indices and the next texels. With one or two channels, both texels lie in one word.
   template <class D>
   static HWY_INLINE void fetch_pair(D d, const TexelSource& source, const int32_t* at, Texel<D>* left,
                                     Texel<D>* right) {
@@ -69,6 +69,16 @@ struct OneWord {
     }
   }
   template <class D>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
+    if (HWY_LIKELY(source.channels == 4)) {
+      const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
+      if (HWY_LIKELY(texels)) return LoadWordQuads(d, texels, upper, lower, quad);
+    }
+    fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    fetch_pair(d, source, lower, &quad[2], &quad[3]);
+  }
+  template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
     const auto index = hn::Load(hn::RebindToSigned<D>(), at);
     const uint8_t* texels = TexelsOf(d, source, index);
@@ -80,7 +90,7 @@ struct OneWord {
   }
 };
 
-/// Four 16-bit channels in two words.
+/// Fetches of four 16-bit channels in two words.
 struct TwoWords {
   template <class D>
   struct Texel {
@@ -115,12 +125,18 @@ struct TwoWords {
     }
   }
   template <class D>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel<D> (&quad)[4]) {
+    fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    fetch_pair(d, source, lower, &quad[2], &quad[3]);
+  }
+  template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
     const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), at));
     for (size_t k = 0; k < 4; ++k) row[k] = load(d, source, texels, at, k * source.texel_size);
   }
 
-  /// Channel C in the lower half of every lane; the upper half is not defined where C is 0 or 2.
+  /// Returns channel C in the lower half of every lane. The upper half is not defined if C is 0 or 2.
   template <size_t C, class D>
   static HWY_INLINE Ints<D> half(const Texel<D>& texel) {
     const auto pair = C < 2 ? texel.rg : texel.ba;
@@ -128,7 +144,7 @@ struct TwoWords {
   }
 
  private:
-  /// Texels `byte` bytes behind those at indices; `texels` is null where they are not all in one block.
+  /// Loads the texels `byte` bytes after those at the indices. `texels` is null if they are not all in one block.
   template <class D>
   static HWY_INLINE Texel<D> load(D d, const TexelSource& source, const uint8_t* texels, const int32_t* at,
                                   size_t byte) {

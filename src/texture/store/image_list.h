@@ -15,12 +15,12 @@ inline uint32_t struct_size_of(const shd_image* image) {
   return size;
 }
 
-/// Element i of the caller's images, which are struct_size apart.
+/// Returns element i of the caller's array of images, whose elements are struct_size bytes apart.
 inline const shd_image* element_of(const shd_image* images, size_t i) {
   return reinterpret_cast<const shd_image*>(reinterpret_cast<const uint8_t*>(images) + i * struct_size_of(images));
 }
 
-/// Image i of a checked list in the layout of this version, with its row stride filled in.
+/// Copies image i of a checked array into the layout of this version and replaces a row stride of 0 by the packed one.
 inline shd_image image_at(const shd_image* images, size_t i) {
   shd_image image = shd_image_default();
   const shd_image* given = element_of(images, i);

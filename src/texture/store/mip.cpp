@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Mip levels as exact box averages of the base (Williams, "Pyramidal Parametrics", 1983, for any size).
+// Mip levels as exact box averages of the base, for any size (Williams, "Pyramidal Parametrics", 1983).
 //
-// As long as both sizes halve evenly (or are 1 already) the average of the base is the average of the unrounded
-// level above: tiles of the base go down up to kTileSteps levels in a scratch of 8 KB, and the unrounded averages
-// of the last of them are kept for the next round. Texels of integer formats begin as integer sums, kSumSteps down.
-// From the first uneven step on, a level is summed from the base, each texel weighted by the integer part of its area:
-// a level texel i covers [i w, (i + 1) w), a base texel x [x w', (x + 1) w'), where w and w' are the sizes of base and
-// level.
+// While both sizes halve evenly (or are 1), a level is the average of the unrounded level before it. A round reduces
+// tiles of its first level by up to kTileSteps levels in a scratch of 8 KB, and keeps the unrounded averages of the
+// last level for the next round. For integer formats, the first kSumSteps levels are sums of integers.
 //
-// A rectangle of the base is updated alike, given the unrounded averages of the rest of its layer: a change of
-// 64 x 64 texels costs a few tiles a round. Levels after an uneven step read all of the base that their texels cover.
+// From the first uneven step on, each level is summed from the base. The weight of a base texel is the integer area
+// that it shares with the level texel: with w and w' the sizes of base and level, level texel i covers [i w, (i + 1) w)
+// and base texel x covers [x w', (x + 1) w').
 //
-// Sums are doubles: exact for 8-bit texels, within 2^-50 of the sum of magnitudes for the others. A constant base
-// gives constant levels: c n with n <= 2^28 and a c of 24 bits is exact.
+// The update of a rectangle of the base takes the same steps with the stored unrounded averages of the rest of the
+// layer. A change of 64 x 64 texels costs a few tiles per round. Levels after an uneven step read all base texels under
+// the changed level texels.
+//
+// Sums are doubles. They are exact for 8-bit texels and within 2^-50 of the sum of magnitudes for other formats. A
+// constant base gives constant levels: c n is exact for n <= 2^28 and a c of 24 bits.
 #include <cstring>
 
 #include "texture/store/mip_sums.h"
@@ -26,13 +28,13 @@ namespace {
 constexpr uint32_t kTileSteps = 5;
 constexpr uint32_t kTile = 1u << kTileSteps;
 
-/// The texels of a level over a rectangle of the base.
+/// Returns the texels of a level over a rectangle of the base.
 Region level_region(const Texture& texture, const Region& region, uint32_t level) {
   return {level_range(region.x, texture.width, level_size(texture.width, level)),
           level_range(region.y, texture.height, level_size(texture.height, level))};
 }
 
-/// Averages the pairs (or the one column) of two rows, `down` doubles apart; 0 where there is only one row.
+/// Averages pairs of columns (or a single column) of two rows. The rows are `down` doubles apart; 0 for a single row.
 template <size_t kChannels>
 void halve_rows(const double* row, size_t down, uint32_t width, double* to) {
   const size_t right = width > 1 ? kChannels : 0;
@@ -43,7 +45,7 @@ void halve_rows(const double* row, size_t down, uint32_t width, double* to) {
   }
 }
 
-/// Halves a whole plane in place.
+/// Averages blocks of 2 x 2 of a whole plane in place.
 template <size_t kChannels>
 void halve(double* plane, uint32_t width, uint32_t height) {
   const size_t pitch = width * kChannels, to_pitch = (width + 1) / 2 * kChannels;
@@ -52,7 +54,7 @@ void halve(double* plane, uint32_t width, uint32_t height) {
   }
 }
 
-/// Sums of 2 x 2 texels from two stored rows (one row twice where the height is 1).
+/// Averages blocks of 2 x 2 texels of two stored rows. Both rows are the same if the height is 1.
 template <class Codec>
 void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
   const size_t right = width > 1 ? Codec::kSize : 0;
@@ -66,11 +68,11 @@ void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, dou
   }
 }
 
-/// One round down the even levels: from level `from` (stored if 0, else `source`) to level from + steps.
+/// One round over levels that halve evenly, from level `from` to level from + steps.
 template <class Codec>
 struct Round {
   Texture& texture;
-  const double* source;  // unrounded level `from`, null for the base
+  const double* source;  // unrounded level `from`; null for the stored base
   double* last;          // unrounded level from + steps, or null
   uint32_t from, steps;
   uint32_t layer;
@@ -101,7 +103,7 @@ struct Round {
     }
   }
 
-  /// First step of a tile whose first texel is (x, y).
+  /// Computes the first step of a tile whose first texel is (x, y).
   void halve_source(uint32_t x, uint32_t y, uint32_t width, uint32_t height, double* to) const {
     const uint32_t down = height > 1 ? 1 : 0;
     const size_t to_row = size_t{width > 1 ? width / 2 : 1} * Codec::kChannels;
@@ -127,7 +129,7 @@ struct Round {
   }
 };
 
-/// The first steps down of a base of an integer format, both of whose sizes are multiples of 2^steps.
+/// The first round of an integer format. Both sizes of the base are multiples of 2^steps.
 template <class Codec>
 struct FirstRound {
   using Sum = typename Sums<Codec>::Sum;
@@ -184,7 +186,7 @@ struct FirstRound {
   }
 };
 
-/// Weighted sum of the texels of `span` in one stored row.
+/// Adds the weighted sum of the texels of `span` in one stored row.
 template <class Codec>
 void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* sum) {
   double value[Codec::kChannels], total[Codec::kChannels] = {};
@@ -201,7 +203,7 @@ void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* su
   for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += weight * total[c];
 }
 
-/// One level from the base.
+/// Sums one level from the base.
 template <class Codec>
 void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
   const uint32_t width = level_size(texture.width, level), height = level_size(texture.height, level);
@@ -222,7 +224,7 @@ void sum_level(const core::Context& context, Texture& texture, uint32_t layer, u
   });
 }
 
-/// How many levels follow the base by halving evenly.
+/// Returns the number of levels after the base that halve evenly.
 uint32_t even_steps(const Texture& texture) {
   uint32_t steps = 0;
   for (uint32_t width = texture.width, height = texture.height; steps + 1 < texture.level_count; ++steps) {
@@ -233,28 +235,28 @@ uint32_t even_steps(const Texture& texture) {
   return steps;
 }
 
-/// How many of them, up to kSumSteps, halve both sizes.
+/// Returns the number of first levels, up to kSumSteps, that halve both sizes.
 uint32_t square_steps(const Texture& texture) {
   uint32_t steps = 0;
   while (steps < kSumSteps && (texture.width | texture.height) % (2u << steps) == 0) ++steps;
   return steps;
 }
 
-/// Whether the averages of a texture are made of exact integer sums.
+/// Returns whether the first averages of a texture are exact sums of integers.
 bool has_exact_sums(const Texture& texture) {
   bool exact = false;
   visit_stored(texture.component, texture.channels, [&](auto codec) { exact = Sums<decltype(codec)>::kExact; });
   return exact;
 }
 
-/// Steps of the round that begins at level `from` of `even`.
+/// Returns the steps of the round that begins at level `from`, if `even` levels halve evenly.
 uint32_t round_steps(const Texture& texture, uint32_t from, uint32_t even) {
   const uint32_t square = from == 0 && has_exact_sums(texture) ? square_steps(texture) : 0;
   if (square > 0) return square;
   return even - from < kTileSteps ? even - from : kTileSteps;
 }
 
-/// Unrounded averages of one level.
+/// Returns the number of unrounded averages of one level.
 size_t plane_size(const Texture& texture, uint32_t level) {
   return size_t{level_size(texture.width, level)} * level_size(texture.height, level) * texture.channels;
 }

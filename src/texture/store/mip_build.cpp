@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// One level by a separable kernel: rows of the source are summed into one row of doubles, then its columns.
+// One level by a separable kernel. For each level row, weighted rows of the source are summed into one row of doubles;
+// then weighted columns of this row are summed.
 #include "texture/store/mip_build.h"
 
 #include <cmath>
 
 #include "core/executor.h"
 #include "image/format.h"
+#include "texture/format/formats.h"
 #include "texture/store/mip_weights.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {
 
-/// The nearest number that a codec stores in a channel.
+/// Clamps a value to the numbers that a codec can store in a channel.
 template <class Codec>
 double clamp_stored(size_t channel, double value) {
   if (std::isnan(value) || (Codec::kFloat && std::isinf(value))) return Codec::kFloat ? value : 0;
@@ -30,7 +31,7 @@ struct Filter {
   bool normal, lengths;
   float* alpha;
 
-  /// Texels of a source row as numbers; normals as vectors.
+  /// Decodes the texels of a source row to numbers, and normals to vectors.
   void decode(const uint8_t* row, double* to) const {
     for (uint32_t x = 0; x < source.width; ++x, row += Codec::kSize, to += kChannels) {
       Codec::load(row, to);
@@ -60,7 +61,7 @@ struct Filter {
     if (kChannels == 4) texel[3] = length * Codec::one(3);
   }
 
-  /// Level row y; `row` and `column` hold one decoded source row each.
+  /// Computes level row y. `row` and `column` are scratch for one decoded source row each.
   void run(uint32_t y, double* __restrict row, double* __restrict column) const {
     const size_t size = source.width * kChannels;
     for (size_t i = 0; i < size; ++i) column[i] = 0;
@@ -107,12 +108,12 @@ void filter_code(const core::Context& context, const Filter<Codec>& filter) {
 void filter_level(const core::Context& context, const shd_image& source, const shd_mip_desc& desc, bool lengths,
                   const shd_image& level, float* alpha) {
   const image::FormatInfo format = image::format_info(source.format);
-  const bool light = desc.semantic == SHD_SEMANTIC_COLOR || desc.semantic == SHD_SEMANTIC_ALPHA_COVERAGE;
+  const bool light = desc.content == SHD_TEXEL_CONTENT_COLOR || desc.content == SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
   const bool as_unorm = format.component == image::Component::kSrgb8 && !light;
   const image::Component component = as_unorm ? image::Component::kUnorm8 : format.component;
   const AxisWeights across = make_axis_weights(context.allocator, desc.kernel, desc.wrap_u, source.width, level.width);
   const AxisWeights down = make_axis_weights(context.allocator, desc.kernel, desc.wrap_v, source.height, level.height);
-  const bool normal = desc.semantic == SHD_SEMANTIC_NORMAL;
+  const bool normal = desc.content == SHD_TEXEL_CONTENT_NORMAL;
   visit_codec(component, format.channels, [&](auto codec) {
     using Codec = decltype(codec);
     filter_code<Codec>(context, {source, level, across, down, normal, lengths, alpha});

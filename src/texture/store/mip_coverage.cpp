@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Alpha scaled so that alpha tests keep their coverage: Castano, "Computing Alpha Mipmaps", 2010. The threshold that
-// the wanted number of texels reach is found by bisection over the bits of positive floats, which are in order.
+// Scales alpha so that the alpha test keeps its coverage (Castano, "Computing Alpha Mipmaps", 2010). The threshold that
+// the wanted number of texels reach is found by bisection over the bits of positive floats, which have the order of the
+// floats.
 #include <atomic>
 #include <cmath>
 
 #include "core/executor.h"
 #include "image/format.h"
+#include "texture/format/formats.h"
 #include "texture/store/mip_build.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {
@@ -20,10 +21,10 @@ float from_bits(uint32_t bits) {
   return value;
 }
 
-/// Stored alphas around the cutoff: the least that passes the test, and the largest that does not.
+/// Stored alphas next to the cutoff.
 struct Cut {
-  double scale;  // stored value of alpha 1
-  double pass, fail;
+  double scale;       // stored number of alpha 1
+  double pass, fail;  // smallest stored number that passes the alpha test, and largest that fails
 
   Cut(image::Component component, double cutoff) {
     scale = one_of(component, 3);
@@ -44,7 +45,7 @@ struct Cut {
   }
 };
 
-/// The code of alpha alone, which is never encoded.
+/// Calls body(codec) with the codec of one channel of alpha, which is linear in all formats.
 template <class Body>
 void visit_alpha(image::Component component, Body&& body) {
   visit_codec(component == image::Component::kSrgb8 ? image::Component::kUnorm8 : component, 1, body);
@@ -56,10 +57,10 @@ uint64_t count_from(const float* alpha, size_t size, float threshold) {
   return count;
 }
 
-/// Threshold, above 0, that about `wanted` values reach.
+/// Returns a threshold above 0 that about `wanted` values reach.
 float find_threshold(const float* alpha, size_t size, uint64_t wanted) {
   const uint64_t at_least = wanted ? wanted : 1;
-  uint32_t low = 1, high = kInfinity;  // at_least values reach low; fewer reach high
+  uint32_t low = 1, high = kInfinity;  // at_least or more values reach low, fewer reach high
   for (int i = 0; i < 31; ++i) {
     const uint32_t middle = low + (high - low) / 2;
     if (count_from(alpha, size, from_bits(middle)) >= at_least) {

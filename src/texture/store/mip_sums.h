@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Exact integer sums of the texels of the integer formats, for the first steps of the mip builder: after k steps
-/// both ways a sum holds 4^k texels.
+/// Exact integer sums of texels of integer formats, for the first steps of the mip builder. After k steps that halve
+/// both sizes, a sum contains 4^k texels.
 ///
-///   Sum      holds 4^kSumSteps texels
-///   pair     sums of 2 x 2 texels of two stored rows, `count` of them
-///   halve    the same from two rows of sums
+///   Sum      integer type that can hold the sum of 4^kSumSteps texels
+///   pair     computes `count` sums of 2 x 2 texels from two stored rows
+///   halve    computes `count` sums of 2 x 2 sums from two rows of sums
 ///   store    rounds sums / 2^shift as Codec::store does
-///   average  sum / 2^shift in the units of Codec::load
+///   average  returns sum / 2^shift in the units of Codec::load
 #pragma once
 
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 
@@ -22,7 +22,7 @@ struct Sums {
   static constexpr bool kExact = false;
 };
 
-/// Sum / 2^shift to the nearest integer, ties to even.
+/// Rounds sum / 2^shift to the nearest integer, ties to even.
 template <class Sum>
 Sum round_shift(Sum sum, uint32_t shift) {
   const Sum odd = static_cast<Sum>(sum >> shift & 1);
@@ -39,7 +39,7 @@ void halve_sums(const Sum* __restrict top, const Sum* __restrict bottom, uint32_
   }
 }
 
-/// An unsigned integer of that many 16-bit fields.
+/// An unsigned integer that consists of kFields 16-bit fields.
 template <size_t kFields>
 struct Fields;
 template <>
@@ -55,7 +55,8 @@ struct Fields<4> {
   using Type = uint64_t;
 };
 
-/// 256 texels of 255 fill 16 bits, so that all channels of a texel add as one integer without a carry between them.
+/// Sums of 8-bit unorm texels. 256 texels of 255 fit in 16 bits, so all channels of a texel are added as one integer
+/// without carries between them.
 template <size_t kChannels>
 struct Sums<Unorm8Codec<kChannels>> {
   static constexpr bool kExact = true;
@@ -121,7 +122,8 @@ struct Sums<Unorm16Codec<kChannels>> {
   static double average(Sum sum, size_t, uint32_t shift) { return static_cast<double>(sum) / (1u << shift); }
 };
 
-/// Linear values are multiples of 2^-35: the least, decoded from code 1, lies above 2^-12 and has 24 bits.
+/// Sums of 8-bit sRGB texels. Linear values are multiples of 2^-35: the smallest, decoded from code 1, is above 2^-12
+/// and has 24 bits.
 template <size_t kChannels>
 struct Sums<Srgb8Codec<kChannels>> {
   static constexpr bool kExact = true;

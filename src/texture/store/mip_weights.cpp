@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Integrals of the windowed sincs by Gauss-Legendre quadrature of eight points (Abramowitz and Stegun, "Handbook of
-// Mathematical Functions", table 25.4): of a source texel, at most one level texel wide, exact to about 1e-12.
+// Windowed sincs are integrated over a source texel by Gauss-Legendre quadrature with eight points (Abramowitz and
+// Stegun, "Handbook of Mathematical Functions", table 25.4). A source texel is at most one level texel wide, so the
+// integrals are exact to about 1e-12.
 #include "texture/store/mip_weights.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kWindowRadius = 3;
 
-/// sin(pi x) by its series around the nearest integer.
+/// Returns sin(pi x) by its Taylor series around the nearest integer.
 double sin_pi(double x) {
   const double nearest = std::floor(x + 0.5), angle = kPi * (x - nearest), square = angle * angle;
   double term = angle, sum = angle;
@@ -26,7 +27,7 @@ double sinc(double x) {
   return std::fabs(x) < 1e-9 ? 1 : sin_pi(x) / (kPi * x);
 }
 
-/// Modified Bessel function of order 0 of the square root of `square`.
+/// Returns the modified Bessel function I0 of the square root of `square`.
 double bessel_i0(double square) {
   double term = 1, sum = 1;
   for (int i = 1; i <= 24; ++i) {
@@ -37,15 +38,15 @@ double bessel_i0(double square) {
 }
 
 double kernel_value(shd_mip_kernel kernel, double x) {
-  if (kernel == SHD_MIP_LANCZOS) return sinc(x) * sinc(x / kWindowRadius);
-  constexpr double kSquare = 16;  // of the window's parameter
+  if (kernel == SHD_MIP_KERNEL_LANCZOS) return sinc(x) * sinc(x / kWindowRadius);
+  constexpr double kSquare = 16;  // square of the parameter of the Kaiser window
   const double t = x / kWindowRadius;
   return sinc(x) * bessel_i0(kSquare * (1 - t * t)) / bessel_i0(kSquare);
 }
 
-/// Integral of the kernel over [low, high].
+/// Returns the integral of the kernel over [low, high].
 double kernel_area(shd_mip_kernel kernel, double low, double high) {
-  if (kernel == SHD_MIP_TRIANGLE) {
+  if (kernel == SHD_MIP_KERNEL_TRIANGLE) {
     const auto below = [](double x) { return x < 0 ? (1 + x) * (1 + x) / 2 : 1 - (1 - x) * (1 - x) / 2; };
     return below(high > 1 ? 1 : high) - below(low < -1 ? -1 : low);
   }
@@ -62,7 +63,7 @@ double kernel_area(shd_mip_kernel kernel, double low, double high) {
   return sum * half;
 }
 
-/// Texel that index i of n reads, or -1 for none.
+/// Returns the texel that index i reads on an axis of n texels, or -1 if it reads no texel.
 int64_t wrapped(shd_wrap wrap, int64_t i, int64_t n) {
   if (i >= 0 && i < n) return i;
   const int64_t period = wrap == SHD_WRAP_MIRROR ? 2 * n : n;
@@ -80,7 +81,7 @@ int64_t wrapped(shd_wrap wrap, int64_t i, int64_t n) {
 /// Source texels under the kernel of one level texel, before wrapping.
 struct Reach {
   int64_t first, last;
-  double centre;  // of the level texel, in source texels
+  double centre;  // centre of the level texel [source texels]
 
   Reach(double radius, uint32_t source, uint32_t size, uint32_t i) {
     const double ratio = static_cast<double>(source) / size;
@@ -90,10 +91,10 @@ struct Reach {
   }
 };
 
-/// Appends the taps of level texel i from tap `at` on; returns the end.
+/// Appends the taps of level texel i, beginning with tap `at`. Returns the end of the taps.
 size_t add_window(shd_mip_kernel kernel, shd_wrap wrap, uint32_t source, uint32_t size, uint32_t i, size_t at,
                   AxisWeights* out) {
-  const double radius = kernel == SHD_MIP_TRIANGLE ? 1 : kWindowRadius;
+  const double radius = kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : kWindowRadius;
   const Reach reach(radius, source, size, i);
   const double scale = static_cast<double>(size) / source;
   const size_t begin = at;
@@ -127,8 +128,8 @@ size_t add_box(uint32_t source, uint32_t size, uint32_t i, size_t at, AxisWeight
 
 AxisWeights make_axis_weights(const core::Allocator& allocator, shd_mip_kernel kernel, shd_wrap wrap, uint32_t source,
                               uint32_t size) {
-  const bool box = kernel == SHD_MIP_BOX || source == size;
-  const size_t radius = box ? 1 : kernel == SHD_MIP_TRIANGLE ? 1 : 3;
+  const bool box = kernel == SHD_MIP_KERNEL_BOX || source == size;
+  const size_t radius = box ? 1 : kernel == SHD_MIP_KERNEL_TRIANGLE ? 1 : 3;
   const size_t per_texel = 2 * radius * ((source + size - 1) / size) + 4;
   const size_t capacity = core::checked_mul(per_texel, size);
   AxisWeights out;

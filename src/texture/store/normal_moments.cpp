@@ -5,12 +5,12 @@
 
 #include "core/executor.h"
 #include "image/format.h"
-#include "texture/store/texel_codec.h"
+#include "texture/format/formats.h"
 
 namespace shd::texture {
 namespace {
 
-/// bx, by of a normal of any length; 0 where it has none.
+/// Computes the slopes bx, by of a normal of any length. They are 0 if the length is 0, infinite or NaN.
 void find_slopes(const double* n, double* slope) {
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   slope[0] = slope[1] = 0.0;
@@ -20,7 +20,6 @@ void find_slopes(const double* n, double* slope) {
   slope[1] = n[1] / z;
 }
 
-/// One row of texels.
 template <class In, class Out>
 void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width) {
   for (uint32_t x = 0; x < width; ++x, normal += In::kSize, out += Out::kSize) {
@@ -29,7 +28,7 @@ void convert_row(const uint8_t* normal, uint8_t* out, uint32_t width) {
     for (size_t c = 0; c < 3 && !In::kFloat; ++c) n[c] = 2 * n[c] / In::one(c) - 1;
     find_slopes(n, moment);
     Out::store(moment, out);
-    Out::load(out, moment);  // what is squared is what is stored: without rounding there is no variance
+    Out::load(out, moment);  // square the rounded slopes, so that their rounding adds no variance
     moment[2] = moment[0] * moment[0];
     moment[3] = moment[1] * moment[1];
     Out::store(moment, out);

@@ -7,11 +7,12 @@
 
 namespace shd::texture {
 
-/// Lower bound of the z of a unit normal that its slopes are divided by.
+/// Lower bound of z, by which the x and y of a unit normal are divided to get its slopes.
 constexpr double kMinNormalZ = 1.0 / 32.0;
 
-/// Slopes of normals, and their squares, as shd_normal_moments has them. Of images of one size, with their row strides
-/// set: normals of three or four channels, `out` of four of binary16 or binary32. Throws std::bad_alloc.
+/// Writes the slopes of normals and the squares of the slopes, as shd_normal_moments does. Both images have the same
+/// size and their row strides set. `normals` has three or four channels; `out` has four channels of binary16 or
+/// binary32. Throws std::bad_alloc.
 void write_moments(const core::Context& context, const shd_image& normals, const shd_image& out);
 
 }  // namespace shd::texture

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Ripmap levels as exact box averages of the base: Williams, "Pyramidal Parametrics" (1983), each axis on its own
-// (Akenine-Moeller, Haines and Hoffman, "Real-Time Rendering", 2008, 6.2.2).
+// Ripmap levels as exact box averages of the base. Each axis is halved on its own (Williams, "Pyramidal Parametrics",
+// 1983; Akenine-Moeller, Haines and Hoffman, "Real-Time Rendering", 2008, 6.2.2).
 //
-// A row of level (., j) is the weighted sum of the base rows under it, whole base texels wide; from it come the rows
-// of all levels (i, j). Widths that halve evenly are summed in pairs, the others from the whole row. Sums are doubles
-// of texels times integer weights: exact for 8-bit and 16-bit texels, within 2^-50 of the sum of magnitudes for the
-// others; a constant base gives constant levels, as c n is exact for n <= 2^26 and a c of 24 bits.
+// For each row of the levels (., j), the base rows under it are summed into one row that is as wide as the base. From
+// this row the rows of all levels (i, j) are computed: by sums of pairs while the width halves evenly, and by weighted
+// sums of the whole row afterwards. Sums are doubles of texels times integer weights. They are exact for 8-bit and
+// 16-bit texels and within 2^-50 of the sum of magnitudes for other formats. A constant base gives constant levels: c n
+// is exact for n <= 2^26 and a c of 24 bits.
 #include <cstring>
 
+#include "texture/format/formats.h"
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {
 
-/// sum += weight * texel, for every channel of a stored row.
+/// Adds weight * texel to `sum` for every channel of a stored row.
 template <class Codec>
 void add_row(const uint8_t* texels, uint32_t width, double weight, double* sum) {
   for (uint32_t x = 0; x < width; ++x, texels += Codec::kSize, sum += Codec::kChannels) {
@@ -26,7 +27,7 @@ void add_row(const uint8_t* texels, uint32_t width, double weight, double* sum) 
   }
 }
 
-/// Sums of pairs, in place.
+/// Adds pairs of texels in place.
 template <size_t kChannels>
 void add_pairs(double* row, uint32_t width) {
   double* to = row;
@@ -35,7 +36,8 @@ void add_pairs(double* row, uint32_t width) {
   }
 }
 
-/// Weighted sum of what lies under texel `index` of `width`, from a row of `base` texels.
+/// Computes the weighted sum of the texels under texel `index` of a level row of `width` texels, from a row of `base`
+/// texels.
 template <size_t kChannels>
 void add_span(const double* row, uint32_t index, uint32_t base, uint32_t width, double* sum) {
   const AxisSpan span(index, base, width);
@@ -46,13 +48,13 @@ void add_span(const double* row, uint32_t index, uint32_t base, uint32_t width, 
   }
 }
 
-/// Row y of the levels (0.., j) of one layer.
+/// Builds row y of the levels (0.., j) of one layer.
 template <class Codec>
 class Row {
  public:
   static constexpr size_t kChannels = Codec::kChannels;
 
-  /// A row of the texels over `columns` of the base; `scratch` has room for two rows of the base.
+  /// Builds the texels over the base columns `columns`. `scratch` holds two rows of the base.
   Row(Texture& texture, uint32_t layer, AxisRange columns, uint32_t j, uint32_t y, double* scratch)
       : texture_(texture),
         columns_(columns),
@@ -86,7 +88,7 @@ class Row {
  private:
   bool is_there(uint32_t i) const { return is_mip_level(texture_, i, j_); }
 
-  /// Sums of 2^i texels across.
+  /// Stores averages from sums of 2^i columns.
   void store(uint32_t i, const double* sum) {
     const AxisRange range = level_range(columns_, texture_.width, level_size(texture_.width, i));
     uint8_t* texel = ripmap_row(texture_, layer_, i, j_, y_) + size_t{range.first} * Codec::kSize;

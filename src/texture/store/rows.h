@@ -8,7 +8,8 @@
 
 namespace shd::texture {
 
-/// body(row, worker) for every row of a range, in at most 1024 tasks, which an executor runs without memory of shd's.
+/// Calls body(row, worker) for every row of a range, in at most 1024 tasks. parallel_for() allocates no memory for so
+/// few tasks.
 template <class Body>
 void for_rows(const core::Context& context, AxisRange rows, const Body& body) {
   const uint32_t count = rows.size(), tasks = count < 1024 ? count : 1024;

@@ -5,11 +5,11 @@
 
 namespace shd::texture {
 
-/// Base texels under texel `index` of an axis of `level` texels, with their weights, which add up to `base`; the inner
-/// ones weigh `full`. In units where a base texel is `level` long.
+/// Base texels under texel `index` of an axis of `level` texels, and their weights. The unit of the weights is a base
+/// texel divided by `level`, so that all weights are integers with the sum `base`.
 struct AxisSpan {
-  uint32_t first, last;  // inclusive
-  double head, full, tail;
+  uint32_t first, last;     // inclusive
+  double head, full, tail;  // weight of the first texel, of an inner texel and of the last texel
 
   AxisSpan(uint32_t index, uint32_t base, uint32_t level) {
     const uint64_t begin = uint64_t{index} * base, end = begin + base;
@@ -21,18 +21,18 @@ struct AxisSpan {
     if (first == last) head = static_cast<double>(base);
   }
 
-  /// Weight of base texel x, first <= x <= last.
+  /// Returns the weight of base texel x, first <= x <= last.
   double weight(uint32_t x) const { return x == first ? head : x == last ? tail : full; }
 };
 
-/// Texels of one axis.
+/// Texels first..end - 1 of one axis.
 struct AxisRange {
   uint32_t first, end;
 
   uint32_t size() const { return end - first; }
 };
 
-/// Texels, of an axis of `level` of them, of which a part lies over `range` of an axis of `base`.
+/// Returns the texels of an axis of `level` texels that overlap `range` of an axis of `base` texels.
 inline AxisRange level_range(AxisRange range, uint32_t base, uint32_t level) {
   return {static_cast<uint32_t>(uint64_t{range.first} * level / base),
           static_cast<uint32_t>((uint64_t{range.end} * level + base - 1) / base)};

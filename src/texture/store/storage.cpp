@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kRowsPerTask = 64;
 
-/// The format that texels of a format are stored in: three channels become four.
+/// Returns the storage format of texels of a format. Three channels are stored as four.
 shd_format stored_format(shd_format format) {
   switch (format) {
     case SHD_FORMAT_RGB8: return SHD_FORMAT_RGBA8;
@@ -39,7 +39,7 @@ void set_format(const shd_texture_desc& desc, Texture* texture) {
   }
 }
 
-/// Sets the offsets of the ripmap levels; they follow `texels` others. Returns the number of texels of all.
+/// Sets the offsets of the ripmap levels, which follow the first `texels` texels. Returns the new number of texels.
 size_t lay_out_ripmap(Texture* texture, size_t texels) {
   texture->ripmap_columns = full_level_count(texture->width, 1);
   texture->ripmap_rows = full_level_count(texture->height, 1);
@@ -57,7 +57,7 @@ size_t lay_out_ripmap(Texture* texture, size_t texels) {
   return texels;
 }
 
-/// Sets the sizes and the offset of every level; returns the number of texels of all layers.
+/// Sets the sizes of the texture and the offset of every level. Returns the number of texels of all layers.
 size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->width = desc.width;
   texture->height = desc.height;
@@ -79,7 +79,7 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   return texels * desc.layers;
 }
 
-/// One row of three channels into one of four, the fourth 0.
+/// Copies a row of three channels into a row of four. The fourth channel is 0.
 void expand_row(const uint8_t* from, size_t channel_size, uint32_t width, uint8_t* to) {
   for (uint32_t x = 0; x < width; ++x, from += 3 * channel_size, to += 4 * channel_size) {
     std::memcpy(to, from, 3 * channel_size);
@@ -101,7 +101,7 @@ void copy_base(const core::Context& context, const shd_texture_desc& desc, Textu
   });
 }
 
-/// The levels that the caller gave.
+/// Copies the levels that the caller gave.
 void copy_levels(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
   const image::FormatInfo format = image::format_info(desc.format);
   core::parallel_for(context, desc.layers * desc.level_count, [&](uint32_t task, uint32_t) {
@@ -112,9 +112,9 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
   });
 }
 
-/// Room for `texels` texels in all, less those that are borrowed.
+/// Allocates memory for `texels` texels minus the borrowed ones.
 void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
-  if (desc.borrow) {
+  if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
     texture->borrowed_texels = desc.width * desc.height;
   }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Levels are packed rows of texels as the caller's format has them; 8-bit and 16-bit codes become floats in registers.
+/// Layout of texels in memory. Levels are packed rows of texels in the caller's format. Kernels convert 8-bit and
+/// 16-bit codes to floats in registers.
 ///
-/// Why not tiles: millions of bilinear RGBA8 lookups a second on 2048 x 2048 texels, one thread of a Zen 5, AVX-512, by
-/// the loops of bench/bench_layout.cpp, words = one gather a tap, rows = the loads of gather-inl.h; in brackets with
-/// the lines of lookups ahead prefetched:
+/// Tiled layouts were measured and rejected. The table shows millions of bilinear RGBA8 lookups per second on
+/// 2048 x 2048 texels, one thread of a Zen 5, AVX-512, by the loops of bench/bench_layout.cpp. "words" is one gather
+/// per tap; "by rows" uses the loads of gather-inl.h. Numbers in brackets are with prefetches of the cache lines of
+/// later lookups.
 ///
 /// | storage       | floor     | floor turned by 45 degrees | random places | the same places sorted |
 /// |---------------|-----------|----------------------------|---------------|------------------------|
@@ -14,9 +16,10 @@
 /// | 8 x 8 tiles   | 127 (283) |     (199)                  | 62 (118)      |                        |
 /// | Morton order  | 122 (238) | 102                        | 43            |                        |
 ///
-/// On 8192 x 8192 texels tiles win where lines of a turned floor miss every cache, 157 to 107, and nowhere else: random
-/// places 37 to 43 (75) in any order. What a tile saves in lines its address costs in every lookup. Hence rows, and
-/// prefetch-inl.h for lookups that are scattered. Texels expanded to floats would take four times the lines.
+/// On 8192 x 8192 texels, tiles are faster only for the turned floor, whose lines miss every cache: 157 million to 107.
+/// Random places give 37 to 43 (75) in every layout. The cost of tiled addresses in every lookup exceeds the savings in
+/// cache lines. Therefore levels are rows, and scattered lookups are prefetched (filter/prefetch.h). Texels expanded to
+/// floats would take four times the cache lines.
 #pragma once
 
 #include <cstddef>
@@ -27,49 +30,49 @@
 
 namespace shd::texture {
 
-/// Bytes after the last texel that a kernel may read: two vectors of 64 bytes.
+/// Number of bytes after the last texel that a kernel may read: two vectors of 64 bytes.
 constexpr size_t kPadding = SHD_TEXTURE_PADDING;
 
-/// Width or height of a level from that of the base.
+/// Returns the width or height of a level, from the width or height of the base.
 inline uint32_t level_size(uint32_t base, uint32_t level) {
   const uint32_t size = base >> level;
   return size ? size : 1;
 }
 
-/// floor(log2(max(width, height))) + 1.
+/// Returns the number of levels down to one texel: floor(log2(max(width, height))) + 1.
 uint32_t full_level_count(uint32_t width, uint32_t height);
 
-/// Bytes of one stored texel.
+/// Returns the size of one stored texel [bytes].
 inline size_t texel_size(const Texture& texture) {
   return image::format_info(texture.format).pixel_size;
 }
 
-/// Bytes of all tables that are not borrowed, and of the sums that updates keep.
+/// Returns the size of all tables that are not borrowed, and of the sums that updates keep [bytes].
 inline size_t byte_size(const Texture& texture) {
   return texture.texels.size() - kPadding + texture.mip_sums.size() * sizeof(double) + texture.sums.size() +
          texture.nonfinite_sums.size() * sizeof(uint32_t) + texture.sum_origins.size() * sizeof(double);
 }
 
-/// All texels of the base.
+/// Returns the region of all texels of the base.
 inline Region whole(const Texture& texture) {
   return {{0, texture.width}, {0, texture.height}};
 }
 
-/// Whether texels outside the image read the border colour on some axis.
+/// Returns whether lookups outside the image read the border colour on some axis.
 inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
 
-/// First byte of a texel, wherever it is kept.
+/// Returns the first byte of a texel, which may be borrowed.
 inline const uint8_t* texel_at(const Texture& texture, size_t index) {
   return (index < texture.borrowed_texels ? texture.borrowed : texture.origin) + index * texel_size(texture);
 }
-/// Address to write a texel to; the texel is not borrowed.
+/// Returns the first byte of a texel for writing. The texel must not be borrowed.
 inline uint8_t* texel_at(Texture& texture, size_t index) {
   return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
 }
 
-/// First byte of row y of a level of a layer; rows are packed.
+/// Returns the first byte of row y of a level of a layer. Rows are packed.
 inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
   const size_t first =
       size_t{layer} * texture.layer_texels + texture.offset[level] + size_t{y} * level_size(texture.width, level);
@@ -79,30 +82,30 @@ inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t le
   return row_of(const_cast<Texture&>(texture), layer, level, y);
 }
 
-/// Whether shd built the mip levels; otherwise there are none or the caller gave them.
+/// Returns whether shd built the mip levels. Otherwise the texture has none, or the caller gave them.
 inline bool has_built_levels(const Texture& texture) {
   return texture.tables & SHD_TABLE_MIPMAP && !texture.levels_given;
 }
 
-/// Doubles that build_mip_levels keeps of one layer.
+/// Returns the number of unrounded averages that build_mip_levels() keeps for one layer.
 size_t mip_sums_size(const Texture& texture);
 
-/// Fills levels 1.. of a layer, whose level 0 is there, over a region of the base (mip.cpp).
-/// Every texel is the average of the base level over its area, in linear light, rounded once to what the format
-/// stores: unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
-/// `sums`, mip_sums_size() of them, hold unrounded averages: those over the region are written, those over the rest of
-/// the layer are read, as they were left by a call for the same layer.
+/// Computes the levels 1.. of a layer over a region of the base, from level 0 of the layer (mip.cpp).
+/// Every texel is the average of the base level over its area, in linear light, rounded once to the stored format:
+/// unorm and binary16 to nearest even, binary32 to nearest, sRGB to the nearest code.
+/// `sums` [mip_sums_size()] holds unrounded averages. Averages over the region are written. Averages over the rest of
+/// the layer are read; an earlier call for the same layer has written them.
 void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                       double* sums);
 
-/// Whether ripmap level (i, j) is the base or, where there is a mipmap, level max(i, j) of it.
+/// Returns whether ripmap level (i, j) is the base or level max(i, j) of the texture's mipmap.
 inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
   const uint32_t level = i > j ? i : j, columns = texture.ripmap_columns, rows = texture.ripmap_rows;
   return level < texture.level_count && i == (level < columns ? level : columns - 1) &&
          j == (level < rows ? level : rows - 1);
 }
 
-/// First byte of row y of ripmap level (i, j) of a layer.
+/// Returns the first byte of row y of ripmap level (i, j) of a layer.
 inline uint8_t* ripmap_row(Texture& texture, uint32_t layer, uint32_t i, uint32_t j, uint32_t y) {
   const size_t first = size_t{layer} * texture.layer_texels + texture.ripmap_offset[j * kMaxLevels + i] +
                        size_t{y} * level_size(texture.width, i);
@@ -112,22 +115,22 @@ inline const uint8_t* ripmap_row(const Texture& texture, uint32_t layer, uint32_
   return ripmap_row(const_cast<Texture&>(texture), layer, i, j, y);
 }
 
-/// Doubles that build_ripmap_levels needs as scratch.
+/// Returns the number of doubles that build_ripmap_levels() needs as scratch.
 size_t ripmap_scratch_size(const core::Context& context, const Texture& texture);
 
-/// Fills the ripmap levels of a layer, whose level 0 is there, over a region of the base (ripmap.cpp): averages as
-/// those of build_mip_levels. Reads all columns of the base in the rows that the texels cover.
+/// Computes the ripmap levels of a layer over a region of the base, from level 0 of the layer (ripmap.cpp). Texels are
+/// averages like those of build_mip_levels(). Reads all columns of the base rows under these texels.
 void build_ripmap_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                          double* scratch);
 
-/// Texels in the caller's memory, of the format that the texture was made from.
+/// Texels in the caller's memory.
 struct GivenTexels {
-  const uint8_t* texels;  // of the first texel of the region
-  size_t stride;          // bytes between rows
+  const uint8_t* texels;  // first texel of the region
+  size_t stride;          // distance between rows [bytes]
   image::FormatInfo format;
 };
 
-/// Writes rows [first, end) of a region of a level.
+/// Copies the rows `rows` of a region into a level. Three channels become four.
 void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const Region& region, AxisRange rows,
                Texture* texture);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sums along the rows, and then down the columns. Doubles are summed with compensation (Neumaier,
+// Summation runs along the rows and then down the columns. Doubles are summed with compensation (Neumaier,
 // "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", 1974), which leaves one rounding per entry
 // and pass.
 #include "texture/store/summed_area.h"
@@ -9,22 +9,22 @@
 #include <cstring>
 
 #include "core/executor.h"
+#include "texture/format/formats.h"
 #include "texture/store/storage.h"
-#include "texture/store/texel_codec.h"
 
 namespace shd::texture {
 namespace {
 
-constexpr size_t kBlock = 256;  // entries of a row that one task sums down
+constexpr size_t kBlock = 256;  // columns of entries that one task sums
 
-/// Exact.
+/// An exact running sum.
 struct IntegerSum {
   uint32_t sum = 0;
   void add(uint32_t value) { sum += value; }
   uint32_t value() const { return sum; }
 };
 
-/// Compensated.
+/// A compensated running sum.
 struct RealSum {
   double sum = 0, lost = 0;
   void add(double value) {
@@ -46,7 +46,7 @@ struct SumOf<double> {
   using Type = RealSum;
 };
 
-/// Table of one layer while it is filled.
+/// Builder of the table of one layer.
 template <class Entry, size_t kChannels>
 class Table {
  public:
@@ -55,7 +55,7 @@ class Table {
   Table(const Texture& texture, Entry* first)
       : width_(texture.width), height_(texture.height), pitch_((size_t{width_} + 1) * kChannels), first_(first) {}
 
-  /// `load(x, y, values)` gives what is summed.
+  /// Builds the table of the values that load(x, y, values) returns.
   template <class Load>
   void build(const core::Context& context, const Load& load) const {
     std::memset(first_, 0, pitch_ * sizeof(Entry));
@@ -101,7 +101,7 @@ double finite_or(double value, double other) {
   return std::isfinite(value) ? value : other;
 }
 
-/// What is taken off every texel of a layer: nothing where sums are integers.
+/// Loads the value that is subtracted from every texel of a layer. It is 0 for integer sums.
 template <class Codec>
 void load_origin(const Texture& texture, uint32_t layer, double* origin) {
   Codec::load(row_of(texture, layer, 0, 0), origin);

@@ -6,11 +6,11 @@
 namespace shd::texture {
 namespace {
 
-/// What an update needs, allocated before anything is written.
+/// Memory of an update, allocated before anything is written.
 struct Scratch {
-  core::Array<double> mip_sums;  // to become the texture's
-  core::Array<double> ripmap;
-  core::Array<uint32_t> nonfinite_sums;
+  core::Array<double> mip_sums;          // the texture takes it
+  core::Array<double> ripmap;            // scratch of build_ripmap_levels()
+  core::Array<uint32_t> nonfinite_sums;  // the texture takes it if it needs the table
 };
 
 Scratch make_scratch(const core::Context& context, const Texture& texture) {
@@ -28,8 +28,8 @@ Scratch make_scratch(const core::Context& context, const Texture& texture) {
   return scratch;
 }
 
-/// The mip levels over a region, or of the whole layer where its sums are yet to come. Those count as missing until all
-/// is done, so that the next update mends what one that failed left.
+/// Rebuilds the mip levels over a region, or of the whole layer if its sums are missing. The sums count as missing
+/// until the rebuild is complete, so that the next update repairs a layer after a failed update.
 void update_mip_levels(const core::Context& context, uint32_t layer, const Region& region, Texture* texture) {
   uint32_t* ready = &texture->mip_sums_ready[layer / 32];
   const uint32_t bit = 1u << (layer % 32);
@@ -41,7 +41,7 @@ void update_mip_levels(const core::Context& context, uint32_t layer, const Regio
   *ready |= bit;
 }
 
-/// What depends on a region of the base.
+/// Rebuilds all tables that depend on a region of the base.
 void rebuild(const core::Context& context, uint32_t layer, const Region& region, Scratch* scratch, Texture* texture) {
   if (has_built_levels(*texture)) update_mip_levels(context, layer, region, texture);
   if (texture->tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, texture, layer, region, scratch->ripmap.data());

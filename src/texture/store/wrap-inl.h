@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texel coordinates and wrapping, each axis on its own (Vulkan 1.3 specification, "Texel Coordinate Systems" and
-// "Wrapping Operation"). Ranges are reduced as floats, so that no finite coordinate leaves the range of an int.
+// Texel coordinates and wrapping of one axis (Vulkan 1.3 specification, "Texel Coordinate Systems" and "Wrapping
+// Operation"). Coordinates are reduced as floats, so that no finite coordinate leaves the range of an int.
 
 #if defined(SHD_TEXTURE_WRAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_WRAP_INL_H_
@@ -24,8 +24,9 @@ using Ints = hn::Vec<hn::RebindToSigned<D>>;
 template <class D>
 using MaskOf = decltype(hn::Eq(hn::Zero(D()), hn::Zero(D())));
 
-/// The part of wrapping that does not depend on the level: a finite coordinate in whole periods, [0, 1], for
-/// repeat and mirror (whose period is 2); itself for the others. -tiny gives 1, which the callers allow for.
+/// Reduces a finite coordinate: the part of wrapping that does not depend on the level. For repeat and mirror, the
+/// result is the fraction of the period (1 or 2) in [0, 1]. A tiny negative coordinate gives 1, which callers must
+/// accept. For other wraps, the result is the coordinate.
 template <class D, class V>
 HWY_INLINE V ReduceCoordinate(D d, shd_wrap wrap, V u) {
   if (wrap == SHD_WRAP_REPEAT) return u - hn::Floor(u);
@@ -36,36 +37,36 @@ HWY_INLINE V ReduceCoordinate(D d, shd_wrap wrap, V u) {
   return u;
 }
 
-/// One axis of a level.
+/// Size of one axis of a level, as a float and as an integer.
 template <class D>
 struct AxisSize {
   hn::Vec<D> real;
   Ints<D> whole;
 };
 
-/// The two taps of linear filtering along one axis; weights are 1 - s and s, s in [0, 1).
+/// The two taps of linear filtering along one axis. Their weights are 1 - s and s.
 template <class D>
 struct LinearTaps {
-  hn::Vec<D> s;
+  hn::Vec<D> s;        // [0, 1)
   hn::Vec<D> rate;     // ds/du: the size, or 0 where the coordinate is clamped
-  Ints<D> i0, i1;      // in 0..size - 1
-  MaskOf<D> in0, in1;  // false = border colour; set for SHD_WRAP_BORDER only
+  Ints<D> i0, i1;      // 0..size - 1
+  MaskOf<D> in0, in1;  // false = border colour, for SHD_WRAP_BORDER only
 };
 
-/// Index of the mirrored period 0..2n - 1, or one beyond at either end, folded into 0..n - 1.
+/// Folds an index of the mirrored period, -1..2 size, into 0..size - 1.
 template <class DI, class VI>
 HWY_INLINE VI Fold(DI di, VI i, VI size) {
   const VI last = size + size - hn::Set(di, 1);
   return hn::Max(hn::Zero(di), hn::Min(i, last - i));
 }
 
-/// Index mirrored at 0, then clamped to 0..n - 1.
+/// Mirrors an index at 0 and clamps it to 0..size - 1.
 template <class DI, class VI>
 HWY_INLINE VI FoldOnce(DI di, VI i, VI size) {
   return hn::Min(i ^ hn::BroadcastSignBit(i), size - hn::Set(di, 1));
 }
 
-/// Index clamped to 0..size - 1, and whether it was there before.
+/// Clamps an index to 0..size - 1. Lanes of `in` are set where the index was in this range.
 template <class D, class VI>
 HWY_INLINE VI ClampBorder(D d, VI i, VI size, MaskOf<D>* in) {
   const hn::RebindToSigned<D> di;
@@ -74,7 +75,7 @@ HWY_INLINE VI ClampBorder(D d, VI i, VI size, MaskOf<D>* in) {
   return clamped;
 }
 
-/// Taps at u * size - 1/2 of a reduced coordinate.
+/// Returns the linear taps of a reduced coordinate, around u * size - 1/2.
 template <class D>
 SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   using V = hn::Vec<D>;
@@ -129,7 +130,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       return taps;
     }
     default: {
-      // Outside, both taps would be the same edge texel: the edge with weight 1 is that.
+      // Outside, both taps are the edge texel. Clamp x, which gives this texel the weight 1.
       const V free = x - half, last = size.real - hn::Set(d, 1.0f);
       x = hn::Min(hn::Max(free, hn::Zero(d)), last);
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
@@ -142,16 +143,16 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
   }
 }
 
-/// The four taps of cubic filtering along one axis, around the point between the second and the third.
+/// The four taps of cubic filtering along one axis. The point lies between the second and the third tap.
 template <class D>
 struct CubicTaps {
-  hn::Vec<D> s;     // of the way from the second to the third, in [0, 1)
+  hn::Vec<D> s;     // fraction of the way from the second to the third tap, [0, 1)
   hn::Vec<D> rate;  // ds/du
   Ints<D> index[4];
   MaskOf<D> in[4];  // false = border colour
 };
 
-/// A whole float wrapped to an index; |i| <= 2 size + 4.
+/// Wraps an integer-valued float, |i| <= 2 size + 4, to an index.
 template <class D>
 HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>& size, MaskOf<D>* in) {
   using V = hn::Vec<D>;
@@ -172,13 +173,14 @@ HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>
   }
 }
 
-/// Where cubic filtering stands along one axis: the second of its taps, a whole float before wrapping.
+/// Position of cubic filtering along one axis. `second` is the index of the second tap before wrapping, an
+/// integer-valued float.
 template <class D>
 struct CubicPoint {
-  hn::Vec<D> second, s, rate;  // s, rate: as those of CubicTaps
+  hn::Vec<D> second, s, rate;  // s, rate: as in CubicTaps
 };
 
-/// At u * size - 1/2 of a reduced coordinate.
+/// Returns the cubic position of a reduced coordinate, at u * size - 1/2.
 template <class D>
 SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   using V = hn::Vec<D>;
@@ -188,7 +190,7 @@ SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced
   CubicPoint<D> point;
   point.rate = size.real;
   if (wrap == SHD_WRAP_CLAMP || wrap == SHD_WRAP_BORDER || wrap == SHD_WRAP_MIRROR_ONCE) {
-    // Further outside all taps are the same.
+    // Beyond this limit all taps are the same texel.
     const V free = x, outside = wrap == SHD_WRAP_MIRROR_ONCE ? size.real + two : two;
     x = hn::Min(hn::Max(free, hn::Neg(outside)), size.real + two);
     point.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
@@ -198,7 +200,7 @@ SHD_KERNEL_PART CubicPoint<D> LocateCubic(D d, shd_wrap wrap, hn::Vec<D> reduced
   return point;
 }
 
-/// A tap of cubic filtering from its whole float; the border counts for SHD_WRAP_BORDER only.
+/// Wraps the index of a cubic tap, an integer-valued float. Lanes of `in` are clear for SHD_WRAP_BORDER only.
 template <class D>
 HWY_INLINE Ints<D> WrapCubicTap(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>& size, MaskOf<D>* in) {
   const Ints<D> index = WrapWhole(d, wrap, i, size, in);
@@ -206,7 +208,7 @@ HWY_INLINE Ints<D> WrapCubicTap(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize
   return index;
 }
 
-/// Taps around u * size - 1/2 of a reduced coordinate.
+/// Returns the cubic taps of a reduced coordinate, around u * size - 1/2.
 template <class D>
 SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size) {
   const CubicPoint<D> point = LocateCubic(d, wrap, reduced, size);
@@ -220,7 +222,7 @@ SHD_KERNEL_PART CubicTaps<D> WrapCubic(D d, shd_wrap wrap, hn::Vec<D> reduced, c
   return taps;
 }
 
-/// Texel that contains a reduced coordinate.
+/// Returns the texel that contains a reduced coordinate.
 template <class D>
 SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, const AxisSize<D>& size, MaskOf<D>* in) {
   using V = hn::Vec<D>;

@@ -7,8 +7,8 @@
 
 namespace shd::texture {
 
-/// Index of the texel that stands at i, of n along an axis (Vulkan 1.3 specification, "Wrapping Operation"); -1 for the
-/// border. The twin of wrap-inl.h for one index of any size.
+/// Wraps index i on an axis of n texels (Vulkan 1.3 specification, "Wrapping Operation"). Returns -1 for the border
+/// colour. This is the scalar twin of wrap-inl.h, for an index of any size.
 inline int64_t wrap_index(shd_wrap wrap, int64_t i, int64_t n) {
   const bool inside = i >= 0 && i < n;
   if (inside) return i;

@@ -97,7 +97,7 @@ void test_circle(void**) {
 void test_tan_edges(void**) {
   assert_true(shd::data::tan(0.0) == 0.0);
   assert_true(shd::data::tan(1e-300) == 1e-300);
-  const double below = 0.5 * static_cast<double>(3.1415925f);  // the widest field of view there is
+  const double below = 0.5 * static_cast<double>(3.1415925f);  // the widest possible field of view
   assert_true(fabs(shd::data::tan(below) / static_cast<double>(tanl(below)) - 1.0) <= 1e-15);
 }
 

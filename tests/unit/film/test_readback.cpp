@@ -11,7 +11,7 @@ namespace {
 using shd::film::Framebuffer;
 
 shd::core::Context* g_context;
-constexpr uint32_t kWidth = 1021;  // prime: no row starts on a cache line but the padded ones
+constexpr uint32_t kWidth = 1021;  // prime: only padded rows start on a cache line
 constexpr uint32_t kHeight = 7;
 constexpr uint32_t kPixels = kWidth * kHeight;
 
@@ -96,7 +96,7 @@ double half_value(uint16_t half) {
   return half & 0x8000 ? -magnitude : magnitude;
 }
 
-/// True if `half` is a binary16 nearest to the value.
+/// Whether `half` is a binary16 nearest to the value.
 bool is_nearest_half(uint16_t half, float value) {
   const double got = half_value(half);
   if (isnan(value)) return isnan(got);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Assembly: every triangle has one outcome, culling follows the winding, and what is kept is fit for the raster stage.
+// Assembly: every triangle has one outcome, culling depends on the winding, and the output is valid for the raster
+// stage.
 #include "support/check.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ void transform(bool perspective) {
 }
 
 shd_render_stats assemble(shd_cull cull, size_t begin, size_t end) {
-  shd_render_stats stats = {};
+  shd_render_stats stats = shd_render_stats_default();
   const geometry::Assembly assembly = {
       &g->vertices, 5, cull, geometry::viewport_box(kWidth, kHeight), {128, 128, 128, 128}};
   geometry::assemble(assembly, begin, end, &g->out, &stats);
@@ -97,7 +98,7 @@ void check_kept(const shd_render_stats& stats) {
     for (int k = 0; k < 3; ++k) {
       assert_true(abs(t.x[k]) <= 1 << 28 && abs(t.y[k]) <= 1 << 28 && t.z[k] >= 0.0f && t.z[k] <= 1.0f);
     }
-    // Pieces of one triangle follow each other, in the triangles' order.
+    // Pieces of one triangle are adjacent, in the order of the triangles.
     if (i > 0) assert_true(t.primitive >= g->out[i - 1].primitive);
     primitives += i == 0 || t.primitive != g->out[i - 1].primitive;
   }
@@ -135,12 +136,12 @@ void test_soup(void** state) {
   assert_int_equal(stats[0].nonfinite, stats[1].nonfinite);
   assert_int_equal(stats[0].clipped, stats[2].clipped);
   assert_true(stats[0].nonfinite > 0 && stats[0].rasterised > 0);
-  // What one mode keeps the other culls; a clipped triangle's slivers may face either way.
+  // Triangles kept by one mode are culled by the other; slivers of a clipped triangle may face either way.
   const uint64_t both = stats[1].rasterised + stats[2].rasterised;
   assert_true(both >= stats[0].rasterised && both <= stats[0].rasterised + stats[0].clipped);
 }
 
-/// Parts append to the same list and counts, whatever the cut.
+/// Parts append to one list and to the counts, for any division into parts.
 void test_parts(void**) {
   Random random = {20};
   make_soup(&random, 400.0);
@@ -150,7 +151,7 @@ void test_parts(void**) {
   const size_t kept = g->out.size();
   const uint64_t hash = shd_hash(SHD_HASH_START, g->out.data(), kept * sizeof(ScreenTriangle));
   g->out.clear();
-  shd_render_stats parts = {};
+  shd_render_stats parts = shd_render_stats_default();
   for (size_t begin = 0; begin < kTriangles; begin += 333) {
     const shd_render_stats s = assemble(SHD_CULL_BACK, begin, std::min<size_t>(kTriangles, begin + 333));
     parts.triangles += s.triangles;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clipping against a long double clipper that takes the planes in another order, and what neighbours must agree on.
+// Clipping against a long double clipper that uses the planes in another order, and the agreement of neighbours.
 #include "support/check.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ int tear_down(void**) {
   return 0;
 }
 
-/// Makes (X, Y, Z, W) vertex `index`, through the vertex stage.
+/// Sets (X, Y, Z, W) of vertex `index`, through the vertex stage.
 void set_vertex(size_t index, const float* v) {
   geometry::Transform transform = {};
   for (int c = 0; c < 4; ++c) transform.raster[12 + c] = v[c];
@@ -71,7 +71,7 @@ long double distance(int plane, const Point& p) {
   return all[plane];
 }
 
-/// Cuts a polygon by the planes from last to first. Returns the number of vertices.
+/// Clips a polygon by the planes from last to first. Returns the number of vertices.
 int oracle_clip(Point* polygon, int count) {
   for (int plane = 6; plane >= 0 && count > 0; --plane) {
     Point next[64];
@@ -168,7 +168,7 @@ Point point(size_t index) {
   return {{v[0], v[1], v[2], v[3]}};
 }
 
-/// Same area as the oracle's polygon up to snapping; everything inside the planes.
+/// The area equals the area of the oracle's polygon up to snapping; all vertices are inside the planes.
 void test_area(void** state) {
   const auto* c = static_cast<const kind_case*>(*state);
   Random random = {23};
@@ -186,7 +186,8 @@ void test_area(void** state) {
       }
     }
     const long double want_area = want ? oracle_area(polygon, want) : 0, got_area = count ? area(out, count) : 0;
-    // Rounding to the grid moves a vertex by 1/512 pixel on each axis, rounding X / W to float by 2^-24 of it.
+    // Rounding to the grid moves a vertex by 1/512 pixel per axis; rounding X / W to float moves it by 2^-24 of its
+    // value.
     int32_t farthest = 0;
     for (int i = 0; i < count; ++i) farthest = std::max({farthest, abs(out[i].x), abs(out[i].y)});
     const long double moved = 1.5L * (1.0L / 512 + 0x1p-24L * farthest / 256);
@@ -218,7 +219,7 @@ Agreement agree_at(const Point& p, const ScreenVertex* a, int a_count, const Scr
   return result;
 }
 
-/// Two triangles on either side of an edge, in every rotation and both windings, cut it at the same places.
+/// Two triangles on both sides of an edge, in every rotation and both windings, cut it at equal points.
 void test_neighbours(void** state) {
   const auto* c = static_cast<const kind_case*>(*state);
   Random random = {29};
@@ -277,7 +278,7 @@ void test_whole(void** state) {
   }
 }
 
-/// Needles and points whose edges run along the planes, where rounding decides on which side a vertex falls.
+/// Needles and points with edges along the planes, where rounding decides the side of a vertex.
 void test_needles(void**) {
   Random random = {31};
   int maximum = 0;

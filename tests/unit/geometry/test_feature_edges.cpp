@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The point that a view shows nowhere, against what the matrices make of it.
+// The centre of projection of a view, tested by projecting it with the matrices.
 #include "support/check.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace shd::tests {
 namespace {
 
-/// Rows x, y and w of the product of three matrices and a point, and how large they could be.
+/// Rows x, y and w of the product of three matrices and a point, and bounds of their magnitudes.
 void project(const shd_view& view, const float* model, const double* p, double out[3], double size[3]) {
   double at[4] = {p[0], p[1], p[2], p[3]}, largest[4];
   for (int i = 0; i < 4; ++i) largest[i] = std::fabs(p[i]);
@@ -36,7 +36,7 @@ void set_identity(float* m) {
   for (int i = 0; i < 16; ++i) m[i] = i % 5 == 0;
 }
 
-/// Of any matrices: affine or not, with and without perspective, of every size.
+/// The centre of any matrices projects to zero: affine or not, with and without perspective, of every size.
 void test_projects_to_nothing(void**) {
   Random random = {1};
   for (int n = 0; n < 3000; ++n) {
@@ -54,12 +54,12 @@ void test_projects_to_nothing(void**) {
     assert_true(largest > 0 && std::isfinite(largest));
     project(view, model, eye, got, size);
     for (size_t i = 0; i < 3; ++i) shd_assert_close("row", i, got[i], 0, 1e-12 * size[i], 0);
-    // Without perspective it is a direction.
+    // Without perspective the result is a direction.
     if (n % 2) shd_assert_close("w", 0, eye[3], 0, 1e-12 * largest, 0);
   }
 }
 
-/// With a camera it is the camera's eye.
+/// With a camera the result is the eye of the camera.
 void test_camera(void**) {
   Random random = {2};
   for (int n = 0; n < 500; ++n) {
@@ -87,7 +87,7 @@ void test_camera(void**) {
   }
 }
 
-/// Without a view the eye looks along z; with nothing at all there is none.
+/// With an identity view the eye looks along z; with a zero projection there is no centre.
 void test_plain(void**) {
   shd_view view = {};
   float model[16];

@@ -16,7 +16,7 @@ shd::core::Context* g_context;
 constexpr size_t kMaxVertices = 2000;
 constexpr size_t kMaxTriangles = 4000;
 
-/// A mesh to be made; rows of position and index triples.
+/// A mesh to be built, as rows of position and index triples.
 struct Shape {
   float position[3 * kMaxVertices];
   uint32_t indices[3 * kMaxTriangles];
@@ -45,14 +45,14 @@ void tetrahedron() {
   set_shape(k_position, 4, k_indices, 4);
 }
 
-// A fan whose faces differ in area by 1e8 and in angle by 100, with needles.
+// A fan with needles, whose faces differ in area by 1e8 and in angle by 100.
 void uneven_fan() {
   static const float k_position[18] = {0, 0, 0, 1e4f, 0, 0, 0, 1e-4f, 1, -3, 2, 0.5f, -1e-3f, -1, 7, 1e4f, -1, -1e-3f};
   static const uint32_t k_indices[15] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1};
   set_shape(k_position, 6, k_indices, 5);
 }
 
-// Points, edges and repeated corners among proper faces; vertex 5 has faces without area only, 6 none at all.
+// Points, edges and repeated corners among proper faces; vertex 5 has only faces without area, vertex 6 has no faces.
 void degenerate() {
   static const float k_position[21] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 1, 0, 0, 4, 0, 0, 9, 9, 9};
   static const uint32_t k_indices[21] = {0, 1, 2, 0, 2, 3, 0, 4, 5, 1, 1, 3, 2, 2, 2, 0, 1, 4, 5, 4, 0};
@@ -71,7 +71,7 @@ uint32_t next_random(uint64_t* state) {  // Knuth, "The Art of Computer Programm
   return static_cast<uint32_t>(*state >> 33);
 }
 
-/// Any vertices joined to any others, some of them twice; coordinates of a given magnitude.
+/// Vertices joined at random, some of them twice; coordinates of a given magnitude.
 void random_mesh(uint64_t seed, float magnitude) {
   g_shape.vertex_count = 500;
   g_shape.triangle_count = 1000;
@@ -89,7 +89,7 @@ void random_tiny() {
   random_mesh(3, 1e-38f);
 }
 
-/// Steps of a height field: shared vertices, regular valence, no cancellation.
+/// A height field of steps: shared vertices, regular valence, no cancellation.
 void height_field() {
   constexpr uint32_t kSide = 40;
   uint64_t seed = 4;
@@ -133,7 +133,7 @@ const Case kCases[] = {
     ALL_WEIGHTS("height_field", height_field),
 };
 
-/// Heap-held, so that a failing assertion leaves nothing behind but the process.
+/// Builds the mesh on the heap, because a failing assertion leaves the test by longjmp.
 Mesh* build_shape(shd_normal_weight weight, uint32_t flags) {
   shd_mesh_desc desc = shd_mesh_desc_default();
   desc.vertex_count = g_shape.vertex_count;
@@ -177,7 +177,7 @@ void test_against_oracle(void** state) {
   free_shape(mesh);
 }
 
-// What angle weighting is for: how the sides of a cube are cut into triangles does not matter.
+// With angle weighting, the triangulation of the sides of a cube does not matter.
 void test_cube_corners(void**) {
   cube();
   Mesh* angle = build_shape(SHD_NORMAL_WEIGHT_ANGLE, 0);
@@ -194,7 +194,7 @@ void test_cube_corners(void**) {
   free_shape(uniform);
 }
 
-// A vertex that is not finite spoils its own faces only.
+// A non-finite vertex affects only its own faces.
 void test_nonfinite_vertex(void**) {
   const float bad[] = {NAN, INFINITY, -INFINITY};
   const shd_normal_weight weights[] = {SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_UNIFORM, SHD_NORMAL_WEIGHT_ANGLE};
@@ -206,7 +206,7 @@ void test_nonfinite_vertex(void**) {
       assert_int_equal(mesh->info.nonfinite_count, 1);
       assert_int_equal(mesh->info.normalless_count, 1);
       assert_true(mesh->nx[3] == 0.0f && mesh->ny[3] == 0.0f && mesh->nz[3] == 1.0f);
-      const float third = 0.57735026919f;  // of the one face 0, 2, 1 that is left
+      const float third = 0.57735026919f;  // normal of the only remaining face, 0, 2, 1
       for (uint32_t i = 0; i < 3; ++i) {
         shd_assert_close("x", i, static_cast<double>(mesh->nx[i]), static_cast<double>(-third), 6e-8, 0);
         shd_assert_close("y", i, static_cast<double>(mesh->ny[i]), static_cast<double>(third), 6e-8, 0);
@@ -217,7 +217,7 @@ void test_nonfinite_vertex(void**) {
   }
 }
 
-// The bits of a height field: every machine and compiler must give them.
+// The bits of a height field are equal on every machine and compiler.
 void test_bits(void**) {
   const shd_normal_weight weights[] = {SHD_NORMAL_WEIGHT_AREA, SHD_NORMAL_WEIGHT_UNIFORM, SHD_NORMAL_WEIGHT_ANGLE};
   height_field();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines and points against the rectangles they stand for: coverage, depth, clipping, what neighbours share, and counts.
+// Lines and points against ideal rectangles: coverage, depth, clipping, shared edges, and counts.
 #include "support/check.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using geometry::ScreenTriangle;
 const core::Allocator g_allocator = {core::default_allocator()};
 constexpr size_t kRows = 64;
 constexpr uint32_t kMaxTriangles = 512;
-constexpr int32_t kSize = 96;  // of the picture
+constexpr int32_t kSize = 96;  // edge length of the picture
 constexpr double kSubpixel = 1.0 / 256;
 
 struct Fixture {
@@ -47,7 +47,7 @@ int tear_down(void**) {
   return 0;
 }
 
-/// Makes (X, Y, Z, W) vertex `index`, through the vertex stage.
+/// Sets (X, Y, Z, W) of vertex `index`, through the vertex stage.
 void set_vertex(size_t index, const float* v) {
   geometry::Transform transform = {};
   for (int c = 0; c < 4; ++c) transform.raster[12 + c] = v[c];
@@ -60,7 +60,7 @@ void set_vertex(size_t index, const float* v) {
 constexpr geometry::SampleExtent kAnywhere = {0, 255, 0, 255};
 
 shd_render_stats assemble(shd_fill fill, float width, shd_cull cull, size_t count) {
-  shd_render_stats stats = {};
+  shd_render_stats stats = shd_render_stats_default();
   geometry::Assembly assembly = {&g->vertices, 5, cull, geometry::viewport_box(kSize, kSize), kAnywhere, {}};
   assembly.outline = {fill, geometry::outline_reach(width)};
   g->out.clear();
@@ -77,7 +77,7 @@ void set_triangle(size_t which, uint32_t a, uint32_t b, uint32_t c) {
   index[2] = c;
 }
 
-/// The line between two vertices, alone: a triangle that has no other edge.
+/// Draws the line between two vertices, as a triangle without other edges.
 shd_render_stats draw_line(const float* a, const float* b, float width) {
   set_vertex(0, a);
   set_vertex(1, b);
@@ -85,7 +85,7 @@ shd_render_stats draw_line(const float* a, const float* b, float width) {
   return assemble(SHD_FILL_WIREFRAME, width, SHD_CULL_NONE, 1);
 }
 
-/// Pieces at a sample in 1/256 pixel, which must not be more than one; null if there is none.
+/// The piece at a sample in 1/256 pixel, or null. There must not be more than one.
 const ScreenTriangle* piece_at(int32_t x, int32_t y) {
   const ScreenTriangle* found = nullptr;
   for (size_t i = 0; i < g->out.size(); ++i) {
@@ -96,7 +96,7 @@ const ScreenTriangle* piece_at(int32_t x, int32_t y) {
   return found;
 }
 
-/// Samples near the line and in all of the picture, against the rectangle. `slack`: how far its border may be off.
+/// Tests samples near the line and in the whole picture against the rectangle. `slack` bounds the error of its border.
 void check_line(const ref::Segment& s, double width, double slack, Random* random) {
   const double dx = s.x[1] - s.x[0], dy = s.y[1] - s.y[0], length = std::hypot(dx, dy);
   for (int i = 0; i < 400; ++i) {
@@ -125,7 +125,7 @@ void check_line(const ref::Segment& s, double width, double slack, Random* rando
 struct line_case {
   const char* name;
   double length;  // pixels
-  double reach;   // of its first end, around the picture
+  double reach;   // distance of its first end from the picture
 };
 const line_case k_lines[] = {
     {"line/part_of_a_pixel", 0.3, 0}, {"line/a_pixel", 1, 0},          {"line/short", 10, 0},
@@ -133,7 +133,7 @@ const line_case k_lines[] = {
 };
 constexpr float kWidths[] = {0.0625f, 0.5f, 1.0f, 1.7f, 8.0f, 64.0f};
 
-/// Lines of 32 directions and more, of every width.
+/// Lines of every width in 32 or more directions.
 void test_line(void** state) {
   const auto* c = static_cast<const line_case*>(*state);
   Random random = {static_cast<uint64_t>(c - k_lines) + 1};
@@ -141,7 +141,7 @@ void test_line(void** state) {
     const float width = kWidths[i % 6];
     const double angle = i < 192 ? i / 6 * (M_PI / 16) : random.in(0, 2 * M_PI);
     const double x = random.in(-c->reach, kSize + c->reach), y = random.in(-c->reach, kSize + c->reach);
-    // Along the axes some lie on pixel corners and centres.
+    // Some axis-parallel lines lie on pixel corners and centres.
     const double snap = i % 3 ? 0 : 0.5;
     const auto at = [&](double v) { return static_cast<float>(snap > 0 ? std::floor(v / snap) * snap : v); };
     const float a[4] = {at(x), at(y), random.real(0, 1), 1};
@@ -185,7 +185,7 @@ void test_clipped_line(void**) {
     }
     const double length = std::hypot(s.x[1] - s.x[0], s.y[1] - s.y[0]);
     if (length < 0.5) continue;
-    // Ends on the pixel grid, and the single precision of a vertex far out, turn and shift the line.
+    // Snapping the ends to the pixel grid, and the single precision of distant vertices, rotate and shift the line.
     const double far = std::max({std::fabs(s.x[0]), std::fabs(s.x[1]), std::fabs(s.y[0]), std::fabs(s.y[1])});
     const double turn = 1.0 + static_cast<double>(width) / length;
     check_line(s, static_cast<double>(width), (kSubpixel + far * 0x1p-22) * turn, &random);
@@ -216,7 +216,7 @@ const edge_case k_edges[] = {
     {"one/beyond_the_guard_band", {2e6f, 50, 0, 1}, {3e6f, 50, 0, 1}, 1, 0, 0},
 };
 
-/// Lines 8 wide.
+/// Lines of width 8.
 void test_edge(void** state) {
   const auto* c = static_cast<const edge_case*>(*state);
   const shd_render_stats stats = draw_line(c->a, c->b, 8.0f);
@@ -226,7 +226,7 @@ void test_edge(void** state) {
   assert_int_equal(g->out.size(), 2 * c->rasterised);
 }
 
-/// The square of a point, on every subpixel position; vertices beyond the planes have none.
+/// The square of a point, at every subpixel position; vertices beyond the planes have none.
 void test_points(void**) {
   Random random = {50};
   for (int i = 0; i < 2000; ++i) {
@@ -250,7 +250,7 @@ void test_points(void**) {
   }
 }
 
-/// Vertices of every kind: in the picture, far outside, behind the eye, on one another, some not finite.
+/// Vertices of every kind: in the picture, far outside, behind the eye, coincident, some non-finite.
 void make_soup(Random* random, double wide) {
   for (size_t i = 0; i < kRows; ++i) {
     const float w = i % 5 ? 1.0f : random->real(-0.5, 2);
@@ -264,7 +264,7 @@ void make_soup(Random* random, double wide) {
   }
 }
 
-/// Every triangle has one outcome; facing decides as for solid ones; pieces are fit for the raster stage.
+/// Every triangle has one outcome; culling is as for solid triangles; pieces are valid for the raster stage.
 void test_soup(void**) {
   Random random = {60};
   uint64_t back = 0, front = 0;
@@ -290,14 +290,14 @@ void test_soup(void**) {
       }
       assert_int_equal(primitives, stats[cull].rasterised);
     }
-    assert_true(pieces[1] + pieces[2] <= pieces[0]);  // those without area are in neither
+    assert_true(pieces[1] + pieces[2] <= pieces[0]);  // triangles without area are in neither
     back += pieces[1];
     front += pieces[2];
   }
   assert_true(back > 1000 && front > 1000);
 }
 
-/// The pieces of one edge, which two triangles share from either end, are the same.
+/// The pieces of an edge that two triangles share in opposite directions are equal.
 void test_shared(void**) {
   Random random = {70};
   for (int n = 0; n < 500; ++n) {
@@ -323,7 +323,7 @@ void test_shared(void**) {
   }
 }
 
-/// A triangle draws its three edges, or its three vertices, once each; the winding tells which of the modes cull it.
+/// A triangle draws its three edges, or its three vertices, once each; the winding determines the mode that culls it.
 void test_triangle(void**) {
   const float v[3][4] = {{10, 10, 0, 1}, {80, 15, 0.5f, 1}, {20, 70, 1, 1}};
   for (uint32_t i = 0; i < 3; ++i) set_vertex(i, v[i]);

@@ -19,7 +19,7 @@ shd::core::Context* g_context;
 constexpr uint32_t kMaxVertices = 2000;
 constexpr uint32_t kMaxCorners = 2400;
 
-/// A mesh to be made: rows of position, normal, uv, and triangles.
+/// A mesh to be built: rows of position, normal, uv, and triangles.
 struct Shape {
   float vertex[kMaxVertices][8];
   uint32_t indices[kMaxCorners];
@@ -27,7 +27,7 @@ struct Shape {
 };
 Shape g_shape;
 
-/// What the oracle makes of it.
+/// The oracle's results.
 size_t g_group[kMaxCorners], g_forward[kMaxCorners], g_backward[kMaxCorners];
 int g_sign[kMaxCorners], g_has_area[kMaxCorners];
 double g_tangent[kMaxCorners][4], g_strength[kMaxCorners];
@@ -83,7 +83,7 @@ void turned_uv() {
   grid(4, 4);
   for_each_vertex([](float* row, uint32_t) { std::swap(row[6], row[7]); });
 }
-void mirrored_half() {  // u = |x - 3|: the vertices of the middle column become two
+void mirrored_half() {  // u = |x - 3|: each vertex of the middle column is split into two
   grid(6, 3);
   for_each_vertex([](float* row, uint32_t) { row[6] = fabsf(row[0] - 3); });
 }
@@ -108,13 +108,13 @@ void bumpy_unindexed() {
   }
   g_shape.vertex_count = g_shape.corner_count = source.corner_count;
 }
-void minus_zero() {  // equal values of different bits are one vertex
+void minus_zero() {  // equal values of different bits are merged
   quad();
   const uint32_t again = add_vertex(-0.0f, -0.0f, -0.0f, -0.0f, 1);
   g_shape.indices[3] = again;
   g_shape.vertex[again][3] = -0.0f;
 }
-void seam() {  // same places, another uv
+void seam() {  // equal positions, different uv
   grid(3, 2);
   for (uint32_t i = 0; i < 6; ++i) {
     const uint32_t old = g_shape.indices[6 + i];
@@ -131,13 +131,13 @@ void sphere() {
     for (int c = 0; c < 3; ++c) row[c] = row[3 + c];
   });
 }
-void degenerate_uv_island() {  // a patch of constant uv, its rim takes over the neighbours'
+void degenerate_uv_island() {  // a patch of constant uv; its rim uses the neighbours' tangents
   grid(6, 6);
   for_each_vertex([](float* row, uint32_t) {
     if (fabsf(row[0] - 3) <= 1 && fabsf(row[1] - 3) <= 1) row[6] = row[7] = 0.5f;
   });
 }
-void degenerate_uv_between_mirrors() {  // whoever comes first gives the sign
+void degenerate_uv_between_mirrors() {  // the first neighbour determines the sign
   grid(5, 1);
   for_each_vertex([](float* row, uint32_t) { row[6] = row[0] < 3 ? row[0] : 5 - row[0]; });
 }
@@ -158,7 +158,7 @@ void nan_uv() {
   g_shape.vertex[12][7] = INFINITY;
   g_shape.vertex[18][6] = g_shape.vertex[18][7] = -INFINITY;
 }
-void zero_area() {  // triangles of two places, of one, and of a line
+void zero_area() {  // triangles with two equal corners, three equal corners, and collinear corners
   grid(3, 1);
   add_triangle(0, 0, 1);
   add_triangle(2, 2, 2);
@@ -174,7 +174,7 @@ void flipped_winding() {  // a triangle seen from behind is mirrored
   grid(3, 2);
   std::swap(g_shape.indices[7], g_shape.indices[8]);
 }
-void doubled_faces() {  // every edge in four triangles
+void doubled_faces() {  // every edge belongs to four triangles
   grid(2, 2);
   const uint32_t corners = g_shape.corner_count;
   for (uint32_t c = 0; c < corners; ++c) g_shape.indices[g_shape.corner_count++] = g_shape.indices[c];
@@ -184,20 +184,20 @@ void two_sided() {
   const uint32_t corners = g_shape.corner_count;
   for (uint32_t c = 0; c < corners; ++c) g_shape.indices[g_shape.corner_count++] = g_shape.indices[corners - 1 - c];
 }
-void bow_tie() {  // fans that share a vertex and no edge are groups of their own; two of them agree
+void bow_tie() {  // fans that share a vertex and no edge are separate groups; two of them agree
   clear();
   add_vertex(0, 0, 0, 0.5f, 0.5f);
   add_triangle(0, add_vertex(2, 0, 0, 1, 0.5f), add_vertex(2, 1, 0, 1, 0.2f));
   add_triangle(0, add_vertex(-2, 0, 0, 0.1f, 0.9f), add_vertex(-2, -1, 0, 0, 0.5f));
   add_triangle(0, add_vertex(0, 2, 0, 0.5f, 0), add_vertex(-1, 2, 0, 0.3f, 0));
 }
-void cancelling() {  // two triangles whose directions are opposite
+void cancelling() {  // two triangles with opposite directions
   clear();
   add_vertex(0, 0, 0, 0, 0);
   add_triangle(0, add_vertex(1, 0, 0, 1, 0), add_vertex(0, 1, 0, 0, -1));
   add_triangle(0, add_vertex(-1, 0, 0, 1, 0), add_vertex(0, -1, 0, 0, -1));
 }
-void normal_along_u() {  // nothing of dP/du is left in the plane of the normal
+void normal_along_u() {  // dP/du is parallel to the normal
   grid(2, 2);
   for_each_vertex([](float* row, uint32_t) { set_normal(row, 1, 0, 0); });
 }
@@ -307,7 +307,7 @@ void run_oracle(const Mesh& mesh) {
   shd_ref_tangents_of(&oracle);
 }
 
-/// Every column of `vertex` but the tangent is that of the caller's `source`.
+/// Every column of `vertex` except the tangent equals the caller's `source`.
 void check_copy(const Mesh& mesh, uint32_t vertex, uint32_t source) {
   const float got[8] = {mesh.px[vertex], mesh.py[vertex], mesh.pz[vertex], mesh.nx[vertex],
                         mesh.ny[vertex], mesh.nz[vertex], mesh.u[vertex],  mesh.v[vertex]};
@@ -328,7 +328,7 @@ void test_against_oracle(void** state) {
     assert_in_range(v, 0, mesh->vertex_count - 1);
     check_copy(*mesh, v, g_shape.indices[i]);
     assert_true(mesh->tw[v] == static_cast<float>(g_tangent[i][3]));
-    if (g_strength[i] > 0 && g_strength[i] < 1e-6) continue;  // directions cancel: any unit vector will do
+    if (g_strength[i] > 0 && g_strength[i] < 1e-6) continue;  // directions cancel: any unit vector is valid
     const double got[3] = {double{mesh->tx[v]}, double{mesh->ty[v]}, double{mesh->tz[v]}};
     const double tolerance = g_strength[i] > 0 ? 2e-7 / fmin(1.0, g_strength[i]) : 2e-7;
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -338,7 +338,7 @@ void test_against_oracle(void** state) {
   shd::core::destroy(g_context->allocator, mesh);
 }
 
-/// Unit, perpendicular to the normal and of handedness 1 or -1, whatever the input; the padding is 0.
+/// Tangents are unit, perpendicular to the normal and of handedness 1 or -1 for any input; the padding is 0.
 void test_invariants(void**) {
   for (const Case& c : kCases) {
     c.make();
@@ -357,7 +357,7 @@ void test_invariants(void**) {
   }
 }
 
-/// Every triangle corner of a mesh with vertices of its own gets what the indexed mesh has.
+/// In a mesh with separate vertices for every corner, each corner has the tangent of the indexed mesh.
 void test_duplicates_change_nothing(void**) {
   bumpy();
   Mesh* indexed = build_shape();
@@ -392,7 +392,7 @@ void test_weld(void**) {
   shd::geometry::weld(g_context->allocator, both, 2, 0, got);
 }
 
-/// The bits of all cases: every machine and compiler must give them.
+/// The bits of all cases are equal on every machine and compiler.
 void test_bits(void**) {
   uint64_t hash = SHD_HASH_START;
   for (const Case& c : kCases) {

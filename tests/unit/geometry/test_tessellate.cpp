@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cut triangles for every mix of parts; closed meshes stay closed; columns are interpolated; areas are kept.
+// Subdivided triangles for every mix of parts; closed meshes stay closed; columns are interpolated; areas are kept.
 #include "support/check.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using namespace shd::geometry;
 
 shd::core::Context* g_context;
 
-/// What a test works on; kept here because cmocka leaves by longjmp.
+/// Working memory of a test. It is static because cmocka leaves a test by longjmp.
 struct Work {
   std::vector<float> rows;  // position, normal, uv
   std::vector<uint32_t> indices;
@@ -42,7 +42,7 @@ void add_triangle(uint32_t a, uint32_t b, uint32_t c) {
   for (const uint32_t i : {a, b, c}) g_work.indices.push_back(i);
 }
 
-/// Columns that are affine in the position, for the interpolation to be checked against.
+/// Columns that are affine in the position, as references for the interpolation.
 constexpr int kAffine = 3;
 double affine(int which, const float* p) {
   const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]), z = static_cast<double>(p[2]);
@@ -64,7 +64,10 @@ void build_mesh(uint32_t flags) {
   }
   desc.uv1[0].data = extra[0].data();
   desc.uv1[1].data = extra[1].data();
-  desc.attribute[5].data = extra[2].data();
+  shd_f32_in attributes[6] = {};
+  attributes[5].data = extra[2].data();
+  desc.attributes = attributes;
+  desc.attribute_count = 6;
   desc.indices.data = g_work.indices.data();
   desc.index_count = g_work.indices.size();
   desc.flags = flags;
@@ -79,8 +82,8 @@ void run_tessellate(const shd_tessellation_desc& desc) {
   g_work.cut = std::move(cut);
 }
 
-/// Every side of a triangle, as places (vertices of equal positions), runs once in each direction. With degenerate
-/// triangles: as often in one direction as in the other.
+/// Every side of a triangle, between positions, is used once in each direction. With degenerate triangles it is used
+/// equally often in both directions.
 void check_closed(const char* name, const Mesh& mesh, bool once) {
   std::vector<std::array<uint32_t, 3>> keys(mesh.vertex_count);
   std::vector<uint32_t> order(mesh.vertex_count), place(mesh.vertex_count);
@@ -140,7 +143,7 @@ void tetrahedron() {
   add_triangle(0, 3, 2);
   add_triangle(1, 2, 3);
 }
-/// Six sides with vertices, normals and uv of their own.
+/// Six sides, each with its own vertices, normals and uv.
 void cube_of_six_sides() {
   clear();
   for (int axis = 0; axis < 3; ++axis) {
@@ -238,12 +241,12 @@ shd_tessellation_desc uniform(uint32_t segments) {
 }
 shd_tessellation_desc adaptive(float edge_length) {
   shd_tessellation_desc desc = shd_tessellation_desc_default();
-  desc.mode = SHD_TESSELLATION_ADAPTIVE;
+  desc.mode = SHD_TESSELLATION_MODE_ADAPTIVE;
   desc.edge_length = edge_length;
   return desc;
 }
 
-/// Columns of every vertex against the affine functions of its position; unit normals.
+/// Tests the columns of every vertex against the affine functions of its position, and normals for unit length.
 void check_columns(const char* name, const Mesh& mesh) {
   for (size_t i = 0; i < mesh.vertex_count; ++i) {
     const float p[3] = {mesh.px[i], mesh.py[i], mesh.pz[i]};
@@ -274,7 +277,7 @@ void test_uniform(void** state) {
     build_mesh(SHD_MESH_TANGENTS);
     check_shape(shape, uniform(segments));
     assert_int_equal(g_work.cut.triangle_count, g_work.mesh.triangle_count * segments * segments);
-    for (size_t i = 0; i < g_work.mesh.vertex_count; ++i) {  // the mesh's own come first
+    for (size_t i = 0; i < g_work.mesh.vertex_count; ++i) {  // the vertices of the original mesh come first
       assert_true(g_work.cut.px[i] == g_work.mesh.px[i] && g_work.cut.nx[i] == g_work.mesh.nx[i]);
       assert_true(g_work.cut.tx[i] == g_work.mesh.tx[i] && g_work.cut.tw[i] == g_work.mesh.tw[i]);
     }
@@ -297,7 +300,7 @@ void test_adaptive(void** state) {
 void test_adaptive_in_pixels(void** state) {
   const Shape& shape = *static_cast<const Shape*>(*state);
   shd_view view = {};
-  const float eye[3] = {2.6f, 0.7f, 1.1f}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};  // close to it, or in it
+  const float eye[3] = {2.6f, 0.7f, 1.1f}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};  // close to the mesh, or inside it
   const float object_to_world[16] = {0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0.5f, 0, 0, 1};
   shd::data::look_at(eye, target, up, view.world_to_view);
   shd::data::perspective(1.0f, 1.5f, 0.1f, 100.0f, view.view_to_clip);
@@ -314,7 +317,7 @@ void test_adaptive_in_pixels(void** state) {
   }
 }
 
-/// Parts of every edge at random: no relation to lengths.
+/// Random numbers of parts for every edge, independent of lengths.
 void test_random_parts(void** state) {
   const Shape& shape = *static_cast<const Shape*>(*state);
   for (uint64_t seed = 1; seed <= 12; ++seed) {
@@ -323,7 +326,7 @@ void test_random_parts(void** state) {
     build_mesh(0);
     SplitEdges edges = split_edges(g_context->allocator, g_work.mesh, EdgeFactor(uniform(1)));
     edges.vertex_count = g_work.mesh.vertex_count;
-    const auto bits = [&](uint32_t v) {  // seams agree: parts from the positions
+    const auto bits = [&](uint32_t v) {  // seams agree: the parts depend only on positions
       float p[3] = {g_work.mesh.px[v] + 0.0f, g_work.mesh.py[v] + 0.0f, g_work.mesh.pz[v] + 0.0f};
       return shd_hash(seed, p, sizeof p);
     };
@@ -357,7 +360,7 @@ void test_random_parts(void** state) {
   }
 }
 
-/// One triangle in barycentric coordinates: every piece has area, and they add up to the whole.
+/// One triangle in barycentric coordinates: every piece has area, and the areas add up to the whole.
 void check_pieces(uint32_t a, uint32_t b, uint32_t c) {
   const uint32_t parts[3] = {a, b, c};
   const RowPattern pattern(parts);
@@ -394,7 +397,7 @@ void check_pieces(uint32_t a, uint32_t b, uint32_t c) {
     sum += twice;
   }
   shd_assert_close("area", 0, sum, 1.0, 1e-9, 0);
-  std::vector<uint64_t>& sides = g_work.sides;  // inner ones twice, outer ones once
+  std::vector<uint64_t>& sides = g_work.sides;  // inner sides twice, outer sides once
   sides.clear();
   for (size_t s = 0; s < cut.indices.size(); ++s) {
     const uint64_t p = cut.indices[s], q = cut.indices[s % 3 == 2 ? s - 2 : s + 1];
@@ -429,7 +432,7 @@ void test_every_mix_of_parts(void**) {
   check_pieces(512, 3, 1024);
 }
 
-/// The factor of an edge does not depend on which end comes first, and is what the desc says.
+/// The factor of an edge does not depend on the order of its ends, and equals the value from the desc.
 void test_factor(void**) {
   clear();
   add_vertex(0, 0, -5, 0, 0, 1, 0, 0);
@@ -441,7 +444,7 @@ void test_factor(void**) {
   add_vertex(-3e38, -3e38, -3e38, 0, 0, 1, 0, 0);
   add_triangle(0, 1, 2);
   build_mesh(SHD_MESH_KEEP_NONFINITE);
-  shd_view view = {};  // 90 degrees: a unit at distance d has 500 / d of 1000 pixels
+  shd_view view = {};  // 90 degrees: a unit length at distance d covers 500 / d of 1000 pixels
   const float eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
   shd::data::look_at(eye, target, up, view.world_to_view);
   shd::data::perspective(1.5707963267948966f, 1.0f, 0.1f, 100.0f, view.view_to_clip);
@@ -463,7 +466,7 @@ void test_factor(void**) {
   assert_int_equal(EdgeFactor(desc)(g_work.mesh, 0, 1), 7);
 }
 
-/// The bits of two cut meshes: every machine and compiler must give them.
+/// The bits of two subdivided meshes are equal on every machine and compiler.
 void test_bits(void**) {
   uint64_t hash = SHD_HASH_START;
   for (int pass = 0; pass < 2; ++pass) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The vertex stage against arithmetic in long double: positions, normals, outcodes at their borders, snapping, bad
+// The vertex stage against arithmetic in long double: positions, normals, outcodes at their limits, snapping, invalid
 // input.
 #include "support/check.h"
 
@@ -94,7 +94,7 @@ void multiply(const long double* a, const long double* b, long double* out) {
   }
 }
 
-/// The matrix to (X, Y, Z, W) from its parts.
+/// The matrix to (X, Y, Z, W), computed from its factors.
 void raster_matrix(const shd_view& view, const float* world, uint32_t width, uint32_t height, long double* out) {
   long double to_world[16], to_view[16], to_clip[16], half[16], clip[16];
   for (int i = 0; i < 16; ++i) {
@@ -141,7 +141,7 @@ void check_positions(const long double* to_raster, const float* world) {
   }
 }
 
-/// x and y are the nearest fixed-point numbers to X / W and Y / W, depth is Z / W rounded, where a vertex is usable.
+/// For usable vertices, x and y are the nearest fixed-point numbers to X / W and Y / W, and depth is Z / W rounded.
 void check_screen(size_t* usable) {
   for (size_t i = 0; i < kRows; ++i) {
     const geometry::ScreenVertex& s = g->first.screen[i];
@@ -160,7 +160,7 @@ void test_positions(void**) {
   size_t usable = 0;
   for (int n = 0; n < 300; ++n) {
     shd_view view = random_view(&random);
-    if (n % 2) view.view_to_clip[15] += 30.0f;  // most vertices in front
+    if (n % 2) view.view_to_clip[15] += 30.0f;  // most vertices are in front
     float world[16];
     random_affine(&random, 2.0, world);
     random_vertices(&random, 3.0);
@@ -177,7 +177,7 @@ void test_positions(void**) {
   assert_true(usable > 10000);
 }
 
-/// A transform whose raster coordinates of vertex p are p itself, with W = 1.
+/// A transform that maps vertex p to raster coordinates p, with W = 1.
 Transform plain_transform(float width, float height) {
   Transform t = {};
   t.raster[0] = t.raster[5] = t.raster[10] = t.raster[15] = 1.0f;
@@ -232,7 +232,7 @@ const outcode_case k_outcodes[] = {
     {"outcode/infinite_w", 10, 20, 0.5f, INFINITY, geometry::kOutNonfinite},
 };
 
-/// (X, Y, Z) as the vertex, W through the matrix; the neighbours stay inside and must not be touched by it.
+/// (X, Y, Z) comes from the vertex, W from the matrix; the neighbours stay inside and must not be affected.
 void test_outcode(void** state) {
   const auto* c = static_cast<const outcode_case*>(*state);
   Transform transform = plain_transform(640, 480);
@@ -259,7 +259,7 @@ void test_outcode(void** state) {
 struct nonfinite_case {
   const char* name;
   float position[3];
-  float scale;  // of the draw's matrix
+  float scale;  // scale of the draw's matrix
   bool nonfinite;
 };
 const nonfinite_case k_nonfinite[] = {
@@ -308,7 +308,7 @@ const matrix_case k_matrices[] = {
     {"normal/scale_1e-44", {1e-44f, 0, 0, 0, 2e-44f, 0, 0, 0, 1e-44f}},
 };
 
-/// Against the inverse transpose, up to length.
+/// Compares with the inverse transpose, up to length.
 void test_normal(void** state) {
   const auto* c = static_cast<const matrix_case*>(*state);
   float world[16] = {};
@@ -341,7 +341,8 @@ void test_normal(void** state) {
       for (int k = 0; k < 3; ++k) largest = std::max(largest, fabsl(inverse[r][k]));
     }
     length = sqrtl(length);
-    // A normal that the matrix nearly flattens loses what the matrix's largest entry outweighs it by.
+    // A normal that the matrix nearly flattens loses precision by the ratio of the matrix's largest entry to its
+    // length.
     const auto bound = static_cast<double>(6 * 0x1p-24L * (1 + largest / length));
     for (int r = 0; r < 3; ++r) {
       shd_assert_close("normal", i, g->first.normal[4 * i + r], static_cast<double>(want[r] / length), bound, 0.0);

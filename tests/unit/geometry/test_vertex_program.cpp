@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertex programs below the ABI: every target and every way of cutting gives the same bits, and a program that changes
-// nothing those of the fixed transform.
+// Vertex programs below the ABI: the bits are equal on every target and for every division into parts, and a program
+// without changes gives the bits of the fixed transform.
 #include "support/check.h"
 
 #include <algorithm>

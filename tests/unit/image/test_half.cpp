@@ -20,7 +20,7 @@ float float_of(uint32_t bits) {
   return value;
 }
 
-/// The definition: (-1)^s 2^(e-15) (1 + m/1024), subnormal below.
+/// The definition: (-1)^s 2^(e-15) (1 + m/1024), or subnormal.
 double oracle(uint32_t half) {
   const int exponent = static_cast<int>(half >> 10 & 31);
   const double mantissa = half & 1023;

@@ -16,7 +16,7 @@ long double encode(long double c) {
   return c <= 0.0031308L ? c * 12.92L : 1.055L * powl(c, 1 / 2.4L) - 0.055L;
 }
 
-/// Correct rounding of a code, with the bounds of a byte.
+/// Correct rounding to a code, clamped to the range of a byte.
 int encode8(float linear) {
   if (!(linear > 0)) return 0;
   if (linear >= 1) return 255;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights as the shading kernels get them.
+// Lights in the form that the shading kernels read.
 #include "support/check.h"
 
 #include "light/light.h"
@@ -24,7 +24,7 @@ const Case kCases[] = {
 void test_directional(void** state) {
   const Case& c = *static_cast<const Case*>(*state);
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   desc.position[1] = 9.0f;
   for (int i = 0; i < 3; ++i) desc.direction[i] = c.direction[i];
   const shd::light::Light light = shd::light::make_light(desc, nullptr, nullptr);
@@ -36,7 +36,7 @@ void test_directional(void** state) {
 }
 
 void test_other_kinds(void**) {
-  for (int kind = SHD_LIGHT_POINT; kind <= SHD_LIGHT_AMBIENT; kind += 2) {
+  for (int kind = SHD_LIGHT_KIND_POINT; kind <= SHD_LIGHT_KIND_AMBIENT; kind += 2) {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = static_cast<shd_light_kind>(kind);
     for (int i = 0; i < 3; ++i) {
@@ -47,7 +47,7 @@ void test_other_kinds(void**) {
     assert_int_equal(light.kind, kind);
     for (int i = 0; i < 3; ++i) {
       assert_true(light.intensity[i] == static_cast<float>(i + 1));
-      assert_true(light.position[i] == (kind == SHD_LIGHT_POINT ? static_cast<float>(i - 5) : 0.0f));
+      assert_true(light.position[i] == (kind == SHD_LIGHT_KIND_POINT ? static_cast<float>(i - 5) : 0.0f));
       assert_true(light.to_light[i] == 0.0f);
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Axes and cones of lights, and where points lie in what they project, against geometry in long double.
+// Axes and cones of lights, and the coordinates of points in cookies, against geometry in long double.
 #include "support/check.h"
 
 #include <algorithm>
@@ -42,10 +42,10 @@ void check_dot(const char* what, const float* a, const float* b, double want) {
   shd_assert_close(what, 0, static_cast<double>(ref::dot(ref::vector(a), ref::vector(b))), want, 4e-7, 0);
 }
 
-/// Unit, at right angles, right-handed; up as near to the wanted one as it goes.
+/// Axes are unit, perpendicular, right-handed; up is the requested vector orthogonalised against the direction.
 void test_axes(void** state) {
   const auto* c = static_cast<const AxesCase*>(*state);
-  for (shd_light_kind kind : {SHD_LIGHT_DIRECTIONAL, SHD_LIGHT_SPOT}) {
+  for (shd_light_kind kind : {SHD_LIGHT_KIND_DIRECTIONAL, SHD_LIGHT_KIND_SPOT}) {
     shd_light_desc desc = shd_light_desc_default();
     desc.kind = kind;
     std::copy_n(c->direction, 3, desc.direction);
@@ -70,17 +70,17 @@ void test_axes(void** state) {
 struct CookieCase {
   const char* name;
   shd_light_kind kind;
-  float angle;      // of spots
-  float extent[2];  // of directional lights
+  float angle;      // spots
+  float extent[2];  // directional lights
 };
 const CookieCase k_cookies[] = {
-    {"cookie/spot/45", SHD_LIGHT_SPOT, kPi / 4, {1, 1}},
-    {"cookie/spot/1", SHD_LIGHT_SPOT, kPi / 180, {1, 1}},
-    {"cookie/spot/0.001", SHD_LIGHT_SPOT, 0.001f, {1, 1}},
-    {"cookie/spot/1.55", SHD_LIGHT_SPOT, 1.55f, {1, 1}},
-    {"cookie/directional", SHD_LIGHT_DIRECTIONAL, 1, {1, 1}},
-    {"cookie/directional/4x3", SHD_LIGHT_DIRECTIONAL, 1, {4, 3}},
-    {"cookie/directional/1e3x1e-3", SHD_LIGHT_DIRECTIONAL, 1, {1e3f, 1e-3f}},
+    {"cookie/spot/45", SHD_LIGHT_KIND_SPOT, kPi / 4, {1, 1}},
+    {"cookie/spot/1", SHD_LIGHT_KIND_SPOT, kPi / 180, {1, 1}},
+    {"cookie/spot/0.001", SHD_LIGHT_KIND_SPOT, 0.001f, {1, 1}},
+    {"cookie/spot/1.55", SHD_LIGHT_KIND_SPOT, 1.55f, {1, 1}},
+    {"cookie/directional", SHD_LIGHT_KIND_DIRECTIONAL, 1, {1, 1}},
+    {"cookie/directional/4x3", SHD_LIGHT_KIND_DIRECTIONAL, 1, {4, 3}},
+    {"cookie/directional/1e3x1e-3", SHD_LIGHT_KIND_DIRECTIONAL, 1, {1e3f, 1e-3f}},
 };
 
 light::Light cookie_light(const CookieCase& c, const float position[3], const float direction[3]) {
@@ -93,7 +93,8 @@ light::Light cookie_light(const CookieCase& c, const float position[3], const fl
   return light::make_light(desc, &g_texture, &g_sampler);
 }
 
-/// Every target, any number of points; bits agree, nothing past the last whole vector is written.
+/// Projects on every target, for any number of points; the bits agree, and nothing past the last whole vector is
+/// written.
 void project_everywhere(const light::Light& light) {
   const float* const p[3] = {g_p[0], g_p[1], g_p[2]};
   for_each_target([&](const core::SimdTarget& target, bool first) {
@@ -119,13 +120,14 @@ Vector row_point(size_t i) {
   return ref::vector(p);
 }
 
-/// Points at known places of the cookie, the first four its corners from the top left on; every eighth is behind it.
+/// Points at known positions in the cookie; the first four are its corners, from the top left on; every eighth point is
+/// behind it.
 void test_cookie(void** state) {
   const auto* c = static_cast<const CookieCase*>(*state);
   Random random = {131};
   const float position[3] = {0.5f, -1.25f, 2.0f}, direction[3] = {1.0f, -2.0f, 0.5f};
   const light::Light light = cookie_light(*c, position, direction);
-  const bool spot = c->kind == SHD_LIGHT_SPOT;
+  const bool spot = c->kind == SHD_LIGHT_KIND_SPOT;
   const Vector back = ref::vector(light.to_light), right = ref::vector(light.right), up = ref::vector(light.up);
   static double want[2][kPoints];
   for (size_t i = 0; i < kPoints; ++i) {
@@ -143,7 +145,7 @@ void test_cookie(void** state) {
   }
   project_everywhere(light);
   for (size_t i = 0; i < kPoints; ++i) {
-    // Points are rounded to float themselves, and seen in units of the cookie.
+    // The points themselves are rounded to float; the error is in units of the cookie.
     const double size = fabs(double{g_p[0][i]}) + fabs(double{g_p[1][i]}) + fabs(double{g_p[2][i]}) + 4.0;
     const double along = static_cast<double>(fabsl(ref::dot(row_point(i) - ref::vector(position), back)));
     const double scale_x = spot ? double{light.cookie_scale[0]} / along : double{light.cookie_scale[0]};
@@ -155,7 +157,7 @@ void test_cookie(void** state) {
   }
 }
 
-/// Points that are not finite, at the light, or out of range have no place, or a finite one.
+/// Points that are non-finite, at the light, or out of range have coordinates (-1, -1), or finite ones.
 void test_nonfinite(void** state) {
   const auto* c = static_cast<const CookieCase*>(*state);
   const float odd[] = {NAN, INFINITY, -INFINITY, 3e38f, -3e38f, 0.0f};
@@ -183,7 +185,7 @@ const ConeCase k_cones[] = {
 void test_cone(void** state) {
   const auto* c = static_cast<const ConeCase*>(*state);
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_SPOT;
+  desc.kind = SHD_LIGHT_KIND_SPOT;
   desc.inner_angle = c->inner;
   desc.outer_angle = c->outer;
   desc.range = 5.0f;

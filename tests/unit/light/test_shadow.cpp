@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shadow lookups on maps of known depths: every filter and projection against the oracle, the same bits on every target
-// and from any split, tails, and points that are not finite or off the map.
+// Shadow lookups on maps of known depths: every filter and projection against the oracle, equal bits on every target
+// and for any split, tails, and points that are non-finite or off the map.
 #include "support/check.h"
 
 #include <algorithm>
@@ -31,25 +31,26 @@ struct Case {
   float filter_size, light_size, bleed, min_variance;
 };
 const Case k_cases[] = {
-    {"hard/orthographic", SHD_SHADOW_HARD, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"hard/perspective", SHD_SHADOW_HARD, ShadowProjection::kPerspective, 16, 1, 0, 0, 0, 0},
-    {"hard/cube", SHD_SHADOW_HARD, ShadowProjection::kCube, 33, 1, 0, 0, 0, 0},
-    {"pcf/1x1", SHD_SHADOW_PCF, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0},
-    {"pcf/2x2", SHD_SHADOW_PCF, ShadowProjection::kPerspective, 40, 2, 0, 0, 0, 0},
-    {"pcf/3x3", SHD_SHADOW_PCF, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"pcf/3x3/cube", SHD_SHADOW_PCF, ShadowProjection::kCube, 32, 3, 0, 0, 0, 0},
-    {"pcf/15x15/of_16", SHD_SHADOW_PCF, ShadowProjection::kPerspective, 16, 15, 0, 0, 0, 0},
-    {"variance/1x1", SHD_SHADOW_VARIANCE, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0.01f},
-    {"variance/4x4", SHD_SHADOW_VARIANCE, ShadowProjection::kCube, 32, 4, 0, 0, 0, 0},
-    {"variance/5x5/bleed", SHD_SHADOW_VARIANCE, ShadowProjection::kPerspective, 64, 5, 0, 0, 0.3f, 0.001f},
-    {"summed_area/0", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0.01f},
-    {"summed_area/wide", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kPerspective, 64, 3, 0.7f, 0, 0.2f, 0},
-    {"summed_area/cube", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kCube, 48, 3, 1.0f, 0, 0, 0},
-    {"summed_area/huge", SHD_SHADOW_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 50, 3, 1e9f, 0, 0, 0},
-    {"pcss/0", SHD_SHADOW_PCSS, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
-    {"pcss/perspective", SHD_SHADOW_PCSS, ShadowProjection::kPerspective, 64, 4, 0, 0.5f, 0, 0},
-    {"pcss/cube", SHD_SHADOW_PCSS, ShadowProjection::kCube, 40, 3, 0, 1.0f, 0, 0},
-    {"pcss/huge", SHD_SHADOW_PCSS, ShadowProjection::kOrthographic, 64, 5, 0, 1e9f, 0, 0},
+    {"hard/orthographic", SHD_SHADOW_FILTER_HARD, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"hard/perspective", SHD_SHADOW_FILTER_HARD, ShadowProjection::kPerspective, 16, 1, 0, 0, 0, 0},
+    {"hard/cube", SHD_SHADOW_FILTER_HARD, ShadowProjection::kCube, 33, 1, 0, 0, 0, 0},
+    {"pcf/1x1", SHD_SHADOW_FILTER_PCF, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0},
+    {"pcf/2x2", SHD_SHADOW_FILTER_PCF, ShadowProjection::kPerspective, 40, 2, 0, 0, 0, 0},
+    {"pcf/3x3", SHD_SHADOW_FILTER_PCF, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"pcf/3x3/cube", SHD_SHADOW_FILTER_PCF, ShadowProjection::kCube, 32, 3, 0, 0, 0, 0},
+    {"pcf/15x15/of_16", SHD_SHADOW_FILTER_PCF, ShadowProjection::kPerspective, 16, 15, 0, 0, 0, 0},
+    {"variance/1x1", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kOrthographic, 64, 1, 0, 0, 0, 0.01f},
+    {"variance/4x4", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kCube, 32, 4, 0, 0, 0, 0},
+    {"variance/5x5/bleed", SHD_SHADOW_FILTER_VARIANCE, ShadowProjection::kPerspective, 64, 5, 0, 0, 0.3f, 0.001f},
+    {"summed_area/0", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0.01f},
+    {"summed_area/wide", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kPerspective, 64, 3, 0.7f, 0, 0.2f,
+     0},
+    {"summed_area/cube", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kCube, 48, 3, 1.0f, 0, 0, 0},
+    {"summed_area/huge", SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE, ShadowProjection::kOrthographic, 50, 3, 1e9f, 0, 0, 0},
+    {"pcss/0", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kOrthographic, 64, 3, 0, 0, 0, 0},
+    {"pcss/perspective", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kPerspective, 64, 4, 0, 0.5f, 0, 0},
+    {"pcss/cube", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kCube, 40, 3, 0, 1.0f, 0, 0},
+    {"pcss/huge", SHD_SHADOW_FILTER_PCSS, ShadowProjection::kOrthographic, 64, 5, 0, 1e9f, 0, 0},
 };
 
 struct Fixture {
@@ -78,7 +79,7 @@ light::ShadowPlacement make_placement(const Case& c) {
   light::ShadowPlacement placement = {};
   placement.projection = c.projection;
   placement.face_count = c.projection == ShadowProjection::kCube ? 6 : 1;
-  // Right-handed, at angles that are no multiple of anything.
+  // Right-handed axes that are not aligned with the world.
   placement.axes = {{0.8f, 0, -0.6f}, {-0.36f, 0.8f, -0.48f}, {0.48f, 0.6f, 0.64f}};
   placement.origin[0] = 0.3f;
   placement.origin[1] = -0.2f;
@@ -92,7 +93,7 @@ light::ShadowPlacement make_placement(const Case& c) {
   return placement;
 }
 
-/// Depths in steps, with holes.
+/// Makes a map with depths in steps, and holes.
 void make_shadow(const Case& c) {
   light::Shadow& shadow = g->shadow;
   shadow.options = {c.size, c.filter, c.taps, SHD_CULL_NONE, c.filter_size, c.light_size,
@@ -116,7 +117,7 @@ void make_shadow(const Case& c) {
   shadow.is_rendered = true;
 }
 
-/// On the map and around it, most at depths of the map.
+/// Makes points on the map and around it, most at depths of the map.
 void make_points() {
   Random random = {42};
   const light::ShadowPlacement& placement = g->shadow.map.placement;
@@ -150,7 +151,7 @@ light::ShadowLookups lookups(size_t first, size_t count, bool has_normals) {
   return in;
 }
 
-/// Whether `got` lies among what the oracle has for places and depths within their rounding.
+/// Whether `got` lies within the range of the oracle for positions and depths within their rounding.
 bool is_near(const ref::ShadowRef& oracle, ref::ShadowPoint p, double got) {
   double low = INFINITY, high = -INFINITY;
   const double shift = 4e-6 * oracle.options.size, rise = 2e-5;
@@ -185,13 +186,13 @@ void test_oracle(void** state) {
       partial += got > 0.0 && got < 1.0;
       if (is_near(oracle, point, got)) continue;
       ++wrong;
-      // Taps of PCSS come to lie on edges of texels one by one.
-      if (c.filter != SHD_SHADOW_PCSS || wrong > kPoints / 200) {
+      // Single taps of PCSS may lie on edges of texels.
+      if (c.filter != SHD_SHADOW_FILTER_PCSS || wrong > kPoints / 200) {
         fail_msg("%s[%zu]: got %g, want %g", c.name, i, got, oracle.visibility(point));
       }
     }
     if (shadowed < kPoints / 20) fail_msg("%s: only %zu points in shadow", c.name, shadowed);
-    if (c.filter == SHD_SHADOW_HARD) assert_int_equal(partial, 0);
+    if (c.filter == SHD_SHADOW_FILTER_HARD) assert_int_equal(partial, 0);
   }
 }
 
@@ -207,7 +208,7 @@ void test_targets(void** state) {
       if (std::memcmp(g->first.data(), g->got.data(), kPoints * sizeof(float))) {
         fail_msg("%s: other bits on %s", c.name, target.name);
       }
-      // Pieces of every length, with something behind each that must stay.
+      // Pieces of every length; the values after each piece must not change.
       for (size_t begin = 0, count = 0; count < 36; begin += count++) {
         g->got.assign(kPoints, -7.0f);
         light::sample_shadow(target, g->shadow, lookups(begin, count, has_normals), g->got.data());
@@ -219,7 +220,8 @@ void test_targets(void** state) {
   }
 }
 
-/// Numbers that are none, and large ones, in every column: lit or a number in 0..1, and neighbours keep their bits.
+/// Non-finite and large numbers in every column: the result is lit or a number in 0..1, and other points keep their
+/// bits.
 void test_bad_points(void** state) {
   const Case& c = *static_cast<const Case*>(*state);
   const float k_bad[] = {NAN, -NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, 1e30f, FLT_TRUE_MIN, 0.0f};
@@ -249,7 +251,7 @@ void test_bad_points(void** state) {
   });
 }
 
-/// An empty map is lit everywhere, a full one in front of everything nowhere, to the bit; also on its edges.
+/// With an empty map all points are lit, with a map in front of everything none, exactly; also on its edges.
 void test_uniform(void** state) {
   const Case& c = *static_cast<const Case*>(*state);
   for (const bool is_full : {false, true}) {
@@ -271,7 +273,7 @@ void test_uniform(void** state) {
         if (g->got[i] != 1.0f) fail_msg("%s[%zu]: %g", c.name, i, static_cast<double>(g->got[i]));
         continue;
       }
-      if (c.filter != SHD_SHADOW_HARD && c.filter != SHD_SHADOW_PCF) continue;
+      if (c.filter != SHD_SHADOW_FILTER_HARD && c.filter != SHD_SHADOW_FILTER_PCF) continue;
       if (!at.inside || at.x < reach || at.y < reach || at.x > size - reach || at.y > size - reach) continue;
       const double slope = std::fabs(at.dx) + std::fabs(at.dy);
       if (at.z - slope * reach < static_cast<double>(map.placement.near) + 0.01) continue;

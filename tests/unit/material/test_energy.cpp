@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// White furnaces: the share of light from one direction that models send on, integrated numerically over the kernel
+// White furnaces: the fraction of light from one direction that models reflect, integrated numerically over the kernel
 // and over the formulas in long double; and reciprocity.
 #include "unit/shade/lobe_fixture.h"
 
@@ -9,7 +9,7 @@ namespace shd::tests {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kSteps = 96;  // of each angle
+constexpr int kSteps = 96;  // steps of each angle
 
 /// A direction of light and its weight: the integral of g over directions is the sum of weight g.
 struct Direction {
@@ -23,8 +23,8 @@ Vector eye(double degrees) {
   return {sin(angle), 0, cos(angle)};
 }
 
-/// Directions that half vectors mirror the eye to; half vectors by place(u), the cosine of their angle, and the inverse
-/// of their density. Half of the circle: everything is the same on both sides of the plane of n and v.
+/// Directions of light for half vectors. A half vector is given by place(u), the cosine of its angle, and by the
+/// inverse of its density. Only half of the circle is used, because both sides of the plane of n and v are symmetric.
 template <class Place>
 void mirrored_directions(const Vector& v, const Place& place) {
   g_directions->clear();
@@ -42,7 +42,7 @@ void mirrored_directions(const Vector& v, const Place& place) {
   }
 }
 
-/// By the density D cos of GGX.
+/// Directions with the density D cos of GGX.
 void ggx_directions(const Vector& v, double alpha) {
   mirrored_directions(v, [&](double u, double* inverse_density) {
     const double tangent2 = alpha * alpha * u / (1.0 - u), cosine = 1.0 / sqrt(1.0 + tangent2);
@@ -52,7 +52,7 @@ void ggx_directions(const Vector& v, double alpha) {
   });
 }
 
-/// By the density (p + 1) / (2 pi) cos^p.
+/// Directions with the density (p + 1) / (2 pi) cos^p.
 void blinn_directions(const Vector& v, double p) {
   mirrored_directions(v, [&](double u, double* inverse_density) {
     const double cosine = pow(u, 1.0 / (p + 1.0));
@@ -61,7 +61,7 @@ void blinn_directions(const Vector& v, double p) {
   });
 }
 
-/// By cos / pi around n.
+/// Directions with the density cos / pi around n.
 void cosine_directions() {
   g_directions->clear();
   for (int i = 0; i < kSteps; ++i) {
@@ -76,7 +76,7 @@ struct Albedo {
   double lobe[3];
 };
 
-/// Integrals of the lobes over the directions, of the kernel: points around one light show it from every side.
+/// Integrals of the kernel's lobes over the directions: the points around one light see it from every side.
 Albedo kernel_albedo(const core::SimdTarget& target, const Vector& v) {
   g->count = 1;
   set_light(0, shd_light_desc_default());
@@ -96,7 +96,7 @@ Albedo kernel_albedo(const core::SimdTarget& target, const Vector& v) {
   return sum;
 }
 
-/// The same of the formulas.
+/// Integrals of the formulas.
 Albedo exact_albedo(const Vector& v) {
   const material::Material& m = g->material;
   const long double alpha = std::max(static_cast<long double>(m.roughness) * m.roughness, 1e-3L);
@@ -108,7 +108,7 @@ Albedo exact_albedo(const Vector& v) {
   return sum;
 }
 
-/// Kernel and formulas, which must agree.
+/// Integrals of kernel and formulas, which must agree.
 Albedo albedo(const Vector& v, double tolerance) {
   const Albedo got = kernel_albedo(best_target(), v), want = exact_albedo(v);
   for (size_t k = 0; k < 3; ++k) shd_assert_close("albedo", k, got.lobe[k], want.lobe[k], tolerance, 0.0);
@@ -125,8 +125,8 @@ Albedo metallic_roughness(const Vector& v, float roughness) {
   return albedo(v, 5e-4);
 }
 
-/// Metal of base colour 1: smooth ones mirror all, rougher ones lose what would bounce twice. The loss grows with the
-/// roughness, but for angles near 90 degrees, where it falls again from 0.3 on.
+/// Metal of base colour 1: smooth metals reflect all light, rough metals lose the light that would be reflected twice.
+/// The loss grows with the roughness, except at angles near 90 degrees, where it decreases again from 0.3 on.
 void test_metal(void**) {
   for (double angle : kAngles) {
     double before = 1.0;
@@ -142,8 +142,8 @@ void test_metal(void**) {
   }
 }
 
-/// Dielectric of base colour 1: what glTF's formula scatters does not know how much it mirrors at flat angles, where
-/// both together are more than came.
+/// Dielectric of base colour 1: the diffuse term of glTF's formula does not account for the specular reflection at
+/// grazing angles, where the sum of both exceeds 1.
 void test_dielectric(void**) {
   const double most[] = {1.0, 1.0, 1.003, 1.027, 1.21, 1.6, 1.86};
   for (size_t k = 0; k < sizeof kAngles / sizeof kAngles[0]; ++k) {
@@ -162,7 +162,7 @@ void test_dielectric(void**) {
   }
 }
 
-/// The specular lobe of the normalised model with k_s = 1: all at normal incidence, never more.
+/// The specular lobe of the normalised model with k_s = 1: 1 at normal incidence, never more.
 void test_normalized(void**) {
   for (double angle : kAngles) {
     for (float p : {0.0f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 64.0f, 256.0f, 1e3f, 1e4f}) {
@@ -175,7 +175,7 @@ void test_normalized(void**) {
   }
 }
 
-/// Light and eye may change places: lobes over n.l stay.
+/// Light and eye can be exchanged: lobes over n.l do not change.
 void test_reciprocity(void**) {
   Random random = {91};
   for (float roughness : {0.3f, 0.5f, 1.0f}) {

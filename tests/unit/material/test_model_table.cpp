@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the models: every value of shd_model has a row, with the traits that the stages around it rely on.
+// The table of the models: every value of shd_model has a row, with the traits that other stages rely on.
 #include "support/check.h"
 
 #include "material/material.h"
@@ -11,27 +11,30 @@ using namespace shd;
 
 struct ModelCase {
   const char* name;
-  shd_model model;
+  material::ModelKey model;
   uint32_t lobes;
   int shape_slot;  // negative = none
   bool needs_eye, has_normal, ignores_irradiance, has_ambient;
   uint32_t shown_columns;
 };
 const ModelCase k_models[] = {
-    {"lambert", SHD_MODEL_LAMBERT, 1, -1, false, true, false, true, 0},
-    {"blinn_phong", SHD_MODEL_BLINN_PHONG, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
-    {"unlit", SHD_MODEL_UNLIT, 0, -1, false, false, false, false, 0},
-    {"phong", SHD_MODEL_PHONG, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
-    {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
-    {"combined", SHD_MODEL_COMBINED, 2, SHD_SLOT_EXPONENT, true, true, false, false, 0},
-    {"gooch", SHD_MODEL_GOOCH, 1, -1, false, true, true, false, 0},
-    {"toon", SHD_MODEL_TOON, 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
-    {"metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS, 3, SHD_SLOT_ROUGHNESS, true, true, false, true, 0},
-    {"matcap", SHD_MODEL_MATCAP, 0, -1, false, true, false, false, 0},
-    {"show_normal", SHD_MODEL_SHOW_NORMAL, 0, -1, false, true, false, false, 0},
-    {"show_uv", SHD_MODEL_SHOW_UV, 0, -1, false, false, false, false, raster::kTexture},
-    {"show_level", SHD_MODEL_SHOW_LEVEL, 0, -1, false, false, false, false, raster::kTexture},
-    {"show_barycentrics", SHD_MODEL_SHOW_BARYCENTRICS, 0, -1, false, false, false, false, raster::kBarycentrics},
+    {"lambert", material::key_of(SHD_MODEL_LAMBERT), 1, -1, false, true, false, true, 0},
+    {"blinn_phong", material::key_of(SHD_MODEL_BLINN_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"unlit", material::key_of(SHD_MODEL_UNLIT), 0, -1, false, false, false, false, 0},
+    {"phong", material::key_of(SHD_MODEL_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"normalized", material::key_of(SHD_MODEL_BLINN_PHONG_NORMALIZED), 2, SHD_SLOT_EXPONENT, true, true, false, true,
+     0},
+    {"combined", material::key_of(SHD_MODEL_COMBINED), 2, SHD_SLOT_EXPONENT, true, true, false, false, 0},
+    {"gooch", material::key_of(SHD_MODEL_GOOCH), 1, -1, false, true, true, false, 0},
+    {"toon", material::key_of(SHD_MODEL_TOON), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"metallic_roughness", material::key_of(SHD_MODEL_METALLIC_ROUGHNESS), 3, SHD_SLOT_ROUGHNESS, true, true, false,
+     true, 0},
+    {"matcap", material::key_of(SHD_MODEL_MATCAP), 0, -1, false, true, false, false, 0},
+    {"show_normal", material::key_of(SHD_DEBUG_VIEW_NORMAL), 0, -1, false, true, false, false, 0},
+    {"show_uv", material::key_of(SHD_DEBUG_VIEW_UV), 0, -1, false, false, false, false, raster::kTexture},
+    {"show_level", material::key_of(SHD_DEBUG_VIEW_LEVEL), 0, -1, false, false, false, false, raster::kTexture},
+    {"show_barycentrics", material::key_of(SHD_DEBUG_VIEW_BARYCENTRICS), 0, -1, false, false, false, false,
+     raster::kBarycentrics},
 };
 
 void test_row(void** state) {
@@ -48,12 +51,18 @@ void test_row(void** state) {
   assert_int_equal(info.shown_columns, c->shown_columns);
 }
 
-/// Every model reads the diffuse slot; programs have no row.
+/// Every model and view reads the diffuse slot; programs have no row. A view is shown in place of any model.
 void test_all(void**) {
-  assert_int_equal(material::last_model(), SHD_MODEL_SHOW_BARYCENTRICS);
-  for (int model = 0; model <= material::last_model(); ++model) {
-    const bool has_row = material::info_of(static_cast<shd_model>(model)).slots >> SHD_SLOT_DIFFUSE & 1;
-    assert_int_equal(has_row, model != SHD_MODEL_PROGRAM);
+  assert_int_equal(material::last_model(), SHD_MODEL_MATCAP);
+  for (int model = 0; model <= SHD_MODEL_MATCAP; ++model) {
+    const auto key = material::key_of(static_cast<shd_model>(model));
+    assert_int_equal(material::info_of(key).slots >> SHD_SLOT_DIFFUSE & 1, model != SHD_MODEL_PROGRAM);
+    assert_true(material::model_key(static_cast<shd_model>(model), SHD_DEBUG_VIEW_NONE) == key);
+  }
+  for (int view = SHD_DEBUG_VIEW_NORMAL; view <= SHD_DEBUG_VIEW_BARYCENTRICS; ++view) {
+    const auto key = material::key_of(static_cast<shd_debug_view>(view));
+    assert_true(material::info_of(key).slots >> SHD_SLOT_DIFFUSE & 1);
+    assert_true(material::model_key(SHD_MODEL_PROGRAM, static_cast<shd_debug_view>(view)) == key);
   }
 }
 

@@ -9,14 +9,14 @@ namespace {
 
 constexpr uint32_t kWidth = 64;
 
-/// A material of a model with a texture in a slot, null = none.
-void set_slot(shd_model model, uint32_t slot, texture::Texture* texture) {
+/// Sets a material of a model or view, with a texture in a slot; null = no texture.
+void set_slot(shd_model model, shd_debug_view view, shd_slot_target target, texture::Texture* texture) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
-  if (texture) desc.slot[slot].source = SHD_SOURCE_TEXTURE;
-  material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  parts[slot] = {texture, &g->sampler};
-  material::build(desc, parts, &g->material);
+  desc.debug_view = view;
+  material::SlotInput slots[material::kSlotCount] = {};
+  if (texture) slots[target] = {shd_slot_texture(target, nullptr, nullptr), 0, texture, &g->sampler};
+  material::build(desc, slots, &g->material);
 }
 
 void show(const core::SimdTarget& target, const shd_view& view = {}) {
@@ -31,7 +31,7 @@ void test_normals(void**) {
   }
   float* const* out = g->columns.lobes.lobe[0];
   for (int c = 0; c < 3; ++c) std::fill_n(out[c], kBatch, -77.0f);
-  set_slot(SHD_MODEL_SHOW_NORMAL, SHD_SLOT_DIFFUSE, nullptr);
+  set_slot(SHD_MODEL_PHONG, SHD_DEBUG_VIEW_NORMAL, SHD_SLOT_DIFFUSE, nullptr);
   show(best_target());
   const float* const n[3] = {g->points.nx, g->points.ny, g->points.nz};
   for (int c = 0; c < 3; ++c) {
@@ -45,7 +45,7 @@ void test_uv(void**) {
   const double want[] = {0.25, 0.75, 0, 0.5, 1.0, 0, 0};
   g->points.count = 7;
   for (size_t i = 0; i < 7; ++i) g->points.u[i] = u[i], g->points.v[i] = u[6 - i];
-  set_slot(SHD_MODEL_SHOW_UV, SHD_SLOT_DIFFUSE, nullptr);
+  set_slot(SHD_MODEL_PHONG, SHD_DEBUG_VIEW_UV, SHD_SLOT_DIFFUSE, nullptr);
   show(best_target());
   for (size_t i = 0; i < 7; ++i) {
     shd_assert_close("u", i, g->columns.lobes.lobe[0][0][i], want[i], 0.0, 0.0);
@@ -60,12 +60,12 @@ void test_barycentrics(void**) {
   for (float* column : g->points.bary) {
     for (size_t i = 0; i < kBatch; ++i) column[i] = random.real(0.0, 1.0);
   }
-  set_slot(SHD_MODEL_SHOW_BARYCENTRICS, SHD_SLOT_DIFFUSE, nullptr);
+  set_slot(SHD_MODEL_PHONG, SHD_DEBUG_VIEW_BARYCENTRICS, SHD_SLOT_DIFFUSE, nullptr);
   show(best_target());
   for (int c = 0; c < 3; ++c) assert_memory_equal(g->columns.lobes.lobe[0][c], g->points.bary[c], 65 * sizeof(float));
 }
 
-/// From blue over green to red with the level of detail over the last level; blue without texture.
+/// The colour runs from blue over green to red with the level of detail; blue without a texture.
 void test_levels(void**) {
   static const uint8_t texels[kWidth * kWidth] = {};
   texture::Texture* mipped = make_texture(SHD_FORMAT_R8, kWidth, kWidth, texels, SHD_TABLE_MIPMAP);
@@ -80,7 +80,7 @@ void test_levels(void**) {
     g->points.dudy[i] = g->points.dvdx[i] = 0.0f;
   }
   for (texture::Texture* texture : textures) {
-    set_slot(SHD_MODEL_SHOW_LEVEL, SHD_SLOT_DIFFUSE, texture);
+    set_slot(SHD_MODEL_PHONG, SHD_DEBUG_VIEW_LEVEL, SHD_SLOT_DIFFUSE, texture);
     for_each_target([&](const core::SimdTarget& target, bool) {
       show(target);
       for (size_t i = 0; i < kBatch; ++i) {
@@ -97,7 +97,8 @@ void test_levels(void**) {
   free_texture(plain);
 }
 
-/// The texel at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space, of normals of any length; 1 without texture.
+/// The texel at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space, for normals of any length; 1 without a
+/// texture.
 void test_matcap(void**) {
   static float texels[kWidth * kWidth * 4];
   for (size_t i = 0; i < size_t{kWidth} * kWidth; ++i) {
@@ -118,7 +119,7 @@ void test_matcap(void**) {
     }
   }
   for (bool has_texture : {true, false}) {
-    set_slot(SHD_MODEL_MATCAP, SHD_SLOT_MATCAP, has_texture ? texture : nullptr);
+    set_slot(SHD_MODEL_MATCAP, SHD_DEBUG_VIEW_NONE, SHD_SLOT_MATCAP, has_texture ? texture : nullptr);
     for_each_target([&](const core::SimdTarget& target, bool) {
       show(target, view);
       for (size_t i = 0; i < kBatch; ++i) {

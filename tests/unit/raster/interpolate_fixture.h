@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of interpolation work on: vertices, a batch, and a copy of its columns.
+// Common state of the tests of interpolation: vertices, a batch, and a copy of its columns.
 #pragma once
 
 #include "support/check.h"
@@ -20,7 +20,7 @@ using raster::kBatch;
 const core::Allocator g_allocator = {core::default_allocator()};
 constexpr size_t kVertices = 3 * kBatch;
 
-/// What every test works on; the columns are compared as one block.
+/// State of every test; the columns are compared as one block.
 struct Fixture {
   geometry::Vertices vertices;
   raster::Fragments fragments, first;
@@ -57,7 +57,7 @@ void set_fragment(size_t i, uint32_t t, float x, float y) {
   for (uint32_t k = 0; k < 3; ++k) f.vertex[k][i] = 3 * t + k;
 }
 
-/// Sets count and repeats the last row, as the contract asks.
+/// Sets count and repeats the last row, as the contract requires.
 void finish(size_t count) {
   raster::Fragments& f = g->fragments;
   f.count = count;
@@ -65,7 +65,7 @@ void finish(size_t count) {
     set_fragment(i, f.triangle[count - 1], f.x[count - 1], f.y[count - 1]);
 }
 
-/// All columns of the batch equal those of `first`.
+/// Fails unless all columns of the batch equal those of `first`.
 inline void compare_blocks(const char* name) {
   const size_t bytes = g->fragments.block.size() * sizeof(float);
   if (memcmp(g->fragments.block.data(), g->first.block.data(), bytes) != 0) fail_msg("%s: other bits", name);

@@ -19,7 +19,7 @@ constexpr int kEdge = 64; /* pixels of the picture */
 using geometry::ScreenTriangle;
 using Triangles = std::vector<ScreenTriangle>;
 
-/// Appends a triangle in pixels, turned as the rasteriser wants it; without area it is left out.
+/// Appends a triangle given in pixels, with the winding of the rasteriser; leaves it out if it has no area.
 inline void append(Triangles& out, const double (&corner)[3][3]) {
   ScreenTriangle t = {};
   for (int k = 0; k < 3; ++k) {
@@ -36,7 +36,7 @@ inline void append(Triangles& out, const double (&corner)[3][3]) {
   if (raster::doubled_area(t) > 0) out.push_back(t);
 }
 
-/// Triangles of any size and tilt, through each other.
+/// Triangles of any size and tilt that intersect each other.
 inline Triangles make_tangle(Random random, int count, double size) {
   Triangles out;
   for (int i = 0; i < count; ++i) {
@@ -52,7 +52,7 @@ inline Triangles make_tangle(Random random, int count, double size) {
   return out;
 }
 
-/// Each over the next and the last over the first: no order is right, though no two pass through each other.
+/// Each triangle covers the next and the last covers the first: no order is correct, although no two intersect.
 inline Triangles make_circle(int count, double turn) {
   Triangles out;
   for (int i = 0; i < count; ++i) {
@@ -66,7 +66,7 @@ inline Triangles make_circle(int count, double turn) {
   return out;
 }
 
-/// Sheets that do not meet in depth, from near to far.
+/// Sheets that are separate in depth, from near to far.
 inline Triangles make_layers(Random random, int count) {
   Triangles out;
   for (int i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ inline Triangles make_layers(Random random, int count) {
   return out;
 }
 
-/// A hilly floor in perspective, seen from the side, and things that stand in it.
+/// A hilly floor in perspective, seen from the side, and objects standing in it.
 inline Triangles make_floor(Random random, int cells) {
   Triangles out;
   std::vector<double> height(static_cast<size_t>((cells + 1) * (cells + 1)));

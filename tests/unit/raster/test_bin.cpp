@@ -43,7 +43,7 @@ int drop(void**) {
   return 0;
 }
 
-/// True if a centre of the tile lies within the triangle's bounding box, ends included.
+/// Whether a centre of the tile lies within the triangle's bounding box, ends included.
 bool touches(const ScreenTriangle& t, uint32_t tile_x, uint32_t tile_y, uint32_t width, uint32_t height) {
   const auto axis = [](const int32_t* v, uint32_t tile, uint32_t size) {
     const int64_t low = std::min({v[0], v[1], v[2]}), high = std::max({v[0], v[1], v[2]});
@@ -60,7 +60,7 @@ struct bin_case {
   uint32_t width, height;
   int triangles;
   uint32_t groups;
-  int32_t reach;  // largest offset of a vertex from its triangle's place, in fixed point
+  int32_t reach;  // largest offset of a vertex from its triangle's centre, in fixed point
 };
 const bin_case k_cases[] = {
     {"bin/no_groups", 640, 480, 0, 0, 0},           {"bin/empty_group", 640, 480, 0, 1, 0},
@@ -86,7 +86,7 @@ void make_triangles(const bin_case& c) {
       }
     }
     t.primitive = static_cast<uint32_t>(i);
-    // As assembly leaves them: those without a centre of the frame in their box are gone.
+    // As after assembly: triangles without a centre of the frame in their box are removed.
     const PixelBox box = geometry::intersection(geometry::pixel_box(t, raster::sample_pattern(1).extent),
                                                 geometry::viewport_box(c.width, c.height));
     if (geometry::is_empty(box)) continue;

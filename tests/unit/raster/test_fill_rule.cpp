@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A million closed fans of triangles around a point: each sample is in one triangle if it is in the polygon around the
-// fan, else in none. The polygon is scanned with exact integers, samples on its border included.
+// A million closed fans of triangles around a point: a sample inside the polygon around the fan is in one triangle, any
+// other sample in none. The polygon is scanned with exact integers, including samples on its border.
 #include "support/check.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr int kFans = 1000000 / 50;
 #else
 constexpr int kFans = 1000000;
 #endif
-constexpr uint32_t kPatterns = 5;  // of 1, 2, 4, 8 and 16 samples
+constexpr uint32_t kPatterns = 5;  // 1, 2, 4, 8 and 16 samples
 constexpr int kMaxVertices = 24;
 constexpr int64_t kFarthest = 1 << 28;  // guard band in fixed point
 
@@ -31,14 +31,14 @@ raster::Tile g_tile[kPatterns];
 raster::CoverMask g_mask;
 uint32_t g_covered[kTilePixels];  // samples that a triangle covers
 
-/// A vertex as seen from the middle of the fan.
+/// A vertex relative to the middle of the fan.
 struct Spoke {
   int64_t x, y;
 };
 int64_t cross(Spoke a, Spoke b) {
   return a.x * b.y - a.y * b.x;
 }
-/// In order of angle, exactly.
+/// Exact order by angle.
 bool comes_before(Spoke a, Spoke b) {
   const auto is_lower = [](Spoke s) { return s.y < 0 || (s.y == 0 && s.x < 0); };
   if (is_lower(a) != is_lower(b)) return is_lower(b);
@@ -51,14 +51,14 @@ struct Fan {
   Spoke spoke[kMaxVertices];
 };
 
-/// How fans are made: vertices at up to 2^size subpixels from the middle, moved onto a grid.
+/// Kinds of fans: vertices at up to 2^size subpixels from the middle, moved onto a grid.
 enum class Grid { kSubpixel, kCentre, kSample, kHalf };
 struct Kind {
   const char* name;
   double low, high;  // size
   Grid grid;
   bool is_thin;
-  int weight;  // how many of a thousand
+  int weight;  // frequency in a thousand fans
 };
 const Kind k_kinds[] = {
     {"within a pixel", 0.5, 8, Grid::kSubpixel, false, 260},
@@ -93,7 +93,7 @@ Spoke spoke_to(const Fan& fan, int64_t x, int64_t y) {
   return {std::clamp(x, -kFarthest, kFarthest) - fan.x, std::clamp(y, -kFarthest, kFarthest) - fan.y};
 }
 
-/// Adds spokes where more than half a turn lies between two; false if that does not help.
+/// Adds spokes where two are more than half a turn apart. Returns false if that does not help.
 bool close(Fan* fan) {
   for (int attempt = 0; attempt < 3; ++attempt) {
     std::sort(fan->spoke, fan->spoke + fan->count, comes_before);
@@ -110,7 +110,7 @@ bool close(Fan* fan) {
   return false;
 }
 
-/// A fan around a point of a tile, or right beside it. False if no fan came out.
+/// Makes a fan around a point in a tile or right beside it. Returns false if that fails.
 bool make_fan(const Kind& kind, const raster::SamplePattern& pattern, int32_t left, int32_t top, Random* random,
               Fan* fan) {
   const double reach = std::exp2(random->in(kind.low, kind.high)), tilt = random->in(0, 2 * M_PI);
@@ -148,8 +148,8 @@ PixelBox bounds(const Fan& fan) {
           static_cast<int32_t>(max_x >> 8) + 1, static_cast<int32_t>(max_y >> 8) + 1};
 }
 
-/// Which pixels of a row of a tile have a sample in the polygon, as bits: those with an odd number of crossings at or
-/// left of it. An edge spans its upper end but not its lower one. That is the top-left rule for the polygon as a whole.
+/// Finds the pixels of a tile row with a sample in the polygon, as bits: an odd number of crossings lies at or left of
+/// them. An edge includes its upper end but not its lower end. This is the top-left rule for the polygon as a whole.
 uint64_t scan(const Fan& fan, int32_t left, int64_t y, int32_t sample_x) {
   uint64_t row = 0;
   for (int i = 0; i < fan.count; ++i) {
@@ -176,7 +176,7 @@ struct Case {
   const Fan* fan;
   const raster::SamplePattern* pattern;
   int32_t left, top;
-  PixelBox drawn, checked;  // pixels of the picture; nothing shows in the former that is not in the latter
+  PixelBox drawn, checked;  // pixels of the picture; nothing is visible in `drawn` outside `checked`
   const char* kind;
 };
 
@@ -193,7 +193,7 @@ struct Case {
   abort();
 }
 
-/// Draws every triangle of the fan; no sample may be hit twice.
+/// Draws every triangle of the fan; no sample may be covered twice.
 uint64_t draw(const Case& c, const core::SimdTarget& target, const raster::Tile& tile, uint64_t start) {
   const raster::DepthState state = {SHD_COMPARE_ALWAYS, false, 0.0f, 0.0f};
   const raster::CoverArea area = {*c.pattern, c.left, c.top, c.drawn};
@@ -227,7 +227,7 @@ uint64_t draw(const Case& c, const core::SimdTarget& target, const raster::Tile&
   return triangles;
 }
 
-/// What is covered is the polygon.
+/// The covered samples are the polygon.
 void check(const Case& c, const char* target) {
   for (int32_t y = c.checked.min_y; y <= c.checked.max_y; ++y) {
     uint32_t want[kTile] = {};
@@ -263,7 +263,7 @@ void run_fan(const core::SimdTarget& target, uint32_t pattern_index, Random* ran
   while (!make_fan(k_kinds[kind], pattern, left, top, random, &fan)) {
   }
   const PixelBox tile = geometry::pixel_rectangle(left, top, kTile, kTile);
-  // Large ones mostly through a small box, which costs less.
+  // Large fans are drawn mostly through a small box, which costs less.
   const bool whole = random->bits() % (k_kinds[kind].high < 14 ? 4 : 16) != 0;
   const PixelBox drawn = (k_kinds[kind].high < 14) == whole ? tile : part_of(tile, random);
   const Case c = {&fan, &pattern, left, top, drawn, geometry::intersection(bounds(fan), drawn), k_kinds[kind].name};

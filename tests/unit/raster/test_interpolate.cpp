@@ -45,7 +45,7 @@ void tiny_w(Random* random, float x, float y, float (*v)[4]) {
 void large_w(Random* random, float x, float y, float (*v)[4]) {
   triangle_around(random, x, y, 50.0, 30.0, 32.0, v);
 }
-/// One vertex or two behind the eye, in general position: any three points with W of either sign.
+/// One or two vertices behind the eye, in general position: any three points with W of either sign.
 void behind_the_eye(Random* random, float x, float y, float (*v)[4]) {
   triangle_around(random, x, y, 200.0, 0.0, 3.0, v);
   const int count = random->whole(1, 2);
@@ -71,7 +71,7 @@ void sliver(Random* random, float x, float y, float (*v)[4]) {
 struct scene_case {
   const char* name;
   Scene scene;
-  double error;  // largest |error| of a barycentric coordinate, from the figures measured; 0 = only the running bound
+  double error;  // largest |error| of a barycentric coordinate, from measurements; 0 = only the running bound
 };
 const scene_case k_scenes[] = {
     {"oracle/ordinary", ordinary, 1e-4},
@@ -157,7 +157,7 @@ void check_within(const char* what, size_t i, double got, double want, double bo
 
 double g_worst;  // largest error of a barycentric coordinate
 
-/// Row i against the oracle.
+/// Compares row i with the oracle.
 void check_row(size_t i) {
   const raster::Fragments& f = g->fragments;
   float v[3][4];
@@ -205,7 +205,7 @@ void check_row(size_t i) {
   derivative(normal, want.dy, bound.dy, f.dvdy, "dvdy");
 }
 
-/// Unit or zero vectors in three columns.
+/// Fails unless three columns are unit vectors, or zero if allowed.
 void check_unit(const char* what, const float* x, const float* y, const float* z, bool may_be_zero) {
   for (size_t i = 0; i < g->fragments.count; ++i) {
     const double length = std::sqrt(double{x[i]} * x[i] + double{y[i]} * y[i] + double{z[i]} * z[i]);
@@ -233,7 +233,8 @@ void test_oracle(void** state) {
   print_message("  largest error of a barycentric coordinate: %.3g\n", g_worst);
 }
 
-/// Rows of one triangle, whose vertices are loaded once, and of triangles that differ in name only, gathered per lane.
+/// Rows of one triangle, whose vertices are loaded once, and of triangles that differ only in their number, gathered
+/// per lane.
 void test_uniform_and_gathered(void**) {
   Random random = {31};
   for (int batch = 0; batch < 10; ++batch) {
@@ -249,7 +250,7 @@ void test_uniform_and_gathered(void**) {
   }
 }
 
-/// Rows of a triangle with those of another one between them have the bits that they have under names of their own.
+/// Rows of a triangle with rows of another one between them have the same bits as rows of separate triangles.
 void test_interrupted(void**) {
   Random random = {41};
   for (uint32_t period = 2; period <= 17; ++period) {
@@ -270,7 +271,7 @@ void test_interrupted(void**) {
   }
 }
 
-/// A row has the same bits in a batch of any size, and rows past the last vector stay as they were.
+/// A row has the same bits in a batch of any size, and rows past the last vector do not change.
 void test_counts(void**) {
   Random random = {37};
   make_batch(&random, ordinary, 7);
@@ -303,7 +304,7 @@ void test_counts(void**) {
   });
 }
 
-/// A constant attribute is that constant, to the bit, wherever the triangle.
+/// A constant attribute keeps its bits, wherever the triangle is.
 void test_constant(void**) {
   Random random = {43};
   make_batch(&random, behind_the_eye, 5);

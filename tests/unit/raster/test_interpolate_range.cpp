@@ -30,7 +30,8 @@ const extreme_case k_extremes[] = {
     {"finite/steep", {{5.5f, 5.5f, 0, 1}, {5.5001f, 5.5f, 0, 1}, {5.5f, 5.5001f, 0, 1}}, {1e38f, -1e38f, 1e38f}},
 };
 
-/// No column holds NaN or infinity; barycentrics are in 0..1 and sum to 1; attributes stay between the vertices'.
+/// No column contains NaN or infinity; barycentrics are in 0..1 and sum to 1; attributes stay between those of the
+/// vertices.
 void check_finite(const char* name, float low, float high) {
   const raster::Fragments& f = g->fragments;
   const float* const columns[] = {f.bary[0], f.bary[1], f.bary[2], f.px, f.py, f.pz,   f.nx,   f.ny,   f.nz,
@@ -83,7 +84,7 @@ void test_extreme(void** state) {
   run_extreme(c->name, c->attribute);
 }
 
-/// Any finite floats at all: bit patterns at random.
+/// Finite floats with random bit patterns.
 void test_random_bits(void**) {
   Random random = {41};
   for (int n = 0; n < 3000; ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is painted last in Newell's order against what is nearest, at every pixel; the pairs of triangles and cuts.
+// The last painted triangle in Newell's order against the nearest one, at every pixel; pairs of triangles, and cuts.
 #include "paint_fixture.h"
 
 namespace shd::tests {
@@ -21,7 +21,7 @@ struct order_case {
   const char* name;
   Triangles (*make)();
   bool falls;
-  bool cuts; /* must there be any? */
+  bool cuts; /* whether there must be cuts */
 };
 const order_case k_orders[] = {
     {"order/none", [] { return Triangles(); }, false, false},
@@ -40,7 +40,7 @@ const order_case k_orders[] = {
     {"order/fine_floor", [] { return make_floor({8}, 60); }, false, true},
 };
 
-/// How far the centre of a pixel is from the outline of a triangle, in grid steps.
+/// Distance of the centre of a pixel from the outline of a triangle, in grid steps.
 double edge_distance(const ScreenTriangle& t, int x, int y) {
   double found = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
@@ -52,8 +52,8 @@ double edge_distance(const ScreenTriangle& t, int x, int y) {
   return found;
 }
 
-/// Whether an order may show `shown` where `want` is nearest: another one, or nothing, at its edge; depths that a grid
-/// step makes equal.
+/// Whether an order may show `shown` where another triangle is nearest: the pixel is at an edge, or the depths are
+/// equal within a grid step.
 bool is_excused(const Triangles& triangles, size_t shown, size_t want, int x, int y) {
   if (want != ref::kNothing && edge_distance(triangles[want], x, y) < 1) return true;
   if (shown != ref::kNothing && edge_distance(triangles[shown], x, y) < 1) return true;
@@ -64,7 +64,7 @@ bool is_excused(const Triangles& triangles, size_t shown, size_t want, int x, in
   return std::fabs(gap) <= 1.001 * (step + 0x1p-22);
 }
 
-/// Sorts as the painter does and hands the rest to newell().
+/// Sorts as the painter does and passes the result to newell().
 void make_painting(const Triangles& triangles, const raster::PaintRule& rule, raster::Painting* painting) {
   Triangles sorted = triangles;
   std::stable_sort(sorted.begin(), sorted.end(), [&](const ScreenTriangle& a, const ScreenTriangle& b) {
@@ -119,7 +119,7 @@ void test_order(void** state) {
   delete triangles;
 }
 
-/// False if one has no area.
+/// Returns false if one has no area.
 bool make_pair(Random* random, double size, ScreenTriangle out[2]) {
   const Triangles triangles = make_tangle({random->bits()}, 2, size);
   if (triangles.size() < 2) return false;
@@ -128,7 +128,7 @@ bool make_pair(Random* random, double size, ScreenTriangle out[2]) {
   return true;
 }
 
-/// Which of two triangles may be painted first, against the reference, both ways.
+/// Compares the allowed orders of two triangles with the reference, in both directions.
 void test_pairs(void**) {
   Random random = {77};
   size_t overlapping = 0, crossing = 0;
@@ -181,7 +181,7 @@ void test_cuts(void**) {
   assert_true(cuts > 1000);
 }
 
-/// More cuts than there may be: all is painted once, and the rest is left as conflicts.
+/// With more cuts than allowed, every triangle is painted once, and the remaining conflicts are counted.
 void test_bound(void**) {
   auto* triangles = new Triangles;
   for (int i = 0; i < 120; ++i) {

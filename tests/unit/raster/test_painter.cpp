@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of the painter's algorithm, and the conflicts that it has, against a look at every pair.
+// The order of the painter's algorithm, and the number of its conflicts, against a test of every pair.
 #include "paint_fixture.h"
 
 namespace shd::tests {
@@ -16,7 +16,7 @@ int tear_down(void**) {
   return 0;
 }
 
-/// Draw i of the rules that a test takes: 0 plain, 1 falling, 2 biased, 3 not painted, 4 biased by slope.
+/// Rules of a test, by draw: 0 plain, 1 falling, 2 biased, 3 not painted, 4 biased by slope.
 const raster::PaintRule k_rules[] = {
     {true, false, 0, 0}, {true, true, 0, 0}, {true, false, -0.25f, 0}, {false, false, 0, 0}, {true, false, 0, 2.0f}};
 
@@ -79,7 +79,7 @@ const conflict_case k_conflicts[] = {
     {"conflicts/floor", [] { return make_floor({5}, 12); }},
 };
 
-/// Every pair of the painter's order.
+/// Tests every pair of the painter's order.
 void test_conflicts(void** state) {
   const auto* c = static_cast<const conflict_case*>(*state);
   auto* groups = new core::Objects<raster::TriangleGroup>(g_context->allocator, 3);

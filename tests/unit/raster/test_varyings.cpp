@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel of varyings: against double, its bits on every target, its tails.
+// The kernel of varyings: values against double, bits on every target, tails.
 #include "raster/varyings.h"
 #include "ref/varying_ref.h"
 #include "unit/raster/interpolate_fixture.h"
@@ -40,7 +40,7 @@ void make_triangle(Random* random, uint32_t i, float x, float y, bool behind) {
   }
 }
 
-/// A batch with a new triangle every `run` rows, `count` varyings a vertex.
+/// A batch with a new triangle every `run` rows, and `count` varyings per vertex.
 void make_batch(uint64_t seed, size_t run, uint32_t count, bool behind) {
   Random random = {seed};
   g->vertices.varying = core::Array<float>(g_allocator, kVertices * count);
@@ -98,7 +98,7 @@ void test_oracle(void**) {
   }
 }
 
-/// Rows of one triangle, and of triangles that differ in name only.
+/// Rows of one triangle, and of triangles that differ only in their number.
 void test_uniform_and_gathered(void**) {
   shd_interpolation modes[kMax];
   set_modes(modes, 1);
@@ -113,7 +113,7 @@ void test_uniform_and_gathered(void**) {
   });
 }
 
-/// Rows of a triangle with those of another one between them.
+/// Rows of a triangle with rows of another one between them.
 void test_interrupted(void**) {
   shd_interpolation modes[kMax];
   set_modes(modes, 2);
@@ -135,7 +135,7 @@ void test_interrupted(void**) {
   }
 }
 
-/// A row has the same bits in a batch of any size, and rows past the last vector stay as they were.
+/// A row has the same bits in a batch of any size, and rows past the last vector do not change.
 void test_counts(void**) {
   shd_interpolation modes[kMax];
   set_modes(modes, 0);
@@ -159,7 +159,7 @@ void test_counts(void**) {
   });
 }
 
-/// W that are tiny, huge, 0, and positions at the end of float: rows stay finite and between the vertices' values.
+/// Tiny, huge and zero W, and positions at the limits of float: rows stay finite and between the vertices' values.
 void test_extremes(void**) {
   static const float k_w[] = {0.0f, -0.0f, 1e-38f, 0x1p-100f, 0x1p-101f, 1e-30f, 1e20f, 3e38f, -3e38f};
   static const float k_x[] = {0.0f, 1e-40f, 1e10f, -1e30f, 3e38f};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials, lights and points for tests of lobes, and what they should be. On the heap: cmocka fails by longjmp.
+// Materials, lights and points for tests of lobes, and the expected values. On the heap: cmocka fails by longjmp.
 #pragma once
 
 #include "support/check.h"
@@ -22,7 +22,7 @@ constexpr size_t kMaxLights = 16;
 
 struct LobeFixture {
   material::Material material;
-  size_t count;  // of lights
+  size_t count;  // number of lights
   shd_light_desc desc[kMaxLights];
   light::Light light[kMaxLights];
   shade::ActiveLight active[kMaxLights];
@@ -67,12 +67,12 @@ inline void set_material(const ModelCase& c) {
   desc.exponent = c.exponent;
   desc.roughness = c.roughness;
   desc.toon_steps = 5;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
   g->shape = {};
 }
 
-/// Whether the shape of the model's lobes is a roughness, else an exponent and its gain.
+/// Whether the shape of the model's lobes is a roughness; otherwise it is an exponent and its gain.
 inline bool is_rough() {
   return material::info_of(g->material.model).shape_slots >> SHD_SLOT_ROUGHNESS & 1;
 }
@@ -110,7 +110,9 @@ inline void random_lights(Random* random, size_t count, LightMix wanted) {
   for (size_t k = 0; k < count; ++k) {
     const int mix = wanted == kMixed ? random->whole(0, kMixed - 1) : wanted;
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = mix == kDirections ? SHD_LIGHT_DIRECTIONAL : mix >= kSpots ? SHD_LIGHT_SPOT : SHD_LIGHT_POINT;
+    desc.kind = mix == kDirections ? SHD_LIGHT_KIND_DIRECTIONAL
+                : mix >= kSpots    ? SHD_LIGHT_KIND_SPOT
+                                   : SHD_LIGHT_KIND_POINT;
     const double power = std::exp2(random->in(-3.0, 6.0));
     for (int c = 0; c < 3; ++c) {
       desc.position[c] = random->real(-5.0, 5.0);
@@ -124,7 +126,7 @@ inline void random_lights(Random* random, size_t count, LightMix wanted) {
   }
 }
 
-/// Rows of which every other one sees the highlight of a light: its normal is near the half vector.
+/// Random rows; every other row shows the highlight of a light, with its normal near the half vector.
 inline void random_points(Random* random, double sharpness) {
   g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
@@ -158,7 +160,7 @@ inline Vector row_vector(const float* x, const float* y, const float* z, size_t 
   return ref::vector(v);
 }
 
-/// What row i should get in channel c, how far it may be off, and whether some step may go either way.
+/// Expected lobes of row i in channel c, the bounds of their error, and whether a step may be rounded either way.
 struct WantedLobes {
   long double lobe[3], bound[3];
   bool ambiguous;
@@ -183,7 +185,7 @@ inline WantedLobes wanted_lobes(size_t i, int c) {
     const long double e = gooch ? 1 : in.e, off = gooch ? 0 : in.error;
     for (int j = 0; j < 3; ++j) {
       sum.lobe[j] += power * e * t.lobe[j];
-      // What is lost where E leaves the range of float, too.
+      // The bound includes the loss where E leaves the range of float.
       sum.bound[j] += power * (e * t.error[j] + off * (t.lobe[j] + t.error[j]) + 3e-39L) +
                       5e-7L * power * e * t.lobe[j] * static_cast<long double>(1 + k);
     }
@@ -197,9 +199,9 @@ inline WantedLobes wanted_lobes(size_t i, int c) {
   return sum;
 }
 
-inline double g_used[3];  // largest part of the bounds that lobes needed
+inline double g_used[3];  // largest fraction of the bounds that was used
 
-/// All points of `first` against the formulas; returns how many were clear.
+/// Compares all points of `first` with the formulas. Returns the number of unambiguous points.
 inline size_t check_lobes() {
   const uint32_t lobes = material::info_of(g->material.model).lobes;
   size_t clear = 0;

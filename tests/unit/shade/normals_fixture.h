@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows with normals and tangents, and turning them on every target. On the heap: cmocka fails by longjmp.
+// Rows with normals and tangents, turned on every target. On the heap: cmocka fails by longjmp.
 #pragma once
 
 #include "support/check.h"
@@ -67,7 +67,7 @@ inline void check_normal(const char* what, size_t i, const Vector& want, double 
   shd_assert_close(what, i, g->first.nz[i], static_cast<double>(want.z), tolerance, 0.0);
 }
 
-/// Normals and tangents that are not quite at right angles, of any length and handedness.
+/// Normals and tangents that are not exactly perpendicular, of any length and handedness.
 inline void random_points(Random* random) {
   g->before.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
@@ -79,8 +79,8 @@ inline void random_points(Random* random) {
   }
 }
 
-/// run(target, points) from the same points on every target, into `first`: all bits agree, tails are whole and no
-/// longer.
+/// Calls run(target, points) with equal points on every target, with the result in `first`: all bits agree, and tails
+/// are complete and write nothing more.
 template <class Run>
 void turn_everywhere(const Run& run) {
   for_each_target([&](const core::SimdTarget& target, bool first) {

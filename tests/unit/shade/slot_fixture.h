@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows whose slots read small textures. On the heap: cmocka fails by longjmp.
+// Rows with slots that read small textures. On the heap: cmocka fails by longjmp.
 #pragma once
 
 #include "support/check.h"

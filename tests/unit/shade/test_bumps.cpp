@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals bumped by gradients against surfaces that really are displaced, in long double; and lobes shaped by slots and
-// by what normal maps lost.
+// Normals bumped by gradients against surfaces that are really displaced, in long double; and lobes shaped by slots and
+// by the variance of normal maps.
 #include "unit/shade/normals_fixture.h"
 
 #include "shade/illuminate.h"
@@ -17,7 +17,7 @@ struct Torus {
   }
 };
 
-/// The normal of a torus displaced by h(u, v) = a u + b v + c u v around (u0, v0), where it is 0, by differences.
+/// The normal of a torus displaced by h(u, v) = a u + b v + c u v around (u0, v0), where h is 0, by differences.
 Vector displaced_normal(const Torus& torus, long double u0, long double v0, long double a, long double b,
                         long double c) {
   const long double e = 1e-6L;
@@ -27,7 +27,7 @@ Vector displaced_normal(const Torus& torus, long double u0, long double v0, long
 
 struct BumpCase {
   const char* name;
-  double low_u, high_u, low_v, high_v;  // log2 of how much u and v are stretched
+  double low_u, high_u, low_v, high_v;  // log2 of the scale of u and v
   bool swapped;                         // v before u: mirrored
 };
 const BumpCase k_bumps[] = {
@@ -67,7 +67,7 @@ void test_bump(void** state) {
   for (size_t i = 0; i < kBatch; ++i) check_normal("n", i, want[i], 2e-6);
 }
 
-/// Any normal and frame against n - grad h.
+/// Compares any normal and frame with n - grad h.
 void test_bump_formula(void**) {
   Random random = {112};
   random_points(&random);
@@ -86,7 +86,7 @@ void test_bump_formula(void**) {
   }
 }
 
-/// Frames without area and gradients that are not finite leave normals alone.
+/// With frames without area or non-finite gradients, normals do not change.
 void test_bump_degenerate(void**) {
   const float frames[][6] = {{0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0}, {1, 0, 0, 2, 0, 0}, {0, 0, 1, 0, 1, 0},
                              {1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 1, 0}};
@@ -106,7 +106,7 @@ struct ShapeCase {
   const char* name;
   shd_model model;
   bool has_column, has_variance;
-  bool has_exponent, has_alpha;  // which shape comes out
+  bool has_exponent, has_alpha;  // the resulting shape
 };
 const ShapeCase k_shapes[] = {
     {"shape/lambert", SHD_MODEL_LAMBERT, true, true, false, false},
@@ -127,7 +127,7 @@ long double held(long double x, long double maximum, long double for_nan) {
   return std::isnan(x) ? for_nan : x < 0 ? 0 : x > maximum ? maximum : x;
 }
 
-/// Columns of any value, in and out of range, and what comes of them.
+/// Columns of any value, in and out of range, and the resulting shapes.
 void fill_shapes(Random* random) {
   const float odd[] = {NAN, INFINITY, -INFINITY, -1.0f, 0.0f, 1e30f, 1e-30f};
   for (size_t i = 0; i < kBatch; ++i) {
@@ -162,8 +162,8 @@ void test_shape(void** state) {
   desc.model = c->model;
   desc.exponent = 50.0f;
   desc.roughness = 0.7f;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
   fill_shapes(&random);
   material::Parameters p = {};
   if (c->has_column) {

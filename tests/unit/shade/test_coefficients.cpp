@@ -39,6 +39,7 @@ int tear_down(void**) {
 struct ModelCase {
   const char* name;
   shd_model model;
+  shd_debug_view view = SHD_DEBUG_VIEW_NONE;
 };
 const ModelCase k_models[] = {
     {"lambert", SHD_MODEL_LAMBERT},
@@ -51,20 +52,21 @@ const ModelCase k_models[] = {
     {"toon", SHD_MODEL_TOON},
     {"metallic_roughness", SHD_MODEL_METALLIC_ROUGHNESS},
     {"matcap", SHD_MODEL_MATCAP},
-    {"show_normal", SHD_MODEL_SHOW_NORMAL},
-    {"show_uv", SHD_MODEL_SHOW_UV},
-    {"show_level", SHD_MODEL_SHOW_LEVEL},
-    {"show_barycentrics", SHD_MODEL_SHOW_BARYCENTRICS},
+    {"show_normal", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_NORMAL},
+    {"show_uv", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_UV},
+    {"show_level", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_LEVEL},
+    {"show_barycentrics", SHD_MODEL_LAMBERT, SHD_DEBUG_VIEW_BARYCENTRICS},
 };
 
 void build(const shd_material_desc& desc) {
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
 }
 
-shd_material_desc random_material(Random* random, shd_model model) {
+shd_material_desc random_material(Random* random, const ModelCase& of) {
   shd_material_desc desc = shd_material_desc_default();
-  desc.model = model;
+  desc.model = of.model;
+  desc.debug_view = of.view;
   const bool emits = random->bits() & 1;
   for (int c = 0; c < 3; ++c) {
     desc.ambient[c] = random->real(0.0, 2.0);
@@ -83,9 +85,9 @@ shd_material_desc random_material(Random* random, shd_model model) {
   return desc;
 }
 
-/// Lobes and values of slots in `first`; lobes that the model has not are NaN.
-void random_columns(Random* random, shd_model model) {
-  const uint32_t lobes = std::max(material::info_of(model).lobes, 1u);
+/// Random lobes and slot values in `first`; lobes that the model lacks are NaN.
+void random_columns(Random* random, const ModelCase& of) {
+  const uint32_t lobes = std::max(material::info_of(material::model_key(of.model, of.view)).lobes, 1u);
   for (int c = 0; c < 3; ++c) {
     g->lights.ambient[c] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
@@ -93,27 +95,27 @@ void random_columns(Random* random, shd_model model) {
         g->first.lobes.lobe[k][c][i] = k < lobes ? random->real(0, 10) : NAN;
     }
   }
-  for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+  for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
     for (uint32_t c = 0; c < material::slot_channels(slot); ++c) {
       for (size_t i = 0; i < kBatch; ++i) g->first.slot[slot][c][i] = random->real(0.0, 1.0);
     }
   }
 }
 
-/// The columns of some slots, as look_up_slots() gives those that the model reads.
+/// The columns of some slots, as look_up_slots() returns them for slots that the model reads.
 material::Parameters parameters(uint32_t slots) {
   material::Parameters p = {};
-  for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+  for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
     if (slots >> slot & 1) std::copy_n(g->first.slot[slot], 4, p.value[slot]);
   }
   return p;
 }
 
-/// Row i in double: |error| <= 6 half ulps of the terms.
+/// Compares row i with the result in double: |error| <= 6 half ulps of the terms.
 void check_point(size_t i, const material::Parameters& p, const shade::Radiance& got) {
   const material::Material& m = g->material;
   const auto lights = static_cast<long double>(g->lights.count);
-  const long double times = m.flags & SHD_AMBIENT_PER_LIGHT ? lights : 1.0L;
+  const long double times = m.flags & SHD_MATERIAL_AMBIENT_PER_LIGHT ? lights : 1.0L;
   const auto value = [&](uint32_t slot, uint32_t c) {
     const float* column = p.value[slot][c];
     return column ? static_cast<long double>(column[i]) : 1.0L;
@@ -124,7 +126,7 @@ void check_point(size_t i, const material::Parameters& p, const shade::Radiance&
   const bool multiplied = m.blend != SHD_BLEND_OPAQUE && m.blend != SHD_BLEND_STRAIGHT;
   for (int c = 0; c < 3; ++c) {
     ref::SlotValues s = {};
-    for (uint32_t slot = 0; slot < SHD_SLOT_COUNT; ++slot) {
+    for (uint32_t slot = 0; slot < material::kSlotCount; ++slot) {
       s.of[slot] = value(slot, material::slot_channels(slot) > 1 ? static_cast<uint32_t>(c) : 0u);
     }
     long double lobe[3];
@@ -149,20 +151,20 @@ void combine_everywhere(const material::Parameters& p, size_t count) {
   for (size_t i = 0; i < count; ++i) check_point(i, p, g->first.radiance);
 }
 
-/// Every single slot, none, all, and some at random.
+/// Every single slot, no slots, all slots, and random sets.
 void test_slots(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {92};
-  const uint32_t reads = material::info_of(c->model).slots;
-  for (uint32_t n = 0; n < SHD_SLOT_COUNT + 22; ++n) {
-    const uint32_t slots = n < SHD_SLOT_COUNT    ? 1u << n
-                           : n == SHD_SLOT_COUNT ? 0u
-                                                 : static_cast<uint32_t>(random.bits());
-    shd_material_desc desc = random_material(&random, c->model);
-    desc.blend = static_cast<shd_blend_mode>(random.whole(SHD_BLEND_OPAQUE, SHD_BLEND_SORTED));
+  const uint32_t reads = material::info_of(material::model_key(c->model, c->view)).slots;
+  for (uint32_t n = 0; n < material::kSlotCount + 22; ++n) {
+    const uint32_t slots = n < material::kSlotCount    ? 1u << n
+                           : n == material::kSlotCount ? 0u
+                                                       : static_cast<uint32_t>(random.bits());
+    shd_material_desc desc = random_material(&random, *c);
+    desc.blend = static_cast<shd_blend>(random.whole(SHD_BLEND_OPAQUE, SHD_BLEND_SORTED));
     desc.alpha_cutoff = random.bits() & 1 ? 0.5f : 0.0f;
     build(desc);
-    random_columns(&random, c->model);
+    random_columns(&random, *c);
     g->lights.count = static_cast<size_t>(random.whole(0, 5));
     combine_everywhere(parameters(slots & reads), kRows);
   }
@@ -172,40 +174,40 @@ void test_slots(void** state) {
 void test_tails(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {93};
-  shd_material_desc desc = random_material(&random, c->model);
+  shd_material_desc desc = random_material(&random, *c);
   desc.blend = SHD_BLEND_PREMULTIPLIED;
   build(desc);
-  random_columns(&random, c->model);
+  random_columns(&random, *c);
   g->lights.count = 2;
   for (size_t count = 0; count <= kRows; ++count)
-    combine_everywhere(parameters(material::info_of(c->model).slots), count);
+    combine_everywhere(parameters(material::info_of(material::model_key(c->model, c->view)).slots), count);
 }
 
-/// Ambient light once per light that is not ambient: none without lights.
+/// Ambient light is added once per light that is not ambient; it is zero without lights.
 void test_ambient_per_light(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {94};
   for (size_t lights : {size_t{0}, size_t{1}, size_t{7}}) {
-    shd_material_desc desc = random_material(&random, c->model);
-    desc.flags = SHD_AMBIENT_PER_LIGHT;
+    shd_material_desc desc = random_material(&random, *c);
+    desc.flags = SHD_MATERIAL_AMBIENT_PER_LIGHT;
     build(desc);
-    random_columns(&random, c->model);
+    random_columns(&random, *c);
     g->lights.count = lights;
-    combine_everywhere(parameters(material::info_of(c->model).slots), kRows);
+    combine_everywhere(parameters(material::info_of(material::model_key(c->model, c->view)).slots), kRows);
   }
 }
 
 struct BlendCase {
   const char* name;
-  shd_blend_mode blend;
+  shd_blend blend;
   float cutoff;
   uint32_t flags;
-  float want_a, want_l;  // of opacity 1/2, diffuse slot alpha 1/4 and an unlit 1
+  float want_a, want_l;  // with opacity 1/2, diffuse slot alpha 1/4 and an unlit 1
 };
 const BlendCase k_blends[] = {
     {"blend/opaque", SHD_BLEND_OPAQUE, 0, 0, 1, 1},
     {"blend/opaque/cutoff", SHD_BLEND_OPAQUE, 0.5f, 0, 0.125f, 1},
-    {"blend/opaque/coverage", SHD_BLEND_OPAQUE, 0, SHD_ALPHA_TO_COVERAGE, 0.125f, 1},
+    {"blend/opaque/coverage", SHD_BLEND_OPAQUE, 0, SHD_MATERIAL_ALPHA_TO_COVERAGE, 0.125f, 1},
     {"blend/premultiplied", SHD_BLEND_PREMULTIPLIED, 0, 0, 0.125f, 0.125f},
     {"blend/straight", SHD_BLEND_STRAIGHT, 0, 0, 0.125f, 1},
     {"blend/add", SHD_BLEND_ADD, 0, 0, 0.125f, 0.125f},

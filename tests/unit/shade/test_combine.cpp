@@ -46,15 +46,15 @@ struct combine_case {
 const combine_case k_cases[] = {
     {"lambert", SHD_MODEL_LAMBERT, 0, 1, false},
     {"lambert/texture", SHD_MODEL_LAMBERT, 0, 1, true},
-    {"lambert/ambient_per_light/0", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 0, false},
-    {"lambert/ambient_per_light/1", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 1, false},
-    {"lambert/ambient_per_light/8", SHD_MODEL_LAMBERT, SHD_AMBIENT_PER_LIGHT, 8, true},
+    {"lambert/ambient_per_light/0", SHD_MODEL_LAMBERT, SHD_MATERIAL_AMBIENT_PER_LIGHT, 0, false},
+    {"lambert/ambient_per_light/1", SHD_MODEL_LAMBERT, SHD_MATERIAL_AMBIENT_PER_LIGHT, 1, false},
+    {"lambert/ambient_per_light/8", SHD_MODEL_LAMBERT, SHD_MATERIAL_AMBIENT_PER_LIGHT, 8, true},
     {"unlit", SHD_MODEL_UNLIT, 0, 2, false},
     {"unlit/texture", SHD_MODEL_UNLIT, 0, 2, true},
     {"blinn_phong/0_lights", SHD_MODEL_BLINN_PHONG, 0, 0, false},
     {"blinn_phong/2_lights", SHD_MODEL_BLINN_PHONG, 0, 2, false},
     {"blinn_phong/texture", SHD_MODEL_BLINN_PHONG, 0, 8, true},
-    {"blinn_phong/ambient_per_light/2", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 2, true},
+    {"blinn_phong/ambient_per_light/2", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_AMBIENT_PER_LIGHT, 2, true},
 };
 
 material::Parameters parameters(bool texture) {
@@ -67,8 +67,8 @@ void fill(Random* random, const combine_case& c) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = c.model;
   desc.flags = c.flags;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
   g->lights.count = c.lights;
   for (int channel = 0; channel < 3; ++channel) {
     g->material.ambient[channel] = random->real(0.0, 2.0);
@@ -77,16 +77,16 @@ void fill(Random* random, const combine_case& c) {
     g->lights.ambient[channel] = random->real(0.0, 2.0);
     for (size_t i = 0; i < kBatch; ++i) {
       g->first.lobes.lobe[0][channel][i] = random->real(0.0, 10.0);
-      // What Lambert's model must not read.
+      // Values that Lambert's model must not read.
       g->first.lobes.lobe[1][channel][i] = c.model == SHD_MODEL_LAMBERT ? NAN : random->real(0.0, 10.0);
       g->first.slot[SHD_SLOT_DIFFUSE][channel][i] = random->real(0.0, 1.0);
     }
   }
 }
 
-/// The four channels of row i in double; |error| <= 5 half ulps of the terms, one for each rounding on the way.
+/// Compares the channels of row i with results in double; |error| <= 5 half ulps of the terms, one per rounding.
 void check_point(size_t i, const combine_case& c, const shade::Radiance& got) {
-  const double times = c.flags & SHD_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
+  const double times = c.flags & SHD_MATERIAL_AMBIENT_PER_LIGHT ? static_cast<double>(c.lights) : 1.0;
   for (int channel = 0; channel < 3; ++channel) {
     const material::Material& m = g->material;
     const double t = c.texture ? double{g->first.slot[SHD_SLOT_DIFFUSE][channel][i]} : 1.0;
@@ -125,10 +125,10 @@ void test_combine(void** state) {
   });
 }
 
-/// The largest coefficients and lobes that lights can make: finite.
+/// The largest coefficients and lobes of any lights give finite results.
 void test_range(void**) {
   Random random = {62};
-  fill(&random, {"", SHD_MODEL_BLINN_PHONG, SHD_AMBIENT_PER_LIGHT, 0, true});
+  fill(&random, {"", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_AMBIENT_PER_LIGHT, 0, true});
   g->lights.count = size_t{1} << 20;
   for (int channel = 0; channel < 3; ++channel) {
     g->material.ambient[channel] = g->material.diffuse[channel] = g->material.specular[channel] = 1e6f;
@@ -191,13 +191,13 @@ void test_centroids(void**) {
   for (size_t i = 0; i < kBatch; ++i) assert_true(out[i] == (i < 301 ? in[points[i]] : -77.0f));
 }
 
-/// Ambient lights are summed apart, the others keep their order.
+/// Ambient lights are summed separately, the other lights keep their order.
 void test_table(void**) {
   light::Light light[5];
   const light::Light* pointers[5];
   for (int i = 0; i < 5; ++i) {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = i % 2 ? SHD_LIGHT_AMBIENT : i == 2 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.kind = i % 2 ? SHD_LIGHT_KIND_AMBIENT : i == 2 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
     desc.intensity[0] = static_cast<float>(i);
     light[i] = light::make_light(desc, nullptr, nullptr);
     pointers[i] = &light[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lights that reach a batch against brute force; what is left out changes no bit; tables of lights.
+// Lights that reach a batch against brute force; culling changes no bit; tables of lights.
 #include "unit/shade/lobe_fixture.h"
 
 #include "shade/cull.h"
@@ -27,9 +27,9 @@ void make_table(size_t count) {
 struct CullCase {
   const char* name;
   double low, high;  // log2 of ranges
-  double spread;     // of the lights around the points
-  double offset;     // of everything from the origin
-  int unlimited;     // every so many lights have no range; 0 = none of them
+  double spread;     // spread of the lights around the points
+  double offset;     // offset of everything from the origin
+  int unlimited;     // every `unlimited`-th light has no range; 0 = all lights have one
 };
 const CullCase k_culls[] = {
     {"cull/some", 0, 2, 6, 0, 0},
@@ -44,7 +44,7 @@ const CullCase k_culls[] = {
 void random_case(Random* random, const CullCase& c, size_t count, size_t points) {
   for (size_t i = 0; i < count; ++i) {
     shd_light_desc desc = shd_light_desc_default();
-    desc.kind = i % 4 == 1 ? SHD_LIGHT_SPOT : i % 16 == 7 ? SHD_LIGHT_DIRECTIONAL : SHD_LIGHT_POINT;
+    desc.kind = i % 4 == 1 ? SHD_LIGHT_KIND_SPOT : i % 16 == 7 ? SHD_LIGHT_KIND_DIRECTIONAL : SHD_LIGHT_KIND_POINT;
     desc.outer_angle = 1.5f;
     for (float& x : desc.position) x = static_cast<float>(c.offset + random->in(-c.spread, c.spread));
     for (float& x : desc.direction) x = random->real(-1, 1);
@@ -70,7 +70,7 @@ void illuminate(const core::SimdTarget& target, const uint32_t* index, size_t co
   shade::illuminate(target, g->material, {}, g_lights->active, count, g->points, {false, true}, out);
 }
 
-/// In order, nothing twice, none lost that reaches a row; and the same bits with and without the others.
+/// Indices are in order and unique, every light that reaches a row is kept, and culling does not change the bits.
 void test_cull(void** state) {
   const auto* c = static_cast<const CullCase*>(*state);
   Random random = {141};
@@ -105,7 +105,7 @@ void test_cull(void** state) {
   }
 }
 
-/// One row at a time, what is kept reaches it, or nearly so: culling is worth its time.
+/// For single rows, all kept lights reach the row, or nearly: culling is worth its time.
 void test_sharpness(void**) {
   Random random = {142};
   for (int n = 0; n < 200; ++n) {
@@ -120,7 +120,7 @@ void test_sharpness(void**) {
   }
 }
 
-/// Rows that are not finite count for nothing; without others only lights without range are kept.
+/// Non-finite rows are ignored; without finite rows only lights without a range are kept.
 void test_nonfinite(void**) {
   Random random = {143};
   const float bad[] = {NAN, INFINITY, -INFINITY};
@@ -142,7 +142,7 @@ void test_nonfinite(void**) {
   }
 }
 
-/// Ambient lights are summed apart, the others keep their order; positions and reach of each.
+/// Ambient lights are summed separately, the other lights keep their order; positions and squared ranges are correct.
 void test_table(void**) {
   for (size_t count : {size_t{0}, size_t{1}, size_t{65}, kLights}) {
     size_t others = 0;
@@ -156,14 +156,14 @@ void test_table(void**) {
       desc.range = i % 3 ? static_cast<float>(i) : 0.0f;
       g_lights->light[i] = light::make_light(desc, nullptr, nullptr);
       any |= g_lights->light[i].range > 0.0f;
-      desc.kind == SHD_LIGHT_AMBIENT ? ambient += static_cast<double>(i) : ++others;
+      desc.kind == SHD_LIGHT_KIND_AMBIENT ? ambient += static_cast<double>(i) : ++others;
     }
     make_table(count);
     const shade::LightTable& table = g_lights->table;
     assert_int_equal(table.count, others);
     assert_true(double{table.ambient[0]} == ambient && table.any_range == any);
     for (size_t i = 0, k = 0; i < count; ++i) {
-      if (g_lights->light[i].kind == SHD_LIGHT_AMBIENT) continue;
+      if (g_lights->light[i].kind == SHD_LIGHT_KIND_AMBIENT) continue;
       assert_true(table.lights[k].intensity[0] == static_cast<float>(i));
       assert_true(table.y[k] == g_lights->light[i].position[1]);
       const double range = g_lights->light[i].range;

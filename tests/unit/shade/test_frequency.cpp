@@ -102,7 +102,7 @@ void test_centroid(void** state) {
   for (const float* o : {points.ox, points.oy, points.oz}) assert_true(std::isfinite(o[7]));
 }
 
-/// Rows of random triangles: corners are the vertices, the centroid's normal is the face's, wo is unit.
+/// Random triangles: corners equal the vertices, the centroid has the normal of the face, wo is unit.
 void test_random_rows(void**) {
   Random random = {71};
   for (size_t i = 0; i < kVertices; ++i) {
@@ -141,7 +141,7 @@ void make_scene(Random* random, size_t fragments) {
       set_vertex(3 * t + k, on_plane, normal, random->real(0, 1), random->real(0, 1));
       corner(3 * t + k, x + place[k][0], y + place[k][1], random->real(1, 3));
     }
-    // Seen from the side that the normal points to.
+    // The triangles are seen from the side that the normal points to.
     float *b = &g->vertices.world[4 * size_t{3 * t + 1}], *c = &g->vertices.world[4 * size_t{3 * t + 2}];
     const Vector a = ref::vector(&g->vertices.world[4 * size_t{3 * t}]);
     if (ref::cross(ref::vector(b) - a, ref::vector(c) - a).z < 0) std::swap_ranges(b, b + 4, c);
@@ -157,7 +157,7 @@ void make_scene(Random* random, size_t fragments) {
 
 void set_light(const float* direction) {
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (int c = 0; c < 3; ++c) desc.direction[c] = direction[c];
   g->lights.count = 1;
   g->lights.lights[0] = light::make_light(desc, nullptr, nullptr);
@@ -167,8 +167,8 @@ void set_material(shd_model model) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
   desc.exponent = 1.0f;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
 }
 
 void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) {
@@ -210,7 +210,7 @@ long double plane_radiance(shd_model model, Vector p) {
   return 0.8f * t.diffuse + (model == SHD_MODEL_BLINN_PHONG ? 0.5f * t.specular : 0.0L);
 }
 
-/// Each frequency evaluates the model where it says: at the fragment, at the corners, at the centroid.
+/// Each frequency evaluates the model at its points: at the fragment, at the corners, at the centroid.
 void test_frequency(void** state) {
   const auto* c = static_cast<const frequency_case*>(*state);
   const float way[3] = {0.3f, -1.0f, -1.5f};
@@ -242,7 +242,7 @@ void test_frequency(void** state) {
 
 size_t g_rows;
 
-/// Writes what it was given; counts its points.
+/// Writes its inputs; counts its points.
 void copy_program(const shd_fragments* in, shd_radiance* out, void*) {
   g_rows += in->count;
   for (size_t i = 0; i < in->count; ++i) {
@@ -252,7 +252,7 @@ void copy_program(const shd_fragments* in, shd_radiance* out, void*) {
   }
 }
 
-/// A program sees one row per fragment, three per triangle, or one per triangle.
+/// A program is called with one row per fragment, three per triangle, or one per triangle.
 void test_program(void** state) {
   const auto* c = static_cast<const frequency_case*>(*state);
   set_material(SHD_MODEL_PROGRAM);
@@ -276,7 +276,7 @@ void test_program(void** state) {
     }
     shd_assert_close("u", i, out[0][i], c->frequency == SHD_FREQUENCY_FLAT ? flat : u, 1e-6, 0.0);
     shd_assert_close("triangle", i, out[1][i], f.triangle[i], 0.0, 0.0);
-    shd_assert_close("nz", i, out[2][i], 0.8, 1e-3, 0.0);  // as far as corners rounded to float lie in a plane
+    shd_assert_close("nz", i, out[2][i], 0.8, 1e-3, 0.0);  // corners rounded to float lie in a plane only approximately
     assert_true(out[3][i] == 1.0f);
   }
 }

@@ -51,7 +51,7 @@ light::Light point_light(const float* position, float intensity) {
 }
 light::Light directional_light(const float* direction, float intensity) {
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_DIRECTIONAL;
+  desc.kind = SHD_LIGHT_KIND_DIRECTIONAL;
   for (int c = 0; c < 3; ++c) {
     desc.direction[c] = direction[c];
     desc.intensity[c] = intensity * (1.0f + 0.25f * static_cast<float>(c));
@@ -73,7 +73,7 @@ Vector random_unit(Random* random) {
   }
 }
 
-/// Lobes of the fixture's points under its lights.
+/// Computes the lobes of the fixture's points under its lights.
 void illuminate(const core::SimdTarget& target, material::Lobes* out) {
   for (size_t k = 0; k < g->lights.count; ++k) g->active[k] = {&g->lights.lights[k], {nullptr, nullptr, nullptr}};
   shade::illuminate(target, g->material, {}, g->active, g->lights.count, g->points, {false, true}, out);
@@ -92,15 +92,15 @@ const model_case k_models[] = {
     {"blinn_phong/64", SHD_MODEL_BLINN_PHONG, 0, 64.0f},
     {"blinn_phong/1e4", SHD_MODEL_BLINN_PHONG, 0, 1e4f},
     {"blinn_phong/1e6", SHD_MODEL_BLINN_PHONG, 0, 1e6f},
-    {"ungated/0", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 0.0f},
-    {"ungated/1", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 1.0f},
-    {"ungated/64", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 64.0f},
-    {"ungated/1e4", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 1e4f},
-    {"ungated/1e6", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 1e6f},
+    {"ungated/0", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 0.0f},
+    {"ungated/1", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 1.0f},
+    {"ungated/64", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64.0f},
+    {"ungated/1e4", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 1e4f},
+    {"ungated/1e6", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 1e6f},
 };
 
 void set_material(const model_case& c) {
-  g->material.model = c.model;
+  g->material.model = material::key_of(c.model);
   g->material.flags = c.flags;
   g->material.exponent = c.exponent;
 }
@@ -117,7 +117,7 @@ void random_lights(Random* random, size_t count, Mix mix) {
   }
 }
 
-/// Rows of which every other one sees the highlight of a light: its normal is near the half vector.
+/// Random rows; every other row shows the highlight of a light, with its normal near the half vector.
 void random_points(Random* random, float exponent) {
   g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
@@ -127,17 +127,17 @@ void random_points(Random* random, float exponent) {
     if (i % 2 && g->lights.count) {
       const light::Light& light = g->lights.lights[i / 2 % g->lights.count];
       const Vector l =
-          light.kind == SHD_LIGHT_POINT ? ref::unit(ref::vector(light.position) - p) : ref::vector(light.to_light);
+          light.kind == SHD_LIGHT_KIND_POINT ? ref::unit(ref::vector(light.position) - p) : ref::vector(light.to_light);
       n = ref::unit(ref::unit(wo + l) + sqrtl(random->in(0.0, 2.0) / (1.0 + double{exponent})) * n);
     }
     set_point(i, p, n, wo);
   }
 }
 
-double g_diffuse, g_specular;  // largest errors, per unit of illumination, the latter also per (2 + exponent)
+double g_diffuse, g_specular;  // largest errors per unit of illumination; the specular error also per (2 + exponent)
 
-/// Row i against the formulas. Stated bounds: 2e-6 of the light for diffuse; 2e-6 + 2.5e-7 exponent (1 + 2 / |v + l|)
-/// for specular, since a short v + l magnifies its own rounding.
+/// Compares row i with the formulas. Stated bounds: 2e-6 of the light for diffuse; 2e-6 + 2.5e-7 exponent
+/// (1 + 2 / |v + l|) for specular, because a short v + l magnifies its own rounding.
 void check_point(size_t i, const model_case& c) {
   const raster::Fragments& f = g->points;
   const float p[3] = {f.px[i], f.py[i], f.pz[i]}, n[3] = {f.nx[i], f.ny[i], f.nz[i]},
@@ -147,11 +147,11 @@ void check_point(size_t i, const model_case& c) {
   for (size_t k = 0; k < g->lights.count; ++k) {
     const light::Light& light = g->lights.lights[k];
     const ref::Term t = ref::light_term(light, ref::vector(p), ref::vector(n), ref::vector(o), c.exponent,
-                                        !(c.flags & SHD_SPECULAR_UNGATED));
+                                        !(c.flags & SHD_MATERIAL_SPECULAR_UNGATED));
     const long double received = light.intensity[0] * t.falloff;
     diffuse += light.intensity[0] * t.diffuse;
     specular += light.intensity[0] * t.specular;
-    // The light's part, and what is lost where 1 / r^2 leaves the range of float.
+    // The contribution of the light, and the loss where 1 / r^2 leaves the range of float.
     diffuse_bound += 2e-6L * received + 3e-39L * light.intensity[0];
     specular_bound +=
         (2e-6L + 2.5e-7L * c.exponent * (1 + 2 / std::max(t.half, 1e-9L))) * received + 3e-39L * light.intensity[0];
@@ -223,22 +223,30 @@ struct edge_case {
 };
 constexpr float kDiagonal = 0.70710678f;
 const edge_case k_edges[] = {
-    {"edge/straight_down", SHD_LIGHT_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0.25, 0.25},
-    {"edge/directional", SHD_LIGHT_DIRECTIONAL, {0, -3, 0}, 8, {9, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1, 1},
-    {"edge/light_at_the_point", SHD_LIGHT_POINT, {1, 2, 3}, 8, {1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 0, 0},
-    {"edge/light_1e-4_away", SHD_LIGHT_POINT, {0, 1e-4f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
-    {"edge/light_1e-6_away", SHD_LIGHT_POINT, {0, 1e-6f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
-    {"edge/light_1e-30_away", SHD_LIGHT_POINT, {0, 1e-30f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
-    {"edge/light_1e18_away", SHD_LIGHT_POINT, {0, 1e18f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e-36, 1e-36},
-    {"edge/light_1e20_away", SHD_LIGHT_POINT, {0, 1e20f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
-    {"edge/light_3e38_away", SHD_LIGHT_POINT, {3e38f, 3e38f, 3e38f}, 1e12f, {-3e38f, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
-    {"edge/zero_normal", SHD_LIGHT_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0, 0},
-    {"edge/zero_wo", SHD_LIGHT_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, 0.25, 0.25},
-    {"edge/eye_opposite_the_light", SHD_LIGHT_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, -1, 0}, 0.25, 0},
-    {"edge/light_behind", SHD_LIGHT_POINT, {0, -2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
-    {"edge/grazing", SHD_LIGHT_DIRECTIONAL, {-1, 0, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
+    {"edge/straight_down", SHD_LIGHT_KIND_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0.25, 0.25},
+    {"edge/directional", SHD_LIGHT_KIND_DIRECTIONAL, {0, -3, 0}, 8, {9, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1, 1},
+    {"edge/light_at_the_point", SHD_LIGHT_KIND_POINT, {1, 2, 3}, 8, {1, 2, 3}, {0, 1, 0}, {0, 1, 0}, 0, 0},
+    {"edge/light_1e-4_away", SHD_LIGHT_KIND_POINT, {0, 1e-4f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
+    {"edge/light_1e-6_away", SHD_LIGHT_KIND_POINT, {0, 1e-6f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
+    {"edge/light_1e-30_away", SHD_LIGHT_KIND_POINT, {0, 1e-30f, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
+    {"edge/light_1e18_away", SHD_LIGHT_KIND_POINT, {0, 1e18f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e-36, 1e-36},
+    {"edge/light_1e20_away", SHD_LIGHT_KIND_POINT, {0, 1e20f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
+    {"edge/light_3e38_away",
+     SHD_LIGHT_KIND_POINT,
+     {3e38f, 3e38f, 3e38f},
+     1e12f,
+     {-3e38f, 0, 0},
+     {0, 1, 0},
+     {0, 1, 0},
+     0,
+     0},
+    {"edge/zero_normal", SHD_LIGHT_KIND_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0, 0},
+    {"edge/zero_wo", SHD_LIGHT_KIND_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, 0.25, 0.25},
+    {"edge/eye_opposite_the_light", SHD_LIGHT_KIND_POINT, {0, 2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, -1, 0}, 0.25, 0},
+    {"edge/light_behind", SHD_LIGHT_KIND_POINT, {0, -2, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
+    {"edge/grazing", SHD_LIGHT_KIND_DIRECTIONAL, {-1, 0, 0}, 8, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 0, 0},
     {"edge/mirror",
-     SHD_LIGHT_DIRECTIONAL,
+     SHD_LIGHT_KIND_DIRECTIONAL,
      {1, -1, 0},
      8,
      {0, 0, 0},
@@ -246,7 +254,7 @@ const edge_case k_edges[] = {
      {kDiagonal, kDiagonal, 0},
      0.70710678,
      1},
-    {"edge/brightest", SHD_LIGHT_POINT, {0, 1e-5f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
+    {"edge/brightest", SHD_LIGHT_KIND_POINT, {0, 1e-5f, 0}, 1e12f, {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1e8, 1e8},
 };
 
 void test_edge(void** state) {
@@ -255,7 +263,7 @@ void test_edge(void** state) {
   set_material(model);
   g->lights.count = 1;
   g->lights.lights[0] =
-      c->kind == SHD_LIGHT_POINT ? point_light(c->light, c->intensity) : directional_light(c->light, c->intensity);
+      c->kind == SHD_LIGHT_KIND_POINT ? point_light(c->light, c->intensity) : directional_light(c->light, c->intensity);
   g->points.count = 67;
   for (size_t i = 0; i < 128; ++i) set_point(i, ref::vector(c->p), ref::vector(c->n), ref::vector(c->o));
   illuminate_everywhere(model);
@@ -266,10 +274,10 @@ void test_edge(void** state) {
   }
 }
 
-/// The ungated and gated forms where the light is behind the surface: only the first leaves a specular term.
+/// The ungated and gated forms with the light behind the surface: only the ungated one has a specular term.
 void test_gating(void**) {
-  const float below[3] = {0.8f, -0.6f, 0.0f};  // travels upwards: n.l < 0, n.h > 0
-  for (uint32_t flags : {0u, static_cast<uint32_t>(SHD_SPECULAR_UNGATED)}) {
+  const float below[3] = {0.8f, -0.6f, 0.0f};  // direction upwards: n.l < 0, n.h > 0
+  for (uint32_t flags : {0u, static_cast<uint32_t>(SHD_MATERIAL_SPECULAR_UNGATED)}) {
     const model_case model = {"", SHD_MODEL_BLINN_PHONG, flags, 2.0f};
     set_material(model);
     const float up[3] = {0.0f - below[0], 0.6f, 0.0f};
@@ -286,7 +294,7 @@ void test_gating(void**) {
   }
 }
 
-/// Lights add up in the table's order: 1e8 swallows each 3 that follows it, not their sum before it.
+/// Lights are added in the order of the table: 1e8 absorbs each later 3, but not the sum of earlier ones.
 void test_order(void**) {
   const model_case model = {"", SHD_MODEL_BLINN_PHONG, 0, 1.0f};
   set_material(model);
@@ -304,7 +312,7 @@ void test_order(void**) {
   }
 }
 
-/// A row has the same bits in a table of any size; points past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector do not change.
 void test_tails(void**) {
   const model_case model = {"", SHD_MODEL_BLINN_PHONG, 0, 64.0f};
   set_material(model);
@@ -329,7 +337,7 @@ void test_tails(void**) {
   });
 }
 
-/// Finite points of any magnitude, lights in and beyond range: finite lobes.
+/// Finite points of any magnitude, with lights in and beyond range, give finite lobes.
 void test_finite(void** state) {
   const auto* c = static_cast<const model_case*>(*state);
   set_material(*c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lobes of every model where lights come in groups, at the edges of formulas, and from input that is not finite.
+// Lobes of every model with lights in groups, at the limits of the formulas, and with non-finite input.
 #include "unit/shade/lobe_fixture.h"
 
 namespace shd::tests {
@@ -9,9 +9,9 @@ const ModelCase k_models[] = {
     {"lambert", SHD_MODEL_LAMBERT, 0, 64, 0.5f},
     {"gooch", SHD_MODEL_GOOCH, 0, 64, 0.5f},
     {"phong", SHD_MODEL_PHONG, 0, 64, 0.5f},
-    {"phong/ungated", SHD_MODEL_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"phong/ungated", SHD_MODEL_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"blinn_phong", SHD_MODEL_BLINN_PHONG, 0, 64, 0.5f},
-    {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"blinn_phong/ungated", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"combined", SHD_MODEL_COMBINED, 0, 64, 0.5f},
     {"normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 64, 0.5f},
     {"toon", SHD_MODEL_TOON, 0, 64, 0.5f},
@@ -37,7 +37,7 @@ void random_columns(Random* random) {
     g->active[k] = {&g->light[k], {g->factor[k][0], g->factor[k][1], g->factor[k][2]}};
 }
 
-/// Lights one after the other, in threes, and with empty groups: the bits of all at once.
+/// Lights one by one, in threes, and with empty groups give the bits of a single call.
 void test_groups(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {83};
@@ -65,7 +65,7 @@ void test_groups(void** state) {
   });
 }
 
-/// A row has the same bits in a table of any size; points past the last vector stay as they were.
+/// A row has the same bits in a table of any size; points past the last vector do not change.
 void test_tails(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {84};
@@ -108,11 +108,11 @@ const EdgeCase k_edges[] = {
     {"behind", {0, 0, 0}, {0, 1, 0}, {0, 1, 0}, -2},
 };
 
-/// Every model at edges, under a point and a spot that looks down.
+/// Every model at the limits, under a point light and a spot that points down.
 void test_edges(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   for (const EdgeCase& e : k_edges) {
-    for (shd_light_kind kind : {SHD_LIGHT_POINT, SHD_LIGHT_SPOT}) {
+    for (shd_light_kind kind : {SHD_LIGHT_KIND_POINT, SHD_LIGHT_KIND_SPOT}) {
       set_material(*c);
       shd_light_desc desc = shd_light_desc_default();
       desc.kind = kind;
@@ -128,8 +128,8 @@ void test_edges(void** state) {
   }
 }
 
-/// Rows with a normal, a position or a direction that is not finite, and texels of lights that are not: points beside
-/// them have the bits that they have alone, and what gets no light stays 0.
+/// Rows with a non-finite normal, position or direction, and non-finite cookie texels: other points keep the bits that
+/// they have alone, and unlit points stay 0.
 void test_nonfinite(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   if (c->model == SHD_MODEL_GOOCH) return;  // reads neither E nor texels
@@ -189,7 +189,7 @@ void test_cone(void** state) {
   const auto* c = static_cast<const ConeCase*>(*state);
   set_material({"", SHD_MODEL_LAMBERT, 0, 1, 0.5f});
   shd_light_desc desc = shd_light_desc_default();
-  desc.kind = SHD_LIGHT_SPOT;
+  desc.kind = SHD_LIGHT_KIND_SPOT;
   desc.inner_angle = c->inner;
   desc.outer_angle = c->outer;
   g->count = 1;
@@ -201,7 +201,7 @@ void test_cone(void** state) {
   shd_assert_close(c->name, 0, g->first.lobes.lobe[0][0][0], c->want, 1e-6, 0.0);
 }
 
-/// Exactly nothing from the range on.
+/// E is exactly 0 from the range on.
 void test_range(void**) {
   set_material({"", SHD_MODEL_LAMBERT, 0, 1, 0.5f});
   shd_light_desc desc = shd_light_desc_default();

@@ -13,22 +13,22 @@ const ModelCase k_models[] = {
     {"phong/64", SHD_MODEL_PHONG, 0, 64, 0.5f},
     {"phong/1e4", SHD_MODEL_PHONG, 0, 1e4f, 0.5f},
     {"phong/1e6", SHD_MODEL_PHONG, 0, 1e6f, 0.5f},
-    {"phong/ungated/64", SHD_MODEL_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"phong/ungated/64", SHD_MODEL_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"blinn_phong/0", SHD_MODEL_BLINN_PHONG, 0, 0, 0.5f},
     {"blinn_phong/64", SHD_MODEL_BLINN_PHONG, 0, 64, 0.5f},
     {"blinn_phong/1e6", SHD_MODEL_BLINN_PHONG, 0, 1e6f, 0.5f},
-    {"blinn_phong/ungated/64", SHD_MODEL_BLINN_PHONG, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"blinn_phong/ungated/64", SHD_MODEL_BLINN_PHONG, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"combined/64", SHD_MODEL_COMBINED, 0, 64, 0.5f},
     {"normalized/0", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 0, 0.5f},
     {"normalized/1", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 1, 0.5f},
     {"normalized/64", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 64, 0.5f},
     {"normalized/1e4", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 1e4f, 0.5f},
     {"normalized/1e6", SHD_MODEL_BLINN_PHONG_NORMALIZED, 0, 1e6f, 0.5f},
-    {"normalized/ungated/64", SHD_MODEL_BLINN_PHONG_NORMALIZED, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"normalized/ungated/64", SHD_MODEL_BLINN_PHONG_NORMALIZED, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"toon/0", SHD_MODEL_TOON, 0, 0, 0.5f},
     {"toon/64", SHD_MODEL_TOON, 0, 64, 0.5f},
     {"toon/1e4", SHD_MODEL_TOON, 0, 1e4f, 0.5f},
-    {"toon/ungated/64", SHD_MODEL_TOON, SHD_SPECULAR_UNGATED, 64, 0.5f},
+    {"toon/ungated/64", SHD_MODEL_TOON, SHD_MATERIAL_SPECULAR_UNGATED, 64, 0.5f},
     {"metallic_roughness/0", SHD_MODEL_METALLIC_ROUGHNESS, 0, 64, 0},
     {"metallic_roughness/0.03", SHD_MODEL_METALLIC_ROUGHNESS, 0, 64, 0.03f},
     {"metallic_roughness/0.3", SHD_MODEL_METALLIC_ROUGHNESS, 0, 64, 0.3f},
@@ -56,7 +56,7 @@ void test_model(void** state) {
   print_message("  of the bounds: %.2f, %.2f, %.2f\n", g_used[0], g_used[1], g_used[2]);
 }
 
-/// Columns that replace the constants, and lights with what a texture left of them.
+/// Columns that replace the constants, and lights with the factors of a cookie.
 void test_columns(void** state) {
   const auto* c = static_cast<const ModelCase*>(*state);
   Random random = {82};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals turned by maps and heights against long double; degenerate tangents and texels; lobes widened by what maps
-// lost.
+// Normals turned by maps and heights against long double; degenerate tangents and texels; lobes widened by the variance
+// of maps.
 #include "unit/shade/normals_fixture.h"
 
 namespace shd::tests {
@@ -13,16 +13,16 @@ struct EncodingCase {
   uint32_t flags;
 };
 const EncodingCase k_encodings[] = {
-    {"map/xyz", SHD_NORMAL_XYZ, 1, 0},
-    {"map/xyz/scaled", SHD_NORMAL_XYZ, -0.5f, 0},
-    {"map/xyz/y_down", SHD_NORMAL_XYZ, 1, SHD_NORMAL_Y_DOWN},
-    {"map/xy", SHD_NORMAL_XY, 1, 0},
-    {"map/xy/scaled/y_down", SHD_NORMAL_XY, 3, SHD_NORMAL_Y_DOWN},
-    {"map/toksvig", SHD_NORMAL_TOKSVIG, 1, 0},
-    {"map/toksvig/scaled/y_down", SHD_NORMAL_TOKSVIG, 0.5f, SHD_NORMAL_Y_DOWN},
-    {"map/toksvig/flat", SHD_NORMAL_TOKSVIG, 0, 0},
-    {"map/moments", SHD_NORMAL_MOMENTS, 1, 0},
-    {"map/moments/scaled/y_down", SHD_NORMAL_MOMENTS, -2, SHD_NORMAL_Y_DOWN},
+    {"map/xyz", SHD_NORMAL_ENCODING_XYZ, 1, 0},
+    {"map/xyz/scaled", SHD_NORMAL_ENCODING_XYZ, -0.5f, 0},
+    {"map/xyz/y_down", SHD_NORMAL_ENCODING_XYZ, 1, SHD_MATERIAL_NORMAL_Y_DOWN},
+    {"map/xy", SHD_NORMAL_ENCODING_XY, 1, 0},
+    {"map/xy/scaled/y_down", SHD_NORMAL_ENCODING_XY, 3, SHD_MATERIAL_NORMAL_Y_DOWN},
+    {"map/toksvig", SHD_NORMAL_ENCODING_TOKSVIG, 1, 0},
+    {"map/toksvig/scaled/y_down", SHD_NORMAL_ENCODING_TOKSVIG, 0.5f, SHD_MATERIAL_NORMAL_Y_DOWN},
+    {"map/toksvig/flat", SHD_NORMAL_ENCODING_TOKSVIG, 0, 0},
+    {"map/moments", SHD_NORMAL_ENCODING_MOMENTS, 1, 0},
+    {"map/moments/scaled/y_down", SHD_NORMAL_ENCODING_MOMENTS, -2, SHD_MATERIAL_NORMAL_Y_DOWN},
 };
 
 void set_encoding(shd_normal_encoding encoding, float scale, uint32_t flags = 0) {
@@ -30,13 +30,13 @@ void set_encoding(shd_normal_encoding encoding, float scale, uint32_t flags = 0)
   desc.normal_encoding = encoding;
   desc.normal_scale = scale;
   desc.flags = flags;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
-  g->material.normal_factor = 2;  // as of a texture of bytes
+  const material::SlotInput slots[material::kSlotCount] = {};
+  material::build(desc, slots, &g->material);
+  g->material.normal_factor = 2;  // as for a texture of bytes
   g->material.normal_offset = -1;
 }
 
-/// Texels of an encoding: unit normals shortened by what a mip level takes, or slopes and their squares.
+/// Random texels of an encoding: unit normals shortened as by a mip level, or slopes and their squares.
 void random_texels(Random* random, shd_normal_encoding encoding) {
   float* const* map = g->given.slot[SHD_SLOT_NORMAL];
   for (size_t i = 0; i < kBatch; ++i) {
@@ -45,7 +45,7 @@ void random_texels(Random* random, shd_normal_encoding encoding) {
     m = ref::unit(m);
     const double length = i % 3 ? random->in(0.0, 1.0) : 1.0;
     double t[4] = {double(0.5L + 0.5L * m.x), double(0.5L + 0.5L * m.y), double(0.5L + 0.5L * m.z), length};
-    if (encoding == SHD_NORMAL_MOMENTS) {
+    if (encoding == SHD_NORMAL_ENCODING_MOMENTS) {
       t[0] = double(m.x / m.z), t[1] = double(m.y / m.z);
       t[2] = t[0] * t[0] + random->in(-0.01, 1.0), t[3] = t[1] * t[1] + random->in(-0.01, 1.0);
     }
@@ -74,13 +74,13 @@ void test_map(void** state) {
     const ref::MappedNormal want = ref::decode(g->material, t);
     const Vector n = normal_of(g->before, i), tangent = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
     const Vector turned = ref::from_tangent_space(n, tangent, g->before.tw[i], want.m);
-    // XY: the square root magnifies what rounding leaves of a small z.
-    const long double z = c->encoding == SHD_NORMAL_XY ? std::max(want.m.z, 1e-3L) : 1;
+    // XY: the square root magnifies the rounding error of a small z.
+    const long double z = c->encoding == SHD_NORMAL_ENCODING_XY ? std::max(want.m.z, 1e-3L) : 1;
     const long double size = std::max(1.0L, ref::length(want.m));
     check_normal("n", i, ref::unit(turned), static_cast<double>(6e-7L * size / z / ref::length(turned)));
-    // Of a difference of squares.
+    // The variance is a difference of squares.
     shd_assert_close("variance", i, g->columns.variance[i], static_cast<double>(want.variance),
-                     c->encoding == SHD_NORMAL_MOMENTS ? 4e-7 * static_cast<double>(size * size) : 0.0, 1e-6);
+                     c->encoding == SHD_NORMAL_ENCODING_MOMENTS ? 4e-7 * static_cast<double>(size * size) : 0.0, 1e-6);
   }
 }
 
@@ -99,13 +99,13 @@ const DegenerateCase k_degenerate[] = {
     {"tangent/huge", {0, 0.6f, 0.8f}, {3e38f, 0, 0}},
 };
 
-/// Some frame around n: the mapped normal is unit and keeps its angle to n.
+/// Any frame around n is valid: the mapped normal is unit and keeps its angle to n.
 void test_degenerate(void** state) {
   const auto* c = static_cast<const DegenerateCase*>(*state);
   Random random = {102};
-  set_encoding(SHD_NORMAL_XYZ, 1.0f);
+  set_encoding(SHD_NORMAL_ENCODING_XYZ, 1.0f);
   random_points(&random);
-  random_texels(&random, SHD_NORMAL_XYZ);
+  random_texels(&random, SHD_NORMAL_ENCODING_XYZ);
   for (size_t i = 0; i < kBatch; ++i) {
     store(ref::vector(c->n), g->before.nx, g->before.ny, g->before.nz, i);
     store(ref::vector(c->t), g->before.tx, g->before.ty, g->before.tz, i);
@@ -119,17 +119,18 @@ void test_degenerate(void** state) {
   }
 }
 
-/// Texels that are not finite, or stand for no normal, leave the normal alone; what they lost is finite.
+/// Texels that are non-finite or represent no normal do not change the normal; their variance is finite.
 void test_nonfinite_texels(void**) {
   const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f};
-  for (shd_normal_encoding encoding : {SHD_NORMAL_XYZ, SHD_NORMAL_XY, SHD_NORMAL_TOKSVIG, SHD_NORMAL_MOMENTS}) {
+  for (shd_normal_encoding encoding :
+       {SHD_NORMAL_ENCODING_XYZ, SHD_NORMAL_ENCODING_XY, SHD_NORMAL_ENCODING_TOKSVIG, SHD_NORMAL_ENCODING_MOMENTS}) {
     Random random = {103};
     set_encoding(encoding, 1.0f);
     random_points(&random);
     random_texels(&random, encoding);
     for (size_t i = 0; i < kBatch; ++i) {
       if (i % 2) g->given.slot[SHD_SLOT_NORMAL][i / 2 % 4][i] = bad[i / 8 % 4];
-      if (i % 32 == 0 && encoding == SHD_NORMAL_XYZ) {
+      if (i % 32 == 0 && encoding == SHD_NORMAL_ENCODING_XYZ) {
         for (int c = 0; c < 3; ++c) g->given.slot[SHD_SLOT_NORMAL][c][i] = 0.5f;
       }
     }
@@ -142,7 +143,7 @@ void test_nonfinite_texels(void**) {
   }
 }
 
-/// Texel differences, as (x, y, 1).
+/// Texel differences as (x, y, 1).
 void test_tilt(void**) {
   Random random = {104};
   random_points(&random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where lines of sight meet heights, against fields of which it is known.
+// Intersections of lines of sight with height fields of known shape.
 #include "unit/shade/slot_fixture.h"
 
 #include "shade/parallax.h"
@@ -23,17 +23,16 @@ void set_material(texture::Texture* heights, uint32_t steps, uint32_t uv_set, co
   shd_material_desc desc = shd_material_desc_default();
   desc.parallax_depth = static_cast<float>(kDepth);
   desc.parallax_steps = steps;
-  shd_slot& slot = desc.slot[SHD_SLOT_HEIGHT];
-  slot.source = SHD_SOURCE_TEXTURE;
+  shd_slot slot = shd_slot_texture(SHD_SLOT_HEIGHT, nullptr, nullptr);
   slot.uv_set = uv_set;
   if (transform) std::copy_n(transform, 6, slot.uv_transform);
-  material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  parts[SHD_SLOT_HEIGHT] = {heights, &g->sampler};
-  material::build(desc, parts, &g->material);
+  material::SlotInput slots[material::kSlotCount] = {};
+  slots[SHD_SLOT_HEIGHT] = {slot, 0, heights, &g->sampler};
+  material::build(desc, slots, &g->material);
 }
 
-/// Rows on the plane z = 0 with u along x and v along -y, seen under cosines of low..high, the line of sight running
-/// towards `side` along u.
+/// Rows on the plane z = 0 with u along x and v along -y, seen at cosines of low..high, with lines of sight towards
+/// `side` along u.
 void make_points(Random* random, double low, double high, double side, uint32_t uv_set) {
   raster::Fragments& f = g->before;
   f.count = kBatch;
@@ -56,7 +55,7 @@ void shift(const core::SimdTarget& target, raster::Fragments* points) {
   shade::shift_by_heights(target, {shading, *points, g->varyings, true}, points, &g->columns);
 }
 
-/// All targets and tails, into `first`.
+/// Runs all targets and tails, with the result in `first`.
 void shift_everywhere() {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     raster::Fragments& points = first ? g->first : g->points;
@@ -76,7 +75,7 @@ void shift_everywhere() {
   });
 }
 
-/// How far u and v of row i move down to the depth.
+/// Change of u and v of row i down to the full depth.
 void whole_shift(size_t i, double* du, double* dv) {
   const raster::Fragments& f = g->before;
   const double steep = std::max(double{f.oz[i]}, 0.1);
@@ -86,7 +85,7 @@ void whole_shift(size_t i, double* du, double* dv) {
 
 struct PlaneCase {
   const char* name;
-  double at, slope;  // height at u = 1/2, and per u
+  double at, slope;  // height at u = 1/2, and slope per u
   uint32_t steps, uv_set;
   double low, high;  // cosines
 };
@@ -101,7 +100,7 @@ const PlaneCase k_planes[] = {
     {"ramp/256_steps", 0.5, 0.4, 256, 0, 0.3, 1}, {"ramp/uv1", 0.5, 0.4, 24, 1, 0.3, 1},
 };
 
-/// Where 1 - s = h(u0 + s du), in 0..1: lines between steps meet planes exactly.
+/// Solves 1 - s = h(u0 + s du) for s in 0..1: linear interpolation between steps is exact for planes.
 void test_plane(void** state) {
   g_plane = *static_cast<const PlaneCase*>(*state);
   g->sampler = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
@@ -128,7 +127,7 @@ void test_plane(void** state) {
   free_texture(heights);
 }
 
-/// A wall at u = 1/2: lines that run into it end there, within a step; others on the floor.
+/// A wall at u = 1/2: lines that hit it end there within a step; the other lines end on the floor.
 void test_wall(void**) {
   g->sampler = make_sampler(SHD_FILTER_NEAREST, SHD_WRAP_CLAMP);
   texture::Texture* heights = height_texture([](uint32_t i) { return i < kWidth / 2 ? 0.0 : 1.0; }, kWidth);
@@ -185,7 +184,7 @@ const OddCase k_odd[] = {
 };
 float g_odd;
 
-/// Whatever the heights, points end on their line of sight.
+/// For any heights, points end on their line of sight.
 void test_odd(void** state) {
   const auto* c = static_cast<const OddCase*>(*state);
   g_odd = c->height;
@@ -209,7 +208,7 @@ void test_odd(void** state) {
   free_texture(heights);
 }
 
-/// Frames without area, lines of sight along the surface and points that are not finite: finite places.
+/// Frames without area, lines of sight along the surface and non-finite points give finite positions.
 void test_degenerate(void**) {
   g->sampler = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
   texture::Texture* heights = height_texture([](uint32_t) { return 0.5; }, 1);

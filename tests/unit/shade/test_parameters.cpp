@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of slots: textures through transforms and uv sets, alone and shared; attributes of meshes; procedures.
+// Values of slots: textures with transforms and uv sets, alone and shared; attributes of meshes; procedures.
 #include "core/status.h"  // before cmocka, whose fail is a macro
 
 #include <cstring>
@@ -30,7 +30,7 @@ void random_points(Random* random) {
   }
 }
 
-/// What a slot should read, by a lookup of its own, into kept.
+/// Expected values of a slot, from a separate lookup, in `kept`.
 void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, uint32_t index, bool has_footprint) {
   static float at[6][kBatch];
   const raster::Fragments& f = g->points;
@@ -54,25 +54,25 @@ void look_up_alone(const core::SimdTarget& target, const material::Slot& slot, u
   texture::sample(*slot.texture, *slot.sampler, target, lookups, out);
 }
 
-/// Slots with textures, samplers, transforms, sets and channels at random, many of them the same.
+/// Slots with random textures, samplers, transforms, sets and channels, many of them equal.
 void random_slots(Random* random, texture::Texture* const textures[2], const texture::Sampler* samplers,
                   shd_model model) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = model;
-  material::SlotParts parts[SHD_SLOT_COUNT] = {};
+  material::SlotInput slots[material::kSlotCount] = {};
   const float turned[6] = {0.6f, -0.8f, 0.25f, 0.8f, 0.6f, -0.5f};
-  for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+  for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (random->whole(0, 4) == 0) continue;
-    desc.slot[i].source = SHD_SOURCE_TEXTURE;
-    desc.slot[i].uv_set = random->whole(0, 3) == 0;
-    desc.slot[i].channel = static_cast<uint32_t>(random->whole(0, 3));
-    if (random->whole(0, 2) == 0) std::copy_n(turned, 6, desc.slot[i].uv_transform);
-    parts[i] = {textures[random->whole(0, 3) == 0], &samplers[random->whole(0, 3) == 0]};
+    shd_slot slot = shd_slot_texture(static_cast<shd_slot_target>(i), nullptr, nullptr);
+    slot.uv_set = random->whole(0, 3) == 0;
+    slot.channel = static_cast<uint32_t>(random->whole(0, 3));
+    if (random->whole(0, 2) == 0) std::copy_n(turned, 6, slot.uv_transform);
+    slots[i] = {slot, i, textures[random->whole(0, 3) == 0], &samplers[random->whole(0, 3) == 0]};
   }
-  material::build(desc, parts, &g->material);
+  material::build(desc, slots, &g->material);
 }
 
-/// Shared lookups give the bits of lookups of one's own.
+/// Shared lookups give the bits of separate lookups.
 void test_textures(void** state) {
   const auto model = *static_cast<const shd_model*>(*state);
   Random random = {161};
@@ -80,7 +80,8 @@ void test_textures(void** state) {
   static texture::Sampler samplers[2];
   samplers[0] = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
   samplers[1] = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
-  const uint32_t looked_up = material::info_of(model).slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
+  const uint32_t looked_up =
+      material::info_of(material::key_of(model)).slots & ~(1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_MATCAP);
   for (int n = 0; n < 60; ++n) {
     random_slots(&random, textures, samplers, model);
     random_points(&random);
@@ -89,13 +90,13 @@ void test_textures(void** state) {
     for_each_target([&](const core::SimdTarget& target, bool) {
       const shade::DrawShading shading = draw_shading();
       material::Parameters p = {};
-      for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+      for (uint32_t i = 0; i < material::kSlotCount; ++i) {
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) std::fill_n(g->columns.slot[i][c], kBatch, -77.0f);
       }
       shade::look_up_slots(target, {shading, g->points, g->varyings, n % 5 != 0}, wanted, &g->columns, &p);
-      for (uint32_t i = 0; i < SHD_SLOT_COUNT; ++i) {
+      for (uint32_t i = 0; i < material::kSlotCount; ++i) {
         const material::Slot& slot = g->material.slot[i];
-        const bool reads = slot.source == SHD_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1;
+        const bool reads = slot.source == SHD_SLOT_SOURCE_TEXTURE && looked_up >> i & 1 && wanted >> i & 1;
         assert_true((p.value[i][0] != nullptr) == reads);
         for (uint32_t c = 0; c < material::slot_channels(i); ++c) {
           for (size_t k = reads ? g->points.count : 0; k < kBatch; ++k) assert_true(g->columns.slot[i][c][k] == -77.0f);
@@ -115,7 +116,7 @@ struct AttributeCase {
   const char* name;
   uint32_t slot, attribute;
   uint32_t present;   // bits of the columns that the mesh has
-  uint32_t expected;  // bits of the channels that come from it
+  uint32_t expected;  // bits of the channels that come from the mesh
 };
 const AttributeCase k_attributes[] = {
     {"attribute/colour", SHD_SLOT_DIFFUSE, 0, 0xff, 0xf},
@@ -130,16 +131,16 @@ const AttributeCase k_attributes[] = {
     {"attribute/normal/absent", SHD_SLOT_NORMAL, 0, 0, 0},
 };
 
-/// Columns of the mesh; 1 where it lacks one, which is no column but for normals, whose kernel reads all of them.
+/// Slots read the columns of the mesh. An absent column counts as 1; it is null except for normals, whose kernel reads
+/// all columns.
 void test_attribute(void** state) {
   const auto* c = static_cast<const AttributeCase*>(*state);
   Random random = {162};
   shd_material_desc desc = shd_material_desc_default();
   desc.model = SHD_MODEL_BLINN_PHONG;
-  desc.slot[c->slot].source = SHD_SOURCE_VERTEX;
-  desc.slot[c->slot].attribute = c->attribute;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  material::SlotInput slots[material::kSlotCount] = {};
+  slots[c->slot].desc = shd_slot_vertex(static_cast<shd_slot_target>(c->slot), c->attribute);
+  material::build(desc, slots, &g->material);
   random_points(&random);
   for (uint32_t k = 0; k < SHD_MAX_ATTRIBUTES; ++k) g->vertices.has_attribute[k] = c->present >> k & 1;
   const shade::DrawShading shading = draw_shading();
@@ -155,7 +156,7 @@ void test_attribute(void** state) {
   }
 }
 
-/// What a procedure was given, and does.
+/// The inputs of a procedure, and its behaviour.
 struct Call {
   uint32_t slot;
   size_t calls, points;
@@ -186,14 +187,13 @@ void set_procedure(Call* call) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = call->slot == SHD_SLOT_METALLIC || call->slot == SHD_SLOT_ROUGHNESS ? SHD_MODEL_METALLIC_ROUGHNESS
                                                                                    : SHD_MODEL_BLINN_PHONG;
-  desc.slot[call->slot].source = SHD_SOURCE_PROCEDURE;
-  desc.slot[call->slot].procedure = procedure;
-  desc.slot[call->slot].user_data = call;
-  const material::SlotParts parts[SHD_SLOT_COUNT] = {};
-  material::build(desc, parts, &g->material);
+  material::SlotInput slots[material::kSlotCount] = {};
+  slots[call->slot].desc = shd_slot_procedure(static_cast<shd_slot_target>(call->slot), procedure, call);
+  slots[call->slot].index = 7;
+  material::build(desc, slots, &g->material);
 }
 
-/// Every slot that takes one: called once with the points; what it leaves alone is 1.
+/// Every slot that accepts a procedure calls it once with the points; channels that it does not write are 1.
 void test_procedure(void**) {
   Random random = {163};
   std::fill_n(g->vertices.has_attribute, SHD_MAX_ATTRIBUTES, false);
@@ -217,7 +217,7 @@ void test_procedure(void**) {
   }
 }
 
-/// What procedures throw becomes a failure that names the slot and the draw.
+/// An exception from a procedure becomes a failure that names the slot and the draw.
 void test_throws(void**) {
   Random random = {164};
   random_points(&random);
@@ -235,7 +235,7 @@ void test_throws(void**) {
       std::strcpy(text, failure.what());
     }
     assert_int_equal(result, SHD_ERROR_CALLBACK);
-    assert_non_null(strstr(text, "material.slot[2].procedure threw in render.draws[3]"));
+    assert_non_null(strstr(text, "material.slots[7].procedure threw in render.draws[3]"));
     if (throws == 1) assert_non_null(strstr(text, "out of paint"));
   }
 }

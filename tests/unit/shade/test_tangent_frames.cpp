@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of triangles after their texture coordinates, and which side of a triangle the eye sees.
+// Tangent frames of triangles from their texture coordinates, and the side of a triangle that faces the eye.
 #include "support/check.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ using ref::Vector;
 const core::Allocator g_allocator = {core::default_allocator()};
 constexpr uint32_t kTriangles = 90;
 constexpr size_t kVertices = 3 * kTriangles;
-constexpr uint32_t kFirst = 7;  // the first triangle of the part of a mesh
+constexpr uint32_t kFirst = 7;  // first triangle of the part of a mesh
 
 struct Fixture {
-  geometry::Vertices vertices, single;  // the latter without a second uv set
+  geometry::Vertices vertices, single;  // `single` has no second uv set
   uint32_t indices[kVertices];
   raster::Fragments points;
   shade::Columns columns;
@@ -47,7 +47,7 @@ int tear_down(void**) {
   return 0;
 }
 
-/// A corner of a triangle of the mesh, with the same uv in both sets but for their sign.
+/// Sets a corner of a triangle of the mesh, with equal uv in both sets except for their sign.
 void set_corner(uint32_t triangle, size_t k, const Vector& p, const float uv[2]) {
   for (geometry::Vertices* v : {&g->vertices, &g->single}) {
     const size_t row = 4 * size_t{geometry::row_of(*v, triangle, k)};
@@ -64,7 +64,7 @@ Vector position(uint32_t triangle, size_t k) {
   return ref::vector(&g->vertices.world[4 * size_t{geometry::row_of(g->vertices, triangle, k)}]);
 }
 
-/// Rows sorted by triangle, one to seven of each; the canary past the last whole vector.
+/// Rows sorted by triangle, one to seven per triangle; a canary follows the last whole vector.
 void make_points(Random* random, size_t count) {
   g->points.count = count;
   uint32_t triangle = kFirst;
@@ -96,7 +96,7 @@ const FrameCase k_frames[] = {
     {"frames/alone", 0, 1, false},
 };
 
-/// dp/du and dp/dv take differences of uv to those of points; tangents run with u, w (n x t) against v.
+/// dp/du and dp/dv map differences of uv to differences of points; tangents run with u, w (n x t) runs against v.
 void check_frame(const FrameCase& c, size_t i, const float uv[3][2]) {
   const uint32_t t = g->points.triangle[i];
   const Vector dpdu = frame_at(0, i), dpdv = frame_at(3, i);
@@ -165,7 +165,7 @@ const DegenerateCase k_degenerate[] = {
     {"degenerate/infinite_uv", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0}, {INFINITY, 0}, {0, 1}}, 0, true},
 };
 
-/// Frames that uv do not tell are 0.
+/// Frames that uv do not determine are 0.
 void test_degenerate(void** state) {
   const auto* c = static_cast<const DegenerateCase*>(*state);
   Random random = {122};
@@ -176,7 +176,7 @@ void test_degenerate(void** state) {
   assert_true(g->points.tx[0] == 0.0f && g->points.ty[0] == 0.0f && g->points.tz[0] == 0.0f);
 }
 
-/// Triangles around an eye, some corners behind it: normals turn where it sees the back.
+/// Triangles around an eye, some corners behind it: normals turn where their back faces the eye.
 void test_sides(void**) {
   Random random = {123};
   const Vector eye = {0.3L, -0.2L, 0.7L};
@@ -196,7 +196,7 @@ void test_sides(void**) {
       behind[t] = facing < 0;
       backs += behind[t];
       for (size_t k = 0; k < 3; ++k) {
-        // Looks along -z: x right, y up, w = -z of view space; 640 x 480 pixels.
+        // The camera looks along -z: x right, y up, w = -z of view space; 640 x 480 pixels.
         const Vector v = position(t, k) - eye;
         const long double w = 0 - v.z, x = 320 * (w + 1.5L * v.x), y = 240 * (w - 2 * v.y);
         float* raster = &g->vertices.raster[4 * size_t{geometry::row_of(g->vertices, t, k)}];

@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::tests::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// kept[i] = x[i] or 0; vector[i] = 1 where (x[i], 1, x[i]) and its rotations are finite. count: multiple of the lanes.
+/// kept[i] = x[i] or 0; vector[i] = 1 if (x[i], 1, x[i]) and its rotations are finite. count is a multiple of the
+/// lanes.
 void evaluate(const float* x, size_t count, float* kept, float* vector) {
   const hn::ScalableTag<float> d;
   using Vec = simd::HWY_NAMESPACE::Vec3V<hn::Vec<decltype(d)>>;

@@ -132,13 +132,13 @@ void test_pow(void**) {
   });
 }
 
-/// What Pow has, to the bit, but for results and bases that are not normal: 0.
+/// UnitPow has the bits of Pow, except 0 for results and bases that are not normal.
 void test_unit_pow(void**) {
   static float pow[kCount];
   fill_powers();
   g_x[7] = 1e-40f, g_y[7] = 0.25f;  // a base
   g_x[8] = 0.5f, g_y[8] = 126.0f;   // the last normal result
-  g_x[9] = 0.5f, g_y[9] = 126.5f;   // and one beyond
+  g_x[9] = 0.5f, g_y[9] = 126.5f;   // the first result below
   HWY_DYNAMIC_DISPATCH(evaluate)(kPow, g_x, g_y, kCount, pow);
   for (size_t i = 0; i < kCount; ++i) {
     if (g_y[i] != 0.0f && (pow[i] < 0x1p-126f || g_x[i] < 0x1p-126f)) pow[i] = 0.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every filter promises, as checks that take what differs between filters: the sampler, the texture, the oracle.
+// Properties of every filter, as checks whose parameters differ between filters: the sampler, the texture, the oracle.
 #pragma once
 
 #include "points.h"
@@ -16,7 +16,7 @@ constexpr SizeCase kSizes[] = {
 };
 constexpr size_t kSizeCount = sizeof kSizes / sizeof kSizes[0];
 
-/// Names a test of every size "<prefix>/<size>"; returns how many there are.
+/// Names a test of every size "<prefix>/<size>". Returns the number of sizes.
 inline size_t add_sizes(const char* prefix, CMUnitTestFunction test, CMUnitTest* tests) {
   static char names[kSizeCount][32];
   for (size_t i = 0; i < kSizeCount; ++i) {
@@ -26,7 +26,7 @@ inline size_t add_sizes(const char* prefix, CMUnitTestFunction test, CMUnitTest*
   return kSizeCount;
 }
 
-/// A filter with wrap pair 0..24, repeating, and a border that is in no texture.
+/// A filter with wrap pair 0..24, repeating, and a border colour that occurs in no texture.
 inline shd_sampler_desc wrap_desc(shd_filter filter, uint32_t pair) {
   const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
   shd_sampler_desc desc = shd_sampler_desc_default();
@@ -37,8 +37,8 @@ inline shd_sampler_desc wrap_desc(shd_filter filter, uint32_t pair) {
   return desc;
 }
 
-/// Runs a batch on every target: all give the same bits, left in `batch`, and the same number of lookups with inputs
-/// that are not finite, which is returned.
+/// Runs a batch on every target. All targets must give equal bits, which are left in `batch`, and equal numbers of
+/// lookups with non-finite inputs, which is returned.
 inline size_t run_everywhere(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups,
                              Batch* batch) {
   static float first_out[4][kMaxPoints + 64];
@@ -57,7 +57,7 @@ inline size_t run_everywhere(const Texture& texture, const shd_sampler_desc& des
   return first_nonfinite;
 }
 
-/// The points of make_points on every target, then check_point(image, i) for each of them.
+/// Runs the points of make_points on every target, then check_point(image, i) for each point.
 template <class CheckPoint>
 void check_against_oracle(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups, Batch* batch,
                           CheckPoint&& check_point) {
@@ -67,14 +67,14 @@ void check_against_oracle(const Texture& texture, const shd_sampler_desc& desc, 
   for (size_t i = 0; i < batch->count; ++i) check_point(image, i);
 }
 
-/// As many copies of one texel, the same each time for a format.
+/// Repeats one texel, which depends only on the format.
 inline void constant_texels(shd_format format, size_t count, uint8_t* texels) {
   const size_t bytes = shd_format_size(format);
   random_texels(format, 1, 4242, texels);
   for (size_t i = 1; i < count; ++i) memcpy(texels + i * bytes, texels, bytes);
 }
 
-/// A texture of constant_texels gives exactly their value, whatever the coordinates and the footprint.
+/// A texture of constant_texels gives exactly their value, for any coordinates and footprint.
 inline void check_constant(const Texture& texture, const shd_sampler_desc& desc, bool derivatives) {
   static Batch batch;
   uint8_t texel[16];
@@ -89,7 +89,7 @@ inline void check_constant(const Texture& texture, const shd_sampler_desc& desc,
   });
 }
 
-/// check_constant with a mipmap, for every format and those of `pairs` samplers that never read the border.
+/// Runs check_constant with a mipmap, for every format and the `pairs` samplers that never read the border.
 template <class MakeDesc>
 void check_constant_mipmap(uint32_t pairs, MakeDesc&& make_desc) {
   for (const shd_format format : kFormats) {
@@ -121,7 +121,7 @@ inline void check_tails(const Texture& texture, const shd_sampler_desc& desc, bo
   });
 }
 
-/// check_tails for every format; with derivatives, there is a mipmap to use them.
+/// Runs check_tails for every format; with derivatives, the texture has a mipmap.
 inline void check_tails_of_formats(const shd_sampler_desc& desc, bool derivatives) {
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 64, 32, derivatives);
@@ -130,7 +130,7 @@ inline void check_tails_of_formats(const shd_sampler_desc& desc, bool derivative
   }
 }
 
-/// A channel that is not wanted is not written, and the others do not change.
+/// A channel that is not requested is not written, and the other channels do not change.
 inline void check_unwanted_channels(const Texture& texture, const shd_sampler_desc& desc) {
   static Batch all, one;
   const Sampler sampler = make_sampler(desc);
@@ -154,8 +154,8 @@ inline void check_unwanted_channels(const Texture& texture, const shd_sampler_de
   });
 }
 
-/// Derivatives mixed from `values` of any bits: finite texels give values between the least and the largest of them,
-/// the same on every target.
+/// Derivatives mixed from `values` of any bits: finite texels give values between the smallest and the largest of them,
+/// equal on every target.
 template <size_t kValues, class MakeDesc>
 void check_hostile_derivatives(const float (&values)[kValues], uint32_t rounds, MakeDesc&& make_desc) {
   static Batch batch;
@@ -175,7 +175,7 @@ void check_hostile_derivatives(const float (&values)[kValues], uint32_t rounds, 
   free_texture(texture);
 }
 
-/// check_hostile_derivatives of a filter with probes or an ellipse, with bias, width and blur.
+/// Runs check_hostile_derivatives for a filter with probes or an ellipse, with bias, width and blur.
 template <class MakeDesc>
 void check_hostile_footprints(MakeDesc&& make_desc) {
   const float values[] = {0, -1e-45f, 1e-30f, -1e-3f, 0.3f, 1e10f, -1e30f, 3.4e38f, INFINITY, NAN};
@@ -188,7 +188,7 @@ void check_hostile_footprints(MakeDesc&& make_desc) {
   });
 }
 
-/// Footprints that nobody should have: every mix of sizes from nothing to infinity.
+/// Hostile footprints: every mix of sizes from zero to infinity.
 inline void make_hostile_points(Batch* batch) {
   const float entries[] = {0,    1e-30f, 1e-10f, 1e-6f, 1e-3f,          0.1f,     1,         20,
                            1e4f, 1e10f,  1e30f,  1e38f, 3.40282347e38f, INFINITY, -INFINITY, NAN};
@@ -224,8 +224,8 @@ inline void check_infinite(const shd_sampler_desc& desc) {
   free_texture(texture);
 }
 
-/// Texels that are not finite, all in column 9 of 16, never count with weight 0: not for a footprint along column x of
-/// `beside`, in texels, nor past the last tap of a lane; and they do count at `inside`.
+/// Non-finite texels, all in column 9 of 16, are ignored if their weight is 0: for a footprint along column `beside`,
+/// in texels, and past the last tap of a lane. They do count at `inside`.
 inline void check_nonfinite_column(const shd_sampler_desc& desc, float inside, float beside) {
   static Batch batch;
   float texels[16 * 16 * 4];
@@ -253,7 +253,7 @@ inline void check_nonfinite_column(const shd_sampler_desc& desc, float inside, f
   free_texture(texture);
 }
 
-/// Lanes read their own layer.
+/// Each lane reads its own layer.
 inline void check_layers(const shd_sampler_desc& sampler_desc) {
   static Batch of_array, of_layer;
   constexpr size_t kTexels = 32 * 16, kLayers = 3;
@@ -271,7 +271,7 @@ inline void check_layers(const shd_sampler_desc& sampler_desc) {
   make_points(&of_array);
   make_points(&of_layer);
   static uint32_t layer[kMaxPoints];
-  for (size_t i = 0; i < kPoints; ++i) layer[i] = static_cast<uint32_t>(i * 7 % 4);  // 3 is beyond the last
+  for (size_t i = 0; i < kPoints; ++i) layer[i] = static_cast<uint32_t>(i * 7 % 4);  // 3 is beyond the last layer
   const Sampler sampler = make_sampler(sampler_desc);
   for (uint32_t l = 0; l < kLayers; ++l) {
     Texture* single = make_texture(SHD_FORMAT_RGBA8, 32, 16, texels + l * kTexels * 4, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures, samplers and points for the texture tests. Everything lives on the heap or in static storage, since
-// cmocka leaves a failing test by longjmp.
+// Textures, samplers and points for the texture tests. All objects are on the heap or in static storage, because cmocka
+// leaves a failing test by longjmp.
 #pragma once
 
 #include "support/check.h"
@@ -33,11 +33,11 @@ constexpr shd_format kFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8_SRGB, SHD_
 constexpr size_t kMaxPoints = 512;
 constexpr uint32_t kCanary = 0x7fc0beefu;
 
-/// Numerical Recipes' quick generator: reproducible, good enough to pick test points.
+/// The quick generator of Numerical Recipes: reproducible, and sufficient to pick test points.
 struct Random {
   uint32_t state;
   uint32_t next() { return state = state * 1664525u + 1013904223u; }
-  /// In [low, high).
+  /// Uniform in [low, high).
   float real(float low, float high) { return low + (high - low) * static_cast<float>(next() >> 8) * 0x1p-24f; }
 };
 
@@ -73,7 +73,7 @@ inline void random_texels(shd_format format, size_t count, uint32_t seed, uint8_
   }
 }
 
-/// A texture from texels in memory.
+/// Makes a texture from texels in memory.
 inline Texture* make_texture(shd_format format, uint32_t width, uint32_t height, const uint8_t* texels, bool mipmap) {
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = format;
@@ -96,7 +96,7 @@ inline void free_texture(Texture* texture) {
   shd::core::destroy(context()->allocator, texture);
 }
 
-/// A context whose executor runs tasks backwards on one thread: the order must not show.
+/// A context whose executor runs tasks backwards on one thread; the order must not affect results.
 inline shd::core::Context* backwards_context() {
   shd_context_desc desc = shd_context_desc_default();
   desc.executor.worker_count = 1;
@@ -107,7 +107,7 @@ inline shd::core::Context* backwards_context() {
   return shd::core::create_context(desc);
 }
 
-/// The levels of a texture as the oracle reads them; `levels` has room for all.
+/// The levels of a texture in the form of the oracle; `levels` has room for all of them.
 inline ref::Image oracle_image(const Texture& texture, const shd_sampler_desc& sampler, ref::Level* levels) {
   for (uint32_t l = 0; l < texture.level_count; ++l) {
     levels[l] = {shd::texture::row_of(texture, 0, l, 0), shd::texture::level_size(texture.width, l),
@@ -148,7 +148,7 @@ struct Batch {
   }
 };
 
-/// Runs a batch on one target, all four channels.
+/// Runs a batch on one target, with all four channels.
 inline size_t run(const Texture& texture, const Sampler& sampler, int64_t target, const Lookups& lookups,
                   Batch* batch) {
   batch->set_canaries();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points that every filter is tested at.
+// The points at which every filter is tested.
 #pragma once
 
 #include "fixture.h"
@@ -7,9 +7,9 @@
 namespace fixture {
 
 constexpr size_t kPoints = 160;
-constexpr size_t kNonfinitePoints = 6;  // of them have a coordinate that is not finite
+constexpr size_t kNonfinitePoints = 6;  // points with a non-finite coordinate
 
-/// Coordinates: random, multiples of 2^-10 (exact in the kernel up to 1024 texels), and the awkward ones.
+/// Coordinates: random ones, multiples of 2^-10 (exact in the kernel up to 1024 texels), and special values.
 inline void make_points(Batch* batch) {
   const float special[] = {0.0f,      -0.0f,      1.0f,        -1.0f,    2.0f,          -2.0f, 0.5f,   0.99999994f,
                            -1e-45f,   -1e-30f,    1e-40f,      -1e-8f,   1.0000001f,    1e30f, -1e30f, 3.40282347e38f,
@@ -33,7 +33,7 @@ inline void make_points(Batch* batch) {
     batch->dvdy[i] = scale * random.real(-1, 1);
     batch->lod[i] = random.real(-3, 14);
   }
-  // A run of lanes that share a level, and one that blends nothing.
+  // A run of lanes that share a level, and a run without blending.
   for (size_t i = 0; i < 32; ++i) {
     batch->dudx[i] = batch->dvdy[i] = ldexpf(1, -4);
     batch->dvdx[i] = batch->dudy[i] = 0;

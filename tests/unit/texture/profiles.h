@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of sampler profiles share.
+// Common code of the tests of sampler profiles.
 #pragma once
 
 #include "filter_cases.h"

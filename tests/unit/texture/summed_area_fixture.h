@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures with summed-area tables, samplers of every wrap pair, and the oracle's view of both.
+// Textures with summed-area tables, samplers of every wrap pair, and the form of both for the oracle.
 #pragma once
 
 #include "filter_cases.h"
@@ -40,7 +40,7 @@ inline shd_sampler_desc summed_desc(uint32_t pair, shd_box box) {
   return desc;
 }
 
-/// A layer of a texture as the oracle reads it, in static storage.
+/// A layer of a texture in the form of the oracle, in static storage.
 inline const double* oracle_values(const Texture& texture, uint32_t layer) {
   static double values[kMaxTexels * 4];
   const size_t size = shd::texture::texel_size(texture);
@@ -52,7 +52,7 @@ inline const double* oracle_values(const Texture& texture, uint32_t layer) {
   return values;
 }
 
-/// What the oracle says of a lookup, and the allowance for the places of the edges.
+/// The oracle's result of a lookup, and the tolerance for the positions of the edges.
 struct Expected {
   double value[4], edges;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Anisotropic probes against the oracle: every format x wrap pair x size x target; the bits of trilinear where there is
-// one probe; hostile derivatives and texels.
+// Anisotropic probes against the oracle: every format x wrap pair x size x target; equality with trilinear for a single
+// probe; hostile derivatives and texels.
 #include "filter_cases.h"
 
 #include "ref/footprint_ref.h"
@@ -19,7 +19,7 @@ shd_sampler_desc anisotropic_desc(uint32_t pair) {
   return desc;
 }
 
-/// Against the oracle; with either number of probes where rounding decides between two.
+/// Compares with the oracle, with either number of probes where rounding decides between two.
 void check_point(const SizeCase& c, const ref::Image& image, const Batch& batch, bool lod, size_t i) {
   const double u = static_cast<double>(batch.u[i]), v = static_cast<double>(batch.v[i]);
   const double w = c.width, h = c.height, limit = static_cast<double>(image.sampler->max_anisotropy);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bicubic: every kernel x format x wrap pair x size x target against the oracle, all tails, and what the kernels
-// promise.
+// Bicubic: every kernel x format x wrap pair x size x target against the oracle, all tails, and properties of the
+// kernels.
 #include "filter_cases.h"
 
 namespace {
@@ -36,7 +36,7 @@ shd_sampler_desc make_desc(shd_cubic cubic, uint32_t pair) {
   return desc;
 }
 
-/// The bound of sample.h.
+/// The bound stated in sample.h.
 double bound(const bicubic_case& c, shd_format format) {
   return fmax(magnitude(format), 2) * (3e-6 + 4e-6 * (c.width + c.height));
 }
@@ -80,7 +80,7 @@ void test_constant(void**) {
   }
 }
 
-/// Catmull-Rom goes through the texels: at their centres nothing else counts, not even NaN and infinity.
+/// Catmull-Rom interpolates: at texel centres other texels have no effect, not even NaN and infinity.
 void test_interpolates(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i % 5 == 0 ? NAN : i % 5 == 1 ? INFINITY : static_cast<float>(i);
@@ -100,7 +100,7 @@ void test_interpolates(void**) {
   free_texture(texture);
 }
 
-/// Finite texels of any size give finite values: differences that overflow are blended another way.
+/// Finite texels of any size give finite values; if differences overflow, another blend is used.
 void test_huge_texels(void**) {
   float texels[16];
   for (size_t i = 0; i < 16; ++i) texels[i] = i % 2 ? 3e38f : -3e38f;

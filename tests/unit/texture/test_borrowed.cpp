@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Borrowed base levels against copied ones: the same bits by every filter, format and target, from texels that end
-// just as far before memory that cannot be read as they may.
+// Borrowed base levels against copied ones: equal bits for every filter, format and target, with texels that end as
+// close before unreadable memory as allowed.
 #include "points.h"
 
 #include <sys/mman.h>
@@ -21,9 +21,9 @@ const size_case k_sizes[] = {
 constexpr uint32_t kTables = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
 
 Batch t_batch, t_copied;
-float t_gradient[2][2][4][kMaxPoints];  // of copied and borrowed, du and dv
+float t_gradient[2][2][4][kMaxPoints];  // copied and borrowed; du and dv
 
-/// Memory whose last byte but SHD_TEXTURE_PADDING stands before a page that faults.
+/// Memory whose last bytes, except SHD_TEXTURE_PADDING, end before a page that faults.
 struct Guarded {
   uint8_t* pages;
   size_t mapped;
@@ -51,13 +51,13 @@ Texture* build_texture(shd_format format, uint32_t width, uint32_t height, const
   desc.height = height;
   desc.texels = texels;
   desc.tables = kTables;
-  desc.borrow = borrow;
+  desc.flags = borrow ? SHD_TEXTURE_BORROW : SHD_TEXTURE_NONE;
   auto* texture = shd::core::create<Texture>(context()->allocator);
   shd::texture::build(*context(), desc, texture);
   return texture;
 }
 
-/// Points that read the last texels of the base, levels of the caller's and of shd's in one vector.
+/// Points that read, in one vector, the last texels of the base, of the caller's levels and of levels made by shd.
 void make_corner_points() {
   make_points(&t_batch);
   for (size_t i = 64; i < 96; ++i) {
@@ -95,12 +95,12 @@ void check_sampler(const Texture& copied, const Texture& borrowed, const shd_sam
   });
 }
 
-/// With and without a border, and several wraps.
+/// Runs with and without a border, and with several wraps.
 void check_filter(const Texture& copied, const Texture& borrowed, shd_sampler_desc desc) {
   desc.cubic = desc.filter == SHD_FILTER_STOCHASTIC ? SHD_CUBIC_B_SPLINE : SHD_CUBIC_CATMULL_ROM;
   const shd_wrap pairs[][2] = {
       {SHD_WRAP_REPEAT, SHD_WRAP_REPEAT}, {SHD_WRAP_CLAMP, SHD_WRAP_MIRROR}, {SHD_WRAP_BORDER, SHD_WRAP_CLAMP}};
-  // The exact filter takes its time, and does not fetch by kernels.
+  // The exact filter is slow, and does not fetch with kernels.
   const size_t count = desc.filter == SHD_FILTER_EXACT ? 1 : 3;
   for (size_t k = 0; k < count; ++k) {
     desc.wrap_u = pairs[k][0];
@@ -139,7 +139,7 @@ void test_filters(void** state) {
   }
 }
 
-/// Texels changed in place, and an update that says where.
+/// Texels are changed in place, followed by an update of their rectangle.
 void test_update(void** state) {
   const auto& c = *static_cast<const size_case*>(*state);
   for (const shd_format format : kFormats) {

@@ -28,7 +28,7 @@ ref::Ellipse ellipse_of(const Batch& batch, const ref::Image& image, bool lod, s
                                     static_cast<double>(batch.dudy[i]) * w, static_cast<double>(batch.dvdy[i]) * h});
 }
 
-/// Against the oracle; with either level where rounding decides between two.
+/// Compares with the oracle, with either level where rounding decides between two.
 void check_point(const SizeCase& c, const ref::Image& image, const Batch& batch, bool lod, size_t i) {
   const double u = static_cast<double>(batch.u[i]), v = static_cast<double>(batch.v[i]);
   const double limit = static_cast<double>(image.sampler->max_anisotropy);
@@ -87,7 +87,7 @@ void test_nonfinite_texels(void**) {
   check_nonfinite_column(ewa_desc(0), 9, 7.5f);  // the ellipse is 2.7 texels wide, or bilinear without weight
 }
 
-/// A circle is the same by derivatives and by level of detail.
+/// For a circle, derivatives and level of detail give equal results.
 void test_isotropic(void**) {
   Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 64, 32, true);
   make_points(&t_batch);
@@ -114,7 +114,7 @@ void test_isotropic(void**) {
   free_texture(texture);
 }
 
-/// The derivatives of the oracle next to a point: they jump where a texel enters the ellipse.
+/// Compares with the oracle's derivatives near a point, because they jump where a texel enters the ellipse.
 bool is_slope_near(const ref::Image& image, const ref::Ellipse& e, int level, size_t i, const float (*got)[kMaxPoints],
                    bool along_u, int channel, double tolerance) {
   const double size = static_cast<double>(along_u ? image.levels[0].width : image.levels[0].height);
@@ -132,7 +132,7 @@ bool is_slope_near(const ref::Image& image, const ref::Ellipse& e, int level, si
   return false;
 }
 
-/// Derivatives in u and v carry those of the weights.
+/// Derivatives in u and v include the derivatives of the weights.
 void test_derivatives(void**) {
   static float du[4][kMaxPoints], dv[4][kMaxPoints];
   for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F}) {
@@ -171,7 +171,7 @@ void test_derivatives(void**) {
   }
 }
 
-/// No lookup takes more than 16 (max_anisotropy + 1) texels, nor fewer than two where the ellipse counts.
+/// No lookup reads more than 16 (max_anisotropy + 1) texels, or fewer than two where the ellipse is used.
 void test_taps(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R8, 256, 128, true);
   Random random{3};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact filter: rectangles in closed form for every format x wrap pair x size, parallelograms against many samples,
-// what it promises for constants, ramps, points, hostile footprints and texels, and its quality on a floor.
+// properties for constants, ramps, points, hostile footprints and texels, and its quality on a floor.
 #include "filter_cases.h"
 
 #include "ref/exact_ref.h"
@@ -25,7 +25,7 @@ ref::Jacobian jacobian_of(const Batch& batch, size_t i) {
           static_cast<double>(batch.dvdy[i])};
 }
 
-/// Sides along the axes, up to `texels` long, in either order and sign.
+/// Footprints with sides along the axes, up to `texels` long, in either order and sign.
 void make_rectangles(Batch* batch, size_t count, float texels, const SizeCase& c) {
   Random random{c.width * 7 + c.height};
   batch->count = count;
@@ -90,7 +90,7 @@ void test_lod(void**) {
   free_texture(texture);
 }
 
-/// Rotated and sheared footprints, thick, thin and without width. The samples are the less exact side.
+/// Rotated and sheared footprints, thick, thin and without width. The error is mostly in the samples.
 void test_parallelograms(void**) {
   Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 16, 16, true);
   Random random{77};
@@ -118,7 +118,7 @@ void test_parallelograms(void**) {
   free_texture(texture);
 }
 
-/// The average of a linear function is its value in the middle, whatever the parallelogram.
+/// The average of a linear function is its value at the centre of any parallelogram.
 void test_ramp(void**) {
   static float texels[64 * 64];
   for (size_t i = 0; i < 64 * 64; ++i) texels[i] = static_cast<float>(i % 64) - 2 * static_cast<float>(i / 64);
@@ -143,7 +143,7 @@ void test_ramp(void**) {
   free_texture(texture);
 }
 
-/// A footprint of no extent is a point: the bits of bilinear.
+/// A footprint without extent is a point: the result has the bits of bilinear.
 void test_points(void**) {
   make_points(&t_batch);
   memcpy(&t_other, &t_batch, sizeof t_batch);
@@ -165,7 +165,7 @@ void test_points(void**) {
   }
 }
 
-/// Hostile footprints, some of them without width.
+/// Hostile footprints, some without width.
 void make_hostile(Batch* batch) {
   make_hostile_points(batch);
   for (size_t i = 2; i < kMaxPoints; i += 4) {
@@ -174,7 +174,7 @@ void make_hostile(Batch* batch) {
   }
 }
 
-/// Samplers that reach the limits of the footprint; at a coarse tolerance, as a test has little time.
+/// Samplers that reach the limits of the footprint, with a coarse tolerance to keep the test short.
 shd_sampler_desc hostile_desc(uint32_t pair) {
   shd_sampler_desc desc = exact_desc(pair);
   desc.tolerance = pair % 2 ? 0.25f : 0.0625f;
@@ -186,7 +186,7 @@ shd_sampler_desc hostile_desc(uint32_t pair) {
   return desc;
 }
 
-/// Finite texels give values between the smallest and the largest, a constant texture its value.
+/// Finite texels give values between the smallest and the largest; a constant texture gives its value.
 void test_hostile(void**) {
   make_hostile(&t_batch);
   for (const bool constant : {false, true}) {
@@ -219,7 +219,7 @@ struct CellCounter {
   void run(int64_t, int64_t begin, int64_t end) { count += static_cast<double>(end - begin); }
 };
 
-/// Cells of a lookup stay below the stated bound.
+/// The number of cells of a lookup stays below the stated bound.
 void test_cost(void**) {
   make_hostile(&t_batch);
   for (const bool mipmap : {false, true}) {
@@ -238,7 +238,7 @@ void test_cost(void**) {
   }
 }
 
-/// Where a mip level stands in for the base the value is within the tolerance of the one from the base.
+/// Where a mip level replaces the base, the value is within the tolerance of the value from the base.
 void test_tolerance(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R8, 500, 512, true);
   Random random{21};
@@ -268,7 +268,7 @@ void test_tolerance(void**) {
   free_texture(texture);
 }
 
-/// A footprint between the centres of texels does not see what lies beyond them.
+/// A footprint between the centres of texels does not read texels beyond them.
 void test_texels(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i % 8 == 6 ? NAN : i % 8 == 1 ? INFINITY : 2.5f;
@@ -277,7 +277,7 @@ void test_texels(void**) {
   for (size_t i = 0; i < 3; ++i) {
     t_batch.u[i] = i == 0 ? 0.5f : i == 1 ? 0.6f : 0.4f;
     t_batch.v[i] = 0.4375f;
-    t_batch.dudx[i] = t_batch.dvdy[i] = i == 0 ? 0.375f : 0.25f;  // from centre 2 to centre 5, and a little off
+    t_batch.dudx[i] = t_batch.dvdy[i] = i == 0 ? 0.375f : 0.25f;  // from centre 2 to centre 5, or slightly off
     t_batch.dvdx[i] = t_batch.dudy[i] = 0;
     if (i > 0) t_batch.dudx[i] = 0.375f;
   }
@@ -288,8 +288,8 @@ void test_texels(void**) {
   free_texture(texture);
 }
 
-/// Peak signal to noise ratio in dB on every 8th pixel each way of a 256 x 256 frame: a floor that spans 1 to 20 in
-/// depth, against 64 x 64 samples a pixel of the projection itself.
+/// Peak signal-to-noise ratio in dB at every 8th pixel in both directions of a 256 x 256 frame: a floor of depth 1 to
+/// 20, against 64 x 64 samples per pixel of the projection itself.
 double floor_quality(const Texture& texture, const shd_sampler_desc& desc) {
   ref::Level levels[shd::texture::kMaxLevels];
   const ref::Image image = oracle_image(texture, desc, levels);

@@ -37,7 +37,7 @@ const filter_case k_cases[] = {
 
 Batch t_batch, t_first;
 
-/// The bounds that sample.h states, for values within [-m, m].
+/// The bounds stated in sample.h, for values within [-m, m].
 double bound(const filter_case& c, shd_format format, double border) {
   const double m = fmax(magnitude(format), border), range = 2 * m;
   const double linear = 3e-7 * m + 4e-7 * (c.width + c.height) * range;
@@ -114,7 +114,7 @@ void test_unwanted_channels(void**) {
   }
 }
 
-/// Points along one row, as a span of fragments has them, take other loads than points at random: same bits.
+/// Points along one row, as in a span of fragments, use other loads than random points, with equal bits.
 void test_rows(void**) {
   const float steps[] = {0.25f, 0.9f, 1.0f, 1.9f, 2.1f, -0.7f, -2.0f, 0.0f};
   for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB}) {

@@ -52,7 +52,7 @@ constexpr size_t kColumns = 9;
 constexpr size_t kCount = 8192;
 float g_j[4][kCount], g_out[kColumns][kCount], g_first[kColumns][kCount];
 
-/// On every target into g_out; the bits of all of them are equal.
+/// Evaluates on every target into g_out; all bits must be equal.
 void evaluate(const shd_sampler_desc& desc) {
   const float* in[] = {g_j[0], g_j[1], g_j[2], g_j[3]};
   float* out[kColumns];
@@ -70,7 +70,7 @@ void evaluate(const shd_sampler_desc& desc) {
 struct case_t {
   const char* name;
   int low, high;   // exponents of the derivatives
-  float flatness;  // of the second column from the first, 0 = independent
+  float flatness;  // distance of the second column from the first, 0 = independent
   float width_x, width_y, blur_u, blur_v;
 };
 const case_t k_cases[] = {
@@ -115,7 +115,7 @@ void test_case(void** state) {
     const auto got = [&](size_t k) { return static_cast<double>(g_out[k][i]); };
     const ref::Covariance want = ref::covariance({in(0), in(1), in(2), in(3)}, desc, 1, 1);
     const ref::Ellipse e = ref::ellipse(want);
-    // The widened derivatives have the covariance asked for.
+    // The widened derivatives have the requested covariance.
     const double square = e.a * e.a;
     shd_assert_close(c.name, i, got(5) * got(5) + got(7) * got(7), want.uu, 1e-6 * square, 0);
     shd_assert_close(c.name, i, got(5) * got(6) + got(7) * got(8), want.uv, 1e-6 * square, 0);
@@ -128,14 +128,14 @@ void test_case(void** state) {
                              : ref::ellipse(ref::Jacobian{in(0), in(1), in(2), in(3)}).b;
     shd_assert_close(c.name, i, got(2), b / e.a, 1e-6, 0);
     shd_assert_close(c.name, i, got(3) * got(3) + got(4) * got(4), 1, 1e-6, 0);
-    // The sine of the angle between the axes, where there is a longer one.
+    // The sine of the angle between the axes, if one axis is longer.
     const double cross = got(3) * e.v - got(4) * e.u;
     const double round = got(2) * got(2);
     if (round < 0.9) shd_assert_close(c.name, i, cross, 0, 1e-6 / (1 - round), 0);
   }
 }
 
-/// Zero, denormal and infinite derivatives in every place.
+/// Zero, denormal and infinite derivatives in every position.
 void test_special(void**) {
   const float values[] = {0, 1e-45f, -1e-38f, 1e-30f, 1, -1e20f, 1e30f, 3.4e38f, INFINITY};
   constexpr size_t kValues = sizeof values / sizeof values[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivatives in u and v against differences of the double oracle inside a texel, on every target; values do not
-// change for being differentiated.
+// Derivatives in u and v against differences of the double oracle inside a texel, on every target; computing
+// derivatives does not change values.
 #include "points.h"
 
 namespace {
@@ -23,7 +23,7 @@ const gradient_case k_cases[] = {
 
 constexpr uint32_t kWidth = 32, kHeight = 16;
 constexpr double kStep = 1e-4;              // texels
-constexpr size_t kOddPoints = kPoints - 1;  // with a tail on every target
+constexpr size_t kOddPoints = kPoints - 1;  // leaves a tail on every target
 
 Batch t_batch, t_values;
 float t_du[4][kMaxPoints], t_dv[4][kMaxPoints];
@@ -33,14 +33,14 @@ void make_smooth_points() {
   Random random{99};
   t_batch.count = kOddPoints;
   for (size_t i = 0; i < kPoints; ++i) {
-    // Odd multiples of 1/4 texel of a level are never half a texel of it or of the next ones from a boundary.
+    // Odd multiples of 1/4 texel of a level are never half a texel of it or of the next levels from a boundary.
     t_batch.u[i] = (floorf(random.real(-40, 70)) + random.real(0.55f, 0.95f)) / kWidth;
     t_batch.v[i] = (floorf(random.real(-20, 34)) + random.real(0.55f, 0.95f)) / kHeight;
     t_batch.lod[i] = i % 2 ? 0.0f : 0.75f;
   }
 }
 
-/// Value of a filter in double at a point moved by texels of the base.
+/// Value of a filter in double, at a point moved by texels of the base.
 double value(const gradient_case& c, const ref::Image& image, size_t i, double du, double dv, int channel) {
   const double u = static_cast<double>(t_batch.u[i]) + du / kWidth,
                v = static_cast<double>(t_batch.v[i]) + dv / kHeight;
@@ -51,7 +51,7 @@ double value(const gradient_case& c, const ref::Image& image, size_t i, double d
   return ref::trilinear(image, u, v, lod, channel);
 }
 
-/// Whether the piecewise bilinear filters have a kink within a step of the point, on the levels it reads.
+/// Whether the piecewise bilinear filters have a kink within a step of the point, on the levels that they read.
 bool near_kink(size_t i) {
   for (const double size : {1.0, 0.5}) {
     const double x = static_cast<double>(t_batch.u[i]) * kWidth * size - 0.5;
@@ -73,8 +73,8 @@ void check_points(const gradient_case& c, const ref::Image& image, double m) {
   }
 }
 
-/// At this level of detail a ripmap reads levels (0, 0) and (1, 1) blended four ways: only its own bits are compared.
-/// The weights of an ellipse are differentiated in test_ewa.
+/// At this level of detail a ripmap blends levels (0, 0) and (1, 1) four ways, so that only its bits are compared. The
+/// derivatives of an ellipse's weights are tested in test_ewa.
 bool has_oracle(const gradient_case& c) {
   return c.filter != SHD_FILTER_RIPMAP && c.filter != SHD_FILTER_EWA;
 }

@@ -21,7 +21,7 @@ const size_case k_sizes[] = {
     {"box/127x4", 127, 4},   {"box/1000x24", 1000, 24},
 };
 
-/// The stored value nearest to `average`, or one step away where `average` lies on a tie for the oracle's own error.
+/// Whether a stored value is nearest to `average`, or one step away if `average` is within the oracle's error of a tie.
 bool is_rounded(shd_format format, const uint8_t* texel, int c, double average) {
   const ref::Layout layout = ref::layout(format);
   double maximum = 255;
@@ -40,7 +40,7 @@ bool is_rounded(shd_format format, const uint8_t* texel, int c, double average) 
     case ref::Layout::kUnorm16: maximum = 65535; break;
     default: break;
   }
-  const double nearest = nearbyint(maximum * average);  // nearest even, as the library
+  const double nearest = nearbyint(maximum * average);  // nearest even, as in the library
   return fabs(code - maximum * average) <= 0.5 + 1e-9 &&
          (fabs(fabs(nearest - maximum * average) - 0.5) < 1e-9 || code == nearest);
 }
@@ -74,7 +74,7 @@ void test_box(void** state) {
   }
 }
 
-/// A tie of 8-bit texels: 4 + 4 + 5 + 5 is 4.5 in the mean, 5 + 5 + 6 + 6 is 5.5.
+/// Ties of 8-bit texels: the mean of 4, 4, 5, 5 is 4.5, the mean of 5, 5, 6, 6 is 5.5.
 void test_ties_to_even(void**) {
   const uint8_t texels[] = {4, 5, 5, 6, 5, 4, 6, 5};
   Texture* texture = make_texture(SHD_FORMAT_R8, 4, 2, texels, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The filters of one mip level, and magnification: every format x wrap pair x size x target against the oracle.
+// The filters that read one mip level, and magnification: every format x wrap pair x size x target against the oracle.
 #include "filter_cases.h"
 
 namespace {
@@ -33,7 +33,7 @@ double lambda_of(const mip_case& c, const Batch& batch, size_t i) {
                      static_cast<double>(batch.dudy[i]), static_cast<double>(batch.dvdy[i]), c.width, c.height);
 }
 
-/// Whether a value is one that the filter may give on a level.
+/// Whether a value is possible for the filter on a level.
 bool matches(const mip_case& c, const ref::Image& image, int level, double u, double v, int channel, double got) {
   const double w = static_cast<double>(image.levels[level].width), h = static_cast<double>(image.levels[level].height);
   if (c.filter == SHD_FILTER_BILINEAR_MIP) {
@@ -75,7 +75,7 @@ void test_against_oracle(void** state) {
   }
 }
 
-/// Half way between two levels the finer one is taken; the level is that of the query for pictures of levels.
+/// Half way between two levels the finer one is used; the level equals the level of shd_texture_query_levels.
 void test_halfway(void**) {
   uint8_t texels[16 * 16];
   for (size_t i = 0; i < sizeof texels; ++i) texels[i] = 0;
@@ -86,7 +86,7 @@ void test_halfway(void**) {
   const float want[] = {0, 1, 1, 3, 4};
   for (size_t i = 0; i < 5; ++i) {
     const float size = static_cast<float>(16 >> static_cast<int>(want[i]));
-    t_batch.u[i] = t_batch.v[i] = 0.9f / size;  // in the first texel of that level and of coarser ones only
+    t_batch.u[i] = t_batch.v[i] = 0.9f / size;  // inside the first texel of this level and of coarser ones only
     t_batch.lod[i] = lods[i];
   }
   for_each_target([&](int64_t target) {
@@ -113,7 +113,7 @@ const magnification_case k_magnifications[] = {
     {"magnification/never_above_lod_min", SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_NEAREST, SHD_FILTER_NEAREST, 0.5f},
 };
 
-/// Every lookup has the bits of the filter that its level of detail picks, in blocks of both kinds and of one.
+/// Every lookup has the bits of the filter selected by its level of detail, in blocks of both kinds and of one kind.
 void test_magnification(void** state) {
   const auto& c = *static_cast<const magnification_case*>(*state);
   const mip_case size = {c.name, c.filter, 64, 32};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inputs and texels that are not finite, and footprints of any size: every one has a defined, finite result.
+// Non-finite inputs and texels, and footprints of any size: every lookup has a defined, finite result.
 #include "fixture.h"
 
 namespace {
@@ -11,7 +11,7 @@ Batch t_batch, t_other;
 const shd_filter k_filters[] = {SHD_FILTER_NEAREST, SHD_FILTER_BILINEAR, SHD_FILTER_TRILINEAR};
 const float k_bad[] = {NAN, -NAN, INFINITY, -INFINITY};
 
-/// A NaN or infinite coordinate, in each lane, each wrap and each filter, is the coordinate 0.
+/// A NaN or infinite coordinate, in each lane, with each wrap and filter, counts as the coordinate 0.
 void test_coordinates(void**) {
   Texture* texture = random_texture(SHD_FORMAT_RGBA8, 13, 9, true);
   for (const shd_filter filter : k_filters) {
@@ -43,7 +43,7 @@ void test_coordinates(void**) {
   free_texture(texture);
 }
 
-/// Texture whose level l holds the value l everywhere: trilinear then returns the level of detail itself.
+/// A texture whose level l has the value l everywhere, so that trilinear returns the level of detail.
 Texture* make_ruler(uint32_t width, uint32_t height) {
   auto* texels = static_cast<uint8_t*>(calloc(size_t{width} * height, 16));
   Texture* texture = make_texture(SHD_FORMAT_RGBA32F, width, height, texels, true);
@@ -180,7 +180,7 @@ void test_column(void** state) {
   for (size_t i = 0; i < t_batch.count; ++i) {
     t_batch.u[i] = t_batch.v[i] = 0.3f;
     t_batch.lod[i] = c->lod;
-    t_batch.dudx[i] = NAN;  // replaced by the column, so neither read nor counted
+    t_batch.dudx[i] = NAN;  // replaced by the lod column, so that it is neither read nor counted
     t_batch.dvdx[i] = t_batch.dudy[i] = t_batch.dvdy[i] = 1;
   }
   for_each_target([&](int64_t target) {
@@ -193,7 +193,7 @@ void test_column(void** state) {
   free_texture(texture);
 }
 
-/// One texel that is not finite in a 4 x 4 image of ones: weight 0 never shows it, any other weight does.
+/// One non-finite texel in a 4 x 4 image of ones: it has no effect with weight 0, and an effect with any other weight.
 void test_texels(void**) {
   for (const shd_format format : {SHD_FORMAT_RGBA32F, SHD_FORMAT_RGBA16F}) {
     for (const float bad : {INFINITY, -INFINITY, NAN}) {
@@ -233,7 +233,7 @@ void test_texels(void**) {
   }
 }
 
-/// A level that is not finite counts only if the fraction reaches it; NaN comes out as one bit pattern.
+/// A non-finite level counts only if its weight is not 0; NaN results have a single bit pattern.
 void test_levels(void**) {
   Texture* texture = make_ruler(8, 8);
   auto* values = reinterpret_cast<float*>(shd::texture::row_of(*texture, 0, 2, 0));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sampler profiles against the oracle: levels of detail and probes on every target, then what the filters make of
-// them.
+// Sampler profiles against the oracle: levels of detail and probes on every target, then the results of the filters.
 #include "profiles.h"
 
 #include "ref/profile_ref.h"
@@ -24,12 +23,12 @@ ref::Jacobian jacobian(const Batch& batch, size_t i) {
           static_cast<double>(batch.dvdy[i])};
 }
 
-/// As large a footprint as any level, or as small.
+/// Clamps lambda to the range of footprints that matter for any level.
 double bounded(double lambda) {
   return fmin(fmax(lambda, -15), 17);
 }
 
-/// The oracle's line with as many probes, if it has one within rounding.
+/// The oracle's line with this number of probes, if one exists within rounding.
 bool find_line(const ref::Image& image, const ref::Jacobian& j, int count, ref::Line* out) {
   for (const double slack : {0.0, -2e-4, 2e-4}) {
     *out = ref::profile_line(image, j, slack);
@@ -38,7 +37,7 @@ bool find_line(const ref::Image& image, const ref::Jacobian& j, int count, ref::
   return false;
 }
 
-/// Lookup i of the batch, which is k of the block.
+/// Compares lookup i of the batch, which is lookup k of the block.
 void check_line(const char* name, const ref::Image& image, size_t i, size_t k) {
   const double limit = static_cast<double>(image.sampler->max_anisotropy);
   ref::Line want;
@@ -49,7 +48,7 @@ void check_line(const char* name, const ref::Image& image, size_t i, size_t k) {
   shd_assert_close(name, i, static_cast<double>(t_block.lod[k]), ref::profile_lod(image, want.lambda),
                    3e-6 * limit + (image.sampler->profile == SHD_PROFILE_OIIO ? 0 : 1.001 / 256), 0);
   if (want.count == 1) return;
-  // Of a round footprint the axis has no direction: then there is one probe.
+  // For a round footprint the axis has no direction; then there is one probe.
   const double turn = 1e-5 * limit / (limit > 1 ? fmin(want.count, limit) - 0.99 : 1) + 1e-5 * limit;
   const double got_u = static_cast<double>(t_block.step_u[k]), got_v = static_cast<double>(t_block.step_v[k]);
   const double sign = got_u * want.du + got_v * want.dv < 0 ? -1 : 1;
@@ -60,7 +59,7 @@ void check_line(const char* name, const ref::Image& image, size_t i, size_t k) {
   }
 }
 
-/// Levels of detail and probes themselves, with width, bias, clamps and the blur of OpenImageIO.
+/// Levels of detail and probes, with width, bias, clamps and the blur of OpenImageIO.
 void test_lines(void** state) {
   const auto& c = *static_cast<const SizeCase*>(*state);
   Texture* texture = random_texture(SHD_FORMAT_R8, c.width, c.height, true);
@@ -129,7 +128,7 @@ bool matches(const ref::Image& image, shd_filter filter, size_t i, int channel, 
   return false;
 }
 
-/// Fails unless the lookup has the value of the oracle in every channel.
+/// Fails unless the lookup has the oracle's value in every channel.
 void check_values(const SizeCase& c, const ref::Image& image, size_t i) {
   const shd_sampler_desc& desc = *image.sampler;
   for (int channel = 0; channel < 4; ++channel) {
@@ -165,7 +164,7 @@ void test_sheared(void**) {
   t_batch.dvdx[0] = 0;
   t_batch.dudy[0] = 8;
   t_batch.dvdy[0] = 1;
-  const double want[] = {3.0, -0.4968, -0.4999};  // 11.34 / 16, and the mean of that and 0.7056 for OpenImageIO
+  const double want[] = {3.0, -0.4968, -0.4999};  // 11.34 / 16; for OpenImageIO the mean of this and 0.7056
   const double want_lambda[] = {3.011, 3.503, 7};
   const double want_count[] = {2, 12, 31};
   for (int k = 0; k < 3; ++k) {
@@ -185,7 +184,7 @@ void test_sheared(void**) {
   free_texture(texture);
 }
 
-/// Parallel derivatives keep the longer one in Direct3D, where the ellipse is as long as both together.
+/// For parallel derivatives Direct3D uses the longer one, while the ellipse is as long as both together.
 void test_parallel(void**) {
   uint8_t texels[1] = {0};
   Texture* texture = make_texture(SHD_FORMAT_R8, 1, 1, texels, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bits of sampler profiles: rounded weights and levels, what stays as it is, hostile derivatives and texels.
+// Bits of sampler profiles: rounded weights and levels, unaffected filters, hostile derivatives and texels.
 #include "profiles.h"
 
 #include "texture/footprint/lod.h"
@@ -10,7 +10,7 @@ using namespace fixture;
 
 Batch t_batch, t_first;
 
-/// Bilinear weights and fractions of levels are the nearest multiples of 1/256, and exact in the other profiles.
+/// Bilinear weights and fractions of levels are rounded to multiples of 1/256; in the other profiles they are exact.
 void test_rounding(void**) {
   const float texels[] = {0, 256, 0, 256};
   Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 1, reinterpret_cast<const uint8_t*>(texels), true);
@@ -33,7 +33,7 @@ void test_rounding(void**) {
     }
   }
   for (size_t i = 0; i < t_batch.count; ++i) {
-    t_batch.u[i] = 0.125f;  // a texel of 0, and on the next level the middle of 0 and 256
+    t_batch.u[i] = 0.125f;  // a texel of 0, and on the next level the middle between 0 and 256
     t_batch.lod[i] = static_cast<float>(i) / 512;
   }
   for (const shd_profile profile : {SHD_PROFILE_EXACT, SHD_PROFILE_VULKAN, SHD_PROFILE_D3D11, SHD_PROFILE_OIIO}) {
@@ -51,7 +51,7 @@ void test_rounding(void**) {
   free_texture(texture);
 }
 
-/// A weight that rounds to 1 leaves nothing of the other texel, whatever that is.
+/// With a weight that rounds to 1, the other texel has no effect, whatever its value.
 void test_rounding_up(void**) {
   const float texels[] = {NAN, 3, INFINITY, 3};
   Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 1, reinterpret_cast<const uint8_t*>(texels), false);
@@ -72,7 +72,7 @@ void test_rounding_up(void**) {
   free_texture(texture);
 }
 
-/// Filters that have no profile keep their bits.
+/// Filters without profiles keep their bits.
 void test_others(void**) {
   make_points(&t_batch);
   memcpy(&t_first, &t_batch, sizeof t_batch);
@@ -90,7 +90,7 @@ void test_others(void**) {
   free_texture(texture);
 }
 
-/// Trilinear of OpenImageIO is trilinear at its level of detail: the same values and the same derivatives.
+/// Trilinear of OpenImageIO equals trilinear at its level of detail, in values and derivatives.
 void test_gradient(void**) {
   make_points(&t_batch);
   Texture* texture = random_texture(SHD_FORMAT_RGBA32F, 61, 37, true);

@@ -49,7 +49,7 @@ void read_levels(const Texture& texture, uint32_t layer) {
   }
 }
 
-/// Half the distance between stored values around `value`, and what the oracle may be off.
+/// Half the distance between stored values around `value`, plus the error of the oracle.
 double rounding(shd_format format, int c, double value) {
   switch (ref::layout(format).component) {
     case ref::Layout::kFloat32: return fabs(value) * 6.0e-8 + 1e-13;
@@ -95,7 +95,7 @@ void test_levels(void** state) {
   }
 }
 
-/// At most four times the base, with a mipmap too.
+/// The memory is at most four times the base, also with a mipmap.
 void test_memory(void**) {
   const uint32_t sizes[][2] = {{1, 1}, {1, 7}, {64, 64}, {128, 32}, {1023, 511}, {1024, 1024}, {4096, 1}};
   for (const auto& size : sizes) {
@@ -177,8 +177,8 @@ void test_constant(void**) {
   }
 }
 
-/// Along the axes with equal footprints, and by the lod column, a ripmap lookup is a trilinear one but for the levels
-/// off the diagonal; at whole levels it is the same.
+/// For equal footprints along the axes, and with the lod column, a ripmap lookup equals a trilinear one except for the
+/// levels off the diagonal. At whole levels both are equal.
 void test_whole_levels(void**) {
   Texture* texture = random_ripmap(SHD_FORMAT_RGBA8, 64, 64, 1, SHD_TABLE_RIPMAP | SHD_TABLE_MIPMAP);
   shd_sampler_desc desc = shd_sampler_desc_default();
@@ -220,7 +220,7 @@ const lod_case k_lods[] = {
     {"lod/infinite_and_nan", {k_inf, NAN, NAN, 2}, 8, 1},
 };
 
-/// A texture whose level (i, j) holds i in red and j in green shows the levels of detail.
+/// A texture with i in red and j in green of level (i, j) shows the levels of detail.
 void test_lod(void** state) {
   const auto& c = *static_cast<const lod_case*>(*state);
   Texture* texture = random_ripmap(SHD_FORMAT_RGBA32F, 256, 64, 1, SHD_TABLE_RIPMAP);
@@ -257,7 +257,7 @@ void test_lod(void** state) {
   free_texture(texture);
 }
 
-/// A level that is not finite counts only if the fraction along its axis reaches it.
+/// A non-finite level counts only if its weight along its axis is not 0.
 void test_nonfinite_levels(void**) {
   Texture* texture = random_ripmap(SHD_FORMAT_RGBA32F, 8, 8, 1, SHD_TABLE_RIPMAP);
   for (uint32_t j = 0; j < 4; ++j) {
@@ -284,7 +284,7 @@ void test_nonfinite_levels(void**) {
   free_texture(texture);
 }
 
-/// Layers are looked up on their own; beyond the last is the last.
+/// Layers are looked up separately; indices beyond the last layer use the last.
 void test_layers(void**) {
   constexpr uint32_t kLayers = 3;
   Texture* texture = random_ripmap(SHD_FORMAT_RGBA8, 17, 12, kLayers, SHD_TABLE_RIPMAP);

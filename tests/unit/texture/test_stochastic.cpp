@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stochastic filtering: means of many samples against what they are expected to be, by Hoeffding's inequality
-// ("Probability Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and what single samples promise.
+// Stochastic filtering: means of many samples against their expectation, by Hoeffding's inequality ("Probability
+// Inequalities for Sums of Bounded Random Variables", 1963, theorem 2), and properties of single samples.
 #include "points.h"
 
 #include "ref/ewa_ref.h"
@@ -40,7 +40,7 @@ const stochastic_case k_cases[] = {
 };
 constexpr shd_filter kStochasticFilters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
                                              SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA};
-constexpr size_t kRounds = 8;  // of kMaxPoints samples
+constexpr size_t kRounds = 8;  // rounds of kMaxPoints samples
 
 Batch t_batch, t_first;
 uint32_t t_random[kMaxPoints];
@@ -60,7 +60,7 @@ shd_sampler_desc make_desc(shd_filter stochastic_filter, uint32_t pair) {
   return desc;
 }
 
-/// Where to draw: a level of detail, or for anisotropic filters a footprint of that longer axis.
+/// Position of samples: a level of detail, or for anisotropic filters a footprint with this longer axis.
 struct Place {
   float u, v, lod;
   float aspect, angle;
@@ -72,7 +72,7 @@ Lookups randomized(const Batch& batch, bool footprints) {
   return lookups;
 }
 
-/// Derivatives of (u, v) of a texture of w x h.
+/// Derivatives of (u, v) for a texture of w x h.
 ref::Jacobian jacobian(const Place& at, float w, float h) {
   const double length = exp2(static_cast<double>(at.lod)), angle = static_cast<double>(at.angle);
   const double other = length / static_cast<double>(at.aspect);
@@ -80,7 +80,7 @@ ref::Jacobian jacobian(const Place& at, float w, float h) {
           -other * sin(angle) / static_cast<double>(w), other * cos(angle) / static_cast<double>(h)};
 }
 
-/// Samples at one place with the random words first, first + 1, ...
+/// Samples at one position with the random words first, first + 1, ...
 void make_samples(const Place& at, const ref::Jacobian& j, uint32_t first) {
   t_batch.count = kMaxPoints;
   for (size_t i = 0; i < kMaxPoints; ++i) {
@@ -128,7 +128,7 @@ double expected(const ref::Image& image, const Place& at, const ref::Jacobian& j
   return ref::anisotropic(image, e, static_cast<int>(ceil(ratio - 0.125)), u, v, channel);
 }
 
-/// Error that the mean of n samples from a range exceeds with a probability of at most 1e-12.
+/// The error that the mean of n samples from a range exceeds with a probability of at most 1e-12.
 double hoeffding(double range, double n) {
   return range * sqrt(log(2e12) / (2 * n));
 }
@@ -170,7 +170,7 @@ void test_mean(void** state) {
         at.v = random.real(-1.5f, 2.5f);
         at.lod = random.real(-1, 8);
         at.angle = random.real(-3, 3);
-        at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from where the number of probes changes
+        at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from a change of the number of probes
         if (c.stochastic_filter == SHD_FILTER_EWA && pair % 6 == 0) at.aspect = 1;  // by level of detail
         check_mean(c, *texture, make_desc(c.stochastic_filter, pair), at);
       }
@@ -179,7 +179,7 @@ void test_mean(void** state) {
   }
 }
 
-/// Every tap on its own: the share of the samples that are a texel, 2^20 of them, is its weight.
+/// Each tap separately: the fraction of 2^20 samples that pick a texel equals its weight.
 void test_weights(void**) {
   constexpr uint32_t kSamples = 1u << 20;
   for (const shd_filter stochastic_filter : kStochasticFilters) {
@@ -219,7 +219,8 @@ const ellipse_case k_ellipses[] = {
     {"ellipse/beside_bilinear", {0.47f, 0.53f, 0.4f, 2, 1}},
 };
 
-/// Every texel of an ellipse on its own: the share of 2^20 samples against the oracle on a picture of that texel alone.
+/// Each texel of an ellipse separately: the fraction of 2^20 samples against the oracle on a picture of this single
+/// texel.
 void test_ellipse(void** state) {
   const auto& c = *static_cast<const ellipse_case*>(*state);
   constexpr uint32_t kSamples = 1u << 20, kEdge = 16, kCount = kEdge * kEdge;
@@ -247,7 +248,7 @@ void test_ellipse(void** state) {
   free_texture(texture);
 }
 
-/// A texel beside the ellipse is never picked, however the lanes of a vector differ.
+/// A texel beside the ellipse is never picked, even if the lanes of a vector differ.
 void test_outside(void**) {
   float texels[256];
   for (size_t i = 0; i < 256; ++i) texels[i] = i % 16 >= 6 && i % 16 <= 8 ? 1.0f : NAN;
@@ -264,7 +265,8 @@ void test_outside(void**) {
   free_texture(texture);
 }
 
-/// The same bits on every target, for every tail, with and without random words; finite whatever the coordinates.
+/// The bits are equal on every target, for every tail, with and without random words; results are finite for any
+/// coordinates.
 void test_targets_and_tails(void**) {
   make_points(&t_batch);
   memcpy(&t_first, &t_batch, sizeof t_batch);
@@ -299,7 +301,7 @@ void test_targets_and_tails(void**) {
   }
 }
 
-/// Another seed picks other texels; so do other coordinates without random words.
+/// Another seed picks other texels; without random words, other coordinates do.
 void test_seeds(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R16, 64, 64, true);
   for (const shd_filter stochastic_filter : kStochasticFilters) {
@@ -325,7 +327,7 @@ void test_seeds(void**) {
   free_texture(texture);
 }
 
-/// A texel of weight 0 is never picked: at texel centres NaN next door does not show.
+/// A texel of weight 0 is never picked: at texel centres an adjacent NaN has no effect.
 void test_weight_zero(void**) {
   float texels[64];
   for (size_t i = 0; i < 64; ++i) texels[i] = i == 20 ? 5.0f : NAN;
@@ -340,7 +342,7 @@ void test_weight_zero(void**) {
   free_texture(texture);
 }
 
-/// A constant texture gives that constant, on every target.
+/// A constant texture gives its value, on every target.
 void test_constant(void**) {
   uint8_t texels[33 * 9];
   memset(texels, 77, sizeof texels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Summed-area lookups: every format x wrap pair x box x size against the oracle, the same bits on every target; tails,
-// layers, constants, hostile footprints, texels that are not finite, magnification.
+// Summed-area lookups: every format x wrap pair x box x size against the oracle, equal bits on every target; tails,
+// layers, constants, hostile footprints, non-finite texels, magnification.
 #include "summed_area_fixture.h"
 
 namespace {
@@ -9,7 +9,7 @@ using namespace fixture;
 
 Batch t_batch, t_other;
 
-/// Footprints from 2^-6 to `texels` texels, sheared and turned; some along the axes.
+/// Footprints from 2^-6 to `texels` texels, sheared and rotated; some along the axes.
 void make_footprints(Batch* batch, size_t count, float texels, uint32_t width, uint32_t height) {
   Random random{width * 7 + height};
   make_points(batch);
@@ -39,7 +39,7 @@ ref::Jacobian jacobian_at(const Batch& batch, size_t i, const shd_sampler_desc& 
   return ref::box_sides(given, s, w, h);
 }
 
-/// Numbers of parts, and the order of the sides, that rounding may choose between.
+/// Numbers of parts, and orders of the sides, between which rounding may decide.
 size_t choices(const ref::Jacobian& j, const shd_sampler_desc& s, bool lod, ref::Jacobian* sides, int* counts) {
   const double a = hypot(j.ux, j.vx), b = hypot(j.uy, j.vy);
   size_t n = 0;
@@ -107,7 +107,7 @@ void test_size(void** state) {
   }
 }
 
-/// Boxes of many periods, and wider than anything beyond the edges.
+/// Boxes of many periods, and boxes wider than any margin.
 void test_wide(void**) {
   for (const auto& size : {SizeCase{"", 5, 3}, SizeCase{"", 1, 7}, SizeCase{"", 64, 64}}) {
     for (const shd_format format : {SHD_FORMAT_RG8, SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA32F}) {
@@ -125,7 +125,7 @@ void test_wide(void**) {
   }
 }
 
-/// Level of detail given; bias, clamps, width, blur and the number of parts.
+/// A given level of detail; bias, clamps, width, blur and the number of parts.
 void test_settings(void**) {
   Texture* texture = random_summed(SHD_FORMAT_RGBA8, 64, 32, 1);
   const double* values = oracle_values(*texture, 0);
@@ -190,7 +190,7 @@ void test_tails(void**) {
   }
 }
 
-/// Layers are looked up on their own; beyond the last is the last.
+/// Layers are looked up separately; indices beyond the last layer use the last.
 void test_layers(void**) {
   constexpr uint32_t kLayers = 3;
   static uint32_t layer[kMaxPoints];
@@ -209,7 +209,7 @@ void test_layers(void**) {
   }
 }
 
-/// Finite texels give values between the smallest and the largest, a constant texture exactly its value.
+/// Finite texels give values between the smallest and the largest; a constant texture gives exactly its value.
 void test_hostile(void**) {
   make_hostile_points(&t_batch);
   for (const bool constant : {false, true}) {
@@ -239,7 +239,7 @@ void test_hostile(void**) {
   }
 }
 
-/// Every code of a constant texture comes back as that code, whatever the box.
+/// Every code of a constant texture is reproduced for any box.
 void test_codes(void**) {
   uint8_t texels[7 * 5 * 2];
   make_points(&t_batch);
@@ -257,7 +257,7 @@ void test_codes(void**) {
   }
 }
 
-/// A box that touches a texel that is not finite reads NaN, in its channel; others do not.
+/// A box that touches a non-finite texel gives NaN in its channel; other boxes are not affected.
 void test_nonfinite_texels(void**) {
   static float texels[32 * 16 * 4];
   for (size_t i = 0; i < 32 * 16 * 4; ++i) texels[i] = 2.5f;
@@ -273,7 +273,7 @@ void test_nonfinite_texels(void**) {
     for (size_t i = 0; i < 32; ++i) {
       t_batch.u[i] = (static_cast<float>(i) + 0.5f) / 32;
       t_batch.v[i] = 6.5f / 16;
-      t_batch.dudx[i] = 5.0f / 32;  // 2 whole texels to either side
+      t_batch.dudx[i] = 5.0f / 32;  // 2 whole texels on either side
       t_batch.dvdy[i] = 1.0f / 16;
       t_batch.dvdx[i] = t_batch.dudy[i] = 0;
     }

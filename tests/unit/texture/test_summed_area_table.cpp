@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The tables themselves: entries against plain sums, memory, one set of bits for any order of tasks, and the accuracy
-// of sums of many or of very large texels.
+// Summed-area tables: entries against plain sums, memory, equal bits for any order of tasks, and the accuracy of sums
+// of many or of very large texels.
 #include "summed_area_fixture.h"
 
+#include "texture/format/formats.h"
 #include "texture/store/summed_area.h"
-#include "texture/store/texel_codec.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ double entry(const Texture& texture, uint32_t layer, uint32_t x, uint32_t y, siz
   return reinterpret_cast<const double*>(texture.sums.data())[i];
 }
 
-/// Every entry against the sum of its texels in long doubles, each less what the table takes off.
+/// Compares every entry with the sum of its texels in long doubles, each minus the offset of the table.
 void test_entries(void** state) {
   const auto& size = *static_cast<const SizeCase*>(*state);
   static long double column[4096][4];
@@ -40,7 +40,8 @@ void test_entries(void** state) {
             row[c] += static_cast<long double>(term);
             column[x - 1][c] += row[c];
             magnitudes += static_cast<long double>(fabs(term));
-            const bool srgb = texture->component == Component::kSrgb8;  // decoded to floats, but not by the oracle
+            const bool srgb = texture->component == Component::kSrgb8;  // decoded to floats, which the oracle does not
+                                                                        // do
             const double tolerance =
                 unorm ? 0 : static_cast<double>(magnitudes) * (srgb ? 1e-6 : 0x1p-51) + srgb * 1e-7;
             const double want = static_cast<double>(column[x - 1][c]);
@@ -59,7 +60,7 @@ void test_entries(void** state) {
   }
 }
 
-/// 4 bytes a channel for 8-bit unorm, else 8; no table of texels that are not finite where there are none.
+/// 4 bytes per channel for 8-bit unorm, otherwise 8; no table of non-finite texels if there are none.
 void test_memory(void**) {
   for (const SizeCase& size : kSizes) {
     for (const shd_format format : kFormats) {
@@ -93,7 +94,7 @@ void test_task_order(void**) {
 
 Batch t_batch;
 
-/// Texels from (0, 0) to (width - 1, height - 1) in boxes of all sizes around many points.
+/// Looks up texels from (0, 0) to (width - 1, height - 1) in boxes of all sizes around many points.
 void look_up(const Texture& texture, float smallest) {
   Random random{77};
   t_batch.count = kMaxPoints;
@@ -108,8 +109,8 @@ void look_up(const Texture& texture, float smallest) {
       t_batch.lookups(true, false), &t_batch);
 }
 
-/// A large texture of one value, up to the largest half, gives that value; of 8-bit codes on either side of the size
-/// from which sums are doubles, too.
+/// A large texture of one value, up to the largest half, gives this value; also for 8-bit codes below and above the
+/// size from which sums are doubles.
 void test_large_constants(void**) {
   struct Constant {
     shd_format format;
@@ -134,7 +135,7 @@ void test_large_constants(void**) {
   }
 }
 
-/// One bright first texel takes the place that sums are counted from: the rest still comes out within 1e-3.
+/// If the first texel is very bright, sums are relative to it; the other results are still accurate to 1e-3.
 void test_bright_texel(void**) {
   constexpr uint32_t kEdge = 2048;
   auto* texels = static_cast<float*>(malloc(size_t{kEdge} * kEdge * sizeof(float)));

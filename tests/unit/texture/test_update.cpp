@@ -6,7 +6,7 @@ namespace {
 
 using namespace fixture;
 
-/// Every format; those of three channels are given and stored as different ones.
+/// Every format; formats of three channels are given and stored as different formats.
 constexpr uint32_t kFirstFormat = SHD_FORMAT_R8, kLastFormat = SHD_FORMAT_RGB32F;
 
 struct size_case {
@@ -18,7 +18,7 @@ const size_case k_sizes[] = {
     {"128x32", 128, 32, 8}, {"33x65", 33, 65, 8},   {"96x160", 96, 160, 4},   {"100x36", 100, 36, 6},
     {"600x1", 600, 1, 8},   {"2x1024", 2, 1024, 4}, {"256x256", 256, 256, 2},
 };
-/// A base of more than two rounds for every format.
+/// Bases of more than two rounds for every format.
 const size_case k_large[] = {{"large/1024x2048", 1024, 2048, 6}, {"large/1000x1025", 1000, 1025, 2}};
 
 constexpr uint32_t kAll = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
@@ -41,7 +41,7 @@ struct Rectangle {
   uint32_t layer, x, y, width, height;
 };
 
-/// All of the layer, a texel, a corner, anything.
+/// A rectangle: the whole layer, a texel, a corner, or any.
 Rectangle pick(Random* random, uint32_t index, uint32_t width, uint32_t height) {
   Rectangle r = {random->next() >> 16 & 1, 0, 0, width, height};
   if (index == 1) return r;
@@ -54,7 +54,7 @@ Rectangle pick(Random* random, uint32_t index, uint32_t width, uint32_t height) 
   return r;
 }
 
-/// Puts random texels into a rectangle of `base`, and of the texture by an update whose rows have a gap.
+/// Writes random texels to a rectangle of `base`, and to the texture by an update whose rows have a gap.
 void change(shd_format format, const Rectangle& r, uint32_t seed, uint32_t width, uint32_t height, uint8_t* base,
             Texture* texture) {
   const size_t size = shd_format_size(format), stride = (r.width + 3) * size;
@@ -74,7 +74,7 @@ void change(shd_format format, const Rectangle& r, uint32_t seed, uint32_t width
   free(patch);
 }
 
-/// The table of texels that are not finite may be there though all are.
+/// The table of non-finite texels may exist even if all texels are finite.
 void check_sums(const Texture& got, const Texture& want) {
   assert_int_equal(got.sums.size(), want.sums.size());
   if (want.sums.size() == 0) return;
@@ -131,7 +131,7 @@ void test_large(void** state) {
   }
 }
 
-/// Levels of the caller's stay; ripmap levels that are none of them are rebuilt.
+/// The caller's levels are kept; ripmap levels are rebuilt unless the caller gave them.
 void test_given_levels(void**) {
   uint8_t base[8 * 8], first[4 * 4], patch = 200;
   memset(base, 10, sizeof base);
@@ -164,7 +164,7 @@ void test_given_levels(void**) {
   free_texture(texture);
 }
 
-/// NaN that comes and goes in one layer: the table of such texels comes and stays.
+/// NaN appears and disappears in one layer: the table of non-finite texels is created and kept.
 void test_nonfinite(void**) {
   float base[kLayers * 12];
   for (size_t i = 0; i < kLayers * 12; ++i) base[i] = static_cast<float>(i);
@@ -188,7 +188,7 @@ void test_nonfinite(void**) {
   free_texture(texture);
 }
 
-/// A texture made from three channels takes four as well; the fourth is not read.
+/// A texture made from three channels also accepts four; the fourth is not read.
 void test_four_for_three(void**) {
   const uint8_t base[2 * 3] = {1, 2, 3, 4, 5, 6}, patch[4] = {7, 8, 9, 10};
   shd_texture_desc desc = shd_texture_desc_default();
@@ -209,7 +209,7 @@ void test_four_for_three(void**) {
   free_texture(texture);
 }
 
-/// What updates keep: 1/32 of RGBA8 texels, for one round of 4 steps and one of 5.
+/// Memory kept by updates: 1/32 of RGBA8 texels, for one round of 4 steps and one of 5.
 void test_memory(void**) {
   uint8_t patch[4] = {};
   Texture* texture = random_texture(SHD_FORMAT_RGBA8, 2048, 2048, true);

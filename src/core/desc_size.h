@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Sizes of the structs that begin with struct_size. Links to nothing.
+///
+/// Version 0.1 is the first one, so no caller of a released header has less than its layout. The library accepts less
+/// all the same, down to the last field that a call cannot do without: fields beyond that have defaults. Only what
+/// stands in this table is ever read from a struct without looking at its struct_size.
+///
+/// A row names the struct, that last field, and the size of the struct in 0.1 on LP64. Rows never change once a version
+/// is released; tests/abi/resize_headers.py reads them.
+#pragma once
+
+#include <cstddef>
+
+#include <shd/color.h>
+#include <shd/io.h>
+#include <shd/scene.h>
+#include <shd/shadow.h>
+#include <shd/shd.h>
+
+namespace shd::core {
+
+/// `kRequired` is the smallest struct_size that is accepted, `kFirst` the size in 0.1.
+template <class Desc>
+struct DescSize;
+
+#if defined(__LP64__) || defined(_LP64)
+#define SHD_CHECK_FIRST_SIZE(type, size) static_assert(sizeof(type) >= (size), #type " lost a field of 0.1")
+#else
+#define SHD_CHECK_FIRST_SIZE(type, size) static_assert(true, "stated for LP64 only")
+#endif
+#define SHD_SIZED(type, required, last, size)                                              \
+  SHD_CHECK_FIRST_SIZE(type, size);                                                        \
+  template <>                                                                              \
+  struct DescSize<type> {                                                                  \
+    static constexpr size_t kRequired = offsetof(type, required) + sizeof(type::required); \
+    static constexpr size_t kFirst = offsetof(type, last) + sizeof(type::last);            \
+    static_assert(kRequired <= kFirst, #type);                                             \
+  }
+
+// The struct, its last required field, its last field in 0.1, its size in 0.1.
+SHD_SIZED(shd_context_desc, simd, log, 80);
+SHD_SIZED(shd_image, pixels, row_stride, 32);
+SHD_SIZED(shd_texture_desc, texels, levels, 96);
+SHD_SIZED(shd_texture_info, height, byte_size, 40);
+SHD_SIZED(shd_mip_desc, content, alpha_cutoff, 28);
+SHD_SIZED(shd_sampler_desc, filter, seed, 96);
+SHD_SIZED(shd_lookups, v, random, 160);
+SHD_SIZED(shd_texels, channel, nonfinite_count, 208);
+SHD_SIZED(shd_levels, lod, level, 40);
+SHD_SIZED(shd_explanation, blend_count, shorter_axis, 136);
+SHD_SIZED(shd_ray_differentials, direction, direction_dy, 368);
+SHD_SIZED(shd_ray_cones, width, width, 176);
+SHD_SIZED(shd_derivatives, dudx, dvdy, 72);
+SHD_SIZED(shd_mesh_desc, position, index_count, 296);
+SHD_SIZED(shd_mesh_info, triangle_count, split_count, 52);
+SHD_SIZED(shd_edges_desc, edges, crease_cosine, 28);
+SHD_SIZED(shd_edges, vertex, kinds, 88);
+SHD_SIZED(shd_tessellation_desc, mode, normals, 80);
+SHD_SIZED(shd_material_desc, model, varying_count, 208);
+SHD_SIZED(shd_slot, user_data, uv_transform, 80);
+SHD_SIZED(shd_light_desc, position, sampler, 96);
+SHD_SIZED(shd_shadow_desc, filter, min_variance, 48);
+SHD_SIZED(shd_shadow_render_desc, light, bounds_max, 64);
+SHD_SIZED(shd_shadow_lookups, position, normal, 112);
+SHD_SIZED(shd_framebuffer_desc, height, aovs, 20);
+SHD_SIZED(shd_framebuffer_info, height, byte_size, 32);
+SHD_SIZED(shd_plane_view, f32, row_stride, 32);
+SHD_SIZED(shd_camera, target, far_plane, 56);
+SHD_SIZED(shd_draw, mesh, crease_cosine, 152);
+SHD_SIZED(shd_render_desc, framebuffer, progress, 296);
+SHD_SIZED(shd_render_stats, rasterised, tile_seconds, 144);
+SHD_SIZED(shd_color_desc, config_path, working_space, 32);
+SHD_SIZED(shd_load_desc, formats, worker_path, 72);
+SHD_SIZED(shd_save_desc, bit_depth, display, 32);
+SHD_SIZED(shd_bitmap_info, file_format, flags, 16);
+SHD_SIZED(shd_shape_desc, shape, segments, 40);
+SHD_SIZED(shd_shape_columns, position, indices, 160);
+SHD_SIZED(shd_scene_desc, flags, time_limit, 88);
+SHD_SIZED(shd_scene_info, instance_count, bounds_max, 72);
+SHD_SIZED(shd_scene_instance, object_to_world, object_to_world, 76);
+#undef SHD_SIZED
+#undef SHD_CHECK_FIRST_SIZE
+
+}  // namespace shd::core

@@ -1,0 +1,477 @@
+/* SPDX-License-Identifier: MIT */
+/* A program that passes every sized struct, in and out, to the library. It is compiled three times: with the headers as
+ * they are, with those of an older version (SHD_TEST_OLDER: fewer fields at the end of every struct) and with those of a
+ * newer one (SHD_TEST_NEWER: a field more, `added`). Structs lie in memory of their own with canaries behind them. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <shd/shd.h>
+#ifdef SHD_TEST_COLOR
+#include <shd/color.h>
+#endif
+#ifdef SHD_TEST_IO
+#include <shd/io.h>
+#endif
+#ifdef SHD_TEST_SCENE
+#include <shd/scene.h>
+#endif
+
+enum { CANARY = 96, BLOCKS = 128, EDGE = 16 };
+
+static struct block {
+    unsigned char *memory;
+    size_t size;
+    const char *name;
+} g_blocks[BLOCKS];
+static size_t g_count;
+static int g_failures;
+
+static void expect(int is_true, const char *what)
+{
+    if (is_true) return;
+    printf("%s: %s\n", what, shd_last_error());
+    ++g_failures;
+}
+
+/* Memory of exactly `size` bytes with canaries behind. */
+static void *guarded(const char *name, size_t size)
+{
+    struct block *block = &g_blocks[g_count++];
+    if (g_count > BLOCKS || !(block->memory = (unsigned char *)malloc(size + CANARY))) exit(1);
+    memset(block->memory, 0xa5, size + CANARY);
+    block->size = size;
+    block->name = name;
+    return block->memory;
+}
+
+static void check_canaries(void)
+{
+    size_t i, k;
+    for (i = 0; i < g_count; ++i) {
+        for (k = 0; k < CANARY && g_blocks[i].memory[g_blocks[i].size + k] == 0xa5; ++k) {
+        }
+        if (k < CANARY) printf("%s: byte %zu behind it was written\n", g_blocks[i].name, k), ++g_failures;
+        free(g_blocks[i].memory);
+    }
+}
+
+/* A struct of the caller with its defaults. */
+#define MAKE(type, name)                                     \
+    const type name##_value = type##_default();              \
+    type *const name = (type *)guarded(#type, sizeof *name); \
+    *name = name##_value
+
+/* The added field is refused in structs that the library reads, and cleared in structs that it writes. */
+#ifdef SHD_TEST_NEWER
+static const uint32_t k_zero[4];
+#define LAST(desc) (&(desc)->added[sizeof(desc)->added / sizeof(desc)->added[0] - 1])
+#define EXPECT_READ(desc, call)                                                              \
+    do {                                                                                     \
+        *LAST(desc) = 1;                                                                     \
+        expect((call) == SHD_ERROR_UNSUPPORTED && strstr(shd_last_error(), "byte "), #call); \
+        *LAST(desc) = 0;                                                                     \
+    } while (0)
+#define SPOIL(desc) memset((desc)->added, 0x77, sizeof(desc)->added)
+#define EXPECT_CLEARED(desc) expect(!memcmp((desc)->added, k_zero, sizeof(desc)->added), #desc " is cleared")
+#else
+#define EXPECT_READ(desc, call) (void)0
+#define SPOIL(desc) (void)0
+#define EXPECT_CLEARED(desc) (void)0
+#endif
+#define EXPECT_WRITTEN(desc, is_right)                                                    \
+    do {                                                                                  \
+        expect((desc)->struct_size == sizeof *(desc) && (is_right), #desc " is written"); \
+        EXPECT_CLEARED(desc);                                                             \
+    } while (0)
+
+static shd_context *g_context;
+static shd_texture *g_texture;
+static shd_sampler *g_sampler;
+static shd_mesh *g_mesh;
+static shd_framebuffer *g_framebuffer;
+
+static void use_context(void)
+{
+    MAKE(shd_context_desc, desc);
+    desc->worker_count = 1;
+    EXPECT_READ(desc, shd_context_create(desc, &g_context));
+    expect(shd_context_create(desc, &g_context) == SHD_OK, "context");
+}
+
+static void use_texture(void)
+{
+    static const unsigned char texels[4 * 4] = {128, 128, 128, 128, 128, 128, 128, 128,
+                                                128, 128, 128, 128, 128, 128, 128, 128};
+    unsigned char pixels[2 * 2];
+    MAKE(shd_texture_desc, desc);
+    MAKE(shd_texture_info, info);
+    MAKE(shd_image, image);
+    MAKE(shd_sampler_desc, sampler);
+    desc->format = SHD_FORMAT_R8;
+    desc->width = desc->height = 4;
+    desc->texels = texels;
+    desc->tables = SHD_TABLE_MIPMAP;
+    desc->swizzle[1] = desc->swizzle[2] = SHD_CHANNEL_R;
+    EXPECT_READ(desc, shd_texture_create(g_context, desc, &g_texture));
+    expect(shd_texture_create(g_context, desc, &g_texture) == SHD_OK, "texture");
+    SPOIL(info);
+    expect(shd_texture_get_info(g_texture, info) == SHD_OK, "texture info");
+    EXPECT_WRITTEN(info, info->width == 4 && info->height == 4 && info->format == SHD_FORMAT_R8);
+    expect(shd_texture_get_info(NULL, info) != SHD_OK, "no texture");
+    EXPECT_WRITTEN(info, info->width == 0 && info->format == SHD_FORMAT_NONE);
+    image->format = SHD_FORMAT_R8;
+    image->width = image->height = 2;
+    image->pixels = pixels;
+    EXPECT_READ(image, shd_texture_read_level(g_texture, 0, 1, image));
+    expect(shd_texture_read_level(g_texture, 0, 1, image) == SHD_OK && pixels[3] == 128, "level");
+    EXPECT_READ(sampler, shd_sampler_create(g_context, sampler, &g_sampler));
+    expect(shd_sampler_create(g_context, sampler, &g_sampler) == SHD_OK, "sampler");
+}
+
+/* Two images in an array, which lie struct_size apart. */
+static void use_mip(void)
+{
+    static const unsigned char base[4 * 4] = {8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8};
+    unsigned char pixels[5];
+    shd_image *const levels = (shd_image *)guarded("shd_image[2]", 2 * sizeof *levels);
+    MAKE(shd_image, image);
+    MAKE(shd_mip_desc, desc);
+    int l;
+    image->format = SHD_FORMAT_R8;
+    image->width = image->height = 4;
+    image->pixels = (void *)base;
+    for (l = 0; l < 2; ++l) {
+        levels[l] = *image;
+        levels[l].width = levels[l].height = l ? 1 : 2;
+        levels[l].pixels = l ? pixels + 4 : pixels;
+    }
+    EXPECT_READ(desc, shd_mip_build(g_context, image, desc, 2, levels));
+    EXPECT_READ(levels + 1, shd_mip_build(g_context, image, desc, 2, levels));
+    expect(shd_mip_build(g_context, image, desc, 2, levels) == SHD_OK && pixels[4] == 8, "mip levels");
+}
+
+static void use_lookups(void)
+{
+    static const float u[3] = {0.1f, 0.5f, 0.9f}, bad[3] = {0, INFINITY, 0};
+    float red[3], lod[3];
+    shd_tap *const taps = (shd_tap *)guarded("shd_tap[2]", 2 * sizeof *taps);
+    shd_blend_step *const blends = (shd_blend_step *)guarded("shd_blend_step[2]", 2 * sizeof *blends);
+    MAKE(shd_lookups, lookups);
+    MAKE(shd_texels, texels);
+    MAKE(shd_levels, levels);
+    MAKE(shd_explanation, explanation);
+    lookups->count = 3;
+    lookups->u = lookups->v = shd_f32_column(u, 0);
+    lookups->dudx = shd_f32_column(bad, 0);
+    texels->channel[0] = shd_f32_out_column(red, 0);
+    EXPECT_READ(lookups, shd_texture_sample(g_texture, g_sampler, lookups, texels));
+    EXPECT_READ(texels, shd_texture_sample(g_texture, g_sampler, lookups, texels));
+    expect(shd_texture_sample(g_texture, g_sampler, lookups, texels) == SHD_OK, "sample");
+    expect(fabsf(red[0] - 128 / 255.0f) < 1e-6f, "texel");
+#ifndef SHD_TEST_OLDER
+    expect(texels->nonfinite_count == 1, "count of lookups that are not finite");
+#endif
+    levels->lod = shd_f32_out_column(lod, 0);
+    EXPECT_READ(levels, shd_texture_query_levels(g_texture, g_sampler, lookups, levels));
+    expect(shd_texture_query_levels(g_texture, g_sampler, lookups, levels) == SHD_OK && lod[1] == 2, "levels");
+    explanation->taps = taps;
+    explanation->blends = blends;
+    explanation->tap_capacity = explanation->blend_capacity = 2;
+    EXPECT_READ(explanation, shd_texture_explain(g_texture, g_sampler, lookups, 0, explanation));
+    expect(shd_texture_explain(g_texture, g_sampler, lookups, 0, explanation) == SHD_OK, "explain");
+    EXPECT_WRITTEN(explanation, explanation->tap_count == 4 && explanation->blend_count == 3);
+    expect(taps[1].value[0] == 128 && blends[1].a < 7, "second elements of the explanation");
+}
+
+static void use_footprint(void)
+{
+    static const float one[1] = {1}, zero[1] = {0};
+    float dudx[1] = {7};
+    int c;
+    MAKE(shd_ray_differentials, rays);
+    MAKE(shd_ray_cones, cones);
+    MAKE(shd_derivatives, derivatives);
+    rays->count = cones->count = 1;
+    for (c = 0; c < 3; ++c) {
+        rays->dpdu[c] = cones->dpdu[c] = shd_f32_column(c == 0 ? one : zero, 0);
+        rays->dpdv[c] = cones->dpdv[c] = shd_f32_column(c == 1 ? one : zero, 0);
+        rays->direction[c] = cones->direction[c] = shd_f32_column(c == 2 ? one : zero, 0);
+    }
+    rays->origin_dx[0] = cones->width = shd_f32_column(one, 0);
+    derivatives->dudx = shd_f32_out_column(dudx, 0);
+    EXPECT_READ(rays, shd_derivatives_from_differentials(rays, derivatives));
+    EXPECT_READ(derivatives, shd_derivatives_from_differentials(rays, derivatives));
+    expect(shd_derivatives_from_differentials(rays, derivatives) == SHD_OK && dudx[0] == 1, "ray differentials");
+    EXPECT_READ(cones, shd_derivatives_from_cones(cones, derivatives));
+    expect(shd_derivatives_from_cones(cones, derivatives) == SHD_OK, "ray cones");
+}
+
+static void use_shapes(void)
+{
+    float x[4] = {0};
+    uint32_t vertices = 0;
+    size_t indices = 0;
+    MAKE(shd_shape_desc, desc);
+    MAKE(shd_shape_columns, columns);
+    desc->shape = SHD_SHAPE_PLANE;
+    EXPECT_READ(desc, shd_shape_count(desc, &vertices, &indices));
+    expect(shd_shape_count(desc, &vertices, &indices) == SHD_OK && vertices == 4 && indices == 6, "shape");
+    columns->vertex_count = vertices;
+    columns->position[0] = shd_f32_out_column(x, 0);
+    EXPECT_READ(desc, shd_shape_fill(desc, columns));
+    EXPECT_READ(columns, shd_shape_fill(desc, columns));
+    expect(shd_shape_fill(desc, columns) == SHD_OK && fabsf(x[3]) == 1, "columns of a shape");
+}
+
+static void use_mesh(void)
+{
+    static const float vertices[6][5] = {{-1, -1, 0, 0, 1}, {1, -1, 0, 1, 1}, {1, 1, 0, 1, 0},
+                                         {-1, -1, 0, 0, 1}, {1, 1, 0, 1, 0},  {-1, 1, 0, 0, 0}};
+    uint32_t ends[8];
+    size_t count = 0;
+    int c;
+    shd_mesh *fine = NULL;
+    MAKE(shd_mesh_desc, desc);
+    MAKE(shd_mesh_info, info);
+    MAKE(shd_edges_desc, edges_desc);
+    MAKE(shd_edges, edges);
+    MAKE(shd_tessellation_desc, tessellation);
+    desc->vertex_count = 6;
+    desc->flags = SHD_MESH_ADJACENCY;
+    for (c = 0; c < 3; ++c) desc->position[c] = shd_f32_column(&vertices[0][c], sizeof vertices[0]);
+    for (c = 0; c < 2; ++c) desc->uv[c] = shd_f32_column(&vertices[0][3 + c], sizeof vertices[0]);
+    EXPECT_READ(desc, shd_mesh_create(g_context, desc, &g_mesh));
+    expect(shd_mesh_create(g_context, desc, &g_mesh) == SHD_OK, "mesh");
+    SPOIL(info);
+    expect(shd_mesh_get_info(g_mesh, info) == SHD_OK, "mesh info");
+    EXPECT_WRITTEN(info, info->triangle_count == 2 && info->bounds_max[0] == 1);
+    edges->vertex[0] = shd_u32_out_column(ends, 0);
+    EXPECT_READ(edges_desc, shd_mesh_find_edges(g_mesh, edges_desc, 8, edges, &count));
+    EXPECT_READ(edges, shd_mesh_find_edges(g_mesh, edges_desc, 8, edges, &count));
+    expect(shd_mesh_find_edges(g_mesh, edges_desc, 8, edges, &count) == SHD_OK && count == 4, "edges");
+    tessellation->segments = 2;
+    EXPECT_READ(tessellation, shd_mesh_tessellate(g_context, g_mesh, tessellation, &fine));
+    expect(shd_mesh_tessellate(g_context, g_mesh, tessellation, &fine) == SHD_OK, "tessellation");
+    expect(shd_mesh_get_info(fine, info) == SHD_OK && info->triangle_count == 8, "tessellated mesh");
+    shd_mesh_release(fine);
+}
+
+static void glow(const shd_fragments *in, float *const out[4], void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) out[0][i] = 0.25f;
+}
+
+/* Two slots and two draws in arrays. */
+static shd_material *make_material(void)
+{
+    shd_slot *const slots = (shd_slot *)guarded("shd_slot[2]", 2 * sizeof *slots);
+    shd_material *material = NULL;
+    MAKE(shd_material_desc, desc);
+    slots[0] = shd_slot_procedure(SHD_SLOT_EMISSION, glow, NULL);
+    slots[1] = shd_slot_texture(SHD_SLOT_DIFFUSE, g_texture, g_sampler);
+    desc->model = SHD_MODEL_UNLIT;
+    desc->diffuse[0] = desc->emission[0] = 1;
+    desc->slots = slots;
+    desc->slot_count = 2;
+    EXPECT_READ(desc, shd_material_create(g_context, desc, &material));
+    EXPECT_READ(slots + 1, shd_material_create(g_context, desc, &material));
+    expect(shd_material_create(g_context, desc, &material) == SHD_OK, "material");
+    return material;
+}
+
+static shd_light *make_light(void)
+{
+    shd_light *light = NULL;
+    MAKE(shd_light_desc, desc);
+    desc->kind = SHD_LIGHT_KIND_DIRECTIONAL;
+    desc->direction[2] = -1;
+    EXPECT_READ(desc, shd_light_create(g_context, desc, &light));
+    expect(shd_light_create(g_context, desc, &light) == SHD_OK, "light");
+    return light;
+}
+
+static void use_shadow(const shd_light *light, const shd_draw *draws)
+{
+    static const float zero[1] = {0};
+    float visible[1] = {7};
+    const shd_f32_out out = shd_f32_out_column(visible, 0);
+    shd_shadow *shadow = NULL;
+    int c;
+    MAKE(shd_shadow_desc, desc);
+    MAKE(shd_shadow_render_desc, render);
+    MAKE(shd_shadow_lookups, lookups);
+    EXPECT_READ(desc, shd_shadow_create(g_context, desc, &shadow));
+    expect(shd_shadow_create(g_context, desc, &shadow) == SHD_OK, "shadow");
+    render->light = light;
+    render->draws = draws;
+    render->draw_count = 2;
+    EXPECT_READ(render, shd_shadow_render(g_context, shadow, render));
+    expect(shd_shadow_render(g_context, shadow, render) == SHD_OK, "shadow map");
+    lookups->count = 1;
+    for (c = 0; c < 3; ++c) lookups->position[c] = shd_f32_column(zero, 0);
+    EXPECT_READ(lookups, shd_shadow_sample(shadow, lookups, &out));
+    expect(shd_shadow_sample(shadow, lookups, &out) == SHD_OK && visible[0] <= 1, "shadow lookups");
+    shd_shadow_release(shadow);
+}
+
+static void make_framebuffer(void)
+{
+    MAKE(shd_framebuffer_desc, desc);
+    MAKE(shd_framebuffer_info, info);
+    desc->width = desc->height = EDGE;
+    EXPECT_READ(desc, shd_framebuffer_create(g_context, desc, &g_framebuffer));
+    expect(shd_framebuffer_create(g_context, desc, &g_framebuffer) == SHD_OK, "framebuffer");
+    SPOIL(info);
+    expect(shd_framebuffer_get_info(g_framebuffer, info) == SHD_OK, "framebuffer info");
+    EXPECT_WRITTEN(info, info->width == EDGE && info->samples == 1);
+}
+
+static void use_render(void)
+{
+    shd_material *const material = make_material();
+    shd_light *light = make_light();
+    shd_draw *const draws = (shd_draw *)guarded("shd_draw[2]", 2 * sizeof *draws);
+    MAKE(shd_camera, camera);
+    MAKE(shd_render_desc, desc);
+    MAKE(shd_render_stats, stats);
+    MAKE(shd_plane_view, view);
+    int i;
+    make_framebuffer();
+    for (i = 0; i < 2; ++i) {
+        draws[i] = shd_draw_default();
+        draws[i].mesh = g_mesh;
+        draws[i].material = material;
+        draws[i].object_to_world[12] = i ? 0.0f : 50.0f;
+    }
+    EXPECT_READ(camera, shd_view_from_camera(camera, &desc->view));
+    expect(shd_view_from_camera(camera, &desc->view) == SHD_OK, "camera");
+    desc->framebuffer = g_framebuffer;
+    desc->draws = draws;
+    desc->draw_count = 2;
+    desc->lights = (const shd_light *const *)&light;
+    desc->light_count = 1;
+    desc->stats = stats;
+    EXPECT_READ(desc, shd_render(g_context, desc));
+    EXPECT_READ(draws + 1, shd_render(g_context, desc));
+    SPOIL(stats);
+    expect(shd_render(g_context, desc) == SHD_OK, "frame");
+    EXPECT_WRITTEN(stats, stats->triangles == 4 && stats->outside == 2 && stats->rasterised == 2);
+    SPOIL(view);
+    expect(shd_framebuffer_view_plane(g_framebuffer, SHD_PLANE_R, view) == SHD_OK, "view of a plane");
+    EXPECT_WRITTEN(view, view->f32 && !view->u32);
+    {
+        float red[EDGE * EDGE];
+        const shd_f32_out out = shd_f32_out_column(red, 0);
+        expect(shd_framebuffer_read_plane(g_framebuffer, SHD_PLANE_R, &out) == SHD_OK, "plane");
+        expect(fabsf(red[EDGE * EDGE / 2 + EDGE / 2] - (0.25f + 128 / 255.0f)) < 1e-5f, "both slots are read");
+    }
+    desc->camera = camera;
+    EXPECT_READ(camera, shd_render(g_context, desc));
+    expect(shd_render(g_context, desc) == SHD_OK, "frame of a camera");
+    EXPECT_WRITTEN(stats, stats->rasterised == 2);
+    use_shadow(light, draws);
+    shd_light_release(light);
+    shd_material_release(material);
+}
+
+static void use_color(void)
+{
+#ifdef SHD_TEST_COLOR
+    shd_color *color = NULL;
+    MAKE(shd_color_desc, desc);
+    EXPECT_READ(desc, shd_color_create(g_context, desc, &color));
+    expect(shd_color_create(g_context, desc, &color) == SHD_OK && shd_color_display_count(color) > 0, "color");
+    shd_color_release(color);
+#endif
+}
+
+static void use_io(const char *path)
+{
+#ifdef SHD_TEST_IO
+    unsigned char pixels[4] = {1, 2, 3, 4};
+    shd_bitmap *bitmap = NULL;
+    MAKE(shd_image, image);
+    MAKE(shd_image, loaded);
+    MAKE(shd_save_desc, save);
+    MAKE(shd_load_desc, load);
+    MAKE(shd_bitmap_info, info);
+    image->format = SHD_FORMAT_R8;
+    image->width = image->height = 2;
+    image->pixels = pixels;
+    EXPECT_READ(image, shd_image_save(image, path, save));
+    EXPECT_READ(save, shd_image_save(image, path, save));
+    expect(shd_image_save(image, path, save) == SHD_OK, "save");
+    EXPECT_READ(load, shd_bitmap_load(g_context, path, load, &bitmap));
+    expect(shd_bitmap_load(g_context, path, load, &bitmap) == SHD_OK, "load");
+    SPOIL(info);
+    expect(shd_bitmap_get_info(bitmap, info) == SHD_OK, "bitmap info");
+    EXPECT_WRITTEN(info, info->file_format == SHD_FILE_FORMAT_PNG);
+    SPOIL(loaded);
+    expect(shd_bitmap_image(bitmap, loaded) == SHD_OK, "bitmap");
+    EXPECT_WRITTEN(loaded, loaded->width == 2 && loaded->pixels);
+    shd_bitmap_release(bitmap);
+    remove(path);
+#else
+    (void)path;
+#endif
+}
+
+static void use_scene(void)
+{
+#ifdef SHD_TEST_SCENE
+    FILE *file;
+    char path[64];
+    shd_scene *scene = NULL;
+    MAKE(shd_scene_desc, desc);
+    MAKE(shd_scene_info, info);
+    MAKE(shd_scene_instance, instance);
+    MAKE(shd_material_desc, material);
+    MAKE(shd_render_desc, render);
+    (void)snprintf(path, sizeof path, "caller_%zu_%zu.obj", sizeof *desc, sizeof *info);
+    file = fopen(path, "w");
+    if (!file) exit(1);
+    (void)fputs("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", file);
+    (void)fclose(file);
+    EXPECT_READ(desc, shd_scene_load(g_context, path, desc, &scene));
+    expect(shd_scene_load(g_context, path, desc, &scene) == SHD_OK, "scene");
+    remove(path);
+    SPOIL(info);
+    expect(shd_scene_get_info(scene, info) == SHD_OK, "scene info");
+    EXPECT_WRITTEN(info, info->mesh_count == 1 && info->instance_count == 1);
+    SPOIL(instance);
+    expect(shd_scene_get_instance(scene, 0, instance) == SHD_OK, "instance");
+    EXPECT_WRITTEN(instance, instance->mesh == 0 && instance->object_to_world[0] == 1);
+    SPOIL(material);
+    expect(shd_scene_get_material_desc(scene, 0, material) == SHD_OK, "material of a scene");
+    EXPECT_WRITTEN(material, material->model == SHD_MODEL_BLINN_PHONG);
+    expect(shd_scene_fill_render(scene, render) == SHD_OK && render->draw_count == 1, "draws of a scene");
+    shd_scene_release(scene);
+#endif
+}
+
+int main(int argc, char **argv)
+{
+    use_context();
+    use_texture();
+    use_mip();
+    use_lookups();
+    use_footprint();
+    use_shapes();
+    use_mesh();
+    use_render();
+    use_color();
+    use_io(argc > 1 ? argv[1] : "caller.png");
+    use_scene();
+    shd_framebuffer_release(g_framebuffer);
+    shd_mesh_release(g_mesh);
+    shd_sampler_release(g_sampler);
+    shd_texture_release(g_texture);
+    shd_context_release(g_context);
+    printf("%zu structs and arrays, %d failures\n", g_count, g_failures);
+    check_canaries();
+    return g_failures != 0;
+}
