@@ -21,10 +21,10 @@ SHD_BEGIN_DECLS
 
 /** Where the derivatives go: du/dx, dv/dx, du/dy, dv/dy per pixel step; unwanted ones NULL. */
 typedef struct shd_derivatives {
-    shd_f32_out dudx;
-    shd_f32_out dvdx;
-    shd_f32_out dudy;
-    shd_f32_out dvdy;
+    shd_f32_out dudx; /**< du/dx */
+    shd_f32_out dvdx; /**< dv/dx */
+    shd_f32_out dudy; /**< du/dy */
+    shd_f32_out dvdy; /**< dv/dy */
 } shd_derivatives;
 
 /** Hits of rays with their differentials, as columns of `count` elements; x, y, z in one space. */

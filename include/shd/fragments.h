@@ -57,7 +57,7 @@ typedef struct shd_fragments {
 /** What a program writes: scene-linear, premultiplied by a. r, g, b start as 0 and a as 1. */
 typedef struct shd_radiance {
     uint32_t struct_size; /**< of the library's struct */
-    uint32_t reserved;
+    uint32_t reserved;    /**< 0 */
     float *r, *g, *b, *a; /**< packed columns of `count` elements */
     uint32_t *discard;    /**< starts as 0; anything else drops the row. NULL but with SHD_MATERIAL_DISCARDS */
     float *target[3][4];  /**< r, g, b, a of SHD_AOV_TARGET1 to 3, start as 0; NULL if the framebuffer has them not */

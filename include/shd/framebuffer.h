@@ -129,9 +129,9 @@ SHD_API void shd_framebuffer_release(shd_framebuffer *framebuffer);
 
 /** What a framebuffer turned out to be. */
 typedef struct shd_framebuffer_info {
-    uint32_t width;
-    uint32_t height;
-    uint32_t samples;
+    uint32_t width;   /**< pixels */
+    uint32_t height;  /**< pixels */
+    uint32_t samples; /**< per pixel */
     uint32_t aovs;    /**< shd_aov bits */
     size_t byte_size; /**< of all planes */
 } shd_framebuffer_info;

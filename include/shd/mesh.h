@@ -129,8 +129,8 @@ SHD_API void shd_mesh_release(shd_mesh *mesh);
 
 /** What a mesh turned out to be. */
 typedef struct shd_mesh_info {
-    uint32_t vertex_count;
-    uint32_t triangle_count;
+    uint32_t vertex_count;     /**< with those of split_count */
+    uint32_t triangle_count;   /**< degenerate ones included */
     uint32_t normalless_count; /**< vertices whose faces have no area or whose normal was 0: (0, 0, 1) stands in */
     uint32_t nonfinite_count;  /**< vertices with a position that is not finite */
     float bounds_min[3];       /**< of the finite positions; 0 if there are none */

@@ -211,10 +211,10 @@ typedef struct shd_progress {
 
 /** Pixels of a picture, origin at the top left corner. */
 typedef struct shd_region {
-    uint32_t x;
-    uint32_t y;
-    uint32_t width;
-    uint32_t height;
+    uint32_t x;      /**< first column */
+    uint32_t y;      /**< first row */
+    uint32_t width;  /**< pixels */
+    uint32_t height; /**< pixels */
 } shd_region;
 
 /**
