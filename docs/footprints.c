@@ -200,7 +200,7 @@ static void draw_figure(shd_context *context, const shd_texture *impulses, const
 {
     static double weights[TEXELS];
     static shd_tap taps[TAPS];
-    static shd_blend blends[TAPS];
+    static shd_blend_step blends[TAPS];
     const shd_lookups one = look_up(1);
     shd_sampler *sampler = NULL, *explained = NULL;
     shd_sampler_desc desc = shd_sampler_desc_default();

@@ -31,7 +31,8 @@ int main(void)
     shd_camera camera = shd_camera_default(); /* at (0, 0, 3), looks at the origin */
     shd_draw draw = shd_draw_default();
     shd_render_desc frame = shd_render_desc_default();
-    shd_render_stats stats = {0};
+    shd_render_stats stats = shd_render_stats_default();
+    shd_slot diffuse;
 
     require(shd_context_create(NULL, &context));
     texture_desc.format = SHD_FORMAT_RGBA8_SRGB;
@@ -39,9 +40,10 @@ int main(void)
     texture_desc.texels = texels;
     require(shd_texture_create(context, &texture_desc, &texture));
 
-    material_desc.model = SHD_MODEL_UNLIT; /* the colour of the texture, without lights */
-    material_desc.slot[SHD_SLOT_DIFFUSE].source = SHD_SOURCE_TEXTURE;
-    material_desc.slot[SHD_SLOT_DIFFUSE].texture = texture;
+    material_desc.model = SHD_MODEL_UNLIT;                       /* the colour of the texture, without lights */
+    diffuse = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, NULL); /* NULL: the default sampler */
+    material_desc.slots = &diffuse;
+    material_desc.slot_count = 1;
     require(shd_material_create(context, &material_desc, &material));
 
     mesh_desc.vertex_count = 3;
