@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+. examples/packages.sh
 packages=(
   build-essential cmake ninja-build pkg-config  # to build
   libhwy-dev                                    # SIMD (Highway)
@@ -14,20 +15,9 @@ packages=(
   libassimp-dev assimp-testmodels               # 3D models: the importer, and the duck and the spider
 )
 
-missing=()
-for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
-done
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "== Installing ${missing[*]}"
-  as_root=()
-  [ "$(id -u)" = 0 ] || as_root=(sudo)
-  "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
-fi
+install_packages "${packages[@]}"
 
-echo "== Building shd in build/demo"
+echo "== Building shd in build/demo: about 240 files, minutes on a few cores"
 cmake -S . -B build/demo -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
 cmake --build build/demo --target shd-render
 
@@ -41,19 +31,20 @@ picture() {
   shift 2
   if [ ! -f "$model" ]; then
     echo "   $model is not there: the teapot stands in"
-    "$render" --stats --size 1280x960 --texture checker -o "out/$name.png"
+    "$render" --stats --samples 8 --size 1280x960 --texture checker -o "out/$name.png"
   else
-    "$render" --stats --size 1280x960 "$@" -o "out/$name.png" "$model"
+    "$render" --stats --samples 8 --size 1280x960 "$@" -o "out/$name.png" "$model"
   fi
 }
 
 echo "== Rendering"
 picture duck "$models/Collada/duck.dae" --orbit 35,15 --specular 0.35 --exponent 60 --background 0.75
 picture spider "$models/OBJ/spider.obj" --orbit 35,30 --background 0.75
-"$render" --stats --size 1280x960 --tessellation 32 --orbit 25,25 --background 0.1,0.12,0.15 --exponent 120 \
+"$render" --stats --samples 8 --size 1280x960 --tessellation 32 --orbit 25,25 --background 0.1,0.12,0.15 --exponent 120 \
   -o out/teapot.png
 
 echo "== Done. The pictures:"
 for name in duck spider teapot; do
   echo "   $PWD/out/$name.png"
 done
+echo "Your own model: $render MODEL -o OUT.png; $render --help lists the options."

@@ -4,7 +4,7 @@
 #
 #   tests/run.sh [stage...]      all (default) | quick | format | release | asan | tsan | core
 #
-#   format    clang-format 14 over every tracked C and C++ file
+#   format    clang-format 14 over every tracked C and C++ file; the documentation, by Doxygen, without warnings
 #   release   optimised build of everything with benchmarks; every CTest test, exported symbols, layouts, headers
 #   asan      address and undefined-behaviour sanitizers; every test but those about the binary
 #   tsan      thread sanitizer on libshd alone; the tests that use threads
@@ -16,7 +16,8 @@
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
-packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake g++ gcc git libassimp-dev libbenchmark-dev libcmocka-dev libhwy-dev
+packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
+          libassimp-dev libbenchmark-dev libcmocka-dev libhwy-dev
           libopencolorio-dev libopenimageio-dev libtbb-dev ninja-build pkg-config python3)
 jobs=$(nproc)
 # Clones share what they compile, wherever they lie.
@@ -74,7 +75,9 @@ run_tests() {
   return "$status"
 }
 
-stage_format() { tests/support/check_format.sh; }
+stage_format() {
+  tests/support/check_format.sh && mkdir -p build/ci/docs && SHD_DOCS_OUTPUT=build/ci/docs doxygen docs/Doxyfile
+}
 stage_release() { build release && run_tests release; }
 # The binary and the style are the release stage's matter; a sanitized library loads and exports more.
 stage_asan() {

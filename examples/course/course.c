@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifdef EXAMPLE_HAS_IO
@@ -130,7 +131,7 @@ shd_material_desc course_material(struct course *course, shd_fragment_fn fragmen
     return desc;
 }
 
-static shd_result create_lights(shd_context *context, shd_light *lights[3])
+static shd_result create_lights(shd_context *context, float intensity, shd_light *lights[3])
 {
     shd_result result = SHD_OK;
     int i, c;
@@ -138,7 +139,7 @@ static shd_result create_lights(shd_context *context, shd_light *lights[3])
         shd_light_desc desc = shd_light_desc_default();
         if (i == 2) desc.kind = SHD_LIGHT_KIND_AMBIENT;
         for (c = 0; c < 3; ++c) {
-            desc.intensity[c] = i < 2 ? k_intensity : k_ambient_light;
+            desc.intensity[c] = i < 2 ? intensity : k_ambient_light;
             if (i < 2) desc.position[c] = k_light[i][c];
         }
         result = shd_light_create(context, &desc, &lights[i]);
@@ -156,7 +157,7 @@ shd_result course_render(const struct course *course, const shd_material_desc *m
     shd_render_desc rd = shd_render_desc_default();
     shd_draw draw = shd_draw_default();
     shd_render_stats stats = shd_render_stats_default();
-    shd_result result = create_lights(course->context, lights);
+    shd_result result = create_lights(course->context, course->intensity, lights);
     int i;
     fd.width = fd.height = COURSE_SIZE, fd.samples = samples;
     fd.aovs = SHD_AOV_NORMAL;
@@ -222,11 +223,12 @@ int course_main(int argc, char **argv, const struct course_program *program)
 {
     const char *path = argc > 1 && *argv[1] ? argv[1] : course_default_model(program->relief);
     char picture[64];
-    struct course course = {NULL, NULL, NULL, NULL, 1, 1, {0}};
+    struct course course = {NULL, NULL, NULL, NULL, 1, 1, {0}, k_intensity};
     struct course_model model = {0, NULL, NULL, NULL, NULL, 0, ""};
     shd_framebuffer *frame = NULL;
     shd_material_desc material = course_material(&course, program->fragment);
     int good = 0;
+    if (argc > 4) course.intensity = (float)atof(argv[4]);
     snprintf(picture, sizeof picture, "%s.png", program->name);
     if (!course_model_create(path, &model)) {
         fprintf(stderr, "%s: no triangles from %s\n", program->name, path);
@@ -234,7 +236,7 @@ int course_main(int argc, char **argv, const struct course_program *program)
         return 1;
     }
     if (shd_context_create(NULL, &course.context) == SHD_OK && create_mesh(&course, &model) == SHD_OK &&
-        create_texture(&course, argc > 3 ? argv[3] : model.texture, program->relief) == SHD_OK &&
+        create_texture(&course, argc > 3 && *argv[3] ? argv[3] : model.texture, program->relief) == SHD_OK &&
         shd_sampler_create(course.context, NULL, &course.sampler) == SHD_OK &&
         course_render(&course, &material, 1, &frame) == SHD_OK &&
         save(&course, program, argc > 2 && *argv[2] ? argv[2] : picture) == SHD_OK) {

@@ -29,7 +29,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
             point[2] = in->pz[i] + move * normal[2];
             tilt(height, height_of(next_u.r[k], next_u.g[k], next_u.b[k]),
                  height_of(next_v.r[k], next_v.g[k], next_v.b[k]), normal);
-            blinn_phong(k_color, point, normal, color);
+            blinn_phong(k_color, course->intensity, point, normal, color);
             out->r[i] = color[0], out->g[i] = color[1], out->b[i] = color[2];
         }
     }
@@ -37,12 +37,12 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
 
 static void plain(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
+    const struct course *course = (const struct course *)user_data;
     size_t i;
-    (void)user_data;
     for (i = 0; i < in->count; ++i) {
         const float point[3] = {in->px[i], in->py[i], in->pz[i]}, normal[3] = {in->nx[i], in->ny[i], in->nz[i]};
         float color[3];
-        blinn_phong(k_color, point, normal, color);
+        blinn_phong(k_color, course->intensity, point, normal, color);
         out->r[i] = color[0], out->g[i] = color[1], out->b[i] = color[2];
     }
 }

@@ -26,14 +26,14 @@ static inline void normalize(float a[3])
 }
 
 /* Sum over the lights of k_a I_a + k_d I / r^2 max(0, n.l) + k_s I / r^2 max(0, n.h)^p (Blinn 1977). */
-static inline void blinn_phong(const float kd[3], const float point[3], const float n[3], float out[3])
+static inline void blinn_phong(const float kd[3], float intensity, const float point[3], const float n[3], float out[3])
 {
     int k, c;
     out[0] = out[1] = out[2] = 0.0f;
     for (k = 0; k < 2; ++k) {
         float l[3], v[3], h[3], received, diffuse, specular;
         for (c = 0; c < 3; ++c) l[c] = k_light[k][c] - point[c], v[c] = k_eye[c] - point[c];
-        received = k_intensity / dot(l, l);
+        received = intensity / dot(l, l);
         normalize(l), normalize(v);
         for (c = 0; c < 3; ++c) h[c] = v[c] + l[c];
         normalize(h);

@@ -18,7 +18,7 @@ import prose
 STAGES = ["core", "data", "shapes", "simd", "image", "texture", "geometry", "raster", "material", "light", "shade", "film",
           "frame", "extension", "color", "io", "scene", "abi", "tool"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
-SOURCE_FOLDERS = ["include", "src", "tests", "bench", "examples", "bindings"]
+SOURCE_FOLDERS = ["include", "src", "tests", "bench", "docs", "examples", "bindings"]
 DATA_FOLDERS = {"golden", "corpus"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {

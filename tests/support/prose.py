@@ -5,9 +5,9 @@ A rule names what to write instead. Code in backticks and quoted titles are not 
 """
 import re
 
-# Finished folders and files; comments elsewhere are not checked yet. A folder includes its subfolders, but Markdown is
-# listed file by file.
-FOLDERS = ["CHANGELOG.md", "README.md", "bench", "examples", "include", "src/abi", "src/color", "src/core", "src/data",
+# Finished folders and files; comments elsewhere are not checked yet. A folder includes its subfolders, but Markdown
+# outside docs/ is listed file by file.
+FOLDERS = ["CHANGELOG.md", "README.md", "bench", "docs", "examples", "include", "src/abi", "src/color", "src/core", "src/data",
            "src/extension", "src/film", "src/frame", "src/geometry", "src/image", "src/io", "src/light", "src/material",
            "src/raster", "src/shade", "src/simd", "src/texture", "tests/abi", "tests/ref", "tests/support", "tests/unit"]
 SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".md"}
@@ -192,7 +192,7 @@ def check(root):
     yield from self_test()
     for folder in FOLDERS:
         base = root / folder
-        files = [base] if base.is_file() else sorted(p for p in base.rglob("*") if p.suffix in SUFFIXES - {".md"})
+        files = [base] if base.is_file() else sorted(p for p in base.rglob("*") if p.suffix in SUFFIXES - {".md"} or folder == "docs" and p.suffix == ".md")
         if not any(True for path in files for _ in comments(path.read_text(encoding="utf-8"), path.suffix)):
             yield f"{folder}: no comments to check"
         for path in files:

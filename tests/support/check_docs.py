@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What README.md and docs/ claim about the tree.
+
+    check_docs.py [--root DIR]
+
+- README's first program is examples/hello.c.
+- Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
+- Every relative link and picture is there.
+
+Prints file:line and what is wrong, and exits 1 if anything is.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+# Names of CMake options and of the environment, and of files and folders, are no names of the interface.
+NAME = re.compile(r"(?<![\w./-])(?:shd_[a-z0-9_]+|SHD_[A-Z0-9_]+[A-Z0-9])(?![\w-]|\.\w)")
+OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|NO_INSTALL)|shd_(?:color|io)")
+
+
+def pages(root):
+    return [root / "README.md", root / ".github/SECURITY.md", *sorted((root / "docs").glob("*.md")),
+            *sorted((root / "docs").glob("*.html"))]
+
+
+def check_names(path, text, names):
+    for number, line in enumerate(text.splitlines(), start=1):
+        for name in NAME.findall(line):
+            prefix = name.endswith("_") or f"{name}_..." in line
+            known = any(n.startswith(name) for n in names) if prefix else name in names
+            if not known and not OTHER.fullmatch(name):
+                yield f"{path.name}:{number}: {name} is not in include/shd"
+
+
+def check_links(root, path, text):
+    for number, line in enumerate(text.splitlines(), start=1):
+        for link in LINK.findall(line):
+            if "://" not in link and not (path.parent / link).exists():
+                yield f"{path.relative_to(root)}:{number}: {link} is not there"
+
+
+def check(root):
+    headers = "\n".join(p.read_text(encoding="utf-8") for p in sorted((root / "include/shd").glob("*.h")))
+    names = set(re.findall(r"\b(?:shd|SHD)_\w+", headers))
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    hello = (root / "examples/hello.c").read_text(encoding="utf-8").split("\n", 1)[1]
+    if f"```c\n{hello}```" not in readme:
+        yield "README.md: its first program is not examples/hello.c"
+    for path in pages(root):
+        if not path.exists():
+            continue
+        text = path.read_text(encoding="utf-8")
+        yield from check_names(path, text, names)
+        yield from check_links(root, path, text)
+    for filter_name in re.findall(r"SHD_FILTER_(\w+) = \d+,", headers):
+        page = root / f"docs/filter-{filter_name.lower().replace('_', '-')}.md"
+        if not page.exists():
+            yield f"docs: SHD_FILTER_{filter_name} has no page"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    problems = list(check(parser.parse_args().root))
+    print("\n".join(problems) if problems else "style.docs: 0 problems")
+    return 1 if problems else 0
+
+
+sys.exit(main())
