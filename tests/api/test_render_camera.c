@@ -46,7 +46,7 @@ static void draw(const shd_render_desc *desc, uint32_t width, uint32_t height, f
     shd_assert_ok(shd_render(g_context, &read));
     for (plane = 0; plane < 5; ++plane) {
         const shd_f32_out column = {out + (size_t)plane * width * height, 0};
-        shd_assert_ok(shd_framebuffer_read_plane(framebuffer, (shd_plane)plane, column));
+        shd_assert_ok(shd_framebuffer_read_plane(framebuffer, (shd_plane)plane, &column));
     }
     shd_framebuffer_release(framebuffer);
 }

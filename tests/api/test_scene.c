@@ -49,6 +49,39 @@ static void assert_three(const char *what, const float *got, double x, double y,
     shd_assert_close(what, 2, got[2], z, 1e-6, 1e-6);
 }
 
+/* The slot of a material with a target; NULL if there is none. */
+static const shd_slot *slot_of(const shd_material_desc *material, shd_slot_target target)
+{
+    uint32_t i;
+    for (i = 0; i < material->slot_count; ++i) {
+        if (material->slots[i].target == target) return &material->slots[i];
+    }
+    return NULL;
+}
+
+/* Diffuse and specular maps are slots of the file; ambient light uses the diffuse map. */
+static void test_obj_slots(void **state)
+{
+    shd_scene *scene = load("tri.obj");
+    shd_material_desc material = shd_material_desc_default();
+    const shd_slot *diffuse, *specular, *ambient;
+    shd_scene_instance instance = shd_scene_instance_default();
+    (void)state;
+    shd_assert_ok(shd_scene_get_instance(scene, 0, &instance));
+    shd_assert_ok(shd_scene_get_material_desc(scene, instance.material, &material));
+    assert_int_equal(material.slot_count, 3);
+    diffuse = slot_of(&material, SHD_SLOT_DIFFUSE);
+    specular = slot_of(&material, SHD_SLOT_SPECULAR);
+    ambient = slot_of(&material, SHD_SLOT_AMBIENT);
+    assert_true(diffuse && specular && ambient);
+    assert_int_equal(diffuse->source, SHD_SLOT_SOURCE_TEXTURE);
+    assert_int_equal(diffuse->struct_size, sizeof *diffuse);
+    assert_true(diffuse->texture && diffuse->sampler && specular->texture);
+    assert_ptr_equal(diffuse->texture, ambient->texture);
+    assert_ptr_not_equal(diffuse->texture, specular->texture);
+    shd_scene_release(scene);
+}
+
 static void test_obj(void **state)
 {
     shd_scene *scene = load("tri.obj");
@@ -349,6 +382,8 @@ static void test_null(void **state)
     shd_assert_result("camera", shd_scene_get_camera(scene, 0, &camera), SHD_ERROR_NOT_FOUND, "0 cameras");
     shd_assert_result("instance", shd_scene_get_instance(scene, 1, &instance), SHD_ERROR_NOT_FOUND, "1 instances");
     shd_assert_result("render", shd_scene_fill_render(scene, NULL), BAD, "render: NULL");
+    render.struct_size = 16;
+    shd_assert_result("render", shd_scene_fill_render(scene, &render), BAD, "render.struct_size: 16");
     assert_null(shd_scene_mesh(scene, 1));
     assert_null(shd_scene_mesh(NULL, 0));
     assert_null(shd_scene_material(scene, 77));
@@ -442,6 +477,7 @@ static void test_model(void **state)
 int main(void)
 {
     add("obj", test_obj, NULL);
+    add("obj/slots", test_obj_slots, NULL);
     add("gltf/material", test_gltf_material, NULL);
     add("gltf/nodes", test_gltf_nodes, NULL);
     add("gltf/lights", test_gltf_lights, NULL);
