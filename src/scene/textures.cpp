@@ -55,7 +55,7 @@ std::vector<Texture> load_textures(shd_context* context, const Model& model, con
     }
     if (result != SHD_OK) warnings->push_back(message_of(source) + "; its material is plain");
     if (texture.get()) {
-      shd_texture_info info;
+      shd_texture_info info = shd_texture_info_default();
       require(shd_texture_get_info(texture.get(), &info));
       bytes += info.byte_size;
       check_limit("bytes of textures", bytes, "max_texture_bytes", limits.texture_bytes);

@@ -45,7 +45,7 @@ Scene load_scene(shd_context* context, const Options& options) {
 }
 
 void read_geometry(Geometry& geometry) {
-  shd_mesh_info info;
+  shd_mesh_info info = shd_mesh_info_default();
   check(shd_mesh_get_info(geometry.mesh, &info), "mesh");
   geometry.position.resize(size_t{3} * info.vertex_count);
   geometry.indices.resize(size_t{3} * info.triangle_count);

@@ -32,7 +32,7 @@ static void paint(const float rgba[4])
 {
     int plane, x, y;
     for (plane = SHD_PLANE_R; plane <= SHD_PLANE_A; ++plane) {
-        shd_plane_view view;
+        shd_plane_view view = shd_plane_view_default();
         shd_assert_ok(shd_framebuffer_view_plane(g_framebuffer, (shd_plane)plane, &view));
         for (y = 0; y < SIZE; ++y) {
             float *row = (float *)(uintptr_t)((uintptr_t)view.f32 + (size_t)y * view.row_stride);
@@ -52,7 +52,7 @@ static struct codes save(const shd_save_desc *desc, const char *file)
 {
     struct codes codes = {{0, 0, 0, 0}, {~0u, ~0u, ~0u, ~0u}, {0, 0, 0, 0}, SHD_HASH_START};
     shd_bitmap *bitmap = NULL;
-    shd_image image;
+    shd_image image = shd_image_default();
     int i, c;
     shd_assert_ok(shd_framebuffer_save(g_framebuffer, io_path(file), desc));
     shd_assert_ok(shd_bitmap_load(g_context, io_path(file), NULL, &bitmap));

@@ -248,11 +248,11 @@ static void test_render(void **state)
     shd_framebuffer_desc made = shd_framebuffer_desc_default();
     shd_render_desc render = shd_render_desc_default();
     shd_camera camera = shd_camera_default();
-    shd_render_stats stats;
+    shd_render_stats stats = shd_render_stats_default();
     shd_framebuffer *framebuffer = NULL;
-    shd_plane_view green;
+    shd_plane_view green = shd_plane_view_default();
     shd_mesh *mesh = shd_scene_mesh(scene, 0);
-    shd_mesh_info info;
+    shd_mesh_info info = shd_mesh_info_default();
     (void)state;
     made.width = 48;
     made.height = 32;

@@ -353,7 +353,7 @@ static void test_tangents(void **state)
         const shd_shape_desc desc = shape_of(s->shape, s->segments[0], s->segments[1], s->segments[2]);
         struct filled f = fill(&desc);
         shd_mesh_desc made = shd_mesh_desc_default();
-        shd_mesh_info info;
+        shd_mesh_info info = shd_mesh_info_default();
         shd_mesh *mesh = NULL;
         uint32_t splits; /* at most */
         made.vertex_count = f.vertex_count;
