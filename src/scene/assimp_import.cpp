@@ -20,7 +20,7 @@ namespace {
 
 constexpr size_t kNothing = ~size_t{0};
 
-/// Everything one import passes along.
+/// State of one import.
 struct Import {
   const aiScene& scene;
   const Limits& limits;
@@ -64,8 +64,8 @@ void copy_vertices(const aiMesh& mesh, Geometry& geometry) {
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     append(geometry.position, mesh.mVertices[i]);
     if (mesh.HasNormals()) append(geometry.normal, mesh.mNormals[i]);
-    // assimp's v grows upwards whatever the format stores. Its own aiProcess_FlipUVs runs before the coordinates that
-    // aiProcess_GenUVCoords makes, and leaves those as they are.
+    // assimp's v grows upwards for any file format. Its own aiProcess_FlipUVs runs before aiProcess_GenUVCoords creates
+    // coordinates, and does not flip these.
     for (unsigned set = 0; set < 2; ++set) {
       if (!mesh.HasTextureCoords(set)) continue;
       std::vector<float>& uv = set == 0 ? geometry.uv : geometry.uv1;

@@ -11,7 +11,7 @@
 namespace shd::scene {
 namespace {
 
-constexpr int kMaxDepth = 512;  // of the node tree
+constexpr int kMaxDepth = 512;  // depth of the node tree
 
 bool is_finite(const aiVector3D& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);

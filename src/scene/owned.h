@@ -7,7 +7,7 @@
 
 namespace shd::scene {
 
-/// Releases whatever shd handle it holds: `Owned<shd_mesh, shd_mesh_release>`.
+/// Releases the shd handle that it owns: `Owned<shd_mesh, shd_mesh_release>`.
 template <class Handle, void (*release)(Handle*)>
 struct Owned {
   Owned() = default;

@@ -21,7 +21,7 @@ struct Geometry {
 struct Surface {
   std::string name;
   shd_material_desc desc;
-  bool is_floor = false;  // which keeps what it is, whatever the options ask of the model
+  bool is_floor = false;  // the options for the model do not apply to the floor
 };
 
 /// A geometry placed in the world.
@@ -37,7 +37,7 @@ struct Model {
   std::vector<Instance> instances;
 };
 
-/// A sphere around everything, world space, and the height of the lowest vertex.
+/// A sphere around everything in world space, and the height of the lowest vertex.
 struct Bounds {
   std::array<float, 3> center = {0, 0, 0};
   float radius = 1.0f;
@@ -50,5 +50,5 @@ Model make_model(shd_context* context, const Options& options);
 /// Adds a square floor under the model, four radii to each side.
 void add_floor(shd_context* context, const Options& options, const Bounds& bounds, Model& model);
 
-/// Sphere around the box of all placed vertices that triangles use; non-finite ones are left out.
+/// Sphere around the box of all placed vertices that triangles use, ignoring non-finite vertices.
 Bounds bounds_of(const Model& model);

@@ -16,8 +16,8 @@ Texture load_normal_map(shd_context* context, const Options& options);
 /// A built-in pattern: squares in two colours with a mark in the corner where (u, v) = (0, 0).
 Texture make_checker(shd_context* context, uint32_t tables);
 
-/// A window of four panes, for a light to project.
+/// A window of four panes, projected by a light.
 Texture make_window(shd_context* context);
 
-/// A sphere lit as in a studio, to be looked up by the normal in view space.
+/// A sphere with studio lighting, looked up by the normal in view space.
 Texture make_matcap(shd_context* context);
