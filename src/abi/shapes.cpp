@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shd/shapes.h>
 
-#include <cstdio>
 
 #include "abi/desc.h"
 #include "abi/guard.h"
@@ -72,6 +71,8 @@ shd_result check_lengths(const Shape& shape, const shd_shape_desc& desc) {
 
 /// Checks a desc and puts the usual numbers of segments in the place of zeros.
 shd_result read_shape(const shd_shape_desc* in, shd_shape_desc* desc, const Shape** shape) {
+  constexpr const char* kSegments[SHD_SHAPE_DIRECTIONS] = {"shape.segments[0]", "shape.segments[1]",
+                                                           "shape.segments[2]"};
   *desc = shd_shape_desc_default();
   SHD_TRY(read_desc("shape", in, true, desc));
   SHD_TRY(check_enum("shape.shape", desc->shape, 0, SHD_SHAPE_TEAPOT));
@@ -80,10 +81,8 @@ shd_result read_shape(const shd_shape_desc* in, shd_shape_desc* desc, const Shap
   for (int i = 0; i < SHD_SHAPE_DIRECTIONS; ++i) {
     const Segments& segments = (*shape)->segments[i];
     if (segments.high == 0) continue;
-    char field[24];
-    std::snprintf(field, sizeof field, "shape.segments[%d]", i);
     if (desc->segments[i] == 0) desc->segments[i] = segments.usual;
-    SHD_TRY(check_count(field, desc->segments[i], segments.low, segments.high));
+    SHD_TRY(check_count(kSegments[i], desc->segments[i], segments.low, segments.high));
   }
   return SHD_OK;
 }
