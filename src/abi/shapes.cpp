@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shd/shapes.h>
 
-
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "shapes/shapes.h"
