@@ -47,7 +47,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Loads all channels of a texel at once. Channels beyond those of the texture are 0. Speed relative to gathers
 /// (trilinear floor, 2048 x 2048, Sapphire Rapids): 1.2 on SSE4; 1.0 on AVX2 and AVX-512, where gathers are fast. The
 /// gain is larger on machines whose microcode slows gathers.
-struct Float32 {
+struct Float32 : QuadsOfPairs<Float32> {
   static constexpr bool kFloat = true;
   template <class D>
   struct Texel {
@@ -67,12 +67,6 @@ struct Float32 {
     }
     *left = load(d, source, texels, at, 0);
     *right = load(d, source, texels, at, source.texel_size);
-  }
-  template <class D>
-  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
-                                    Texel<D> (&quad)[4]) {
-    fetch_pair(d, source, upper, &quad[0], &quad[1]);
-    fetch_pair(d, source, lower, &quad[2], &quad[3]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {

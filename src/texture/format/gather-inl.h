@@ -205,6 +205,17 @@ HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, In
 #endif
 }
 
+/// fetch_quad() of a format by its fetch_pair(), row by row.
+template <class Format>
+struct QuadsOfPairs {
+  template <class D, class Texel>
+  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
+                                    Texel (&quad)[4]) {
+    Format::fetch_pair(d, source, upper, &quad[0], &quad[1]);
+    Format::fetch_pair(d, source, lower, &quad[2], &quad[3]);
+  }
+};
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

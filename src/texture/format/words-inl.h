@@ -33,7 +33,7 @@ HWY_INLINE VI Byte(DI di, VI words) {
 }
 
 /// Fetches of four 8-bit codes in one word. fetch branches on the number of channels, which is constant over a batch.
-struct OneWord {
+struct OneWord : QuadsOfPairs<OneWord> {
   static constexpr bool kFloat = false;
   template <class D>
   using Texel = Ints<D>;
@@ -75,8 +75,7 @@ struct OneWord {
       const uint8_t* texels = TexelsOf(d, source, hn::Load(hn::RebindToSigned<D>(), upper));
       if (HWY_LIKELY(texels)) return LoadWordQuads(d, texels, upper, lower, quad);
     }
-    fetch_pair(d, source, upper, &quad[0], &quad[1]);
-    fetch_pair(d, source, lower, &quad[2], &quad[3]);
+    QuadsOfPairs::fetch_quad(d, source, upper, lower, quad);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
@@ -91,7 +90,7 @@ struct OneWord {
 };
 
 /// Fetches of four 16-bit channels in two words.
-struct TwoWords {
+struct TwoWords : QuadsOfPairs<TwoWords> {
   template <class D>
   struct Texel {
     Ints<D> rg, ba;
@@ -123,12 +122,6 @@ struct TwoWords {
       *left = {word[0], word[1]};
       *right = {word[2], word[3]};
     }
-  }
-  template <class D>
-  static HWY_INLINE void fetch_quad(D d, const TexelSource& source, const int32_t* upper, const int32_t* lower,
-                                    Texel<D> (&quad)[4]) {
-    fetch_pair(d, source, upper, &quad[0], &quad[1]);
-    fetch_pair(d, source, lower, &quad[2], &quad[3]);
   }
   template <class D>
   static HWY_INLINE void fetch_row(D d, const TexelSource& source, const int32_t* at, Texel<D> (&row)[4]) {
