@@ -99,10 +99,10 @@ typedef struct shd_scene_info {
     uint32_t mesh_count;     /**< with triangles */
     uint32_t material_count; /**< at least 1 */
     uint32_t texture_count;  /**< that could be read */
-    uint32_t light_count;
-    uint32_t camera_count;
+    uint32_t light_count;    /**< 0 where the file has none */
+    uint32_t camera_count;   /**< 0 where the file has none */
     uint32_t instance_count; /**< at least 1; as many as draws */
-    uint32_t warning_count;
+    uint32_t warning_count;  /**< parts of the file that were left out or changed */
     uint64_t vertex_count;   /**< sum over all meshes, each counted once */
     uint64_t triangle_count; /**< sum over all meshes, each counted once */
     float bounds_min[3];     /**< lowest x, y, z of all instances, world space */
