@@ -177,9 +177,6 @@ struct Ewa {
 
   Ewa(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
-    return FindEllipses(texture, sampler, in, block);
-  }
   static bool is_scattered(const Texture& texture, const EllipseBlock& block) {
     return texture::is_scattered(texture, block, block.level);
   }

@@ -2,8 +2,7 @@
 // The loop of a filter over a batch. It fills a block with shapes and emits the elements of each vector of lookups to a
 // sink. A Filter has these members:
 //
-//   Block                                     shapes of a block of lookups (block.h)
-//   static size_t find(texture, sampler, in, &block)  fills the block; returns the number of lookups not finite
+//   Block                                     shapes of a block of lookups (block.h), which FindShapes() fills
 //   static bool is_scattered(texture, block)  returns whether the lookups should be prefetched (prefetch.h)
 //   emit(d, block, i, sink)                   emits the elements of the vector of lookups at i, and calls sink.finish()
 
@@ -14,11 +13,12 @@
 #define SHD_TEXTURE_RUNNER_INL_H_
 #endif
 
+#include <type_traits>
+
 #include <hwy/highway.h>
 
 #include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/stream.h"
 
@@ -228,32 +228,43 @@ class StreamSink : public Emitter<StreamSink> {
   Consumption first_, second_;
 };
 
-/// Emits the block of lookups whose first one is `first`. Prefetches the input columns of the next block.
-template <class Filter, class Sink>
-HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& block, const InputColumns& columns,
-                          size_t first, Sink& sink) {
+/// Stands for the sink of filters that are not compiled together with a format.
+struct NoSink {
+  explicit NoSink(const FilterCall&) {}
+};
+
+/// Runs a filter over a batch; a RunFilter. Elements of scattered lookups are streamed even if the filter is fused with
+/// a format by `FusedSink`, because streams are prefetched.
+template <class Filter, class FusedSink = NoSink>
+HWY_NOINLINE size_t Run(const FilterCall& call) {
+  constexpr bool kFused = !std::is_same_v<FusedSink, NoSink>;
   constexpr size_t kLine = 16;  // lookups per cache line of a column
   const BatchTag d;
-  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    if (i % kLine == 0) columns.prefetch(first + kBlock + i);
-    filter.emit(d, block, i, sink);
-  }
-}
-
-/// Runs a filter over a batch; a RunFilter.
-template <class Filter>
-HWY_NOINLINE size_t Run(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);
   const InputColumns columns(call.in);
   typename Filter::Block block;
-  StreamSink sink(call);
+  StreamSink stream(call);
+  FusedSink fused(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = block_of(call.in, first);
-    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
-    sink.begin(first, Filter::is_scattered(call.texture, block));
-    EmitBlock(filter, block, columns, first, sink);
-    sink.flush();
+    nonfinite += FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
+    const auto emit = [&](auto& sink) SHD_INLINE_LAMBDA {
+      for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+        if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
+        filter.emit(d, block, i, sink);
+      }
+    };
+    const bool scattered = Filter::is_scattered(call.texture, block);
+    if constexpr (kFused) {
+      if (!scattered) {
+        fused.begin(first);
+        emit(fused);
+        continue;
+      }
+    }
+    stream.begin(first, scattered);
+    emit(stream);
+    stream.flush();
   }
   return nonfinite;
 }
