@@ -25,6 +25,7 @@ namespace {
 template <class F>
 class FusedSink : public Emitter<FusedSink<F>> {
  public:
+  static constexpr bool kBuffered = false;
   using D = BatchTag;
   using B = Blend<F, false>;
 
@@ -37,7 +38,8 @@ class FusedSink : public Emitter<FusedSink<F>> {
   static constexpr bool bordered() { return false; }
 
   /// Begins the block of lookups whose first one is `first`.
-  void begin(size_t first) { to_.done = first; }
+  void begin(size_t first, bool) { to_.done = first; }
+  void flush() {}
 
   HWY_INLINE size_t add(D) { return 0; }
   HWY_INLINE void commit(D d, uint32_t op) {

@@ -76,6 +76,9 @@ struct PickTrilinear : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<LodBlock>;
 
+  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
+  static bool is_scattered(const Texture&, const PointBlock&) { return false; }
+
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
     Rng<D> rng = RngOf(d, sampler, block, i);

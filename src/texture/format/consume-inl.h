@@ -282,14 +282,14 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
 
 /// Consumes elements with the Blend B and the Format F; a Consume.
 template <class B, class F, bool kBorder>
-void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* consumption) {
+void ConsumeStream(const Stream& stream, size_t end, Consumption* consumption) {
   using D = BatchTag;
   const D d;
   const Consumer<B> consumer(*consumption);
   Averages<B, D> averages;
   static_assert(sizeof averages <= sizeof consumption->state);
   if (consumption->open) std::memcpy(&averages, consumption->state, sizeof averages);
-  for (size_t e = first; e < end; ++e) {
+  for (size_t e = 0; e < end; ++e) {
     ConsumeElement<B, F, kBorder>(d, consumer, stream, stream.op[e], e * hn::Lanes(d), &averages, consumption);
   }
   consumption->open = !(stream.op[end - 1] & kLast);
