@@ -63,13 +63,13 @@ struct Elements {
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
-/// A buffer of elements: at most 16 KB, 26 KB with rates. It stays in the first-level cache. Prefetched texels have the
-/// time of a buffer to arrive.
-struct Stream : Elements<32 * kMaxLanes> {
-  static constexpr size_t kElements = 32;
+/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache. Prefetched texels have the time of a
+/// buffer to arrive.
+struct Stream : Elements<256> {
+  static constexpr size_t kCapacity = 256, kMaxElements = 32;
 
   size_t elements;  // elements in use, one vector each
-  uint16_t op[kElements];
+  uint16_t op[kMaxElements];
 };
 
 /// Addresses of the texels of a texture.

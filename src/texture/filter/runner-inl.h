@@ -13,6 +13,8 @@
 #define SHD_TEXTURE_RUNNER_INL_H_
 #endif
 
+#include <type_traits>
+
 #include <hwy/highway.h>
 
 #include "texture/filter/level-inl.h"
@@ -192,8 +194,8 @@ class StreamSink : public Emitter<StreamSink> {
   }
 
   HWY_INLINE size_t add(BatchTag d) {
-    const size_t lanes = hn::Lanes(d);
-    if (HWY_UNLIKELY(stream_.elements == Stream::kElements)) flush();
+    const size_t lanes = hn::Lanes(d), fit = Stream::kCapacity / lanes;
+    if (HWY_UNLIKELY(stream_.elements == (fit < Stream::kMaxElements ? fit : Stream::kMaxElements))) flush();
     return stream_.elements++ * lanes;
   }
   HWY_INLINE void commit(BatchTag d, uint32_t op) {
@@ -246,6 +248,11 @@ class PrefetchSink : public Emitter<PrefetchSink> {
   Elements<kMaxLanes> element_;
 };
 
+/// Stands for a sink that is not used.
+struct NoSink {
+  explicit NoSink(const FilterCall&) {}
+};
+
 /// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
 /// buffer it; for sinks without a buffer, the elements of the next vector of lookups are emitted to a PrefetchSink.
 template <class Filter, class Sink = StreamSink>
@@ -256,7 +263,7 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
   const InputColumns columns(call.in);
   typename Filter::Block block;
   Sink sink(call);
-  PrefetchSink prefetch(call);
+  std::conditional_t<Sink::kBuffered, NoSink, PrefetchSink> prefetch(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
     nonfinite += FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);

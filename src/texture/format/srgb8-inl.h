@@ -54,8 +54,8 @@ template <class D>
 HWY_INLINE hn::Vec<D> LinearOf(D d, Ints<D> code) {
 #if HWY_TARGET == HWY_AVX3
   if constexpr (hn::MaxLanes(D()) == 16) {
-    // Eight permutations of 32 table entries each, and a selection by the upper three bits. A gather of 16 lanes takes
-    // longer: it reads one element at a time.
+    // Eight permutations of 32 table entries each, and a selection by the upper three bits. A gather of 16 lanes is
+    // slower, because it reads the elements one by one.
     const auto eighth = [&](int k) SHD_INLINE_LAMBDA {
       const float* entries = image::kSrgb8ToLinear + 32 * k;
       return _mm512_permutex2var_ps(_mm512_loadu_ps(entries), code.raw, _mm512_loadu_ps(entries + 16));
