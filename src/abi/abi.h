@@ -16,7 +16,7 @@
 /// | desc.h           | descs of any version in and out, checks that name the field, shd_desc_init        |
 /// | handle.h         | handles to bodies and back                                                        |
 /// | batch.h          | the columns of one call: checked, split over the executor, copied if strided      |
-/// | lookup_columns.h | the columns of lookups; whether a texture has the tables that a filter reads      |
+/// | lookup.h         | the columns of lookups; whether a texture has the tables that a filter reads      |
 /// | camera.h         | cameras and look-at matrices                                                      |
 /// | draws.h          | the draws of a frame or a shadow                                                  |
 /// | levels.h         | mip levels that the caller gives                                                  |

@@ -103,6 +103,19 @@ Byte* element_of(const BatchColumn<Void>& column, size_t index) {
   return static_cast<Byte*>(column.data) + index * (column.stride ? column.stride : kElementSize);
 }
 
+/// Returns elements of packed columns.
+template <size_t kIn, size_t kOut>
+Piece<kIn, kOut> packed_part(const Batch<kIn, kOut>& batch, size_t first, size_t count) {
+  Piece<kIn, kOut> piece = {count, {}, {}};
+  for (size_t c = 0; c < kIn; ++c) {
+    if (batch.in[c].data) piece.in[c] = element_of<const char>(batch.in[c], first);
+  }
+  for (size_t c = 0; c < kOut; ++c) {
+    if (batch.out[c].data) piece.out[c] = element_of<char>(batch.out[c], first);
+  }
+  return piece;
+}
+
 /// run(piece) on up to kStageElements elements, through packed copies.
 template <size_t kIn, size_t kOut, class Run>
 void run_staged(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run& run) {
@@ -126,36 +139,32 @@ void run_staged(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run& 
 
 }  // namespace batch_detail
 
-/// run(piece) for pieces that cover `count` elements from `first` on, on the calling thread. Columns that are packed
-/// are used where they are, others through copies. The results must not depend on where pieces end.
+/// Calls run(piece) for pieces that cover a batch, concurrently on the executor of the context; null = on the calling
+/// thread. Packed columns are used where they are, others through copies. The results must not depend on where pieces
+/// end.
 template <size_t kIn, size_t kOut, class Run>
-void for_each_piece(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run&& run) {
+void run_batch(const core::Context* context, const Batch<kIn, kOut>& batch, Run&& run) {
   using namespace batch_detail;
-  if (is_packed(batch.in) && is_packed(batch.out)) {
-    Piece<kIn, kOut> piece = {count, {}, {}};
-    for (size_t c = 0; c < kIn; ++c) {
-      if (batch.in[c].data) piece.in[c] = element_of<const char>(batch.in[c], first);
+  const bool packed = is_packed(batch.in) && is_packed(batch.out);
+  const auto run_part = [&](size_t first, size_t count) {
+    if (packed) return run(packed_part(batch, first, count));
+    for (size_t done = 0; done < count; done += kStageElements) {
+      run_staged(batch, first + done, count - done < kStageElements ? count - done : kStageElements, run);
     }
-    for (size_t c = 0; c < kOut; ++c) {
-      if (batch.out[c].data) piece.out[c] = element_of<char>(batch.out[c], first);
-    }
-    return run(static_cast<const Piece<kIn, kOut>&>(piece));
-  }
-  for (size_t done = 0; done < count; done += kStageElements) {
-    run_staged(batch, first + done, count - done < kStageElements ? count - done : kStageElements, run);
-  }
-}
-
-/// for_each_piece over the whole batch, concurrently on the context's executor.
-template <size_t kIn, size_t kOut, class Run>
-void run_batch(const core::Context& context, const Batch<kIn, kOut>& batch, Run&& run) {
-  using namespace batch_detail;
+  };
+  if (!context) return run_part(0, batch.count);
   const size_t size = batch.count / kMaxTasks < kTaskElements ? kTaskElements : batch.count / kMaxTasks + 1;
   const auto tasks = static_cast<uint32_t>(batch.count / size + (batch.count % size != 0));
-  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
+  core::parallel_for(*context, tasks, [&](uint32_t task, uint32_t) {
     const size_t first = task * size;
-    for_each_piece(batch, first, batch.count - first < size ? batch.count - first : size, run);
+    run_part(first, batch.count - first < size ? batch.count - first : size);
   });
+}
+
+/// Calls run(piece) for one element of a batch, on the calling thread.
+template <size_t kIn, size_t kOut, class Run>
+void run_element(const Batch<kIn, kOut>& batch, size_t index, Run&& run) {
+  batch_detail::run_staged(batch, index, 1, run);
 }
 
 }  // namespace shd::abi

@@ -4,7 +4,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "abi/lookup_columns.h"
+#include "abi/lookup.h"
 #include "texture/explain/explain.h"
 
 namespace {
@@ -44,7 +44,7 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
                         static_cast<int>(sampler_body->filter));
     }
     const core::Context& context = *object_of(texture)->context;
-    for_each_piece(batch, index, 1, [&](const auto& piece) {
+    run_element(batch, index, [&](const auto& piece) {
       texture::explain(context, *texture_body, *sampler_body, lookups_of(piece), &out);
     });
     write_desc(out, explanation);

@@ -105,7 +105,7 @@ shd_result shd_derivatives_from_differentials(const shd_ray_differentials* rays,
     set_vector("rays.direction_dy", in.direction_dy, Need::kOptional, columns + kDirectionDy);
     set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
-    for_each_piece(batch, 0, batch.count, trace_differentials);
+    run_batch(nullptr, batch, trace_differentials);
     return SHD_OK;
   });
 }
@@ -125,7 +125,7 @@ shd_result shd_derivatives_from_cones(const shd_ray_cones* cones, const shd_deri
     columns[kWidth] = in_column("cones.width", in.width, Need::kRequired);
     set_derivatives(derivatives, &batch);
     SHD_TRY(check_batch(batch));
-    for_each_piece(batch, 0, batch.count, trace_cones);
+    run_batch(nullptr, batch, trace_cones);
     return SHD_OK;
   });
 }

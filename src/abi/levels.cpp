@@ -4,7 +4,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "abi/lookup_columns.h"
+#include "abi/lookup.h"
 #include "texture/footprint/lod.h"
 #include "texture/footprint/profile.h"
 
@@ -49,7 +49,7 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
     batch.out[kLevel] = out_column("levels.level", levels.level, Need::kOptional);
     SHD_TRY(check_batch(batch));
     const core::Context& context = *object_of(texture)->context;
-    run_batch(context, batch,
+    run_batch(&context, batch,
               [&](const auto& piece) { query_piece(context.simd, *texture_body, *sampler_body, piece); });
     return SHD_OK;
   });

@@ -1,15 +1,70 @@
 // SPDX-License-Identifier: MIT
-#include <shd/lookup.h>
+#include "abi/lookup.h"
 
 #include <atomic>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "abi/lookup_columns.h"
-#include "texture/texture.h"
+#include "texture/sample.h"
+
+namespace shd::abi {
+
+namespace {
+
+/// The columns of a caller's lookups, in the order of texture::Lookups::real() and integer().
+template <class Column>
+struct Row {
+  const char* name;
+  Need need;
+  Column shd_lookups::*column;
+};
+
+constexpr Row<shd_f32_in> kFloatRows[] = {
+    {"lookups.u", Need::kRequired, &shd_lookups::u},       {"lookups.v", Need::kRequired, &shd_lookups::v},
+    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx}, {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
+    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy}, {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
+    {"lookups.lod", Need::kOptional, &shd_lookups::lod},
+};
+constexpr Row<shd_u32_in> kIntegerRows[] = {
+    {"lookups.layer", Need::kOptional, &shd_lookups::layer},
+    {"lookups.random", Need::kOptional, &shd_lookups::random},
+};
+static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
+
+}  // namespace
+
+shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,
+                                    const texture::Texture** texture_body, const texture::Sampler** sampler_body) {
+  SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, texture_body));
+  return read_handle("sampler", sampler, core::ObjectType::kSampler, sampler_body);
+}
+
+shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count) {
+  shd_lookups read = shd_lookups_default();
+  SHD_TRY(read_desc("lookups", in, false, &read));
+  InColumn* next = columns->data();
+  for (const auto& row : kFloatRows) *next++ = in_column(row.name, read.*row.column, row.need);
+  for (const auto& row : kIntegerRows) *next++ = in_column(row.name, read.*row.column, row.need);
+  *count = read.count;
+  return check_columns(columns->data(), columns->size(), read.count);
+}
+
+shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
+  if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
+  }
+  if (sampler.filter == SHD_FILTER_SUMMED_AREA && !(texture.tables & SHD_TABLE_SUMMED_AREA)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "sampler.filter: SUMMED_AREA, but the texture has no SHD_TABLE_SUMMED_AREA");
+  }
+  return SHD_OK;
+}
+
+}  // namespace shd::abi
 
 namespace {
 
@@ -65,19 +120,6 @@ void write_nonfinite(size_t count, shd_texels* out) {
   if (out->struct_size == 0 || out->struct_size >= kEnd) out->nonfinite_count = count;
 }
 
-/// Samples a batch on the executor; returns how many lookups were not finite.
-size_t sample_batch(const core::Context& context, const texture::Texture& texture, const texture::Sampler& sampler,
-                    const LookupBatch& batch) {
-  std::atomic<size_t> nonfinite{0};
-  run_batch(context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
-    texture::Texels out;
-    for (size_t c = 0; c < kOutputs; ++c) out.column(c) = piece.out_floats(c);
-    const size_t found = texture::sample(texture, sampler, context.simd, lookups_of(piece), out);
-    if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
-  });
-  return nonfinite.load(std::memory_order_relaxed);
-}
-
 }  // namespace
 
 extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_sampler* sampler,
@@ -94,7 +136,15 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     set_outputs(texels, &batch);
     SHD_TRY(check_gradient(batch, *sampler_body));
     SHD_TRY(check_outputs(batch));
-    write_nonfinite(sample_batch(*object_of(texture)->context, *texture_body, *sampler_body, batch), out);
+    const core::Context& context = *object_of(texture)->context;
+    std::atomic<size_t> nonfinite{0};
+    run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
+      texture::Texels to;
+      for (size_t c = 0; c < kOutputs; ++c) to.column(c) = piece.out_floats(c);
+      const size_t found = texture::sample(*texture_body, *sampler_body, context.simd, lookups_of(piece), to);
+      if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
+    });
+    write_nonfinite(nonfinite.load(std::memory_order_relaxed), out);
     return SHD_OK;
   });
 }

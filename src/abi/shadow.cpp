@@ -114,7 +114,7 @@ shd_result read_batch(const shd_shadow_lookups* in, const shd_f32_out* out, Shad
 }
 
 void sample_batch(const core::Context& context, const light::Shadow& shadow, const ShadowBatch& batch) {
-  run_batch(context, batch, [&](const Piece<6, 1>& piece) {
+  run_batch(&context, batch, [&](const Piece<6, 1>& piece) {
     light::ShadowLookups lookups = {piece.count, {}, {}};
     for (size_t c = 0; c < 3; ++c) {
       lookups.position[c] = piece.floats(c);

@@ -6,7 +6,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "abi/lookup_columns.h"
+#include "abi/lookup.h"
 #include "geometry/tessellate.h"
 #include "texture/texture.h"
 

@@ -8,6 +8,7 @@
 #include "geometry/face.h"
 #include "geometry/tangents.h"
 #include "geometry/weld.h"
+#include "texture/sample.h"
 
 namespace shd::geometry {
 namespace {

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "simd/vec3-inl.h"
+#include "texture/sample.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {

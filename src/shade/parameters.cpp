@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shade/program.h"
+#include "texture/sample.h"
 
 namespace shd::shade {
 namespace {

@@ -22,9 +22,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace {
 
 /// Consumes each element as soon as it is emitted: values of one format, without border.
-template <class F, class D>
-class FusedSink : public Emitter<FusedSink<F, D>> {
+template <class F>
+class FusedSink : public Emitter<FusedSink<F>> {
  public:
+  static constexpr bool kBuffered = false;
+  using D = BatchTag;
   using B = Blend<F, false>;
 
   explicit FusedSink(const FilterCall& call)
@@ -36,7 +38,8 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   static constexpr bool bordered() { return false; }
 
   /// Begins the block of lookups whose first one is `first`.
-  void begin(size_t first) { to_.done = first; }
+  void begin(size_t first, bool) { to_.done = first; }
+  void flush() {}
 
   HWY_INLINE size_t add(D) { return 0; }
   HWY_INLINE void commit(D d, uint32_t op) {
@@ -44,8 +47,10 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   }
   HWY_INLINE void finish() {
     const D d;
-    consumer_.wanted.for_each(
-        [&](auto c) SHD_INLINE_LAMBDA { consumer_.blend.template store<c>(d, averages_.value[0][c], to_.done, to_); });
+    consumer_.wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
+      const auto result = B::template finish<c>(d, averages_.value[0][c]);
+      StoreFirst(d, result, to_.count - to_.done, to_.out.channel[c] + to_.done);
+    });
     to_.done += hn::Lanes(d);
   }
 
@@ -56,30 +61,6 @@ class FusedSink : public Emitter<FusedSink<F, D>> {
   Averages<B, D> averages_;
 };
 
-/// Runs a fused pair; a RunFilter. Blocks of scattered lookups are streamed instead, because streams are prefetched.
-template <class Filter, class F>
-size_t RunFused(const FilterCall& call) {
-  const Filter filter(call.texture, call.sampler);
-  const InputColumns columns(call.in);
-  typename Filter::Block block;
-  FusedSink<F, BatchTag> fused(call);
-  StreamSink stream(call);
-  size_t nonfinite = 0;
-  for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = block_of(call.in, first);
-    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
-    if (Filter::is_scattered(call.texture, block)) {
-      stream.begin(first, true);
-      EmitBlock(filter, block, columns, first, stream);
-      stream.flush();
-    } else {
-      fused.begin(first);
-      EmitBlock(filter, block, columns, first, fused);
-    }
-  }
-  return nonfinite;
-}
-
 /// A fused pair, with its speed relative to the streamed filter (RGBA8, 2048 x 2048, receding floor, one thread of a
 /// Sapphire Rapids Xeon). Measured and rejected: trilinear 1.05 (AVX-512), bicubic 1.0, bilinear 0.9, anisotropic 0.95.
 struct FusedPair {
@@ -88,8 +69,10 @@ struct FusedPair {
   RunFilter run;
 };
 constexpr FusedPair kFusedPairs[] = {
-    {SHD_FILTER_NEAREST, image::Component::kUnorm8, RunFused<Nearest, Unorm8>},  // 1.20 on AVX-512, 1.0 on AVX2, SSE4
-    {SHD_FILTER_EWA, image::Component::kUnorm8, RunFused<Ewa, Unorm8>},  // 1.18 on AVX-512, 1.26 on AVX2, 1.14 on SSE4
+    {SHD_FILTER_NEAREST, image::Component::kUnorm8,
+     Run<Nearest, FusedSink<Unorm8>>},  // 1.20 on AVX-512, 1.0 on AVX2, SSE4
+    {SHD_FILTER_EWA, image::Component::kUnorm8,
+     Run<Ewa, FusedSink<Unorm8>>},  // 1.18 on AVX-512, 1.26 on AVX2, 1.14 on SSE4
 };
 
 }  // namespace

@@ -45,20 +45,10 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(KernelsOf);
-}  // namespace
 
-size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out, Recording* recording) {
-  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler.filter, texture.component);
-  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
-  const bool is_fused = kernels.fused && !recording && !out.wants_gradient() && !has_border(sampler);
-  const RunFilter run = is_fused ? kernels.fused : kernels.run;
-  return run({texture, sampler, lookups, out, kernels.format, recording ? kernels.record : nullptr, recording});
-}
-
-size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-              const Texels& out) {
-  // Columns by stored channel c: column 4 k + c holds values (k = 0) or their derivatives in u (k = 1) or v (k = 2).
+/// Returns the wanted columns of the stored channels. Column 4 k + c holds values of the stored channel c (k = 0) or
+/// their derivatives in u (k = 1) or v (k = 2).
+Texels stored_columns(const Texture& texture, const Texels& out) {
   Texels stored = {};
   for (size_t i = 0; i < kOutputColumns; ++i) {
     const uint32_t source = texture.channel_source[i % 4];
@@ -66,19 +56,35 @@ size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTa
     float*& column = stored.column(i / 4 * 4 + source);
     if (!column) column = out.column(i);
   }
-  const size_t nonfinite = sampler.magnification == SHD_MAGNIFICATION_DEFAULT
-                               ? run_filter(texture, sampler, simd, lookups, stored, nullptr)
-                               : sample_magnified(texture, sampler, simd, lookups, stored);
+  return stored;
+}
+
+/// Writes the columns that stored_columns() left out: constants, and copies of other columns.
+void complete_columns(const Texture& texture, const Texels& stored, size_t count, const Texels& out) {
   for (size_t i = 0; i < kOutputColumns; ++i) {
     if (!out.column(i)) continue;
     const uint32_t source = texture.channel_source[i % 4];
     if (source == kFill) {
-      std::fill_n(out.column(i), lookups.count, i < 4 ? texture.fill[i] : 0.0f);
+      std::fill_n(out.column(i), count, i < 4 ? texture.fill[i] : 0.0f);
       continue;
     }
     const float* column = stored.column(i / 4 * 4 + source);
-    if (column != out.column(i)) std::memcpy(out.column(i), column, lookups.count * sizeof(float));
+    if (column != out.column(i)) std::memcpy(out.column(i), column, count * sizeof(float));
   }
+}
+}  // namespace
+
+size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+              const Texels& out, Recording* recording) {
+  if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
+  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler.filter, texture.component);
+  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
+  const Texels stored = stored_columns(texture, out);
+  const bool is_fused = kernels.fused && !recording && !stored.wants_gradient() && !has_border(sampler);
+  const RunFilter run = is_fused ? kernels.fused : kernels.run;
+  const size_t nonfinite =
+      run({texture, sampler, lookups, stored, kernels.format, recording ? kernels.record : nullptr, recording});
+  complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
 }
 

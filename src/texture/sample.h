@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "texture/explain/record.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
 
-/// Runs the filter `sampler.filter` for the stored channels, on the calling thread. The sampler's magnification is
-/// ignored. If `recording` is not null, lookups are recorded there instead of written to the columns; the filter must
-/// be is_explainable(). Returns the number of lookups that were not finite.
+struct Recording;
+
+/// Filters any number of lookups on the calling thread. The texture must have the tables that the filter reads. If
+/// `recording` is not null, lookups are recorded there instead of written to the columns; the filter must be
+/// is_explainable() and the sampler without magnification. Returns the number of lookups with a coordinate, derivative
+/// or level of detail that is not finite.
 ///
 /// Error bounds against exact arithmetic on the same floats, for texels and borders of magnitude up to m (1 for unorm)
 /// and a base level of w x h texels:
@@ -44,7 +46,7 @@ namespace shd::texture {
 ///
 /// Profiles (profile.h): levels of detail and positions of probes are within 4e-6 of the profile's, 3e-6 max_anisotropy
 /// for anisotropic. Weights and fractions that a profile rounds to 8 bits are rounded to nearest.
-size_t run_filter(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-                  const Texels& out, Recording* recording);
+size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
+              const Texels& out, Recording* recording = nullptr);
 
 }  // namespace shd::texture

@@ -24,6 +24,7 @@
 #include <cstdint>
 
 #include "texture/explain/record.h"
+#include "texture/footprint/block.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -62,12 +63,13 @@ struct Elements {
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
-/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache.
+/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache. Prefetched texels have the time of a
+/// buffer to arrive.
 struct Stream : Elements<256> {
-  static constexpr size_t kCapacity = 256;
+  static constexpr size_t kCapacity = 256, kMaxElements = 32;
 
   size_t elements;  // elements in use, one vector each
-  uint16_t op[kCapacity];
+  uint16_t op[kMaxElements];
 };
 
 /// Addresses of the texels of a texture.
@@ -93,8 +95,8 @@ struct Consumption {
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
 };
 
-/// Consumes elements first..end - 1.
-using Consume = void (*)(const Stream& stream, size_t first, size_t end, Consumption* consumption);
+/// Consumes elements 0..end - 1.
+using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
 /// The consumers of one format on one target.
 struct FormatKernels {

@@ -42,9 +42,9 @@
 /// | store/rows.h                                 | loop over rows on the executor                             |
 /// | store/wrap.h, wrap-inl.h                     | texel coordinates and wrapping: one index, vectors         |
 /// | footprint/block.h                            | blocks: points, levels of detail, probes, ellipses         |
-/// | footprint/points-inl.h                       | kernel loop that fills a block; inputs that are not finite |
-/// | footprint/shapes-inl.h                       | declarations of the kernels that fill blocks               |
-/// | footprint/lods.cpp, probes.cpp, ellipses.cpp | these kernels                                              |
+/// | footprint/shapes-inl.h                       | kernels that fill blocks; inputs that are not finite       |
+/// | footprint/ellipses.cpp                       | the kernel that fills ellipses                             |
+/// | footprint/lods.cpp, probes.cpp               | the same kernels, called outside of filters                |
 /// | footprint/lod.h, lod-inl.h                   | level of detail                                            |
 /// | footprint/footprint-inl.h                    | axes of the footprint; width and blur                      |
 /// | footprint/profile.h, profile-inl.h           | levels of detail and probes of other texture units         |
@@ -58,7 +58,6 @@
 /// | filter/nearest, bilinear, bicubic, mip       | one filter each (.cpp, most with -inl.h)                   |
 /// | filter/trilinear, ripmap, anisotropic, ewa   | one filter each (.cpp, most with -inl.h)                   |
 /// | filter/cubic-inl.h                           | weights of bicubic                                         |
-/// | filter/probe_line-inl.h                      | probes of anisotropic                                      |
 /// | filter/ellipse-inl.h, walk-inl.h             | ellipses of EWA; walks over wrapped texels                 |
 /// | filter/stochastic.cpp, random-inl.h          | one random texel per lookup; random numbers                |
 /// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel by the weights of a filter        |
@@ -224,10 +223,5 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
 /// Throws std::bad_alloc before anything is written.
 void update(const core::Context& context, uint32_t layer, uint32_t x, uint32_t y, const shd_image& texels,
             Texture* texture);
-
-/// Filters any number of lookups on the calling thread. The texture must have the tables that the filter reads.
-/// Returns the number of lookups with a coordinate, derivative or level of detail that is not finite.
-size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
-              const Texels& out);
 
 }  // namespace shd::texture

@@ -134,7 +134,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
              shd_explanation* out) {
   const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);
   Recording recording(context.allocator);
-  run_filter(texture, taken, context.simd, lookups, {}, &recording);
+  sample(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
   out->filter = taken.filter;
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];

@@ -50,10 +50,10 @@ struct RecordedBlend {
   using Value = Node;
 
   Recording* recording;
-  bool bordered;
 
-  explicit RecordedBlend(const Consumption& consumption)
-      : recording(consumption.recording), bordered(has_border(consumption.sampler)) {}
+  explicit RecordedBlend(const Consumption& consumption) : recording(consumption.recording) {
+    recording->finished_taps = has_border(consumption.sampler);
+  }
 
   template <size_t C, class D>
   HWY_INLINE Node tap(D d, Ints<D> index, MaskOf<D> in) const {
@@ -79,10 +79,12 @@ struct RecordedBlend {
   HWY_INLINE Node replace(D, MaskOf<D>, Node a, Node) const {
     return a;
   }
+  static constexpr size_t kResults = 1, kFirstColumn = 0;
+
+  /// Is never called, because a recording has no output columns.
   template <size_t C, class D>
-  HWY_INLINE void store(D, Node value, size_t, const Consumption&) const {
-    recording->root = value.id;
-    recording->finished_taps = bordered;
+  HWY_INLINE hn::Vec<D> finish(D d, Node, size_t) const {
+    return hn::Zero(d);
   }
   static HWY_INLINE bool wanted(const Texels&, size_t channel) { return channel == 0; }
 };

@@ -35,7 +35,6 @@ struct Recording {
   core::Array<RecordedBlend> blends;
   size_t tap_count = 0, blend_count = 0;
   bool finished_taps = false;  // texels leave the lerp domain before they are blended
-  uint32_t root = 0;
 
   explicit Recording(const core::Allocator& allocator) : taps(allocator, kMaxTaps), blends(allocator, kMaxTaps) {}
 

@@ -9,13 +9,57 @@
 
 #include <hwy/highway.h>
 
+#include "simd/math-inl.h"
 #include "texture/filter/bases-inl.h"
-#include "texture/filter/probe_line-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// The lines of probes of one vector of lookups.
+template <class D>
+struct ProbeLine {
+  using V = hn::Vec<D>;
+  V u, v;            // reduced coordinates of the middle
+  V step_u, step_v;  // half the step between probes, in reduced coordinates
+  V probes;
+  shd_wrap wrap_u, wrap_v;
+
+  HWY_INLINE ProbeLine(D d, const Sampler& sampler, const ProbeBlock& block, size_t i)
+      : u(hn::Load(d, block.u + i)),
+        v(hn::Load(d, block.v + i)),
+        step_u(Distance(d, sampler.wrap_u, hn::Load(d, block.step_u + i))),
+        step_v(Distance(d, sampler.wrap_v, hn::Load(d, block.step_v + i))),
+        probes(hn::Load(d, block.probes + i)),
+        wrap_u(sampler.wrap_u),
+        wrap_v(sampler.wrap_v) {}
+
+  /// Returns the position of probe k, in half steps from the middle. It is the last probe's for k beyond it.
+  HWY_INLINE V position(D d, V k) const {
+    const V last = probes - hn::Set(d, 1.0f);
+    return hn::Min(k + k, last + last) - last;
+  }
+  /// Return the reduced coordinates at a position.
+  HWY_INLINE V u_at(V position) const { return At(wrap_u, u, position, step_u); }
+  HWY_INLINE V v_at(V position) const { return At(wrap_v, v, position, step_v); }
+
+ private:
+  /// Converts a distance to the unit of reduced coordinates.
+  static HWY_INLINE V Distance(D d, shd_wrap wrap, V step) {
+    return wrap == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
+  }
+  static HWY_INLINE V At(shd_wrap wrap, V centre, V position, V step) {
+    const V x = centre + position * step;
+    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - hn::Floor(x) : x;
+  }
+};
+
+/// Returns exp(-2 x^2).
+template <class D, class V>
+HWY_INLINE V ProbeGaussian(D d, V x) {
+  return simd::HWY_NAMESPACE::Exp2(d, x * x * hn::Set(d, -2.88539008f));  // -2 / ln 2
+}
 
 /// The filter SHD_FILTER_ANISOTROPIC. All probes read the same two levels. Bilinear lookups on the finer level form the
 /// first average, lookups on the coarser level the second. The merge blends the averages by the fraction between the
@@ -23,10 +67,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct Anisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = ProbeBlock;
-
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, ProbeBlock* block) {
-    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
-  }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const ProbeBlock& block, size_t i, Sink& sink) const {

@@ -12,7 +12,6 @@
 
 #include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,9 +27,6 @@ struct OnBaseLevel {
 
   OnBaseLevel(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* block) {
-    return FindPoints(texture, sampler, in, block);
-  }
   static bool is_scattered(const Texture& texture, const PointBlock& block) {
     return texture::is_scattered(texture, block, nullptr);
   }
@@ -50,9 +46,6 @@ struct OnMipLevels {
 
   OnMipLevels(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* block) {
-    return FindLods(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
-  }
   static bool is_scattered(const Texture& texture, const LodBlock& block) {
     return texture::is_scattered(texture, block, block.lod);
   }

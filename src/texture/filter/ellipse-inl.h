@@ -13,7 +13,7 @@
 
 #include "texture/filter/level-inl.h"
 #include "texture/filter/walk-inl.h"
-#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

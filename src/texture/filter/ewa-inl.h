@@ -10,6 +10,8 @@
 #define SHD_TEXTURE_EWA_INL_H_
 #endif
 
+#include <type_traits>
+
 #include <hwy/highway.h>
 
 #include "texture/filter/ellipse-inl.h"
@@ -116,6 +118,21 @@ struct EllipseWalk {
     }
   }
 
+  /// Emits the first texel of every row, for a sink that prefetches.
+  template <class Sink>
+  HWY_INLINE void emit_rows(D d, Sink& sink) {
+    const float max_row = hn::GetLane(hn::MaxOfLanes(d, last));
+    Walk<D> down(d, sampler.wrap_v, top, ellipse.level.down);
+    for (float r = 0.0f; r <= max_row; r += 1.0f) {
+      const Row row = row_at(d, hn::Set(d, r));
+      const Walk<D> across(d, sampler.wrap_u, row.left, ellipse.level.across);
+      MaskOf<D> in_x, in_y;
+      const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
+      sink.texel(d, kNewLine, texel, hn::And(in_x, in_y));
+      down.step(d);
+    }
+  }
+
   /// Emits texel `column` of a row. Returns whether it lies in the ellipse of any lane.
   template <class Sink>
   HWY_INLINE bool emit_texel(D d, const Row& row, V column, const Walk<D>& down, const Walk<D>& across, uint32_t flags,
@@ -177,9 +194,6 @@ struct Ewa {
 
   Ewa(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* block) {
-    return FindEllipses(texture, sampler, in, block);
-  }
   static bool is_scattered(const Texture& texture, const EllipseBlock& block) {
     return texture::is_scattered(texture, block, block.level);
   }
@@ -187,6 +201,7 @@ struct Ewa {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const EllipseBlock& block, size_t i, Sink& sink) const {
     EllipseWalk<D> walk(d, texture, sampler, block, i);
+    if constexpr (std::is_same_v<Sink, PrefetchSink>) return walk.emit_rows(d, sink);
     if (!hn::AllTrue(d, walk.ellipse.is_quad)) {
       if (!sink.has_rates() && walk.are_unlike(d)) {
         walk.emit_apart(d, sink);

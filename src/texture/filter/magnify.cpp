@@ -63,12 +63,12 @@ void sample_rows(const Texture& texture, const Sampler& sampler, const core::Sim
                  const uint16_t* rows, size_t count, const Texels& out) {
   if (count == 0) return;
   if (count == in.count) {
-    run_filter(texture, sampler, simd, in, out, nullptr);
+    sample(texture, sampler, simd, in, out);
     return;
   }
   Gathered gathered;
   const Lookups some = gathered.load(in, rows, count);
-  run_filter(texture, sampler, simd, some, gathered.wanted(out), nullptr);
+  sample(texture, sampler, simd, some, gathered.wanted(out));
   gathered.scatter(rows, count, out);
 }
 

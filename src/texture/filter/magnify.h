@@ -10,7 +10,7 @@ Sampler magnifier(const Sampler& sampler);
 /// Returns the sampler for all other lookups.
 Sampler minifier(const Sampler& sampler);
 
-/// Calls run_filter() with the magnifier or the minifier, chosen for each lookup. The sampler's magnification is not
+/// Calls sample() with the magnifier or the minifier, chosen for each lookup. The sampler's magnification is not
 /// SHD_MAGNIFICATION_DEFAULT.
 size_t sample_magnified(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                         const Lookups& lookups, const Texels& out);

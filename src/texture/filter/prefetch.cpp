@@ -24,7 +24,8 @@ bool is_scattered(const Texture& texture, const PointBlock& block, const float* 
   return apart > kPairs / 2;
 }
 
-void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes) {
+void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* index0, const int32_t* index2,
+                      size_t lanes) {
   const auto ask = [&](const int32_t* index) {
     // gcc 12 treats a function that only prefetches as free of effects and removes its calls. This prevents it.
     __asm__ volatile("");
@@ -34,11 +35,8 @@ void prefetch_elements(const TexelSource& source, const Stream& stream, size_t f
                          size_t{i} * source.texel_size);
     }
   };
-  for (size_t e = first; e < end; ++e) {
-    const uint32_t op = stream.op[e];
-    if (op & (kQuad | kNewLine)) ask(stream.index[0] + e * lanes);
-    if (op & (kQuad | kRow)) ask(stream.index[2] + e * lanes);
-  }
+  if (op & (kQuad | kNewLine)) ask(index0);
+  if (op & (kQuad | kRow)) ask(index2);
 }
 
 InputColumns::InputColumns(const Lookups& in) : count_(in.count) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Prefetches for lookups that are scattered over a large texture. Without prefetches, each vector of such lookups
-/// waits for memory on its own. All cache lines of a part of a stream are prefetched before the part is consumed.
+/// waits for memory on its own. Texels are prefetched some elements before they are consumed.
 /// Lookups that are near their neighbours are not prefetched, because prefetches would only cost time.
 #pragma once
 
@@ -31,7 +31,9 @@ class InputColumns {
   const uint32_t* column_[kFloatColumns + kIntegerColumns];  // columns of any type of four bytes
 };
 
-/// Prefetches the texels of elements first..end - 1: of quads, of rows, and of single texels with kNewLine.
-void prefetch_elements(const TexelSource& source, const Stream& stream, size_t first, size_t end, size_t lanes);
+/// Prefetches the texels of an element: of quads, of rows, and of single texels with kNewLine. `index0` and `index2` are
+/// its columns Elements::index.
+void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* index0, const int32_t* index2,
+                      size_t lanes);
 
 }  // namespace shd::texture

@@ -32,6 +32,20 @@ struct AxisLodBlock : PointBlock {
   alignas(64) float lod_u[kBlock], lod_v[kBlock];
 };
 
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, AxisLodBlock* out) {
+  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
+  const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
+  const bool lod_given = in.lod != nullptr;
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto& j = p.derivatives;
+    const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
+    const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
+    hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
+    hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
+  });
+}
+
 /// The two levels of one axis around a level of detail.
 template <class D>
 struct AxisLevels {
@@ -67,19 +81,6 @@ struct Ripmap {
 
   Ripmap(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, AxisLodBlock* out) {
-    const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
-    const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
-    const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
-    const bool lod_given = in.lod != nullptr;
-    return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-      const auto& j = p.derivatives;
-      const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
-      const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
-      hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
-      hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
-    });
-  }
   static bool is_scattered(const Texture& texture, const AxisLodBlock& block) {
     return texture::is_scattered(texture, block, block.lod_u);
   }

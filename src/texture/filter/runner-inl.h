@@ -2,8 +2,7 @@
 // The loop of a filter over a batch. It fills a block with shapes and emits the elements of each vector of lookups to a
 // sink. A Filter has these members:
 //
-//   Block                                     shapes of a block of lookups (block.h)
-//   static size_t find(texture, sampler, in, &block)  fills the block; returns the number of lookups not finite
+//   Block                                     shapes of a block of lookups (block.h), which FindShapes() fills
 //   static bool is_scattered(texture, block)  returns whether the lookups should be prefetched (prefetch.h)
 //   emit(d, block, i, sink)                   emits the elements of the vector of lookups at i, and calls sink.finish()
 
@@ -14,11 +13,12 @@
 #define SHD_TEXTURE_RUNNER_INL_H_
 #endif
 
+#include <type_traits>
+
 #include <hwy/highway.h>
 
 #include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/stream.h"
 
@@ -49,6 +49,8 @@ struct Row {
 ///   sampler()      the sampler
 ///   bordered()     texels may be the border colour
 ///   has_rates()    shares need their derivatives
+///
+/// Sinks of Run() also have begin() and flush() for each block of lookups, and kBuffered.
 ///
 /// A share is a vector or a Share. Elements that start an average have no share.
 template <class Sink>
@@ -167,6 +169,8 @@ class Emitter {
 /// Buffers elements and passes them to the consumers of a call whenever the buffer is full.
 class StreamSink : public Emitter<StreamSink> {
  public:
+  static constexpr bool kBuffered = true;
+
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
         bordered_(has_border(call.sampler)),
@@ -190,36 +194,30 @@ class StreamSink : public Emitter<StreamSink> {
   }
 
   HWY_INLINE size_t add(BatchTag d) {
-    const size_t lanes = hn::Lanes(d);
-    if (HWY_UNLIKELY((stream_.elements + 1) * lanes > Stream::kCapacity)) flush();
+    const size_t lanes = hn::Lanes(d), fit = Stream::kCapacity / lanes;
+    if (HWY_UNLIKELY(stream_.elements == (fit < Stream::kMaxElements ? fit : Stream::kMaxElements))) flush();
     return stream_.elements++ * lanes;
   }
-  HWY_INLINE void commit(BatchTag, uint32_t op) { stream_.op[stream_.elements - 1] = static_cast<uint16_t>(op); }
+  HWY_INLINE void commit(BatchTag d, uint32_t op) {
+    const size_t e = stream_.elements - 1;
+    stream_.op[e] = static_cast<uint16_t>(op);
+    if (HWY_UNLIKELY(scattered_)) {
+      const size_t at = e * hn::Lanes(d);
+      prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
+    }
+  }
 
   HWY_INLINE void finish() { stream_.op[stream_.elements - 1] |= kLast; }
 
   void flush() {
-    const size_t end = stream_.elements, lanes = hn::Lanes(BatchTag());
+    const size_t end = stream_.elements;
+    if (end == 0) return;
     stream_.elements = 0;
-    if (!scattered_) return consume(0, end);
-    // Consume the stream in parts, and prefetch the next part before each one.
-    constexpr size_t kPart = Stream::kCapacity / 2;
-    const size_t part = kPart > lanes ? kPart / lanes : 1;
-    prefetch_elements(first_.texels, stream_, 0, part < end ? part : end, lanes);
-    for (size_t e = 0; e < end; e += part) {
-      const size_t next = e + part < end ? e + part : end;
-      prefetch_elements(first_.texels, stream_, next, next + part < end ? next + part : end, lanes);
-      consume(e, next);
-    }
+    if (consume_first_) consume_first_(stream_, end, &first_);
+    if (consume_second_) consume_second_(stream_, end, &second_);
   }
 
  private:
-  void consume(size_t first, size_t end) {
-    if (first == end) return;
-    if (consume_first_) consume_first_(stream_, first, end, &first_);
-    if (consume_second_) consume_second_(stream_, first, end, &second_);
-  }
-
   Stream stream_;
   const Sampler& sampler_;
   const bool bordered_;
@@ -228,31 +226,57 @@ class StreamSink : public Emitter<StreamSink> {
   Consumption first_, second_;
 };
 
-/// Emits the block of lookups whose first one is `first`. Prefetches the input columns of the next block.
-template <class Filter, class Sink>
-HWY_INLINE void EmitBlock(const Filter& filter, const typename Filter::Block& block, const InputColumns& columns,
-                          size_t first, Sink& sink) {
+/// Prefetches the texels of elements and drops them.
+class PrefetchSink : public Emitter<PrefetchSink> {
+ public:
+  explicit PrefetchSink(const FilterCall& call) : sampler_(call.sampler), source_(call.texture) {}
+
+  HWY_INLINE const Sampler& sampler() const { return sampler_; }
+  HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }
+  static constexpr bool has_rates() { return false; }
+  static constexpr bool bordered() { return false; }
+
+  HWY_INLINE size_t add(BatchTag) { return 0; }
+  HWY_INLINE void commit(BatchTag d, uint32_t op) {
+    prefetch_element(source_, op, element_.index[0], element_.index[2], hn::Lanes(d));
+  }
+  HWY_INLINE void finish() {}
+
+ private:
+  const Sampler& sampler_;
+  const TexelSource source_;
+  Elements<kMaxLanes> element_;
+};
+
+/// Stands for a sink that is not used.
+struct NoSink {
+  explicit NoSink(const FilterCall&) {}
+};
+
+/// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
+/// buffer it; for sinks without a buffer, the elements of the next vector of lookups are emitted to a PrefetchSink.
+template <class Filter, class Sink = StreamSink>
+HWY_NOINLINE size_t Run(const FilterCall& call) {
   constexpr size_t kLine = 16;  // lookups per cache line of a column
   const BatchTag d;
-  for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    if (i % kLine == 0) columns.prefetch(first + kBlock + i);
-    filter.emit(d, block, i, sink);
-  }
-}
-
-/// Runs a filter over a batch; a RunFilter.
-template <class Filter>
-HWY_NOINLINE size_t Run(const FilterCall& call) {
   const Filter filter(call.texture, call.sampler);
   const InputColumns columns(call.in);
   typename Filter::Block block;
-  StreamSink sink(call);
+  Sink sink(call);
+  std::conditional_t<Sink::kBuffered, NoSink, PrefetchSink> prefetch(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    const Lookups in = block_of(call.in, first);
-    nonfinite += Filter::find(call.texture, call.sampler, in, &block);
-    sink.begin(first, Filter::is_scattered(call.texture, block));
-    EmitBlock(filter, block, columns, first, sink);
+    nonfinite += FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
+    const bool scattered = Filter::is_scattered(call.texture, block);
+    sink.begin(first, scattered);
+    for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+      if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
+      if constexpr (!Sink::kBuffered) {
+        const size_t next = i + hn::Lanes(d);
+        if (HWY_UNLIKELY(scattered && next < block.count)) filter.emit(d, block, next, prefetch);
+      }
+      filter.emit(d, block, i, sink);
+    }
     sink.flush();
   }
   return nonfinite;

@@ -9,11 +9,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/filter/pick-inl.h"
 #include "texture/filter/pick_ellipse-inl.h"
-#include "texture/filter/probe_line-inl.h"
 #include "texture/filter/random-inl.h"
 #include "texture/filter/runner-inl.h"
 
@@ -28,14 +28,16 @@ struct RandomBlock : Shape {
   alignas(64) uint32_t random[kBlock];
 };
 
-/// Loads the random bits of lookups. Without a column of random bits they are a hash of the coordinates.
+/// Fills a block with shapes and with the random bits of lookups. Without a column of random bits they are a hash of the
+/// coordinates.
 template <class Shape>
-void FindRandom(const Lookups& in, RandomBlock<Shape>* out) {
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, RandomBlock<Shape>* out) {
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {
     const hn::RebindToUnsigned<decltype(d)> du;
     const auto u = FiniteOrZero(d, hn::LoadU(d, from.u + i)), v = FiniteOrZero(d, hn::LoadU(d, from.v + i));
     hn::Store(from.random ? hn::LoadU(du, from.random + i) : BitsOfPoint(d, u, v), du, out->random + to);
   });
+  return HWY_NAMESPACE::FindShapes(texture, sampler, in, static_cast<Shape*>(out));
 }
 
 template <class D, class Shape>
@@ -48,11 +50,6 @@ template <bool kCubic>
 struct PickOnBase : OnBaseLevel {
   using OnBaseLevel::OnBaseLevel;
   using Block = RandomBlock<PointBlock>;
-
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(in, block);
-    return FindPoints(texture, sampler, in, block);
-  }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
@@ -79,10 +76,8 @@ struct PickTrilinear : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<LodBlock>;
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(in, block);
-    return OnMipLevels::find(texture, sampler, in, block);
-  }
+  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
+  static bool is_scattered(const Texture&, const PointBlock&) { return false; }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
@@ -99,11 +94,6 @@ struct PickTrilinear : OnMipLevels {
 struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
-
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(in, block);
-    return FindProbes(texture, sampler, lod_range(texture, sampler), LodRounding::kFilter, in, block);
-  }
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const Block& block, size_t i, Sink& sink) const {
@@ -148,10 +138,6 @@ struct PickEllipse {
 
   PickEllipse(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
 
-  static size_t find(const Texture& texture, const Sampler& sampler, const Lookups& in, Block* block) {
-    FindRandom(in, block);
-    return FindEllipses(texture, sampler, in, block);
-  }
   static bool is_scattered(const Texture& texture, const Block& block) {
     return texture::is_scattered(texture, block, block.level);
   }

@@ -15,7 +15,7 @@
 
 #include "texture/filter/box-inl.h"
 #include "texture/filter/filters-inl.h"
-#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

@@ -7,7 +7,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -48,7 +47,7 @@ HWY_INLINE Axes2<D> AxesOnLevel(D d, const Footprint<D>& f, const Sampler& sampl
   return {area * (a * a) + texel, area * (b * b) + texel, level};
 }
 
-size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out) {
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const LodRange range = lod_range(texture, sampler);
   const bool lod_given = in.lod != nullptr;

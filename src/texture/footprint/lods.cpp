@@ -4,34 +4,17 @@
 #include <cstring>
 
 #include "core/simd_target.h"
-#include "texture/footprint/profile.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "texture/footprint/lods.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "texture/footprint/points-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out) {
-  return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
-}
-
-size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                const Lookups& in, LodBlock* out) {
-  if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
-  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
-  const bool lod_given = in.lod != nullptr;
-  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
-    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
-  });
-}
 
 size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis, const Lookups& in,
                  float* out) {
@@ -39,8 +22,8 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
   for (size_t first = 0; first < in.count; first += kBlock) {
     const Lookups part = block_of(in, first);
     ProbeBlock block;
-    nonfinite += axis == LodAxis::kProbes ? FindProbes(texture, sampler, range, LodRounding::kNone, part, &block)
-                                          : FindLods(texture, sampler, range, LodRounding::kNone, part, &block);
+    nonfinite += axis == LodAxis::kProbes ? FindShapes(texture, sampler, part, &block, &range)
+                                          : FindShapes(texture, sampler, part, static_cast<LodBlock*>(&block), &range);
     std::memcpy(out + first, block.lod, part.count * sizeof(float));
   }
   return nonfinite;

@@ -16,7 +16,7 @@
 #include <hwy/highway.h>
 
 #include "texture/footprint/footprint-inl.h"
-#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
 #include "texture/store/storage.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels that fill blocks, one for each shape. Each is compiled once per target and shared by all filters. Each
-// returns the number of lookups with an input that is not finite.
+// Kernels that fill blocks: the points of lookups and their shapes. FindShapes() is overloaded for each block. Each
+// overload returns the number of lookups with an input that is not finite.
 
 #if defined(SHD_TEXTURE_SHAPES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_SHAPES_INL_H_
@@ -11,28 +11,201 @@
 
 #include <hwy/highway.h>
 
+#include "simd/finite-inl.h"
 #include "texture/footprint/block.h"
+#include "texture/footprint/footprint-inl.h"
+#include "texture/footprint/profile.h"
+#include "texture/store/wrap-inl.h"
+#include "texture/texture.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::ZeroIfNaN;
 
-size_t FindPoints(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out);
+using BatchTag = hn::CappedTag<float, kMaxLanes>;
 
-/// Finds the levels of detail of the longer axis, clamped to a range, according to the sampler's profile.
-size_t FindLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                const Lookups& in, LodBlock* out);
+/// One vector of lookups. NaN and infinite coordinates, NaN derivatives and NaN levels of detail are replaced by 0.
+template <class D>
+struct Points {
+  hn::Vec<D> u, v;
+  Derivatives<D> derivatives;  // 0 if the lookups have no derivatives
+  hn::Vec<D> lod;              // 0 if the lookups have no level of detail
+  MaskOf<D> finite;            // lanes whose inputs were all finite
+};
 
-/// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile.
-size_t FindProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
-                  const Lookups& in, ProbeBlock* out);
+template <class D>
+HWY_INLINE hn::Vec<D> LoadOrZero(D d, const float* column, size_t i) {
+  return column ? hn::LoadU(d, column + i) : hn::Zero(d);
+}
 
-size_t FindEllipses(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out);
+/// Returns the first texel of the layer of each lane. Layers beyond the last one are clamped to it.
+template <class D>
+HWY_INLINE Ints<D> LoadFirstTexel(D, const Texture& texture, const Lookups& in, size_t i) {
+  const hn::RebindToSigned<D> di;
+  const hn::RebindToUnsigned<D> du;
+  if (!in.layer) return hn::Zero(di);
+  const auto layer = hn::Min(hn::LoadU(du, in.layer + i), hn::Set(du, texture.layers - 1));
+  return hn::BitCast(di, layer) * hn::Set(di, static_cast<int32_t>(texture.layer_texels));
+}
 
-/// Implement FindLods() and FindProbes() for the profiles other than SHD_PROFILE_EXACT.
+template <class D>
+SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
+  Points<D> p;
+  p.u = hn::LoadU(d, in.u + i);
+  p.v = hn::LoadU(d, in.v + i);
+  p.lod = LoadOrZero(d, in.lod, i);
+  Derivatives<D>& j = p.derivatives;
+  j.dudx = LoadOrZero(d, in.lod ? nullptr : in.dudx, i);
+  j.dvdx = LoadOrZero(d, in.lod ? nullptr : in.dvdx, i);
+  j.dudy = LoadOrZero(d, in.lod ? nullptr : in.dudy, i);
+  j.dvdy = LoadOrZero(d, in.lod ? nullptr : in.dvdy, i);
+  // x - x is 0 for finite x and NaN for others.
+  const auto point = (p.u - p.u) + (p.v - p.v);
+  const auto along_x = (j.dudx - j.dudx) + (j.dvdx - j.dvdx);
+  const auto along_y = (j.dudy - j.dudy) + (j.dvdy - j.dvdy);
+  p.finite = hn::Eq((point + (p.lod - p.lod)) + (along_x + along_y), hn::Zero(d));
+  if (HWY_UNLIKELY(!hn::AllTrue(d, p.finite))) {
+    p.u = FiniteOrZero(d, p.u);
+    p.v = FiniteOrZero(d, p.v);
+    p.lod = ZeroIfNaN(p.lod);
+    j.dudx = ZeroIfNaN(j.dudx);
+    j.dvdx = ZeroIfNaN(j.dvdx);
+    j.dudy = ZeroIfNaN(j.dudy);
+    j.dvdy = ZeroIfNaN(j.dvdy);
+  }
+  return p;
+}
+
+/// The incomplete last vector of a block, filled with copies of the last lookup.
+struct Tail {
+  float reals[kFloatColumns][kMaxLanes];
+  uint32_t integers[kIntegerColumns][kMaxLanes];
+
+  Lookups copy(const Lookups& from, size_t first) {
+    const size_t count = from.count - first;
+    Lookups in = from;
+    for (size_t c = 0; c < kFloatColumns; ++c) in.real(c) = fill(from.real(c), first, count, reals[c]);
+    for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(from.integer(c), first, count, integers[c]);
+    return in;
+  }
+
+ private:
+  template <class T>
+  static const T* fill(const T* from, size_t first, size_t count, T* to) {
+    if (!from) return nullptr;
+    for (size_t i = 0; i < kMaxLanes; ++i) to[i] = from[first + (i < count ? i : count - 1)];
+    return to;
+  }
+};
+
+/// Calls body(d, in, from, to) for every vector of a block. Its lookups are at `from` in the lookups `in`; `to` is the
+/// place of its results.
+template <class Body>
+HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
+  const BatchTag d;
+  const size_t lanes = hn::Lanes(d);
+  Tail tail;
+  Lookups in = block;
+  for (size_t to = 0; to < block.count; to += lanes) {
+    const bool whole = block.count - to >= lanes;
+    if (HWY_UNLIKELY(!whole)) in = tail.copy(block, to);
+    body(d, static_cast<const Lookups&>(in), whole ? to : 0, to);
+  }
+}
+
+/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. Width and
+/// blur of the sampler are applied to the derivatives of `points`. Returns the number of lookups that were not finite.
+template <class Body>
+HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
+                            const Body& body) {
+  const bool widened = !in.lod && widens(sampler);
+  size_t nonfinite = 0;
+  out->count = in.count;
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    auto points = LoadPoints(d, from, i);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
+      nonfinite += hn::CountTrue(d, hn::AndNot(points.finite, hn::FirstN(d, in.count - to)));
+    }
+    hn::Store(ReduceCoordinate(d, sampler.wrap_u, points.u), d, out->u + to);
+    hn::Store(ReduceCoordinate(d, sampler.wrap_v, points.v), d, out->v + to);
+    if (texture.layers > 1) {
+      hn::Store(LoadFirstTexel(d, texture, from, i), hn::RebindToSigned<decltype(d)>(), out->first_texel + to);
+    }
+    if (HWY_UNLIKELY(widened)) Widen(d, sampler, &points.derivatives);
+    body(d, points, to);
+  });
+  return nonfinite;
+}
+
+/// Find levels of detail and probes for the profiles other than SHD_PROFILE_EXACT.
 size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                         const Lookups& in, LodBlock* out);
 size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                           const Lookups& in, ProbeBlock* out);
+
+/// Finds nothing but the points.
+inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
+                                      PointBlock* out) {
+  return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
+}
+
+/// Finds the levels of detail of the longer axis according to the sampler's profile. They are clamped to `query` and not
+/// rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
+inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
+                                      const LodRange* query = nullptr) {
+  const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
+  const LodRange range = query ? *query : lod_range(texture, sampler);
+  if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
+  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const bool lod_given = in.lod != nullptr;
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
+    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
+  });
+}
+
+/// Part of a probe's width that the footprint may exceed its probes by before it gets another probe. Alternatives on a
+/// receding floor (2048^2 checkerboard): 1/2 in place of 1/8 costs 3.3 dB. More than one probe per width of the shorter
+/// axis is slower and gains at most 0.6 dB. Probes up to the ends of the footprint, instead of half a width before
+/// them, cost 5 dB.
+constexpr float kSlack = 0.125f;
+
+/// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile (McCormack,
+/// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). `query`: as above.
+inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
+                                      ProbeBlock* out, const LodRange* query = nullptr) {
+  const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
+  const LodRange range = query ? *query : lod_range(texture, sampler);
+  if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
+  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const bool lod_given = in.lod != nullptr;
+  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
+    const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
+    const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
+    const auto lambda = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
+    const auto probes = hn::Ceil(ratio - hn::Set(d, kSlack));
+    const auto half_step = f.length / (probes + probes);
+    const auto step_u = half_step * f.u / hn::Set(d, width), step_v = half_step * f.v / hn::Set(d, height);
+    hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);
+    hn::Store(hn::Max(hn::Min(step_v, limit), hn::Neg(limit)), d, out->step_v + to);
+    hn::Store(probes, d, out->probes + to);
+    hn::Store(probes, d, out->reach + to);
+    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
+  });
+}
+
+/// Finds ellipses; in ellipses.cpp.
+size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, EllipseBlock* out);
+
+/// Returns the first texel of the layer of each lane.
+template <class D>
+HWY_INLINE Ints<D> FirstTexel(D, const Texture& texture, const PointBlock& block, size_t i) {
+  const hn::RebindToSigned<D> di;
+  return texture.layers == 1 ? hn::Zero(di) : hn::Load(di, block.first_texel + i);
+}
 
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

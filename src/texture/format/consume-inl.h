@@ -21,7 +21,7 @@
 //   blend_s, blend_t blend with ds/du = rate, and blend with dt/dv = rate
 //   blend_by         blend with the rates of s in u and v
 //   replace          b in some lanes, a in the others
-//   store<C>         finishes and writes a value
+//   finish<C>        result of a value: number k of kResults, written to the output column kFirstColumn + 4 k + C
 //   wanted           whether a channel is written
 
 #if defined(SHD_TEXTURE_CONSUME_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -36,7 +36,7 @@
 
 #include <hwy/highway.h>
 
-#include "texture/footprint/points-inl.h"
+#include "texture/footprint/shapes-inl.h"
 #include "texture/store/wrap-inl.h"
 #include "texture/stream.h"
 
@@ -114,16 +114,14 @@ struct Blend {
     return hn::IfThenElse(lanes, b, a);
   }
 
+  static constexpr size_t kResults = 1, kFirstColumn = 0;
+
   /// Returns the result. All NaN become the same NaN, because the NaN of an operation depends on the target.
   template <size_t C, class D>
-  static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value) {
+  static HWY_INLINE hn::Vec<D> finish(D d, Value<D> value, size_t = 0) {
     if constexpr (F::kFloat) return hn::IfThenElse(hn::Eq(value, value), value, hn::Set(d, __builtin_nanf("")));
     if constexpr (kBorder) return value;
     return F::template finish<C>(d, value);
-  }
-  template <size_t C, class D>
-  HWY_INLINE void store(D d, Value<D> value, size_t i, const Consumption& to) const {
-    StoreFirst(d, finish<C>(d, value), to.count - i, to.out.channel[C] + i);
   }
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.channel[channel] != nullptr; }
 };
@@ -270,7 +268,12 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
     wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { value[c] = Averaged(d, b, into[c], value[c], stream, op, at); });
   }
   if (op & kLast) {
-    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { b.template store<c>(d, value[c], to->done, *to); });
+    wanted.for_each([&](auto c) SHD_INLINE_LAMBDA {
+      for (size_t k = 0; k < B::kResults; ++k) {
+        float* const column = to->out.column(B::kFirstColumn + 4 * k + c);
+        if (column) StoreFirst(d, b.template finish<c>(d, value[c], k), to->count - to->done, column + to->done);
+      }
+    });
     to->done += hn::Lanes(d);
   } else {
     wanted.for_each([&](auto c) SHD_INLINE_LAMBDA { into[c] = value[c]; });
@@ -279,14 +282,14 @@ HWY_INLINE void ConsumeElement(D d, const Consumer<B>& consumer, const Elements&
 
 /// Consumes elements with the Blend B and the Format F; a Consume.
 template <class B, class F, bool kBorder>
-void ConsumeStream(const Stream& stream, size_t first, size_t end, Consumption* consumption) {
+void ConsumeStream(const Stream& stream, size_t end, Consumption* consumption) {
   using D = BatchTag;
   const D d;
   const Consumer<B> consumer(*consumption);
   Averages<B, D> averages;
   static_assert(sizeof averages <= sizeof consumption->state);
   if (consumption->open) std::memcpy(&averages, consumption->state, sizeof averages);
-  for (size_t e = first; e < end; ++e) {
+  for (size_t e = 0; e < end; ++e) {
     ConsumeElement<B, F, kBorder>(d, consumer, stream, stream.op[e], e * hn::Lanes(d), &averages, consumption);
   }
   consumption->open = !(stream.op[end - 1] & kLast);

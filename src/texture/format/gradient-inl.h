@@ -62,11 +62,12 @@ struct GradientBlend {
             hn::IfThenElse(lanes, b.dv, a.dv)};
   }
 
+  static constexpr size_t kResults = 2, kFirstColumn = 4;
+
+  /// Returns the derivative in u (k = 0) or v (k = 1).
   template <size_t C, class D>
-  HWY_INLINE void store(D d, const Value<D>& value, size_t i, const Consumption& to) const {
-    const size_t count = to.count - i;
-    if (to.out.du[C]) StoreFirst(d, Values::template finish<C>(d, value.du), count, to.out.du[C] + i);
-    if (to.out.dv[C]) StoreFirst(d, Values::template finish<C>(d, value.dv), count, to.out.dv[C] + i);
+  HWY_INLINE hn::Vec<D> finish(D d, const Value<D>& value, size_t k) const {
+    return Values::template finish<C>(d, k == 0 ? value.du : value.dv);
   }
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.du[channel] || out.dv[channel]; }
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "texture/sample.h"
 #include "unit/shade/slot_fixture.h"
 
 namespace shd::tests {

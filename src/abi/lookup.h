@@ -21,11 +21,14 @@ shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sample
 /// Reads a caller's desc into columns and their count, and checks them.
 shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count);
 
-/// The lookups of a piece whose inputs are LookupColumns.
-texture::Lookups lookups_of(const void* const* columns, size_t count);
+/// Returns the lookups of a piece whose inputs are LookupColumns.
 template <size_t kOut>
 texture::Lookups lookups_of(const Piece<kLookupColumns, kOut>& piece) {
-  return lookups_of(piece.in.data(), piece.count);
+  texture::Lookups lookups;
+  lookups.count = piece.count;
+  for (size_t c = 0; c < texture::kFloatColumns; ++c) lookups.real(c) = piece.floats(c);
+  for (size_t c = 0; c < texture::kIntegerColumns; ++c) lookups.integer(c) = piece.integers(texture::kFloatColumns + c);
+  return lookups;
 }
 
 /// Whether the texture has the table that the filter cannot do without.
