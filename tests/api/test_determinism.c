@@ -228,7 +228,7 @@ static const struct {
     {SHD_FILTER_EXACT, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, SHD_BOX_BOUNDING, 0},
     {SHD_FILTER_EWA, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, SHD_BOX_BOUNDING, 1},
 };
-/* Then the filters whose results depend on the profile. */
+/* The filters whose results depend on the profile; their cases follow those of k_filters. */
 static const struct {
     shd_filter filter;
     shd_profile profile;

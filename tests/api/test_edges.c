@@ -117,7 +117,7 @@ static void make_nonfinite(void)
 struct shape_case {
     const char *name;
     void (*make)(void);
-    float scale; /* number of eyes */
+    float scale; /* scale of eye positions */
 };
 static const struct shape_case k_shapes[] = {
     {"oracle/cube", make_cube, 3},
@@ -308,7 +308,7 @@ static void test_nonmanifold(void **state)
     mesh = make(make_moebius);
     desc.edges = SHD_EDGE_BORDER | SHD_EDGE_NONMANIFOLD;
     assert_int_equal(find(mesh, &desc), 48);
-    desc.edges = SHD_EDGE_CREASE; /* no border where the twisted strip joins itself */
+    desc.edges = SHD_EDGE_CREASE; /* the twist at the joint makes no crease */
     assert_int_equal(find(mesh, &desc), 0);
     shd_mesh_release(mesh);
 }

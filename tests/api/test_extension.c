@@ -163,7 +163,7 @@ static void test_parallel_for(void **state)
                       "context: NULL");
 }
 
-/* Many tasks need memory so that each has its own flag. */
+/* More than 1024 tasks need memory to keep track of each task. */
 static void test_parallel_for_faults(void **state)
 {
     static struct count_tasks tasks;

@@ -67,7 +67,7 @@ void fill_mesh(Source& source, MeshData& mesh) {
 
 void fill_material(Source& source, shd_material_desc& material) {
   const auto pick = [&](uint32_t count) { return source.below(source.one_in(32) ? 100 : count); };
-  const uint32_t model = source.one_in(4) ? pick(2) : 3 + pick(12);  // larger values are debug views
+  const uint32_t model = source.one_in(4) ? pick(2) : 3 + pick(12);  // values above SHD_MODEL_MATCAP are debug views
   material.model = static_cast<shd_model>(model > SHD_MODEL_MATCAP && model < 15 ? 0 : model);
   if (model > SHD_MODEL_MATCAP && model < 15)
     material.debug_view = static_cast<shd_debug_view>(model - SHD_MODEL_MATCAP);
