@@ -4,8 +4,8 @@
  * @brief Vertices and triangles of common shapes, in the caller's columns.
  *
  * shd_shape_count() returns the numbers of vertices and indices of a shape; shd_shape_fill() writes the shape. The
- * columns are those of shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen from outside,
- * uv with v down.
+ * columns have the conventions of shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen
+ * from outside, uv with v down.
  *
  * | shape   | where                                                   | uv                                            |
  * |---------|---------------------------------------------------------|-----------------------------------------------|

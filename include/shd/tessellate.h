@@ -111,8 +111,8 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
  * up only at the vertices: if parts are longer than two texels of level `lod`, texels between vertices have no effect.
  *
  * If the result would have more than max_triangles, the call is refused before it allocates memory, and the error text
- * names the field. In ADAPTIVE mode an edge with an end that is not finite has 1 part. normalless_count,
- * tangentless_count and split_count of the new mesh's info are those of `mesh`.
+ * names the field. In ADAPTIVE mode an edge with an end that is not finite has 1 part. The info of the new mesh has the
+ * normalless_count, tangentless_count and split_count of `mesh`.
  * @param context   retained by the new mesh
  * @param mesh      concurrent reads
  * @param desc      borrowed for the call

@@ -64,9 +64,9 @@ typedef enum shd_texture_flag {
     SHD_TEXTURE_NONE = 0,
     /**
      * Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
-     * layer of packed rows, a format that does not have three channels, and an alignment of one texel or 4 bytes,
-     * whichever is smaller. SHD_TEXTURE_PADDING bytes behind the last texel must be readable, because lookups load
-     * whole vectors. Lookups give the same bits as for copied texels.
+     * layer of packed rows, a format that does not have three channels, and texels aligned to min(size of a texel, 4)
+     * bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable, because lookups load whole vectors.
+     * Lookups give the same bits as for copied texels.
      */
     SHD_TEXTURE_BORROW = 1,
     SHD_TEXTURE_FLAG_MAX_ENUM = 0x7fffffff
@@ -142,7 +142,8 @@ typedef struct shd_texture_info {
                                   levels + 1 */
     shd_table_flags tables;  /**< tables of the texture */
     shd_texture_flags flags; /**< as in its desc */
-    size_t byte_size; /**< bytes of all tables except a borrowed base level, and of what shd_texture_update() keeps */
+    size_t byte_size; /**< bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed
+                           base level */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;
 

@@ -3,7 +3,7 @@
  * @file
  * @brief Matrices for views and draws.
  *
- * The convention is that of shd_view and shd_draw: float[16], column-major, element (row, column) at
+ * All matrices have the convention of shd_view and shd_draw: float[16], column-major, element (row, column) at
  * [4 * column + row], acting on column vectors from the left. World and view space are right-handed with +Y up; the
  * camera looks along -Z of view space. In clip space NDC y is up and depth is 0..1.
  *
@@ -55,7 +55,7 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_orthographic(const float rectangle[4
                                                          shd_depth_order order, float *out_matrix);
 
 /**
- * Rigid transform from world to view space: the eye is at the origin, the target on -Z. The bits are those of
+ * Rigid transform from world to view space: the eye is at the origin, the target on -Z. It has the bits of
  * shd_view_from_camera().
  * @param eye         world space
  * @param target      world space, not the eye

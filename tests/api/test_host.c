@@ -341,7 +341,7 @@ static void test_no_threads(void **state)
     const int answer = run_self("--no-threads", -1);
     (void)state;
     if (answer == 77) {
-        print_message("skipped: this process may not refuse itself threads\n");
+        print_message("skipped: this process cannot limit its number of threads\n");
         skip();
     }
     assert_int_equal(answer, 0);
@@ -411,7 +411,7 @@ static void test_small_stack(void **state)
     int simd;
     (void)state;
 #if defined(__SANITIZE_THREAD__)
-    print_message("skipped: the sanitizer wants stacks of its own\n");
+    print_message("skipped: the sanitizer uses its own stacks\n");
     skip();
 #endif
     set_host(0x1f80);

@@ -45,7 +45,7 @@ static void close_scene(shd_scene *s, shd_context *context)
     shd_context_release(context);
 }
 
-/* Each draw of a scene of every blend as `count` instances, against that many draws. */
+/* Each draw of a scene of every blend as `count` instances, against `count` separate draws. */
 static void expect_same(shd_scene_kind kind, size_t count, uint32_t workers)
 {
     static shd_draw separate[DRAWS * MOST];

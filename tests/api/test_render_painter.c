@@ -174,7 +174,7 @@ static void test_hard(void **state)
                           samples, (unsigned long long)painter.stats.order_conflicts, wrong,
                           (unsigned long long)newell.stats.splits, seam);
         }
-        if (wrong < 20) fail_msg("%s, %u samples: the painter is wrong at %zu pixels only", c->name, samples, wrong);
+        if (wrong < 20) fail_msg("%s, %u samples: painter wrong at only %zu pixels", c->name, samples, wrong);
         if (seam > PIXELS / 1000) fail_msg("%s, %u samples: %zu pixels at seams", c->name, samples, seam);
         shd_frame_close(&depth);
         shd_frame_close(&painter);
