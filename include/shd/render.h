@@ -95,8 +95,8 @@ typedef enum shd_fill {
  *
  * Culling drops all lines and points of a triangle. A triangle without area is dropped if `cull` is not NONE. Clipping
  * at the near and far plane adds no edges. A vertex beyond these planes has no point, and an edge without length has no
- * line. Each triangle of a shared edge or vertex draws it, with the same samples and depths. SHD_COMPARE_LESS therefore
- * shows it once, but with SHD_DRAW_KEEP_DEPTH a blend is applied several times.
+ * line. A shared edge or vertex is drawn once by each of its triangles, with the same samples and depths.
+ * SHD_COMPARE_LESS therefore shows it once, but with SHD_DRAW_KEEP_DEPTH a blend is applied several times.
  *
  * SHD_FILL_LINES draws each edge of the mesh once, for triangles facing either way: `cull` has no effect. The edge
  * belongs to its first triangle: this triangle's vertices shade it, and it is ordered and counted with this triangle.
@@ -126,7 +126,7 @@ typedef struct shd_draw {
     shd_cull cull;           /**< default SHD_CULL_NONE */
     shd_compare compare;     /**< default SHD_COMPARE_LESS */
     float depth_bias;        /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
-    float depth_bias_slope;  /**< factor of a further bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
+    float depth_bias_slope;  /**< factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
                                   default 0 */
     shd_fill fill;           /**< default SHD_FILL_SOLID */
     float fill_width;        /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */

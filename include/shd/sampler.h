@@ -117,10 +117,10 @@ typedef enum shd_profile {
     /** Singular values of J (shd/lookup.h); ceil(r - 1/8) probes for a footprint r times as long as wide. */
     SHD_PROFILE_EXACT = 0,
     /**
-     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: with the longer and the
-     * shorter of x and y eta = min(longer / shorter, a), lambda = log2(longer / eta), ceil(eta) probes of equal weight
-     * at i / (ceil(eta) + 1) - 1/2 of the longer. Fractions of levels and weights of bilinear lookups (BILINEAR's too)
-     * have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: eta = min(longer /
+     * shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
+     * equal weight at i / (ceil(eta) + 1) - 1/2 of the longer one. Fractions of levels and weights of bilinear lookups
+     * (BILINEAR's too) have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
      */
     SHD_PROFILE_VULKAN = 1,
     /**

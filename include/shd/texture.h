@@ -33,8 +33,8 @@ typedef enum shd_table {
     SHD_TABLE_NONE = 0,   /**< the base level alone */
     SHD_TABLE_MIPMAP = 1, /**< levels max(1, floor(size / 2^l)) down to 1 x 1 (Williams 1983); 4/3 of the memory */
     /**
-     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j. At most 4 times the memory,
-     * mipmap included: its levels are shared. For textures of up to 2^26 texels.
+     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j. Takes at most 4 times the
+     * memory, including the mipmap, whose levels are shared. For textures of up to 2^26 texels.
      */
     SHD_TABLE_RIPMAP = 2,
     /**
