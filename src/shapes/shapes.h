@@ -5,7 +5,7 @@
 /// Input:      a checked shd_shape_desc whose used segments are not zero.
 /// Output:     columns of vertices and indices, as described in shd/shapes.h.
 /// Invariants: nothing is allocated. Computed in double and rounded once; vertices at the same position have the same
-/// bits. counts_of() gives the number of vertices and triangles that are written.
+///             bits. counts_of() gives the number of vertices and triangles that are written.
 ///
 /// | file            | contents                                            |
 /// |-----------------|-----------------------------------------------------|

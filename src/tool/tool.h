@@ -5,7 +5,7 @@
 /// Input:      the command line; a model file or the name of a shape.
 /// Output:     pictures.
 /// Invariants: uses shd only through its public headers, as any program would. An error is a Failure with a sentence
-/// for the user and an exit code.
+///             for the user and an exit code.
 ///
 /// | file        | contents                                                |
 /// |-------------|---------------------------------------------------------|
