@@ -10,9 +10,9 @@
  * linear, and no curve is applied to the picture. A renderer should decode texels, shade light, and encode the picture,
  * as ../frame.c does.
  *
- * Usage of each program: NAME [MODEL [PICTURE.png [TEXTURE [INTENSITY]]]]. MODEL is a file that assimp reads, or - for a sphere
- * made in code. If it is missing or "", the model is the duck of Debian's assimp-testmodels, or its spider for height
- * maps, or the sphere if that package or assimp is missing. Without TEXTURE, the program uses the model's first
+ * Usage of each program: NAME [MODEL [PICTURE.png [TEXTURE [INTENSITY]]]]. MODEL is a file that assimp reads, or - for
+ * a sphere made in code. If it is missing or "", the model is the duck of Debian's assimp-testmodels, or its spider for
+ * height maps, or the sphere if that package or assimp is missing. Without TEXTURE, the program uses the model's first
  * texture, or one made in code. INTENSITY replaces the 500 of both lights.
  */
 #ifndef SHD_EXAMPLES_COURSE_H

@@ -6,7 +6,7 @@
  * Thread safety: every function of this header may be called from any thread.
  *
  * @code
- * if (shd_version() >> 16 != SHD_VERSION_MAJOR) fprintf(stderr, "the library is of another major version\n");
+ * if (shd_version() >> 16 != SHD_VERSION_MAJOR) fprintf(stderr, "the library has another major version\n");
  * @endcode
  */
 #ifndef SHD_BASE_H

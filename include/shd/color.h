@@ -61,8 +61,8 @@ typedef struct shd_color shd_color;
 /** Source of the config. Zero is the default of each field. Strings are borrowed for the call. */
 typedef struct shd_color_desc {
     uint32_t struct_size;      /**< set by shd_color_desc_default() */
-    const char *config_path;   /**< a config file, at most 64 MiB; NULL = the file named by the environment variable
-                                    OCIO if that is set and not empty, else the built-in config */
+    const char *config_path;   /**< path of a config file, at most 64 MiB; NULL = the file named by the environment
+                                    variable OCIO if it is set and not empty, else the built-in config */
     const char *config_text;   /**< a config in memory (YAML); then config_path must be NULL and OCIO is not read */
     const char *working_space; /**< colour space or role of framebuffers; NULL = the role scene_linear */
     /* ---- end of 0.1; append below ---- */
@@ -76,7 +76,7 @@ static inline shd_color_desc shd_color_desc_default(void)
     return desc;
 }
 
-/** Text of the built-in config, a start for other configs. Static. Any thread. @since 0.1 */
+/** Text of the built-in config, as a starting point for other configs. Static. Any thread. @since 0.1 */
 SHD_API const char *shd_color_default_config(void);
 
 /**
@@ -111,14 +111,14 @@ SHD_API void shd_color_release(shd_color *color);
  * @param display      name of a display; NULL = the config's default
  * @param view         name of one of its views; NULL = the display's default
  * @param out          RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
- * @return SHD_ERROR_NOT_FOUND, with a text of the known names, for an unknown display or view. Pixels are untouched on
- *         failure, unless the executor or OpenColorIO fails half-way.
+ * @return SHD_ERROR_NOT_FOUND for an unknown display or view; the error text lists the valid names. Pixels are
+ *         untouched on failure, unless the executor or OpenColorIO fails half-way.
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display(const shd_color *color, const shd_framebuffer *framebuffer,
                                                          const char *display, const char *view, const shd_image *out);
 
-/** A display and one of its views, the user_data of a shd_display that uses shd_color_apply_view(). Frozen. */
+/** A display and one of its views: user_data of a shd_display whose callback is shd_color_apply_view(). Frozen. */
 typedef struct shd_color_view {
     const shd_color *color; /**< required; borrowed for the call that takes the shd_display */
     const char *display;    /**< NULL = the config's default */
@@ -126,7 +126,7 @@ typedef struct shd_color_view {
 } shd_color_view;
 
 /**
- * Apply shd_color_apply_display() as shd_display.apply, so that one call saves what a display shows:
+ * Callback for shd_display.apply that calls shd_color_apply_display(), so that one call saves a display image:
  * `save.display.apply = shd_color_apply_view, save.display.user_data = &view`.
  * @param color_view  a shd_color_view
  * @since 0.1
@@ -140,8 +140,8 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_view(void *color_view, const sh
  * @param from_space  colour space or role of `in`; NULL = the working space
  * @param display     name of a display; NULL = the config's default
  * @param view        name of one of its views; NULL = the display's default
- * @param out         image of the same size; exactly the memory of `in` with its format and row stride, or
- *                    memory that does not overlap it (checked)
+ * @param out         image of the same size: either the memory of `in` with the same format and row stride, or memory
+ *                    that does not overlap it (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *color, const shd_image *in,
@@ -151,10 +151,10 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_display_image(const shd_color *
 /**
  * Convert an image from one colour space to another in place.
  *
- * An example is a texture in "ACEScg" that is converted to the working space before shd_texture_create(). Alpha is
+ * For example, convert a texture from "ACEScg" to the working space before shd_texture_create(). Alpha is
  * unchanged and not multiplied in.
  * @param from_space  colour space or role of the pixels; never NULL
- * @param to_space    colour space or role wanted; NULL = the working space
+ * @param to_space    colour space or role of the result; NULL = the working space
  * @param in_out      RGBA16F or RGBA32F image
  * @since 0.1
  */

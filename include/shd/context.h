@@ -37,7 +37,10 @@ typedef struct shd_context shd_context;
 typedef struct shd_allocator {
     /** Returns `size` > 0 bytes aligned to `alignment` (a power of two, at least 8), or NULL. */
     void *(*allocate)(void *user_data, size_t size, size_t alignment);
-    /** Frees what allocate returned, with the same size and alignment; `memory` is never NULL. */
+    /**
+     * Frees memory that `allocate` returned. `size` and `alignment` are those of its allocation; `memory` is never
+     * NULL.
+     */
     void (*free)(void *user_data, void *memory, size_t size, size_t alignment);
     void *user_data; /**< passed to both; borrowed until release of the context */
 } shd_allocator;
@@ -49,7 +52,7 @@ typedef void (*shd_task_fn)(void *task_data, uint32_t index, uint32_t worker);
  * Host job system. Frozen.
  *
  * Zero = the built-in executor: oneTBB if the library was built with it, else the calling thread. The built-in executor
- * also uses the calling thread where no thread can be started, and in a child process that inherited the context.
+ * also uses the calling thread if no thread can be started, and in a child process after a fork.
  */
 typedef struct shd_executor {
     /**
@@ -60,7 +63,8 @@ typedef struct shd_executor {
      */
     shd_result (*parallel_for)(void *user_data, uint32_t count, shd_task_fn task, void *task_data);
     void *user_data;       /**< borrowed until release of the context */
-    uint32_t worker_count; /**< bound of `worker`, 1..1024; sizes the scratch memory of workers */
+    uint32_t worker_count; /**< `worker` is below this number, 1..1024; scratch memory is allocated for this number
+                                of workers */
 } shd_executor;
 
 /** Severity of a line of the log. */
@@ -87,7 +91,7 @@ typedef struct shd_log {
 typedef enum shd_simd {
     SHD_SIMD_BEST = 0,     /**< the fastest one of this machine and build */
     SHD_SIMD_BASELINE = 1, /**< the lowest one of this build: runs wherever the library runs */
-    SHD_SIMD_SCALAR = 2,   /**< one lane or generic vectors; absent where the build has another baseline */
+    SHD_SIMD_SCALAR = 2,   /**< one lane or generic vectors; only in builds whose baseline it is */
     SHD_SIMD_SSE2 = 3,     /**< the baseline of x86-64 with a Highway after 1.0.3 */
     SHD_SIMD_SSSE3 = 4,    /**< in builds with SHD_SIMD=all */
     SHD_SIMD_SSE4 = 5,     /**< SSE4.2 */
@@ -104,7 +108,7 @@ typedef struct shd_context_desc {
     uint32_t worker_count;   /**< threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread;
                                   default 0 = one per core */
     shd_simd simd;           /**< default SHD_SIMD_BEST; SHD_ERROR_UNSUPPORTED if it cannot run here */
-    shd_allocator allocator; /**< default malloc and free, with huge pages requested from 8 MiB on */
+    shd_allocator allocator; /**< default malloc and free; huge pages are requested for blocks of 8 MiB and more */
     shd_executor executor;   /**< default built-in */
     shd_log log;             /**< default none */
     /* ---- end of 0.1; append below ---- */
@@ -129,7 +133,10 @@ SHD_NODISCARD SHD_API shd_result shd_context_create(const shd_context_desc *desc
 /** Add a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_context_retain(shd_context *context);
 
-/** Drop a reference; NULL is ignored. The last one, objects included, frees everything. Any thread. @since 0.1 */
+/**
+ * Drop a reference; NULL is ignored. Objects hold references too; the last release frees everything. Any thread.
+ * @since 0.1
+ */
 SHD_API void shd_context_release(shd_context *context);
 
 /** Name of the SIMD target of the context's kernels, such as "AVX2"; "" for a bad handle. Static. @since 0.1 */

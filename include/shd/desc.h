@@ -5,9 +5,9 @@
  *
  * A struct that may grow begins with `uint32_t struct_size`, the size that the caller's header gives it. Fields are
  * only ever appended.
- *  - In C and C++ call the inline `shd_<noun>_default()`: it compiles the caller's own size in. Bindings that cannot
- *    call inline functions call shd_desc_init().
- *  - Structs that the library reads: fields that a smaller struct lacks have their defaults. Bytes of a larger struct
+ *  - In C and C++ call the inline `shd_<noun>_default()`, which uses the size in the caller's headers. Bindings that
+ *    cannot call inline functions call shd_desc_init().
+ *  - Structs that the library reads: fields missing from a smaller struct have their defaults. Bytes of a larger struct
  *    beyond the library's own must be zero, else the call fails with SHD_ERROR_UNSUPPORTED.
  *  - Structs that the library writes: it never writes beyond struct_size. It clears the bytes of a larger struct beyond
  *    its own, and does not change struct_size.
@@ -81,8 +81,9 @@ typedef enum shd_desc_kind {
  * Write the defaults of a sized struct into the caller's memory and set its struct_size.
  * @param kind  the struct that `ptr` points at
  * @param ptr   the caller's struct, aligned for it
- * @param size  size in bytes of the caller's struct. A smaller one than the library's gets the first fields, down to
- *              the last required field; the tail of a larger one becomes zero
+ * @param size  size in bytes of the caller's struct. If it is smaller than the library's struct, only the fields inside
+ *              it are written; it must contain every required field. If it is larger, the remaining bytes become
+ *              zero
  * @return SHD_ERROR_INVALID_ARGUMENT for an unknown kind, a NULL pointer, or a size that lacks required fields
  * @since 0.1
  */

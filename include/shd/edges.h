@@ -7,8 +7,8 @@
  * (1998). Frames draw these edges as lines with SHD_FILL_LINES (shd/render.h); shd_mesh_find_edges() returns them as
  * columns.
  *
- * Corners of triangles at the same place count as one, so seams of uv and normals are no borders. Triangles without
- * area or with a corner that is not finite are ignored.
+ * Corners of triangles at the same position count as one vertex, so seams of uv and normals are not borders. Triangles
+ * without area or with a corner that is not finite are ignored.
  *
  * Thread safety: any thread.
  *
@@ -92,7 +92,8 @@ static inline shd_edges shd_edges_default(void)
 }
 
 /**
- * Find the edges of a mesh that are of a requested kind, each once, in the order of their first triangles.
+ * Find all edges of the requested kinds in a mesh. Each edge is listed once, in the order of the edges' first
+ * triangles.
  *
  * The result has the same bits on every machine.
  * @param mesh       made with SHD_MESH_ADJACENCY

@@ -51,13 +51,13 @@ typedef struct shd_blend_step {
 /** An explanation, with the caller's memory for its tables. */
 typedef struct shd_explanation {
     uint32_t struct_size;    /**< set by shd_explanation_default() */
-    shd_tap *taps;           /**< [tap_capacity], written as far as they go; NULL with a capacity of 0 */
-    shd_blend_step *blends;  /**< [blend_capacity], written as far as they go; NULL with a capacity of 0 */
+    shd_tap *taps;           /**< [tap_capacity]; gets the first taps; NULL with a capacity of 0 */
+    shd_blend_step *blends;  /**< [blend_capacity]; gets the first blends; NULL with a capacity of 0 */
     uint32_t tap_size;       /**< bytes of the caller's shd_tap; set by shd_explanation_default() */
-    uint32_t tap_capacity;   /**< room at `taps` */
+    uint32_t tap_capacity;   /**< elements of `taps` */
     uint32_t tap_count;      /**< written: taps of the lookup */
     uint32_t blend_size;     /**< bytes of the caller's shd_blend_step; set by shd_explanation_default() */
-    uint32_t blend_capacity; /**< room at `blends` */
+    uint32_t blend_capacity; /**< elements of `blends` */
     uint32_t blend_count;    /**< written: blends of the lookup; fewer than taps */
     shd_filter filter;       /**< written: the filter that was used, after magnification */
     float result[4];         /**< written: r, g, b, a of shd_texture_sample() */

@@ -4,7 +4,7 @@
  * @brief Extensions: handles, errors, memory and tasks for libraries built on shd, such as libshd_color, libshd_io and
  *        libshd_scene.
  *
- * They have the guarantees of libshd's own.
+ * Objects of such libraries have the same guarantees as objects of libshd.
  *
  * Thread safety: any thread.
  *

@@ -6,8 +6,8 @@
  * A rasteriser computes the derivatives of (u, v) from plane equations. A ray tracer computes them at the hit of a ray
  * on a surface with the parametrisation dp/du, dp/dv. Both functions write the derivatives that shd_lookups reads.
  *
- * Total: the derivatives of an axis are 0 where dp/du and dp/dv are parallel, zero or not finite, where the ray runs
- * along the surface, and where a result would not be a finite float.
+ * Defined for all inputs: the derivatives of an axis are 0 where dp/du and dp/dv are parallel, zero or not finite,
+ * where the ray is parallel to the surface, and where a result would not be a finite float.
  *
  * Thread safety: any thread; the work is done on the calling thread.
  *
@@ -101,9 +101,10 @@ static inline shd_ray_cones shd_ray_cones_default(void)
 /**
  * Compute derivatives from ray cones.
  *
- * They are the axes of the ellipse in which the cone meets the surface: along the projected direction (x) and across it
- * (y), each as long as the cone is wide there (Akenine-Moller et al., "Improved Shader and Texture Level of Detail
- * Using Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as 2^-10 rad.
+ * The derivatives are the axes of the ellipse in which the cone meets the surface: along the projected direction (x)
+ * and across it (y). Each is as long as the ellipse in its direction (Akenine-Moller et al., "Improved Shader and
+ * Texture Level of Detail Using Ray Cones", 2021, section 5). Angles between ray and surface below 2^-10 rad count as
+ * 2^-10 rad.
  * @param cones  columns, borrowed for the call
  * @param out    columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1

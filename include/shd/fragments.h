@@ -41,8 +41,9 @@ typedef struct shd_fragments {
     size_t count;             /**< rows */
     const void *uniforms;     /**< shd_draw.uniforms */
     /**
-     * Raster position, pixels from the left edge: the centre of the pixel. With several samples where the triangle does
-     * not cover the centre: the mean of the covered samples. With SHD_DRAW_SAMPLE_SHADING: the sample.
+     * Raster position, pixels from the left edge. It is the centre of the pixel, or the mean of the covered samples if
+     * there are several samples and the triangle does not cover the centre. With SHD_DRAW_SAMPLE_SHADING it is the
+     * position of the sample.
      */
     const float *x;
     const float *y;            /**< raster position, pixels from the top edge, as x */
@@ -52,8 +53,8 @@ typedef struct shd_fragments {
     const float *nx, *ny, *nz; /**< shading normal, world space, unit */
     const float *ox, *oy, *oz; /**< wo: towards the eye, world space, unit (0 at the eye itself) */
     /**
-     * Tangent in world space, of any length, and handedness, interpolated from the mesh. Without tangents of the mesh:
-     * the unit tangent of the triangle; 0 where its uv are degenerate. The bitangent tw (n x t) points against v.
+     * Tangent in world space, of any length, and handedness, interpolated from the mesh. If the mesh has no tangents:
+     * the unit tangent of the triangle, or 0 where its uv are degenerate. The bitangent tw (n x t) points to falling v.
      */
     const float *tx, *ty, *tz, *tw;
     const float *u, *v;            /**< texture coordinates, perspective-correct */
@@ -63,8 +64,8 @@ typedef struct shd_fragments {
     const float *const *attribute; /**< [attribute_count] columns of the mesh, interpolated; NULL for absent ones */
     /**
      * [varying_count] columns of the vertex program, interpolated by shd_material_desc.interpolation. At Gouraud
-     * frequency the values of the vertex, at flat frequency the mean of the triangle's three. FLAT varyings are the
-     * first vertex's at every frequency.
+     * frequency they are the values of the vertex, at flat frequency the mean of the triangle's three vertices. FLAT
+     * varyings have the value of the first vertex at every frequency.
      */
     const float *const *varying;
     /* ---- end of 0.1; append below ---- */
@@ -75,16 +76,16 @@ typedef struct shd_radiance {
     uint32_t struct_size;      /**< size of the library's struct */
     uint32_t target_count;     /**< number of `target` elements: 3 */
     float *r, *g, *b, *a;      /**< packed columns of `count` elements */
-    uint32_t *discard;         /**< starts as 0; other values drop the row. NULL without SHD_MATERIAL_DISCARDS */
-    float *const (*target)[4]; /**< [target_count] r, g, b, a of SHD_AOV_TARGET1 and on, start as 0; the columns of a
-                                     target that the framebuffer lacks are NULL */
+    uint32_t *discard;         /**< starts as 0; any other value drops the row. NULL without SHD_MATERIAL_DISCARDS */
+    float *const (*target)[4]; /**< [target_count] r, g, b, a of SHD_AOV_TARGET1, 2 and 3; start as 0. NULL for
+                                    targets that the framebuffer lacks */
     /* ---- end of 0.1; append below ---- */
 } shd_radiance;
 
 /**
- * A fragment program: reads in->count rows and writes as many.
+ * A fragment program: reads in->count rows and writes the same number of rows.
  *
- * Its values are kept, even NaN and infinity, which shd_render_stats.nonfinite_fragments counts.
+ * The framebuffer keeps all values, even NaN and infinity; shd_render_stats.nonfinite_fragments counts these.
  */
 typedef void (*shd_fragment_fn)(const shd_fragments *in, shd_radiance *out, void *user_data);
 

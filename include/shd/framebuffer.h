@@ -29,7 +29,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Planes of one width and height. */
+/** A set of planes with the same width and height. */
 typedef struct shd_framebuffer shd_framebuffer;
 
 /** Optional planes; combine with |. */
@@ -57,9 +57,9 @@ typedef uint32_t shd_aov_flags; /**< shd_aov bits */
  * Planes after SHD_PLANE_DEPTH, except overdraw and targets, hold the values of the last opaque fragment visible at the
  * first sample of a pixel. Blended draws and draws of depth alone do not change them.
  *
- * Targets are further colours of the same samples. Programs write them as shd_radiance.target; other materials write 0
- * to all four channels. They start as 0. They are blended with the material's blend, each with its own a, except that
- * WEIGHTED and SORTED leave them unchanged. The alpha test uses the alpha of the main colour target.
+ * Targets are additional colours of the same samples. Programs write them as shd_radiance.target; other materials write
+ * 0 to all four channels. They start as 0. Each target is blended with the material's blend and its own a, except that
+ * WEIGHTED and SORTED leave targets unchanged. The alpha test uses the alpha of the main colour target.
  */
 typedef enum shd_plane {
     SHD_PLANE_R = 0,

@@ -51,7 +51,7 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_PSD = 1 << 10,
     SHD_FILE_FORMAT_DPX = 1 << 11,
     SHD_FILE_FORMAT_GIF = 1 << 12,
-    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM: the meaning of `formats` 0. */
+    /** PNG, JPEG, EXR, TIFF, HDR, TGA, BMP, DDS, WEBP and PNM; default of shd_load_desc.formats. */
     SHD_FILE_FORMAT_DEFAULT = 0x3ff,
     /** Also every other format of the OpenImageIO build. For trusted files. */
     SHD_FILE_FORMAT_ANY = 0x40000000,
@@ -73,7 +73,7 @@ typedef enum shd_load_flag {
     SHD_LOAD_DEFAULT = 0,
     SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start) and wait for it; the host's SIGCHLD
                                handler is called for it */
-    SHD_LOAD_PARTIAL = 2, /**< a damaged file gives the rows above the damage, zero below, and SHD_BITMAP_PARTIAL */
+    SHD_LOAD_PARTIAL = 2, /**< a damaged file loads: rows above the damage, zero below, and SHD_BITMAP_PARTIAL is set */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
 } shd_load_flag;
@@ -112,10 +112,11 @@ typedef struct shd_bitmap shd_bitmap;
 /**
  * Read an image file.
  *
- * Channels become R, G, B, A: the channels of these names, else the first ones. One channel (or one with alpha) is
- * grey, r = g = b; absent alpha is 1. 8-bit integers give RGBA8_SRGB or RGBA8, 16-bit integers RGBA16, half RGBA16F,
- * all others RGBA32F. No transfer curve is applied. An EXR data window is placed into its display window: zero outside,
- * cropped where it is larger. EXIF orientation is not applied. Deep images, subsampled channels and volumes are
+ * The result has channels R, G, B, A: the channels with these names, or the first ones if no channel has such a name. A
+ * single channel (with or without alpha) is grey, r = g = b. If there is no alpha, it is 1. 8-bit integers become
+ * RGBA8_SRGB or RGBA8, 16-bit integers RGBA16, half floats RGBA16F, all others RGBA32F. No transfer curve is applied.
+ * An EXR data window is placed into its display window: pixels outside the data window are zero, and parts outside the
+ * display window are cropped. EXIF orientation is not applied. Deep images, subsampled channels and volumes are
  * SHD_ERROR_UNSUPPORTED.
  * @param context     retained
  * @param path        UTF-8 or any bytes the system accepts; a regular file; used literally (no UDIM, no format
@@ -153,8 +154,8 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_image(const shd_bitmap *bitmap, shd_
  * Colour space of the pixels: "sRGB", "Linear Rec.709", "ACEScg", "ACES2065-1", "Rec709", "Gamma2.2" (any
  * number), "data", or the name in the file (printable ASCII, at most 63 characters).
  *
- * A file that declares none is sRGB if its channels are integers and Linear Rec.709 if they are floating point; PNM of
- * integers is Rec709, as its specification requires.
+ * A file without a declared colour space is sRGB if its channels are integers and Linear Rec.709 if they are floats;
+ * PNM of integers is Rec709, as its specification requires.
  * @return borrowed until release of the bitmap; "" for a bad handle
  * @since 0.1
  */
@@ -194,7 +195,7 @@ static inline shd_bitmap_info shd_bitmap_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, shd_bitmap_info *out_info);
 
 /**
- * Make a texture of an image file.
+ * Make a texture from an image file.
  *
  * sRGB and linear 8-bit files become RGBA8_SRGB and RGBA8, linear half files RGBA16F and linear float files RGBA32F
  * with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
@@ -207,7 +208,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_load(shd_context *context, const ch
                                                   shd_texture **out_texture);
 
 /**
- * Make a texture of an image file in memory, in the way of shd_texture_load().
+ * Make a texture from an image file that is in memory, as shd_texture_load() does.
  * @param bytes  [size]; borrowed for the call
  * @since 0.1
  */
@@ -219,7 +220,7 @@ typedef enum shd_dither {
     SHD_DITHER_NONE = 0, /**< to the nearest */
     /**
      * Up or down by a fixed pattern of the pixel's position, so that areas keep their mean and gradients show no bands.
-     * Values that are codes do not change. r, g and b of a pixel share a threshold; alpha is rounded to the nearest.
+     * Values that equal a code do not change. r, g and b of a pixel share a threshold; alpha is rounded to the nearest.
      */
     SHD_DITHER_ORDERED = 1,
     SHD_DITHER_MAX_ENUM = 0x7fffffff
@@ -271,10 +272,10 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_save(const shd_framebuffer *fra
                                                       const shd_save_desc *desc);
 
 /**
- * Write an image without conversion, in the way of shd_framebuffer_save().
+ * Write an image without conversion. Paths and files are handled as by shd_framebuffer_save().
  *
- * PNG takes R8, RGBA8, RGBA8_SRGB and RGBA16; EXR RGBA16F and RGBA32F; HDR RGBA32F; TIFF all except RGBA16F; TGA and
- * BMP R8, RGBA8 and RGBA8_SRGB. Alpha is tagged as straight, except in EXR.
+ * PNG accepts R8, RGBA8, RGBA8_SRGB and RGBA16; EXR accepts RGBA16F and RGBA32F; HDR accepts RGBA32F; TIFF accepts all
+ * except RGBA16F; TGA and BMP accept R8, RGBA8 and RGBA8_SRGB. Alpha is tagged as straight, except in EXR.
  * @param image  borrowed for the call
  * @since 0.1
  */

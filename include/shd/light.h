@@ -7,7 +7,7 @@
  * Thread safety: retain/release from any thread; a light never changes, so concurrent use is free.
  *
  * E is the irradiance of a surface that faces a light: I for a directional light, I / r^2 for a point or spot light at
- * distance r, with r^2 at least 1e-8, and 0 at r = 0. E is further scaled by
+ * distance r, with r^2 at least 1e-8, and 0 at r = 0. E is also multiplied by
  *  - max(0, 1 - (r / range)^4) if the light has a range (glTF extension KHR_lights_punctual): 0 beyond the range;
  *  - t^2 (3 - 2 t) for spots, with t = (cos a - cos outer) / (cos inner - cos outer) clamped to 0..1 and a the angle to
  *    the axis: 1 inside the inner cone, 0 outside the outer cone;
@@ -48,7 +48,7 @@ typedef struct shd_light_desc {
     uint32_t struct_size; /**< set by shd_light_desc_default() */
     shd_light_kind kind;  /**< default SHD_LIGHT_KIND_POINT */
     float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1 */
-    float position[3];    /**< points and spots, and the cookie of directional lights: world space, finite;
+    float position[3];    /**< position of points, spots and the cookie of directional lights; world space, finite;
                                default 0 */
     float direction[3];   /**< directional lights and spots: direction of the light rays, world space, any length
                                except 0; default (0, -1, 0) */
@@ -59,12 +59,13 @@ typedef struct shd_light_desc {
                             pi/4 */
     float up[3];          /**< up direction of the cookie and of shadow maps, world space. Orthogonalised against
                             `direction`; replaced by another direction if parallel to it. Default (0, 1, 0) */
-    float extent[2];      /**< directional lights: width and height of the cookie [world units], above 0; default 1. The
-                            centre of the cookie lies on the ray from `position`; samplers that repeat tile it */
+    float extent[2];      /**< directional lights: width and height of the cookie [world units], above 0; default 1.
+                               The centre of the cookie lies on the ray from `position`; with wraps that repeat, the
+                               cookie tiles the plane */
     /**
-     * Light cookie: a colour that multiplies E, seen from the light. It covers the square around the outer cone of a
-     * spot, or a rectangle of `extent` of a directional light. The fourth channel is ignored. Points and ambient lights
-     * have no cookie. NULL = none; retained.
+     * Light cookie: a texture of colours that multiply E, as seen from the light. It covers the square around the outer
+     * cone of a spot, or a rectangle of size `extent` for a directional light. The fourth channel is ignored. Points
+     * and ambient lights have no cookie. NULL = none; retained.
      */
     shd_texture *texture;
     shd_sampler *sampler; /**< sampler of `texture`; NULL = bilinear, black outside; retained */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Filtered texture lookups, thousands per call.
+ * @brief Filtered texture lookups, in batches of thousands of points per call.
  *
  * (u, v) = (0, 0) is the outer corner of the first texel of row 0; v grows downwards; texel centres lie at
  * (i + 0.5) / size. Let J be the 2 x 2 matrix of derivatives in texels of the base level and s its larger singular
@@ -9,8 +9,9 @@
  * bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction of lambda. The
  * other profiles of a sampler compute levels as described at shd_profile.
  *
- * Total: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the coarsest level; a
- * NaN `lod` counts as 0. Finite texels give finite results; a texel of weight 0 has no effect, even if it is NaN.
+ * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
+ * coarsest level; a NaN `lod` counts as 0. Finite texels give finite results; a texel of weight 0 has no effect, even
+ * if it is NaN.
  *
  * Each lookup depends on its own inputs only: results have the same bits for any batch size, order and worker count.
  *
@@ -46,7 +47,7 @@ typedef struct shd_lookups {
     shd_f32_in dudy;      /**< du/dy; absent = 0 */
     shd_f32_in dvdy;      /**< dv/dy; absent = 0 */
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
-    shd_u32_in layer;     /**< image of the array; absent = 0; beyond the last = the last */
+    shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
     shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
@@ -59,7 +60,7 @@ static inline shd_lookups shd_lookups_default(void)
     return lookups;
 }
 
-/** Columns for the filtered values: linear, not premultiplied unless the texels were. */
+/** Columns for the filtered values: linear, and premultiplied only if the texels are. */
 typedef struct shd_texels {
     /** Set by shd_texels_default(). 0 is accepted for the layout of 0.1, so that `shd_texels texels = {0};` works. */
     uint32_t struct_size;
@@ -67,9 +68,9 @@ typedef struct shd_texels {
     /**
      * d/du and d/dv of the channels, with u and v normalised and the footprint held constant; NULL = not wanted.
      * Available for BILINEAR, BICUBIC, BILINEAR_MIP, TRILINEAR, RIPMAP, ANISOTROPIC and EWA, and for a magnification
-     * among them; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has a kink at texel centres, where the
-     * derivative to the right is given. EWA has kinks where a texel enters the ellipse, where the derivative of the
-     * weights is given.
+     * filter in this list; other filters return SHD_ERROR_UNSUPPORTED. BILINEAR has kinks at texel centres; the result
+     * there is the derivative to the right. EWA has kinks where a texel enters the ellipse; the result there is the
+     * derivative of the weights.
      */
     shd_f32_out du[4];
     shd_f32_out dv[4];

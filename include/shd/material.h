@@ -60,8 +60,10 @@ typedef enum shd_model {
      * c = cool + cool_mix k_d (Gooch et al., "A Non-Photorealistic Lighting Model", 1998)
      */
     SHD_MODEL_GOOCH = 7,
-    /** Lambert + the specular term of Blinn-Phong with n.l rounded up to a multiple of 1 / toon_steps and max(0, n.h)^p
-     * to 0 below 1/2, else 1 */
+    /**
+     * Blinn-Phong with n.l rounded up to a multiple of 1 / toon_steps, and max(0, n.h)^p replaced by 0 below 1/2 and by
+     * 1 from 1/2 on
+     */
     SHD_MODEL_TOON = 8,
     /**
      * Metallic-roughness of glTF 2.0, appendix B: k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f)
@@ -77,12 +79,13 @@ typedef enum shd_model {
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
-/** Pictures of what the rasteriser computes, in place of the model's radiance L; the emission is added. */
+/** Debug views of values that the rasteriser computes. They replace the model's radiance L; the emission is added. */
 typedef enum shd_debug_view {
     SHD_DEBUG_VIEW_NONE = 0,   /**< the model */
     SHD_DEBUG_VIEW_NORMAL = 1, /**< shading normal: (n + 1) / 2 */
     SHD_DEBUG_VIEW_UV = 2,     /**< texture coordinates: (u - floor(u), v - floor(v), 0) */
-    SHD_DEBUG_VIEW_LEVEL = 3,  /**< level of detail of the diffuse texture: blue (0), green, red (its last level) */
+    SHD_DEBUG_VIEW_LEVEL = 3,  /**< level of detail of the diffuse texture: blue for level 0, over green, to red for
+                                    the last level */
     SHD_DEBUG_VIEW_BARYCENTRICS = 4, /**< barycentric coordinates in the triangle */
     SHD_DEBUG_VIEW_MAX_ENUM = 0x7fffffff
 } shd_debug_view;
@@ -114,8 +117,8 @@ typedef enum shd_normal_encoding {
 typedef enum shd_bump {
     SHD_BUMP_NONE = 0, /**< no tilt; heights are for parallax only */
     /**
-     * The surface moved along n by bump_scale h, in world units: n - bump_scale grad h, with the gradient on the
-     * surface from the exact derivative of the filtered height in u and v (Mikkelsen, "Bump Mapping Unparametrized
+     * The normal of the surface moved along n by bump_scale h [world units]: n - bump_scale grad h. The gradient on the
+     * surface uses the exact derivative of the filtered height in u and v (Mikkelsen, "Bump Mapping Unparametrized
      * Surfaces on the GPU", 2010). Filters without derivatives use differences over a texel.
      */
     SHD_BUMP_GRADIENT = 1,
@@ -135,7 +138,7 @@ typedef enum shd_bump {
  * STRAIGHT and OPAQUE they give c = L.
  */
 typedef enum shd_blend {
-    SHD_BLEND_OPAQUE = 0,        /**< c, and for A the a of a program or 1 of a model */
+    SHD_BLEND_OPAQUE = 0,        /**< colour c; A becomes the a of a program, or 1 for a model */
     SHD_BLEND_PREMULTIPLIED = 1, /**< c + (1 - a) d, a + (1 - a) A: "over" (Porter and Duff 1984) */
     SHD_BLEND_STRAIGHT = 2,      /**< a c + (1 - a) d, a + (1 - a) A */
     SHD_BLEND_ADD = 3,           /**< c + d, A */
@@ -157,9 +160,9 @@ typedef enum shd_blend {
 /** Options of a material; combine with |. */
 typedef enum shd_material_flag {
     SHD_MATERIAL_NONE = 0,
-    /** Keep the specular term where n.l <= 0, as the textbook formula does; by default it is 0 there. */
+    /** Keep the specular term where n.l <= 0, as in the textbook formula; by default it is 0 there. */
     SHD_MATERIAL_SPECULAR_UNGATED = 1,
-    /** Add the ambient term once per light, ambient lights not counted, instead of once. */
+    /** Add the ambient term once for each light that is not ambient, instead of once in total. */
     SHD_MATERIAL_AMBIENT_PER_LIGHT = 2,
     /** The program may set shd_radiance.discard. */
     SHD_MATERIAL_DISCARDS = 4,
@@ -197,21 +200,22 @@ typedef struct shd_material_desc {
     float exponent;            /**< p, 0..1e6; default 64 */
     float metallic;            /**< 0..1; default 0 */
     float roughness;           /**< 0..1; default 0.5 */
-    float ior;                 /**< index of refraction of METALLIC_ROUGHNESS without metal, 1..10; default 1.5 */
-    float emission[3];         /**< 0..1e12; default 0: set it to use the slot */
+    float ior;                 /**< index of refraction of METALLIC_ROUGHNESS for the part that is not metal, 1..10;
+                                    default 1.5 */
+    float emission[3];         /**< 0..1e12; default 0, so a slot needs a larger value here */
     float opacity;             /**< opacity of models, 0..1; default 1 */
     float occlusion_strength;  /**< effect of SHD_SLOT_OCCLUSION, 0..1; default 1 */
-    const shd_slot *slots;     /**< [slot_count], all of one struct_size, at most one for each target; borrowed for the
-                                    call; coefficients without a slot are constant */
+    const shd_slot *slots;     /**< [slot_count], all with the same struct_size, at most one for each target;
+                                    borrowed for the call; coefficients without a slot are constant */
     uint32_t slot_count;       /**< default 0 */
     shd_normal_encoding normal_encoding; /**< default SHD_NORMAL_ENCODING_XYZ */
     float normal_scale;                  /**< factor of x and y of mapped normals, -1e3..1e3; default 1 */
     shd_bump bump;                       /**< default SHD_BUMP_NONE */
     float bump_scale;                    /**< factor of heights, -1e6..1e6; default 1 */
     /**
-     * Depth of height 0 below the surface [world units], 0..1e6; height 1 lies on the surface. At Phong frequency,
-     * textures of the uv set of the height are looked up where the line of sight meets the heights (parallax occlusion
-     * mapping, Tatarchuk 2006). The triangles do not move. Default 0 = off.
+     * Depth of height 0 below the surface [world units], 0..1e6; height 1 lies on the surface. At Phong frequency, all
+     * textures with the uv set of the height are looked up at the point where the line of sight meets the height field
+     * (parallax occlusion mapping, Tatarchuk 2006). The triangles do not move. Default 0 = off.
      */
     float parallax_depth;
     uint32_t parallax_steps;      /**< maximum number of lookups of the height per fragment, 2..256; default 24 */
@@ -221,7 +225,7 @@ typedef struct shd_material_desc {
     float cool_mix;               /**< share of k_d added to `cool`, 0..1; default 0.2 */
     uint32_t toon_steps;          /**< steps of TOON, 1..256; default 3 */
     shd_blend blend;              /**< default SHD_BLEND_OPAQUE */
-    float alpha_cutoff;           /**< fragments with a below it are dropped, 0..1; default 0 = none */
+    float alpha_cutoff;           /**< fragments with a smaller alpha are dropped, 0..1; default 0 = none */
     shd_material_program program; /**< default none */
     const shd_interpolation *interpolation; /**< [varying_count]; borrowed for the call; NULL = all
                                                  SHD_INTERPOLATION_PERSPECTIVE */

@@ -39,8 +39,8 @@ typedef enum shd_normal_weight {
 /** Assembly of triangles from indices. A triangle of coincident vertices counts as a triangle, but covers nothing. */
 typedef enum shd_topology {
     SHD_TOPOLOGY_TRIANGLES = 0, /**< three indices each: (0, 1, 2), (3, 4, 5), ... */
-    SHD_TOPOLOGY_STRIP = 1,     /**< one more index each: (0, 1, 2), (1, 3, 2), (2, 3, 4), (3, 5, 4), ... */
-    SHD_TOPOLOGY_FAN = 2,       /**< one more index each, around the first: (0, 1, 2), (0, 2, 3), ... */
+    SHD_TOPOLOGY_STRIP = 1,     /**< each further index adds a triangle: (0, 1, 2), (1, 3, 2), (2, 3, 4), ... */
+    SHD_TOPOLOGY_FAN = 2,       /**< each further index adds a triangle around vertex 0: (0, 1, 2), (0, 2, 3), ... */
     SHD_TOPOLOGY_MAX_ENUM = 0x7fffffff
 } shd_topology;
 
@@ -50,13 +50,14 @@ typedef enum shd_mesh_flag {
     /** Accept NaN and infinite positions; rendering drops and counts the triangles that use them. */
     SHD_MESH_KEEP_NONFINITE = 1,
     /**
-     * Compute tangents when none are given; see @ref tangents. Vertices may be added after the caller's, so that
+     * Compute tangents when none are given; see @ref tangents. Vertices may be appended to the caller's vertices:
      * shd_mesh_info.vertex_count is vertex_count + split_count.
      */
     SHD_MESH_TANGENTS = 2,
     /**
-     * Find the triangles that share each edge, for shd_mesh_find_edges() and SHD_FILL_LINES. Takes 12 bytes a triangle;
-     * creation takes another 12 bytes a triangle and 12 bytes a vertex, and time in proportion to both.
+     * Find the triangles that share each edge, for shd_mesh_find_edges() and SHD_FILL_LINES. The mesh takes 12 more
+     * bytes per triangle. Its creation temporarily takes another 12 bytes per triangle and 12 per vertex, and linear
+     * time.
      */
     SHD_MESH_ADJACENCY = 4,
     SHD_MESH_FLAG_MAX_ENUM = 0x7fffffff
@@ -68,23 +69,24 @@ typedef struct shd_mesh_desc {
     uint32_t struct_size;            /**< set by shd_mesh_desc_default() */
     uint32_t vertex_count;           /**< 0..2^28; 0 makes an empty mesh */
     shd_f32_in position[3];          /**< x, y, z, object space; required unless vertex_count is 0 */
-    shd_f32_in normal[3];            /**< x, y, z, object space, any length; all three or none (then computed) */
+    shd_f32_in normal[3];            /**< x, y, z, object space, any length; all three or none; computed if absent */
     shd_normal_weight normal_weight; /**< used when `normal` is absent; default SHD_NORMAL_WEIGHT_AREA */
     shd_mesh_flags flags;            /**< default none */
     /** x, y, z, object space, and handedness, +1 or -1; see @ref tangents. All four or none; stored unchanged. */
     shd_f32_in tangent[4];
-    shd_f32_in uv[2];             /**< u, v; both or none (then 0) */
-    shd_f32_in uv1[2];            /**< u, v of a second set; both or none (then 0) */
+    shd_f32_in uv[2];             /**< u, v; both or none; 0 if absent */
+    shd_f32_in uv1[2];            /**< u, v of a second set; both or none; 0 if absent */
     const shd_f32_in *attributes; /**< [attribute_count] columns for materials and programs, such as colours; any may be
                                        absent */
     uint32_t attribute_count;     /**< 0..SHD_MAX_ATTRIBUTES; default 0 */
     shd_topology topology;        /**< default SHD_TOPOLOGY_TRIANGLES */
     /**
-     * Vertices of the triangles by topology, counter-clockwise = front; NULL = indices16, or 0, 1, 2, ... without both.
-     * In strips and fans the largest number (0xffffffff; in indices16 0xffff) is no vertex but starts anew.
+     * Vertex numbers of the triangles in the order of `topology`; counter-clockwise = front. NULL = indices16; if that
+     * is NULL too, 0, 1, 2, ... In strips and fans the largest number (0xffffffff, or 0xffff in indices16) starts a new
+     * strip or fan.
      */
     shd_u32_in indices;
-    shd_u16_in indices16; /**< instead of `indices` */
+    shd_u16_in indices16; /**< 16-bit vertex numbers; at most one of indices and indices16 is set */
     /** A multiple of 3 up to 3 * 2^28 for triangles, else up to 2^28 + 2. Without indices: 0 = vertex_count. */
     size_t index_count;
     /* ---- end of 0.1; append below ---- */
@@ -101,23 +103,23 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
 /**
  * Copy and check vertices and indices; compute normals if there are none.
  *
- * Refused with the place named: an index >= vertex_count, an index count of triangles that is not a multiple of 3, a
- * position that is not finite (unless SHD_MESH_KEEP_NONFINITE). Normals, uv, tangents and attributes that are not
- * finite count as 0.
+ * The call refuses these inputs, and the error text names the element: an index >= vertex_count, an index count that is
+ * not a multiple of 3 (SHD_TOPOLOGY_TRIANGLES), a position that is not finite (unless SHD_MESH_KEEP_NONFINITE).
+ * Normals, uv, tangents and attributes that are not finite count as 0.
  *
  * @anchor tangents
- * Tangents: the tangent t points to growing u, in the plane of the normal n. The bitangent is handedness * cross(n, t)
- * and points to falling v, up in the picture, as in glTF 2.0.
+ * Tangents: the tangent t points towards increasing u, in the plane of the normal n. The bitangent is handedness *
+ * cross(n, t) and points towards decreasing v, up in the picture, as in glTF 2.0.
  *
  * SHD_MESH_TANGENTS computes them to the MikkTSpace convention (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited",
  * 2008) for (u, 1 - v). Vertices of equal position, normal and uv count as one. The directions of the triangles around
  * it are weighted by angle, and triangles with mirrored uv stay apart. A vertex is split where mirrored and other
- * triangles meet, or fans that share no edge. The first part keeps the caller's number. The copies, with the other
- * tangents, follow the caller's vertices in the order of their originals.
+ * triangles meet, and where it belongs to several fans that share no edge. The first part keeps the caller's vertex
+ * number. The copies have the other tangents; they follow the caller's vertices in the order of their originals.
  *
- * Triangles without area in uv, or with two corners in one place, use the tangent of their neighbours at each vertex. A
- * vertex without any tangent gets a unit vector perpendicular to n: the x axis projected into the plane of n, or the y
- * axis where |n.x| > 0.9. This is a vertex with degenerate or missing uv, without triangles, or with directions that
+ * Triangles without area in uv, or with two corners at the same position, use the tangent of their neighbours at each
+ * vertex. A vertex without any tangent gets a unit vector perpendicular to n: the x axis projected into the plane of n,
+ * or the y axis where |n.x| > 0.9. Such a vertex has degenerate or missing uv, has no triangles, or has directions that
  * cancel. Its handedness is 1, or -1 where all its triangles are mirrored.
  * @param context   retained
  * @param desc      borrowed for the call
@@ -135,13 +137,14 @@ SHD_API void shd_mesh_release(shd_mesh *mesh);
 /** Counts and bounds of a mesh. */
 typedef struct shd_mesh_info {
     uint32_t struct_size;       /**< set by shd_mesh_info_default() */
-    uint32_t vertex_count;      /**< with the vertices that SHD_MESH_TANGENTS added */
-    uint32_t triangle_count;    /**< whatever the topology was */
+    uint32_t vertex_count;      /**< including the vertices that SHD_MESH_TANGENTS added */
+    uint32_t triangle_count;    /**< number of separate triangles, also for strips and fans */
     float bounds_min[3];        /**< bound of the finite positions; 0 if there are none */
     float bounds_max[3];        /**< bound of the finite positions; 0 if there are none */
     uint32_t nonfinite_count;   /**< vertices with a position that is not finite */
     uint32_t normalless_count;  /**< vertices whose faces have no area or whose normal was 0; they get (0, 0, 1) */
-    uint32_t tangentless_count; /**< SHD_MESH_TANGENTS: vertices whose uv gave no tangent; they get another one */
+    uint32_t tangentless_count; /**< SHD_MESH_TANGENTS: vertices without a tangent from uv; they get a perpendicular
+                                     one */
     uint32_t split_count;       /**< SHD_MESH_TANGENTS: vertices that were added */
     /* ---- end of 0.1; append below ---- */
 } shd_mesh_info;
@@ -205,7 +208,7 @@ SHD_NODISCARD SHD_API shd_result shd_mesh_read_uv1(const shd_mesh *mesh, const s
 SHD_NODISCARD SHD_API shd_result shd_mesh_read_attribute(const shd_mesh *mesh, uint32_t index, const shd_f32_out *out);
 
 /**
- * Copy the indices out, as triangles whatever the topology was.
+ * Copy the indices out as separate triangles, also for strips and fans.
  * @param out  column of 3 * shd_mesh_info.triangle_count elements, each below shd_mesh_info.vertex_count
  * @since 0.1
  */

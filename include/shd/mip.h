@@ -22,7 +22,7 @@
 SHD_BEGIN_DECLS
 
 /**
- * Filter along one axis, in texels of the level that is made.
+ * Filter kernel along one axis, in texels of the new level.
  *
  * The weight of a source texel is the integral of the kernel over the texel, for any ratio of sizes. The weights of a
  * level's texel sum to 1, so constant images stay constant.
@@ -37,8 +37,9 @@ typedef enum shd_mip_kernel {
 
 /** Source of each level. */
 typedef enum shd_mip_source {
-    SHD_MIP_SOURCE_BASE = 0,     /**< every level from the base: rounded once */
-    SHD_MIP_SOURCE_PREVIOUS = 1, /**< from the stored level above: faster for many levels, rounding adds up */
+    SHD_MIP_SOURCE_BASE = 0,     /**< every level is made from the base and rounded once */
+    SHD_MIP_SOURCE_PREVIOUS = 1, /**< every level is made from the previous, stored level; faster for many levels,
+                                      but rounding errors add up */
     SHD_MIP_SOURCE_MAX_ENUM = 0x7fffffff
 } shd_mip_source;
 
@@ -48,9 +49,9 @@ typedef enum shd_texel_content {
     SHD_TEXEL_CONTENT_DATA = 1,  /**< numbers: _SRGB formats are filtered without decoding */
     /**
      * Unit vectors in three or four channels. Integer channels, of _SRGB formats too, hold (n + 1) / 2. Levels are
-     * renormalised; a zero mean becomes (0, 0, 1). The fourth channel of a level is the length of the mean, at most 1,
-     * from which a specular exponent is widened (Toksvig, "Mipmapping Normal Maps", 2005). The caller sets the fourth
-     * channel of the base, 1 for unit vectors.
+     * renormalised; a zero mean becomes (0, 0, 1). The fourth channel of a level is the length of the mean, at most 1;
+     * materials compute a wider specular lobe from it (Toksvig, "Mipmapping Normal Maps", 2005). The caller sets the
+     * fourth channel of the base, 1 for unit vectors.
      */
     SHD_TEXEL_CONTENT_NORMAL = 2,
     SHD_TEXEL_CONTENT_HEIGHT = 3, /**< as data */
@@ -70,7 +71,7 @@ typedef struct shd_mip_desc {
     shd_mip_kernel kernel;     /**< default SHD_MIP_KERNEL_BOX */
     shd_mip_source source;     /**< default SHD_MIP_SOURCE_BASE */
     shd_wrap wrap_u;           /**< texels beyond the edge, for kernels wider than the box; default SHD_WRAP_REPEAT.
-                                    With SHD_WRAP_BORDER the weights of texels inside are scaled to sum 1 */
+                                    With SHD_WRAP_BORDER only texels inside count, with weights scaled to sum 1 */
     shd_wrap wrap_v;           /**< as wrap_u, for v */
     float alpha_cutoff;        /**< cutoff of SHD_TEXEL_CONTENT_ALPHA_COVERAGE, 0..1; default 0.5 */
     /* ---- end of 0.1; append below ---- */
@@ -88,12 +89,12 @@ static inline shd_mip_desc shd_mip_desc_default(void)
 /**
  * Make mip levels 1..level_count of an image, in the caller's memory, on the context's executor.
  *
- * With the defaults the levels are those of SHD_TABLE_MIPMAP. Results are clamped to the range of the format, which
- * kernels with negative lobes can leave. Finite texels give finite levels.
+ * With the defaults the levels are those of SHD_TABLE_MIPMAP. Results are clamped to the range of the format, because
+ * kernels with negative lobes can exceed it. Finite texels give finite levels.
  * @param base         at most 2^28 pixels; borrowed for the call
  * @param desc         borrowed for the call
  * @param level_count  0..floor(log2(max(width, height)))
- * @param levels       [level_count], all of one struct_size; level l is levels[l - 1]: the format of the base,
+ * @param levels       [level_count], all with the same struct_size; level l is levels[l - 1]: the format of the base,
  *                     max(1, width >> l) by max(1, height >> l). Pixels are written; they are unspecified if an
  *                     allocation or the executor fails. They must not overlap each other or the base (checked)
  * @since 0.1
@@ -109,8 +110,8 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
  * the result as SHD_TEXEL_CONTENT_DATA; any filter may read them. A filtered texel (bx, by, Mx, My) gives the mean
  * normal normalise(bx, by, 1) and the variance of a slope, max(0, Mx + My - bx^2 - by^2) / 2, which widens a lobe.
  *
- * nz is taken as at least 1/32 of the normal's length, so bx and by are at most 32. Normals that point backwards are
- * limited in the same way. A texel that is 0 or not finite becomes flat: four zeros.
+ * nz is raised to at least 1/32 of the normal's length, so |bx| and |by| are at most 32. Normals that point backwards
+ * are limited in the same way. A texel that is 0 or not finite becomes flat: four zeros.
  * @param normals  three or four channels, as for SHD_TEXEL_CONTENT_NORMAL, of any length; borrowed for the call
  * @param out      an image of that width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F. Pixels are written; they
  *                 are unspecified if the executor fails. They must not overlap `normals` (checked)

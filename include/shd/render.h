@@ -5,8 +5,8 @@
  *
  * Triangles cover the samples that they contain, with 8 subpixel bits and the top-left rule: the centre of a pixel, or
  * the standard positions of 2, 4, 8 or 16 samples. Attributes are perspective-correct with analytic derivatives. Draws
- * take effect in their order, except that order-independent blends come last, and that the painter's algorithm orders
- * triangles from far to near. The frame has the same bits for any executor, worker count and SIMD target.
+ * take effect in their order, with two exceptions: order-independent blends come last, and the painter's algorithm
+ * orders triangles from far to near. The frame has the same bits for any executor, worker count and SIMD target.
  *
  * Thread safety: exclusive use of the framebuffer; meshes, materials, lights and textures may be shared
  *                between concurrent renders.
@@ -52,7 +52,7 @@ typedef enum shd_cull {
     SHD_CULL_MAX_ENUM = 0x7fffffff
 } shd_cull;
 
-/** Depths z that pass against the depth d of a sample. NaN never passes. */
+/** Depth test: the depths z that pass against the depth d of a sample. NaN never passes. */
 typedef enum shd_compare {
     SHD_COMPARE_LESS = 0,          /**< z < d */
     SHD_COMPARE_LESS_EQUAL = 1,    /**< z <= d */
@@ -86,31 +86,33 @@ typedef enum shd_fill {
 /**
  * One mesh in the frame. Required: mesh.
  *
- * Lines are rectangles around the edge, square at its ends and as long as the edge (OpenGL 4.6 core specification,
+ * Lines are rectangles around the edge, as long as the edge, with square ends (OpenGL 4.6 core specification,
  * 14.5, antialiased lines). Points are squares around the vertices. Both lie on the grid of 8 subpixel bits and cover
- * samples as triangles do, so a width below 1 may fall between samples. Depth varies along a line and is constant
- * across it; a point has the depth of its vertex. depth_bias_slope uses these depths instead of the triangle's.
- * Attributes are those of the triangle at the pixel, limited to its inside; a triangle without area gives their mean.
+ * samples as triangles do, so a line or point narrower than 1 may fall between samples. Depth varies along a line and
+ * is constant across it; a point has the depth of its vertex. depth_bias_slope uses these depths instead of the
+ * triangle's. Attributes are interpolated at the pixel, with barycentric coordinates clamped to the triangle; a
+ * triangle without area gives the mean of its corners.
  *
  * Culling drops all lines and points of a triangle. A triangle without area is dropped if `cull` is not NONE. Clipping
- * at the near and far plane adds no edges. A vertex beyond them has no point, and an edge without length no line. A
- * shared edge or vertex is drawn by each of its triangles, with the same samples and depths: SHD_COMPARE_LESS shows it
- * once, but with SHD_DRAW_KEEP_DEPTH a blend applies several times.
+ * at the near and far plane adds no edges. A vertex beyond these planes has no point, and an edge without length has no
+ * line. A shared edge or vertex is drawn once by each of its triangles, with the same samples and depths.
+ * SHD_COMPARE_LESS therefore shows it once, but with SHD_DRAW_KEEP_DEPTH a blend is applied several times.
  *
  * SHD_FILL_LINES draws each edge of the mesh once, for triangles facing either way: `cull` has no effect. The edge
- * belongs to its first triangle: it is shaded with its vertices, ordered with it and counted for it. Silhouettes are
- * those seen from the centre of projection of world_to_view and view_to_clip, which with a camera is view.eye, or from
- * the direction of a parallel projection. They depend on object_to_world and the positions of the mesh; vertex programs
- * have no effect on them.
+ * belongs to its first triangle: this triangle's vertices shade it, and it is ordered and counted with this triangle.
+ * Silhouettes are found for the centre of projection of world_to_view and view_to_clip (view.eye, if a camera made the
+ * view), or for the direction of a parallel projection. They depend on object_to_world and the positions of the mesh;
+ * vertex programs have no effect on them.
  *
- * A drawing without hidden lines takes two draws. The first is the mesh as usual (without material if only lines are to
- * show), with depth_bias 1e-5 and depth_bias_slope fill_width / 2 + 1, which moves surfaces behind the lines on their
- * front. The second draws the lines with SHD_COMPARE_LESS_EQUAL. Lines over everything use SHD_COMPARE_ALWAYS.
+ * A drawing without hidden lines takes two draws. The first draws the mesh as usual (without a material, if only lines
+ * shall be visible), with depth_bias 1e-5 and depth_bias_slope fill_width / 2 + 1. This bias moves the surface behind
+ * the lines that lie on its front. The second draws the lines with SHD_COMPARE_LESS_EQUAL. Lines over everything use
+ * SHD_COMPARE_ALWAYS.
  */
 typedef struct shd_draw {
     uint32_t struct_size;         /**< set by shd_draw_default(); the same in every element of the array */
     const shd_mesh *mesh;         /**< required; borrowed for the call */
-    const shd_material *material; /**< borrowed for the call; NULL = depth alone, without programs */
+    const shd_material *material; /**< borrowed for the call; NULL = draw depth only, without programs */
     const void *uniforms;         /**< passed to the programs of the material; borrowed for the call; default NULL */
     float object_to_world[16];    /**< affine, finite; default identity */
     /**
@@ -124,7 +126,7 @@ typedef struct shd_draw {
     shd_cull cull;           /**< default SHD_CULL_NONE */
     shd_compare compare;     /**< default SHD_COMPARE_LESS */
     float depth_bias;        /**< added to depth, -1..1; the sum is clamped to 0..1; default 0 */
-    float depth_bias_slope;  /**< factor of a further bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
+    float depth_bias_slope;  /**< factor of another bias: the larger of |dz/dx| and |dz/dy| per pixel; finite;
                                   default 0 */
     shd_fill fill;           /**< default SHD_FILL_SOLID */
     float fill_width;        /**< width of lines and points [pixels], 1/16..64; default 0 = 1 */
@@ -148,39 +150,40 @@ static inline shd_draw shd_draw_default(void)
 /** Options of a frame; combine with |. */
 typedef enum shd_render_flag {
     SHD_RENDER_NONE = 0,
-    SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_samples: coverage is found twice or more */
-    SHD_RENDER_LOAD = 2, /**< keep the planes instead of clearing them: each sample starts with its pixel's values */
+    SHD_RENDER_COUNT_HIDDEN = 1, /**< fill shd_render_stats.hidden_samples: coverage is computed at least twice */
+    SHD_RENDER_LOAD = 2, /**< keep the planes instead of clearing them: each sample starts with the values of its
+                              pixel */
     SHD_RENDER_FLAG_MAX_ENUM = 0x7fffffff
 } shd_render_flag;
 typedef uint32_t shd_render_flags; /**< shd_render_flag bits */
 
 /**
- * Choice of the triangle that a sample shows.
+ * Method that decides which triangle is visible at a sample.
  *
  * PAINTER and NEWELL order the triangles of all draws and paint each over the previous ones. Depths are not compared,
  * as with SHD_COMPARE_ALWAYS; the final depth is that of the triangle painted last. Depth decreases with the distance
  * in draws that compare GREATER or GREATER_EQUAL and increases in all others; biases apply. shd_draw_flag works as
  * usual. Opaque draws are shaded after all of them are painted. PREMULTIPLIED, STRAIGHT, ADD and MULTIPLY take effect
- * in the order of painting. WEIGHTED and SORTED come last and test the painted depths. A draw without material leaves
+ * in the order of painting. WEIGHTED and SORTED come last and test the painted depths. A draw without a material writes
  * its depth and hides nothing.
  */
 typedef enum shd_visibility {
     SHD_VISIBILITY_DEPTH = 0, /**< the depth of the sample, by the draw's comparison (Catmull 1974) */
     /**
      * The painter's algorithm: triangles by their farthest vertex, far ones first, equal ones in the order of draws and
-     * triangles. Wrong where triangles overlap and the one with the farther farthest vertex is nearer in the overlap;
+     * triangles. The picture is wrong where two triangles overlap and the one painted first is nearer in the overlap;
      * shd_render_stats.order_conflicts counts these pairs. O(n log n).
      */
     SHD_VISIBILITY_PAINTER = 1,
     /**
      * The painter's algorithm with the tests, reordering and cuts of Newell, Newell and Sancha, "A Solution to the
-     * Hidden Surface Problem" (1972). Correct, except for depth differences below the effect of a shift by 1/256 pixel,
-     * or below 2^-23.
+     * Hidden Surface Problem" (1972). Correct, except where depths differ by less than the effect of a shift by 1/256
+     * pixel, or by less than 2^-23.
      *
      * Triangles that overlap cyclically or pass through each other are cut along the plane of one of them. New vertices
-     * lie on the grid of 1/256 pixel. A sample nearer than this to a cut, or to an edge that was cut, may fall on
+     * lie on the grid of 1/256 pixel. A sample within 1/256 pixel of a cut, or of an edge that was cut, may lie on
      * either side, and windows of a picture may differ there. Pieces keep the attributes and ids of their triangle.
-     * Nothing is cut where a piece would have no area on the grid.
+     * A triangle is not cut if a piece would have no area on the grid.
      *
      * For n triangles there are at most n + 1024 cuts and 1024 n + 2^22 comparisons; order_conflicts counts the
      * remaining errors. Runs on one thread and takes up to 1000 bytes a triangle.
@@ -195,21 +198,21 @@ typedef struct shd_render_stats {
     uint64_t triangles;           /**< in all draws */
     uint64_t nonfinite;           /**< dropped: a vertex is NaN or infinite after transformation */
     uint64_t outside;             /**< dropped: outside the view volume */
-    uint64_t culled;              /**< dropped: facing the culled way, or without area on the pixel grid, or, of
-                                       SHD_FILL_LINES, without an edge of its own to show */
+    uint64_t culled;              /**< dropped: facing the culled way, without area on the pixel grid, or
+                                       (SHD_FILL_LINES) without a visible edge that belongs to the triangle */
     uint64_t empty;               /**< dropped: between pixel centres */
     uint64_t rasterised;          /**< drawn, hidden or not */
     uint64_t clipped;             /**< cut by a clip plane, among outside, culled, empty and rasterised */
-    uint64_t fragments;           /**< shaded; of opaque draws each pixel once for every triangle it shows, in each
-                                       pass (shd_render_desc.pass_triangles) */
+    uint64_t fragments;           /**< shaded; opaque draws count a pixel once for every triangle that is visible in
+                                       it, in each pass (shd_render_desc.pass_triangles) */
     uint64_t nonfinite_fragments; /**< fragments whose r, g, b or a was NaN or infinite (kept as written) */
     uint64_t hidden_samples;      /**< covered, but failed the depth test before shading; 0 without
                                        SHD_RENDER_COUNT_HIDDEN. Draws that blend or drop fragments may be tested against
                                        stale depth, so their count is approximate */
     /**
      * PAINTER and NEWELL: pairs of triangles or pieces that overlap on the screen where the one painted first is nearer
-     * somewhere in the overlap, by more than the tolerance of NEWELL. A lower bound in dense places: pairs are searched
-     * in cells of a grid, in each up to 64 for every triangle of the cell and 1024 more.
+     * somewhere in the overlap, by more than the tolerance of NEWELL. A lower bound where triangles are dense: pairs
+     * are searched in the cells of a grid, and in a cell of n triangles up to 64 n + 1024 pairs are compared.
      */
     uint64_t order_conflicts;
     uint64_t splits;         /**< cuts of NEWELL */
@@ -232,9 +235,9 @@ static inline shd_render_stats shd_render_stats_default(void)
 /** Host progress callback. Frozen. */
 typedef struct shd_progress {
     /**
-     * Called after pieces of the frame with the part done, (0, 1], on any worker; calls are never concurrent. Must not
-     * throw, longjmp or call shd. A result other than 0 cancels: the render returns SHD_ERROR_CANCELLED and the
-     * framebuffer holds a part of the frame.
+     * Called after each piece of the frame, with the finished fraction of the frame, (0, 1]. Runs on any worker; calls
+     * are never concurrent. Must not throw, longjmp or call shd. A result other than 0 cancels: the render returns
+     * SHD_ERROR_CANCELLED and the framebuffer holds a part of the frame.
      */
     int32_t (*report)(void *user_data, float fraction);
     void *user_data; /**< borrowed for the call */
@@ -249,10 +252,10 @@ typedef struct shd_region {
 } shd_region;
 
 /**
- * A whole frame, or a window of it; everything is borrowed for the call. Required: framebuffer.
+ * A whole frame, or a window of it. All pointers are borrowed for the call. Required: framebuffer.
  *
- * Draws are projected to the picture. The framebuffer holds the picture's pixels from (crop_x, crop_y) on, with the
- * bits that they have in the whole picture.
+ * Draws are projected to the picture. The framebuffer holds the window of the picture that begins at pixel (crop_x,
+ * crop_y). Its pixels have the same bits as in the whole picture.
  */
 typedef struct shd_render_desc {
     uint32_t struct_size;         /**< set by shd_render_desc_default() */
@@ -261,13 +264,14 @@ typedef struct shd_render_desc {
     float clear_depth;            /**< 0..1; default 1 */
     shd_render_flags flags;       /**< default none */
     /**
-     * Replaces `view`. An aspect of 0, the default, is that of the viewport, or of the picture if there is no viewport.
-     * NULL = `view`.
+     * Replaces `view`. An aspect of 0, the default, means the aspect of the viewport, or of the picture if there is no
+     * viewport. NULL = `view`.
      */
     const shd_camera *camera;
     shd_view view;                  /**< default: identity matrices, eye at 0 */
     shd_visibility visibility;      /**< default SHD_VISIBILITY_DEPTH */
-    const shd_draw *draws;          /**< [draw_count], all of one struct_size, in order; NULL if draw_count is 0 */
+    const shd_draw *draws;          /**< [draw_count], all with the same struct_size, in order; NULL if draw_count is
+                                         0 */
     size_t draw_count;              /**< up to 2^20 */
     const shd_light *const *lights; /**< [light_count]; NULL if light_count is 0 */
     /**
@@ -276,27 +280,28 @@ typedef struct shd_render_desc {
      */
     const struct shd_shadow *const *shadows;
     size_t light_count;         /**< up to 2^20 */
-    uint32_t picture_width;     /**< pixels, that of the framebuffer..65536; default 0 = that of the framebuffer */
-    uint32_t picture_height;    /**< pixels, that of the framebuffer..65536; default 0 = that of the framebuffer */
-    uint32_t crop_x;            /**< column of the picture at which the framebuffer begins; it lies inside; default 0 */
+    uint32_t picture_width;     /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    uint32_t picture_height;    /**< pixels, framebuffer size..65536; default 0 = framebuffer size */
+    uint32_t crop_x;            /**< column of the picture at which the framebuffer begins; the framebuffer lies
+                                     inside the picture; default 0 */
     uint32_t crop_y;            /**< row of the picture at which the framebuffer begins; default 0 */
-    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; NULL = all of it */
-    const shd_region *scissor;  /**< pixels of the picture that may change; NULL = all of them */
+    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; NULL = the whole picture */
+    const shd_region *scissor;  /**< pixels of the picture that may change; NULL = all */
     /**
-     * n, 2..16; 0 and 1 = off. The frame is that of a picture n times as large, up to 65536 pixels a side, with the
-     * framebuffer's samples in each of its pixels; crop, viewport and scissor are scaled by n. Colour and targets of a
-     * pixel are the plain average of its n x n pixels; depth and the other planes are those of the top left one.
-     * Derivatives (and so footprints of textures) and raster positions in programs are those of the large picture;
+     * n, 2..16; 0 and 1 = off. The frame is drawn as a picture n times as large, up to 65536 pixels a side, with the
+     * framebuffer's number of samples in each pixel; crop, viewport and scissor are scaled by n. Colour and targets of
+     * a pixel are the plain average of its n x n pixels; depth and the other planes have the values of the top left
+     * one. Derivatives (and so footprints of textures) and raster positions in programs refer to the large picture;
      * lines and points are n times as wide in it. With SHD_RENDER_LOAD each of the n x n pixels starts with the pixel's
-     * values. The large picture is drawn in blocks of up to 1024 x 1024, in memory for one block. Statistics are sums
-     * over blocks, so a triangle counts in each block.
+     * values. The large picture is drawn in blocks of up to 1024 x 1024 pixels; only one block is in memory. Statistics
+     * are sums over blocks, so a triangle counts in each block.
      */
     uint32_t supersampling;
     /**
      * Largest number of triangles that are processed together, 1024..2^31-1; 0 = 2^21. A larger frame is drawn in
-     * passes: whole draws, each counting as at least 16 triangles, or parts of one. The framebuffer has the same bits
-     * for any number. Draws of SHD_BLEND_WEIGHTED and SHD_BLEND_SORTED form the last pass together. Only with
-     * SHD_VISIBILITY_DEPTH: the other methods order all triangles together.
+     * passes. A pass has several whole draws, each of which counts as at least 16 triangles, or a part of one draw. The
+     * framebuffer has the same bits for any number. Draws of SHD_BLEND_WEIGHTED and SHD_BLEND_SORTED form the last pass
+     * together. Only with SHD_VISIBILITY_DEPTH: the other methods order all triangles together.
      *
      * Working memory is at most 512 bytes for each of these triangles, 256 for each draw or instance, 24 for each
      * sample of the framebuffer and 16 more for each of its targets, and 8 MiB for each worker. Additional memory: 4
@@ -324,7 +329,7 @@ static inline shd_render_desc shd_render_desc_default(void)
  * Render a frame.
  *
  * On SHD_ERROR_OUT_OF_MEMORY, SHD_ERROR_CALLBACK or SHD_ERROR_CANCELLED the framebuffer may hold a part of
- * the frame; every other object is as before and the next render works.
+ * the frame; all other objects are unchanged, and the next render works.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @since 0.1
  */

@@ -25,7 +25,7 @@ typedef enum shd_result {
     SHD_ERROR_UNSUPPORTED = 3,      /**< well formed, but this build or version does not offer it */
     SHD_ERROR_NOT_FOUND = 4,        /**< a file, colour space, display, view or plane does not exist */
     SHD_ERROR_IO = 5,               /**< reading or writing a file failed */
-    SHD_ERROR_CORRUPT = 6,          /**< a file is damaged or not what it claims to be */
+    SHD_ERROR_CORRUPT = 6,          /**< a file is damaged, or its content does not have the claimed format */
     SHD_ERROR_LIMIT = 7,            /**< a budget that the caller set (pixels, bytes, time) would be exceeded */
     SHD_ERROR_CANCELLED = 8,        /**< the host's progress callback requested cancellation */
     SHD_ERROR_CALLBACK = 9,         /**< a host callback reported failure */

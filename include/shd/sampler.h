@@ -27,8 +27,8 @@ typedef struct shd_sampler shd_sampler;
 /**
  * Reconstruction and minification filter.
  *
- * Filters that use mip levels read level 0 alone of a texture without a mipmap. Ripmap and summed-area lookups of a
- * texture without that table are refused.
+ * Filters that use mip levels read only level 0 of a texture without a mipmap. Ripmap and summed-area lookups are
+ * refused if the texture does not have the table.
  */
 typedef enum shd_filter {
     /** Bilinear on the two nearest mip levels, blended by the fraction of the level of detail (Williams 1983). */
@@ -42,10 +42,10 @@ typedef enum shd_filter {
     /** Bilinear on the four nearest ripmap levels, which halve each axis on its own. Needs SHD_TABLE_RIPMAP. */
     SHD_FILTER_RIPMAP = 6,
     /**
-     * The average of the texels over `box`, each texel a square of its value, from sums over rectangles (Crow 1984).
-     * Needs SHD_TABLE_SUMMED_AREA. Sides of a box are at least 1 texel, which makes magnification bilinear, and at
-     * most 2^22. Bias and clamps of the level of detail apply to log2 of a side; `lod` is a square of 2^lod texels. A
-     * box that touches a texel that is not finite reads NaN in its channel.
+     * The average of the texels over `box`, where each texel is a square of constant value, from sums over rectangles
+     * (Crow 1984). Needs SHD_TABLE_SUMMED_AREA. Sides of a box are at least 1 texel, which makes magnification
+     * bilinear, and at most 2^22. Bias and clamps of the level of detail apply to log2 of a side; `lod` is a square of
+     * 2^lod texels. If a box touches a texel that is not finite, the result is NaN in its channel.
      */
     SHD_FILTER_SUMMED_AREA = 7,
     /** Trilinear probes of the footprint's shorter axis, along the longer one (McCormack et al. 1999). */
@@ -54,25 +54,26 @@ typedef enum shd_filter {
      * The texels inside the footprint's ellipse, weighted by exp(-2 r^2) - exp(-2) with r from 0 at its centre to 1 on
      * its edge (Greene and Heckbert 1986), on the mip level on which the footprint's shorter half axis b is 1..2
      * texels, b >= a / max_anisotropy. Half axes: sqrt(0.84^2 a^2 + c) and sqrt(0.84^2 b^2 + c) in texels of level l,
-     * with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter less the averaging of that level. Bilinear where
-     * a is at most a texel of level 0, with a blend between one and two texels. `lod` is a circle. Reads at most
-     * 16 (max_anisotropy + 1) texels.
+     * with c = 1 - 0.6127 (1 - 4^-l): Heckbert's reconstruction filter, reduced by the averaging that level l already
+     * has. Bilinear where a is at most one texel of level 0; blended from bilinear to EWA where a is one to two texels.
+     * `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
      */
     SHD_FILTER_EWA = 9,
     /** One texel, picked at random: an unbiased estimate of the filter that `stochastic_filter` names. */
     SHD_FILTER_STOCHASTIC = 10,
     /**
-     * The average of the bilinear reconstruction over the footprint's parallelogram, in doubles: the ground truth.
-     * Computed on the finest level on which it takes at most 16 / tolerance^2 cells (2^10..2^24). A footprint too large
-     * for the coarsest level is shortened. `lod` is a square of 2^lod texels. Slow.
+     * The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
+     * truth. It uses the finest level on which the parallelogram covers at most 16 / tolerance^2 cells (2^10..2^24). If
+     * it covers more cells even on the coarsest level, it is shortened to this number. `lod` is a square of 2^lod
+     * texels. Slow.
      */
     SHD_FILTER_EXACT = 11,
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
-/** Filter where the footprint is no longer than a texel: level of detail 0 or below. */
+/** Filter for magnification: where the footprint is at most one texel long (level of detail 0 or below). */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the filter's own: bilinear for filters that use mip levels */
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: bilinear for filters that use mip levels */
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -99,7 +100,7 @@ typedef enum shd_box {
     /** The bounding rectangle of the footprint's parallelogram: |dudx| + |dudy| by |dvdx| + |dvdy|. */
     SHD_BOX_BOUNDING = 0,
     /**
-     * The average over the bounding rectangles of N equal parts of the parallelogram along its longer side a. With b
+     * The average over the bounding rectangles of N equal parts of the parallelogram along its longer side a. If b is
      * the other side in texels, N = ceil(|a| / max(|b|, 1)), at most max_anisotropy.
      */
     SHD_BOX_ORIENTED = 1,
@@ -116,28 +117,29 @@ typedef enum shd_profile {
     /** Singular values of J (shd/lookup.h); ceil(r - 1/8) probes for a footprint r times as long as wide. */
     SHD_PROFILE_EXACT = 0,
     /**
-     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: with the longer and the
-     * shorter of x and y eta = min(longer / shorter, a), lambda = log2(longer / eta), ceil(eta) probes of equal weight
-     * at i / (ceil(eta) + 1) - 1/2 of the longer. Fractions of levels and weights of bilinear lookups (BILINEAR's too)
-     * have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
+     * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: eta = min(longer /
+     * shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
+     * equal weight at i / (ceil(eta) + 1) - 1/2 of the longer one. Fractions of levels and weights of bilinear lookups
+     * (BILINEAR's too) have 8 bits, as most desktop GPUs report in mipmapPrecisionBits and subTexelPrecisionBits.
      */
     SHD_PROFILE_VULKAN = 1,
     /**
      * Direct3D 11.3 functional specification, 7.18.10 and 7.18.11: lambda = log2(m), with m the major axis of J's
-     * ellipse, for parallel x and y the longer of both. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m / r),
-     * ceil(min(r, max(m, 1))) probes along m. The specification leaves the places and weights of probes open; they are
-     * those of SHD_PROFILE_VULKAN. Fractions and weights have 8 bits, and the nearest level is floor(lod + 1/2).
+     * ellipse, or the longer of x and y if they are parallel. ANISOTROPIC: r = min(m^2 / |det J|, a), lambda = log2(m /
+     * r), ceil(min(r, max(m, 1))) probes along m. The specification does not define the places and weights of probes;
+     * shd uses the places and weights of SHD_PROFILE_VULKAN. Fractions and weights have 8 bits, and the nearest level
+     * is floor(lod + 1/2).
      */
     SHD_PROFILE_D3D11 = 2,
     /**
      * OpenImageIO 2.4, TextureSystem with default options. The width w of the filter, in units of the texture, is the
-     * largest of |du/dx| .. |dv/dy| plus the larger blur. The coarser level is the first one where w is at most a texel
-     * of the smaller side, the finer level the one before. The blend is 2 w - 1 of the way to the coarser level, with w
-     * in texels of it; NEAREST_MIP and BILINEAR_MIP use the coarser level. ANISOTROPIC: axes m >= n of the ellipse in
-     * units of the texture, lengthened by blur; where m > a n they become m' = (m + a n) / 2 and n' = m' / a. Levels by
-     * w = n. N = floor(2 m / n - 1) probes, at least 1 and at most one per half texel of level 0, at p (m - n),
-     * p = (2 k + 1 - N) / N, k = 0 to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and `width_y`
-     * scale the derivatives of u and of v, as swidth and twidth do.
+     * largest of |du/dx| .. |dv/dy| plus the larger blur. The coarser level is the first one on which w is at most one
+     * texel of the smaller side; the finer level is the next finer one. The weight of the coarser level is 2 w - 1,
+     * with w in texels of this level; NEAREST_MIP and BILINEAR_MIP use the coarser level. ANISOTROPIC: axes m >= n of
+     * the ellipse in units of the texture, lengthened by blur; where m > a n they become m' = (m + a n) / 2 and n' = m'
+     * / a. Levels by w = n. N = floor(2 m / n - 1) probes, at least 1 and at most one per half texel of level 0, at p
+     * (m - n), p = (2 k + 1 - N) / N, k = 0 to N - 1, of weight exp(-2 x^2), x = p m / (2 (m - n)). `width_x` and
+     * `width_y` scale the derivatives of u and of v, as swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
@@ -151,16 +153,16 @@ typedef struct shd_sampler_desc {
     shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
     shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
     float border[4];                 /**< r, g, b, a of SHD_WRAP_BORDER, linear; finite; default 0 */
-    shd_profile profile;             /**< default SHD_PROFILE_EXACT. It also decides which lookups are magnified: those
-                                          with lambda <= 0 after bias and clamps */
+    shd_profile profile;             /**< default SHD_PROFILE_EXACT. It also determines which lookups are magnified:
+                                          lookups with lambda <= 0 after bias and clamps */
     float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */
-    float lod_min;                   /**< lowest level of detail, 0..32; default 0; wins over lod_max */
+    float lod_min;                   /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
     float lod_max;                   /**< highest level of detail, 0..32; default 32 */
     float width_x;                   /**< factor of the derivatives in x, 0..64; default 1 */
     float width_y;                   /**< factor of the derivatives in y, 0..64; default 1 */
     float blur_u;                    /**< blur in u, 0..1, added to the footprint as covariance; default 0 */
     float blur_v;                    /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
-    float max_anisotropy;            /**< longest footprint in units of its shorter axis, 1..64; default 16 */
+    float max_anisotropy;            /**< largest ratio of the footprint's axes, 1..64; default 16 */
     shd_probe_weights
         probe_weights; /**< weights of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
     shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */

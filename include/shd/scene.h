@@ -5,14 +5,14 @@
  *        assimp).
  *
  * A shd_scene holds the contents of a file of any format that assimp reads (glTF, OBJ, Collada, FBX, PLY, STL ...), as
- * ordinary handles that the caller may use with or without the scene. World space is that of the file; glTF uses the
- * world space of shd.
+ * ordinary handles that the caller may use with or without the scene. World space is the space of the file; glTF uses
+ * the same conventions as shd.
  *
- * Files are untrusted. Sizes, counts and time have budgets. Triangles with indices out of range or positions that are
- * not finite are dropped, as are instances whose matrices are not finite, and slots whose textures cannot be read. Each
- * gives a warning of the scene. The model may name other files, which are read if they are
- * regular: its materials, buffers and textures, by any path. assimp itself can still crash, run out of stack or hang
- * on a hostile file: load untrusted models in a separate process.
+ * Files are untrusted. Sizes, counts and time have budgets. The load drops triangles with indices out of range or
+ * positions that are not finite, instances whose matrices are not finite, and slots whose textures cannot be read, and
+ * adds a warning to the scene for each. The model may name other files by any path: its materials, buffers and
+ * textures. They are read if they are regular files. assimp itself can still crash, run out of stack or hang on a
+ * hostile file: load untrusted models in a separate process.
  *
  * Memory:        assimp and the tables of a scene use malloc; handles use the context's allocator.
  * Lifetime:      reference counted; load returns an owned reference.
@@ -49,8 +49,8 @@ typedef struct shd_scene_desc {
     uint64_t max_file_bytes;         /**< sum of the model and the files that assimp reads with it; 0 = 2^30 */
     uint64_t max_vertices;           /**< sum over all meshes; 0 = 2^26 */
     uint64_t max_triangles;          /**< sum over all meshes; 0 = 2^26 */
-    uint64_t max_nodes;              /**< 0 = 2^18; no more than 512 deep in any case */
-    uint64_t max_instances;          /**< up to 2^20, as many as a frame has; 0 = 2^18 */
+    uint64_t max_nodes;              /**< 0 = 2^18; always at most 512 deep */
+    uint64_t max_instances;          /**< up to 2^20, the maximum of a frame; 0 = 2^18 */
     uint64_t max_texture_bytes;      /**< all textures with their mip levels; 0 = 2^32 */
     double time_limit;               /**< [s] 0 = 60. Checked between the steps of assimp, meshes and textures */
     /* ---- end of 0.1; append below ---- */
@@ -67,13 +67,14 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 /**
  * Read a model file.
  *
- * Materials: those that state roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG with
- * ambient light as their diffuse colour. Every slot whose texture is in the file is set. Heights are in their slot, but
+ * Materials: materials with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG, whose
+ * ambient colour is the diffuse colour. Every slot whose texture is in the file is set. Heights are in their slot, but
  * have no effect until a material enables bump, parallax or displacement. An opacity below 1, an opacity map and glTF's
  * BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two sets of texture coordinates are used.
  *
- * Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. Where a light does not
- * fade with the square of its distance, it has the file's strength at the distance of half the diagonal of the model.
+ * Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. If the light of the file
+ * does not decrease with the square of the distance, its intensity is chosen so that both agree at the distance of half
+ * the diagonal of the model.
  *
  * Points and lines, animations, skins and morph targets are left out.
  * @param context    retained
@@ -126,7 +127,7 @@ static inline shd_scene_info shd_scene_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_scene_get_info(const shd_scene *scene, shd_scene_info *out_info);
 
 /**
- * A problem with a part of the file, as one line of UTF-8. The log of the context gets all of them too.
+ * A problem with a part of the file, as one line of UTF-8. All warnings are also written to the log of the context.
  * @return borrowed until release of the scene; NULL if there is none
  * @since 0.1
  */
@@ -143,26 +144,26 @@ typedef enum shd_scene_part {
 } shd_scene_part;
 
 /**
- * Name of a part as the file has it, made printable, at most 400 bytes; may be "".
+ * Name of a part in the file, made printable, at most 400 bytes; may be "".
  * @return borrowed until release of the scene; NULL if there is no such part
  * @since 0.1
  */
 SHD_API const char *shd_scene_name(const shd_scene *scene, shd_scene_part part, uint32_t index);
 
-/** A mesh; borrowed until release of the scene, to be retained for longer; NULL if there is none. @since 0.1 */
+/** A mesh; borrowed until release of the scene (retain it to keep it longer); NULL if there is none. @since 0.1 */
 SHD_API shd_mesh *shd_scene_mesh(const shd_scene *scene, uint32_t index);
 
-/** A material, likewise. @since 0.1 */
+/** A material; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_material *shd_scene_material(const shd_scene *scene, uint32_t index);
 
-/** A texture, likewise. @since 0.1 */
+/** A texture; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_texture *shd_scene_texture(const shd_scene *scene, uint32_t index);
 
-/** A light, likewise. @since 0.1 */
+/** A light; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_light *shd_scene_light(const shd_scene *scene, uint32_t index);
 
 /**
- * The desc of a material, for variants of it.
+ * The desc of a material, as a starting point for variants of it.
  * @param out_desc  its struct_size is read; the rest is written, all zero on failure. Slots, textures and samplers are
  *                  borrowed until release of the scene
  * @since 0.1
@@ -179,8 +180,8 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_light_desc(const shd_scene *scene
                                                           shd_light_desc *out_desc);
 
 /**
- * A camera of the file. Its aspect is 0, which means that of the picture, unless the file contains one. Planes that are
- * not in the file enclose the whole model.
+ * A camera of the file. If the file has no aspect, it is 0, which means the aspect of the picture. If the file has no
+ * near and far plane, they enclose the whole model.
  * @param out_camera  its struct_size is read; the rest is written, all zero on failure
  * @since 0.1
  */
@@ -213,8 +214,9 @@ SHD_NODISCARD SHD_API shd_result shd_scene_get_instance(const shd_scene *scene, 
 
 /**
  * Set draws, draw_count, lights and light_count of a frame: one draw for each instance, in their order, and the lights
- * of the file. Nothing else changes: camera, framebuffer, and light where the file has none are the caller's.
- * @param in_out_render  borrowed for the call; what it points at then is borrowed until release of the scene
+ * of the file. All other fields stay as they are. The caller sets the camera and the framebuffer, and adds lights if
+ * the file has none.
+ * @param in_out_render  borrowed for the call; afterwards its draws and lights are borrowed until release of the scene
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_scene_fill_render(const shd_scene *scene, shd_render_desc *in_out_render);

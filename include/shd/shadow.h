@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Shadow maps: depths of a scene in the view of a light, and the part of the light that reaches a point.
+ * @brief Shadow maps: depths of a scene as seen from a light, and the fraction of the light that reaches a point.
  *
  * A map is drawn by shd_shadow_render with the rasteriser of shd_render (Williams, "Casting Curved Shadows on Curved
- * Surfaces", 1978), looked up by shd_shadow_sample, and used by frames that name it in shd_render_desc.shadows. A
- * directional light has one orthographic map; a point light six, the faces of a cube.
+ * Surfaces", 1978), looked up by shd_shadow_sample, and used by frames whose shd_render_desc.shadows contains it. A
+ * directional light has one orthographic map; a point light has six maps, the faces of a cube.
  *
  * A point is lit if the plane of its surface is not behind the depth of the texels that the filter compares, at the
- * centre of each texel. Planes with normals therefore have no shadow acne at any filter size. The biases below cover
- * the rest: curved surfaces, interpolated normals and the pixel grid. Depths are world lengths, so a bias has the same
- * effect after every fit.
+ * centre of each texel. Planes with normals therefore have no shadow acne at any filter size. The biases below prevent
+ * it for curved surfaces, interpolated normals and the rounding to the pixel grid. Depths are lengths in world space,
+ * so a bias has the same effect for any fitted range.
  *
  * A point is lit if its position is not finite, if it is outside the map, or if it is behind a spot. A normal that is
- * not finite counts as no normal.
+ * not finite is ignored.
  *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_shadow_render needs the shadow for itself
@@ -35,7 +35,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Depths in the view of a light. */
+/** Depths as seen from a light. */
 typedef struct shd_shadow shd_shadow;
 
 /** Computation of visibility from depths. */
@@ -43,7 +43,7 @@ typedef enum shd_shadow_filter {
     SHD_SHADOW_FILTER_HARD = 0, /**< the nearest texel, 0 or 1 */
     /**
      * The mean of n x n bilinear comparisons a texel apart (Reeves, Salesin and Cook, "Rendering Antialiased Shadows
-     * with Depth Maps", 1987). It varies continuously. (n + 1)^2 texels, n = taps.
+     * with Depth Maps", 1987). It varies continuously. Reads (n + 1)^2 texels, n = taps.
      */
     SHD_SHADOW_FILTER_PCF = 1,
     /**
@@ -51,12 +51,15 @@ typedef enum shd_shadow_filter {
      * (Donnelly and Lauritzen, "Variance Shadow Maps", 2006).
      */
     SHD_SHADOW_FILTER_VARIANCE = 2,
-    /** The bound over a square of filter_size around the point, by a table of sums (Lauritzen, GPU Gems 3, 2007, 8). */
+    /**
+     * Chebyshev's bound over a square of edge length filter_size around the point, from a summed-area table (Lauritzen,
+     * GPU Gems 3, 2007, 8).
+     */
     SHD_SHADOW_FILTER_SUMMED_AREA_VARIANCE = 3,
     /**
      * Penumbras that widen with the distance to the blockers (Fernando, "Percentage-Closer Soft Shadows", 2005): the
      * mean depth of blockers from n x n texels, then the mean of n x n bilinear comparisons over the width of the
-     * penumbra, n = taps. Always 5 n^2 texels; in wide penumbras they are not adjacent.
+     * penumbra, n = taps. Reads 5 n^2 texels for any width; in wide penumbras they are not adjacent.
      */
     SHD_SHADOW_FILTER_PCSS = 4,
     SHD_SHADOW_FILTER_MAX_ENUM = 0x7fffffff
@@ -81,15 +84,17 @@ typedef struct shd_shadow_desc {
     float light_size;
     float bias; /**< points are moved towards the light by this depth, world length, 0..1e9; default 0 */
     /**
-     * Factor of a further bias: the edge length of a texel at the point times (1/4 + |slope| of the surface across the
-     * map + |slope| along the map), each slope at most 64. Without a normal the sum is 2, for PCF n + 1. 0..1000;
-     * default 1.
+     * Factor of another bias: the edge length of a texel at the point times (1/4 + |slope| of the surface across the
+     * map + |slope| along the map), each slope at most 64. Without a normal the sum in brackets is replaced by 2, or by
+     * n + 1 for PCF. 0..1000; default 1.
      */
     float bias_slope;
-    float normal_offset;  /**< points are moved along their normal first, world length, 0..1e9; default 0 */
-    shd_cull caster_cull; /**< faces that cast no shadow: BACK faces look away from the light, FRONT faces towards it.
-                               Replaces the culling of the draws. Default SHD_CULL_NONE */
-    float bleed;          /**< VARIANCE, SUMMED_AREA_VARIANCE: smaller visibilities become 0, 0..0.99; default 0 */
+    float normal_offset;  /**< before the lookup, points are moved along their normal by this world length, 0..1e9;
+                               default 0 */
+    shd_cull caster_cull; /**< faces that cast no shadow: BACK faces are turned away from the light, FRONT faces
+                               towards it. Replaces the culling of the draws. Default SHD_CULL_NONE */
+    float bleed;          /**< VARIANCE, SUMMED_AREA_VARIANCE: visibilities below this value become 0, 0..0.99;
+                               default 0 */
     float min_variance;   /**< VARIANCE, SUMMED_AREA_VARIANCE: world length squared, 0..1e9; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_shadow_desc;
@@ -106,7 +111,7 @@ static inline shd_shadow_desc shd_shadow_desc_default(void)
 }
 
 /**
- * Make a shadow without a map. Render it before looking it up.
+ * Make a shadow without a map. Call shd_shadow_render() before any lookup.
  * @param context     retained
  * @param desc        borrowed for the call; NULL = all defaults
  * @param out_shadow  owned; NULL on failure
@@ -127,9 +132,9 @@ typedef struct shd_shadow_render_desc {
     const shd_light *light; /**< required; directional, spot or point */
     /**
      * Draws that cast shadows, as in shd_render_desc; NULL if draw_count is 0. Depth comparison, depth biases and
-     * culling of a draw are ignored; a draw with SHD_DRAW_KEEP_DEPTH casts no shadow. Vertex programs run as seen from
-     * the light, and so do alpha tests and programs that drop fragments, except for WEIGHTED and SORTED blending.
-     * Opacity by itself has no effect.
+     * culling of a draw are ignored; a draw with SHD_DRAW_KEEP_DEPTH casts no shadow. Vertex programs run with the
+     * light's view. Alpha tests and programs that drop fragments apply too, except for draws with WEIGHTED or SORTED
+     * blending. Opacity by itself has no effect.
      */
     const shd_draw *draws;
     size_t draw_count; /**< up to 2^20 */
@@ -144,7 +149,7 @@ typedef struct shd_shadow_render_desc {
     /**
      * Directional lights: the part of the world that needs shadows. Both 0 = the bounds of the draws. Draws between
      * this part and the light still cast shadows. The size of texels is rounded up in steps of 1/8 to 1/16, and texels
-     * lie at multiples of their size, so shadows stand still while bounds of constant size move.
+     * lie at multiples of their size, so shadows do not shimmer while bounds of constant size move.
      */
     float bounds_min[3];
     float bounds_max[3];
@@ -163,10 +168,10 @@ static inline shd_shadow_render_desc shd_shadow_render_desc_default(void)
  * Render the map and replace the previous one. On failure the previous map stays.
  *
  * The cone of a spot has one map up to an outer angle of 1.1 rad [63 degrees], and six faces as a point light beyond.
- * Filters read up to size / 8 texels (PCF and VARIANCE size / 4) over the edge of a face, so each face is rendered that
- * much wider. The fit uses the bounds of the meshes: give bounds and planes if vertex programs move the vertices.
- * Bounds beyond 1e18 are SHD_ERROR_INVALID_ARGUMENT. The map takes 4 bytes per texel (VARIANCE 8, SUMMED_AREA_VARIANCE
- * 16), and during rendering 4 bytes per texel more and a framebuffer of up to 2048 x 2048 pixels.
+ * Filters read up to size / 8 texels (PCF and VARIANCE: size / 4) beyond the edge of a face, so each face is rendered
+ * wider by this margin. The fitted range uses the bounds of the meshes: set bounds and planes if vertex programs move
+ * the vertices. Bounds beyond 1e18 are SHD_ERROR_INVALID_ARGUMENT. The map takes 4 bytes per texel (VARIANCE 8,
+ * SUMMED_AREA_VARIANCE 16), and during rendering 4 bytes per texel more and a framebuffer of up to 2048 x 2048 pixels.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @since 0.1
  */
@@ -191,7 +196,7 @@ static inline shd_shadow_lookups shd_shadow_lookups_default(void)
 }
 
 /**
- * Compute the part of the light that arrives at each point, 0 (in shadow) to 1 (lit), as in frames.
+ * Compute the fraction of the light that reaches each point, 0 (in shadow) to 1 (lit), as frames do.
  *
  * Runs on the executor of the shadow's context.
  * @param out  column of `count` elements; must not overlap the points (checked)

@@ -4,8 +4,8 @@
  * @brief Vertices and triangles of common shapes, in the caller's columns.
  *
  * shd_shape_count() returns the numbers of vertices and indices of a shape; shd_shape_fill() writes the shape. The
- * columns are those of shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen from outside,
- * uv with v down.
+ * columns have the conventions of shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen
+ * from outside, uv with v down.
  *
  * | shape   | where                                                   | uv                                            |
  * |---------|---------------------------------------------------------|-----------------------------------------------|
@@ -17,9 +17,9 @@
  * |         |                                                         | inside over the top; (0.5, 0.5) on +Z         |
  * | teapot  | on y = 0, 3.15 high, spout towards +X                   | each part its own chart; u and v repeat       |
  *
- * Shapes are closed where parts meet: vertices at one place have the same bits, so that seams of uv and creases do not
- * open. No triangle is degenerate; at a pole each triangle has a vertex of its own, with u in the middle of it. The
- * sphere, box and torus have no open edges. The bits are the same on every machine.
+ * Shapes have no gaps: vertices at the same position have the same bits, so seams of uv and creases do not open. No
+ * triangle is degenerate; at a pole each triangle has a vertex of its own, with u in the middle of it. The sphere, box
+ * and torus have no open edges. The bits are the same on every machine.
  *
  * Thread safety: any thread. Nothing is allocated.
  */
@@ -39,8 +39,8 @@ typedef enum shd_shape {
     SHD_SHAPE_TORUS = 3,  /**< `radius` of the circle in the middle of the tube, `tube_radius` */
     /**
      * The Utah teapot: 32 bicubic Bezier patches by Martin Newell (1975), with the bottom that Frank Crow added ("The
-     * Origins of the Teapot", IEEE Computer Graphics and Applications 7(1), 1987). Body and bottom, lid, handle and
-     * spout are open where they meet or pass into each other.
+     * Origins of the Teapot", IEEE Computer Graphics and Applications 7(1), 1987). The body with its bottom, the lid,
+     * the handle and the spout are separate open surfaces that meet or intersect.
      */
     SHD_SHAPE_TEAPOT = 4,
     SHD_SHAPE_MAX_ENUM = 0x7fffffff
@@ -65,7 +65,7 @@ typedef struct shd_shape_desc {
     /**
      * Parts; 0 = the number in brackets. Sphere: around, 3..4096 [32], and from pole to pole, 2..4096 [16]. Box: along
      * x, y and z, 1..4096 [1]. Plane: along x and z, 1..4096 [1]. Torus: around the axis, 3..4096 [48], and around the
-     * tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Numbers that a shape does not use are ignored.
+     * tube, 3..4096 [24]. Teapot: along each side of a patch, 2..256 [8]. Unused numbers are ignored.
      */
     uint32_t segments[SHD_SHAPE_DIRECTIONS];
     /* ---- end of 0.1; append below ---- */
@@ -85,8 +85,9 @@ static inline shd_shape_desc shd_shape_desc_default(void)
 /** Output columns of a shape. They do not overlap; each may be absent. */
 typedef struct shd_shape_columns {
     uint32_t struct_size;    /**< set by shd_shape_columns_default() */
-    uint32_t vertex_count;   /**< room in each column of vertices, at least that of shd_shape_count() */
-    size_t index_count;      /**< room in `indices`, at least that of shd_shape_count() unless it is absent */
+    uint32_t vertex_count;   /**< elements in each column of vertices, at least the number from shd_shape_count() */
+    size_t index_count;      /**< elements in `indices`, at least the number from shd_shape_count() unless `indices`
+                                  is absent */
     shd_f32_out position[3]; /**< x, y, z, object space */
     shd_f32_out normal[3];   /**< x, y, z, unit, outwards */
     shd_f32_out uv[2];       /**< u, v */
@@ -113,7 +114,7 @@ SHD_NODISCARD SHD_API shd_result shd_shape_count(const shd_shape_desc *desc, uin
                                                  size_t *out_index_count);
 
 /**
- * Write a shape. Elements beyond those of shd_shape_count() stay as they are.
+ * Write a shape. Elements beyond the numbers from shd_shape_count() do not change.
  * @param desc     borrowed for the call; NULL = all defaults
  * @param columns  borrowed for the call
  * @return SHD_ERROR_INVALID_ARGUMENT also when a column is too short; nothing is written then

@@ -54,27 +54,27 @@ typedef enum shd_slot_source {
 } shd_slot_source;
 
 /**
- * A slot as a function: writes in->count values per column.
+ * A function that gives the values of a slot: writes in->count values to each column.
  * @param out  packed columns, initially 1: three for colours, four for the diffuse slot and for normals, one for
  *             scalars; the others are NULL
  */
 typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *user_data);
 
 /**
- * A source for a coefficient. Required: target and what the source reads.
+ * A source for a coefficient. Required: target, and the fields that the source uses.
  *
  * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
  * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, height) are looked up where
  * lobes are evaluated: at flat and Gouraud frequency at the centroid or vertex, on level 0.
  *
  * Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
- * shd_render_stats.nonfinite_fragments counts. Exceptions: exponents are clamped to 0..1e6 (NaN: 0) and roughness to
- * 0..1 (NaN: 1). The surface keeps its normal where a mapped normal is 0 or not finite, or a slope of heights is not
- * finite.
+ * shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes
+ * 0) and roughness to 0..1 (NaN becomes 1). The surface keeps its normal where a mapped normal is 0 or not finite, or a
+ * slope of heights is not finite.
  */
 typedef struct shd_slot {
     uint32_t struct_size;   /**< set by shd_slot_default(); the same in every element of an array */
-    shd_slot_target target; /**< coefficient that it feeds; no two slots of a material have the same */
+    shd_slot_target target; /**< the coefficient; each slot of a material has a different one */
     shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
     uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
     shd_texture *texture;   /**< texture of SHD_SLOT_SOURCE_TEXTURE, else NULL; retained by the material */

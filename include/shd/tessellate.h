@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Tessellation: meshes cut into smaller triangles, and displaced along their normals by a texture.
+ * @brief Tessellation: cutting the triangles of a mesh into smaller ones, and displacing vertices along their normals
+ *        by a texture.
  *
  * Lifetime:      the result is a mesh of its own.
  * Thread safety: any thread; concurrent reads of the mesh and the texture.
@@ -27,8 +28,8 @@ SHD_BEGIN_DECLS
 typedef enum shd_tessellation_mode {
     SHD_TESSELLATION_MODE_UNIFORM = 0, /**< `segments` for each edge: a triangle becomes segments^2 */
     /**
-     * The smallest number whose parts are at most `edge_length` long. It depends only on the positions of the edge's
-     * two ends, so triangles on both sides agree and no cracks open, even where uv or normals differ.
+     * The smallest number for which no part is longer than `edge_length`. It depends only on the positions of the
+     * edge's two ends, so triangles on both sides agree and no cracks open, even where uv or normals differ.
      */
     SHD_TESSELLATION_MODE_ADAPTIVE = 1,
     SHD_TESSELLATION_MODE_MAX_ENUM = 0x7fffffff
@@ -37,13 +38,13 @@ typedef enum shd_tessellation_mode {
 /**
  * Normals of a displaced mesh.
  *
- * Faces are weighted by area, over the vertices that shared position and normal before displacement. Seams of uv
- * therefore stay smooth, and creases stay sharp.
+ * The mean of face normals, weighted by area. Vertices that shared position and normal before displacement share the
+ * mean. Seams of uv therefore stay smooth, and creases stay sharp.
  */
 typedef enum shd_displaced_normals {
     /**
-     * The previous normals, tilted by the slope of the heights: n - grad h, with the gradient on the faces around the
-     * vertex before displacement. Coarse triangles with smooth normals do not become visible.
+     * The previous normals, tilted by the slope of the heights: n - grad h, where grad h is the gradient on the faces
+     * around the vertex before displacement. Coarse triangles with smooth normals keep their smooth look.
      */
     SHD_DISPLACED_NORMALS_TILTED = 0,
     SHD_DISPLACED_NORMALS_KEPT = 1,  /**< the previous normals */
@@ -63,11 +64,11 @@ typedef struct shd_tessellation_desc {
     float edge_length;          /**< ADAPTIVE: longest part [pixels], without `view` [world units]; > 0; default 8 */
     uint32_t width;             /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
     uint32_t height;            /**< ADAPTIVE with `view`: of the picture [pixels], 1..65536; default 1024 */
-    uint32_t max_triangles;     /**< the call is refused if there would be more, 1..2^28; default 2^24 */
+    uint32_t max_triangles;     /**< the call is refused if the result would have more, 1..2^28; default 2^24 */
     /**
-     * ADAPTIVE: the length of an edge in the picture is the projected length of a line of its length across the line of
-     * sight at its middle. An edge that passes the eye has max_segments parts, an edge behind the eye 1. Borrowed for
-     * the call; NULL = lengths in world units.
+     * ADAPTIVE: view for lengths in pixels. An edge counts as turned about its middle until it is perpendicular to the
+     * line of sight; its length is then projected to the picture. An edge that passes the eye has max_segments parts,
+     * an edge behind the eye has 1. Borrowed for the call; NULL = lengths in world units.
      */
     const shd_view *view;
     const float *object_to_world;    /**< ADAPTIVE: [16], column-major; borrowed for the call; NULL = identity */
@@ -97,21 +98,21 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
 /**
  * Make a mesh of smaller triangles.
  *
- * Triangles are in the order of the original triangles. The vertices of `mesh` come first, with their numbers and
- * columns; vertices on edges and inside follow. Every column is interpolated linearly, normals and tangents are
- * normalised, and handedness is the sign of the interpolated value. A triangle whose edges have different numbers of
- * parts is cut into rows across its two most finely cut edges. Parts meet at vertices only, so a closed mesh stays
+ * Triangles follow the order of the original triangles. The vertices of `mesh` come first and keep their numbers and
+ * columns; vertices on edges and inside triangles follow. Every column is interpolated linearly, normals and tangents
+ * are normalised, and handedness is the sign of the interpolated value. A triangle whose edges have different numbers
+ * of parts is cut into rows across its two most finely cut edges. Parts meet at vertices only, so a closed mesh stays
  * closed.
  *
  * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv. A height
  * that is not finite, or moves a vertex beyond the range of float, counts as 0. Vertices at one position move together
  * by the mean of their displacements, so seams of uv and creases stay closed. A sheet whose two sides are faces at the
  * same positions therefore does not move. Tangents are projected into the planes of the new normals. Heights are looked
- * up at the vertices alone: parts longer than two texels of the level `lod` skip texels.
+ * up only at the vertices: if parts are longer than two texels of level `lod`, texels between vertices have no effect.
  *
- * Refused with the field named, before anything is allocated: more than max_triangles. In ADAPTIVE mode an edge with an
- * end that is not finite has 1 part. normalless_count, tangentless_count and split_count of the new mesh's info are
- * those of `mesh`.
+ * If the result would have more than max_triangles, the call is refused before it allocates memory, and the error text
+ * names the field. In ADAPTIVE mode an edge with an end that is not finite has 1 part. The info of the new mesh has the
+ * normalless_count, tangentless_count and split_count of `mesh`.
  * @param context   retained by the new mesh
  * @param mesh      concurrent reads
  * @param desc      borrowed for the call

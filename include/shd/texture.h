@@ -6,7 +6,7 @@
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; functions taking `const shd_texture *` may run concurrently on one
  *                texture. shd_texture_update() needs the texture for itself: no other call may use the texture
- *                concurrently, not even one that renders with it.
+ *                concurrently. This includes renders that use it.
  *
  * @code
  * shd_texture_desc desc = shd_texture_desc_default();
@@ -33,8 +33,8 @@ typedef enum shd_table {
     SHD_TABLE_NONE = 0,   /**< the base level alone */
     SHD_TABLE_MIPMAP = 1, /**< levels max(1, floor(size / 2^l)) down to 1 x 1 (Williams 1983); 4/3 of the memory */
     /**
-     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j. At most 4 times the memory,
-     * mipmap included: its levels are shared. For textures of up to 2^26 texels.
+     * Levels max(1, floor(width / 2^i)) x max(1, floor(height / 2^j)) for every i and j. Takes at most 4 times the
+     * memory, including the mipmap, whose levels are shared. For textures of up to 2^26 texels.
      */
     SHD_TABLE_RIPMAP = 2,
     /**
@@ -50,12 +50,12 @@ typedef uint32_t shd_table_flags; /**< shd_table bits */
 
 /** Source of an output channel. */
 typedef enum shd_channel {
-    SHD_CHANNEL_DEFAULT = 0, /**< the channel of its own place; `fill` where the format lacks it */
+    SHD_CHANNEL_DEFAULT = 0, /**< the channel at the same position; `fill` if the format lacks it */
     SHD_CHANNEL_R = 1,
     SHD_CHANNEL_G = 2,
     SHD_CHANNEL_B = 3,
     SHD_CHANNEL_A = 4,
-    SHD_CHANNEL_FILL = 5, /**< the constant `fill` of its place */
+    SHD_CHANNEL_FILL = 5, /**< the element of `fill` at the same position */
     SHD_CHANNEL_MAX_ENUM = 0x7fffffff
 } shd_channel;
 
@@ -63,10 +63,10 @@ typedef enum shd_channel {
 typedef enum shd_texture_flag {
     SHD_TEXTURE_NONE = 0,
     /**
-     * Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. For one layer
-     * of packed rows of a format without three channels, aligned to a texel but at most 4 bytes. SHD_TEXTURE_PADDING
-     * bytes behind the last texel must be readable, because lookups load whole vectors. Lookups give the same bits as
-     * for copied texels.
+     * Borrow `texels` until release instead of copying them. Only shd_texture_update() may change them. Requires one
+     * layer of packed rows, a format that does not have three channels, and texels aligned to min(size of a texel, 4)
+     * bytes. SHD_TEXTURE_PADDING bytes behind the last texel must be readable, because lookups load whole vectors.
+     * Lookups give the same bits as for copied texels.
      */
     SHD_TEXTURE_BORROW = 1,
     SHD_TEXTURE_FLAG_MAX_ENUM = 0x7fffffff
@@ -89,10 +89,10 @@ typedef struct shd_texture_desc {
     uint32_t layers;         /**< images of the array, 1..2048; default 1 */
     shd_texture_flags flags; /**< default none */
     shd_channel swizzle[4];  /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT */
-    float fill[4];           /**< values of channels that the format lacks, finite; default 0, 0, 0, 1 */
+    float fill[4];           /**< values of channels that the format does not have, finite; default 0, 0, 0, 1 */
     shd_table_flags tables;  /**< default none */
-    uint32_t level_count;    /**< number of `levels` per layer; with fewer than down to 1 x 1 the mipmap ends there;
-                                  default 0 = the library builds them */
+    uint32_t level_count;    /**< number of `levels` per layer; the mipmap ends with the last one, even if it is
+                                  larger than 1 x 1; default 0 = the library builds the levels */
     /**
      * The caller's mip levels for SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of this format;
      * copied. Element l is level l + 1: max(1, width >> (l + 1)) by max(1, height >> (l + 1)). A ripmap of the same
@@ -116,7 +116,7 @@ static inline shd_texture_desc shd_texture_desc_default(void)
  * Make a texture: copy or borrow texels, and build the tables.
  *
  * Mip levels that are not given are area averages of the base level, exact for any size, computed in linear light.
- * Levels of sRGB formats are stored encoded, rounded to nearest.
+ * Levels of sRGB formats are stored sRGB-encoded and rounded to nearest.
  * @param context      retained
  * @param desc         borrowed for the call; its texels until release with SHD_TEXTURE_BORROW
  * @param out_texture  owned; NULL on failure
@@ -138,10 +138,12 @@ typedef struct shd_texture_info {
     uint32_t width;          /**< texels of level 0 */
     uint32_t height;         /**< texels of level 0 */
     uint32_t layers;         /**< images of the array */
-    uint32_t level_count;    /**< 1; with SHD_TABLE_MIPMAP all down to 1 x 1, or 1 more than the given levels */
-    shd_table_flags tables;  /**< tables that it has */
+    uint32_t level_count;    /**< 1; with SHD_TABLE_MIPMAP the number of levels down to 1 x 1, or the number of given
+                                  levels + 1 */
+    shd_table_flags tables;  /**< tables of the texture */
     shd_texture_flags flags; /**< as in its desc */
-    size_t byte_size; /**< bytes of all tables except a borrowed base level, and of what shd_texture_update() keeps */
+    size_t byte_size; /**< bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed
+                           base level */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;
 
@@ -178,14 +180,14 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  *
  * Cost: the first update of a layer whose size halves evenly several times rebuilds all its mip levels and keeps
  * unrounded averages of every 16 x 16 texels (32 x 32 of floats), 1/32 of the memory of RGBA8 texels. Other updates
- * touch the texels over their rectangle. Levels below an odd width or height, and ripmap levels, read all base texels
- * that they cover, ripmap levels in whole rows. A summed-area table is computed again for the layer.
+ * compute only the texels that cover the rectangle. Levels below an odd width or height read all base texels under
+ * these texels; ripmap levels do so in whole rows. A summed-area table is recomputed for the whole layer.
  *
- * The caller writes the texels of a borrowed base level before this call, while no other call uses the texture.
- * `texels` then has the size of the rectangle, and NULL for pixels.
+ * If the base level is borrowed, the caller writes its texels before this call, while no other call uses the texture.
+ * `texels` then has the size of the rectangle, and its pixels are NULL.
  *
  * Nothing is written if an argument is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
- * the rectangle and the tables over it are undefined until the same update succeeds.
+ * the rectangle and the table entries that cover it are undefined until the same update succeeds.
  * @param texture  used by no other call concurrently
  * @param layer    0..layers - 1
  * @param x,y      first column and row of the rectangle

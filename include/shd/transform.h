@@ -3,12 +3,12 @@
  * @file
  * @brief Matrices for views and draws.
  *
- * The convention is that of shd_view and shd_draw: float[16], column-major, element (row, column) at
+ * All matrices have the convention of shd_view and shd_draw: float[16], column-major, element (row, column) at
  * [4 * column + row], acting on column vectors from the left. World and view space are right-handed with +Y up; the
  * camera looks along -Z of view space. In clip space NDC y is up and depth is 0..1.
  *
  * Every function computes in double and rounds once, with the same bits on every machine. Inputs must be finite unless
- * the function allows otherwise. An output may be the memory of an input. A call that fails leaves the output as it was.
+ * the function allows otherwise. An output may be the memory of an input. A call that fails does not change the output.
  * Nothing is allocated.
  *
  * Thread safety: any thread.
@@ -55,7 +55,8 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_orthographic(const float rectangle[4
                                                          shd_depth_order order, float *out_matrix);
 
 /**
- * World to view space, rigid: the eye at the origin, the target on -Z. The bits are those of shd_view_from_camera().
+ * Rigid transform from world to view space: the eye is at the origin, the target on -Z. It has the bits of
+ * shd_view_from_camera().
  * @param eye         world space
  * @param target      world space, not the eye
  * @param up          world space, any length, not along the line of sight
@@ -77,7 +78,7 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_from_trs(const float translation[3],
                                                      const float scale[3], float *out_matrix);
 
 /**
- * The product a b, which applies b first.
+ * The product a b. Applied to a vector, b acts first.
  * @param a,b         [16]
  * @param out_matrix  [16]
  * @return SHD_ERROR_INVALID_ARGUMENT also for a product beyond the range of float
@@ -96,8 +97,8 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_multiply(const float *a, const float
 SHD_NODISCARD SHD_API shd_result shd_matrix_invert(const float *matrix, float *out_matrix);
 
 /**
- * The matrix that takes normals to where `matrix` takes positions: the inverse transpose of its upper left 3 x 3.
- * Its results need normalising. shd_render() does this by itself.
+ * The matrix for normals that belongs to `matrix`: the inverse transpose of its upper left 3 x 3. Transformed normals
+ * are not unit vectors and need normalising. shd_render() transforms normals by itself.
  * @param matrix  [16]
  * @param out_3x3  [9], column-major
  * @return SHD_ERROR_INVALID_ARGUMENT as shd_matrix_invert, of the 3 x 3
@@ -117,7 +118,7 @@ SHD_NODISCARD SHD_API shd_result shd_matrix_transform_point(const float *matrix,
                                                             float *out_point);
 
 /**
- * A direction, (x, y, z, 0), transformed: the translation and the last row of the matrix do not count.
+ * A direction, (x, y, z, 0), transformed; the translation and the last row of the matrix have no effect.
  * @param matrix         [16]
  * @param direction      x, y, z
  * @param out_direction  [3]

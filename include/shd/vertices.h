@@ -24,7 +24,7 @@
 
 SHD_BEGIN_DECLS
 
-/** Largest number of values of a vertex that its program hands on to fragments. */
+/** Largest number of varyings: values that a vertex program passes to fragments. */
 #define SHD_MAX_VARYINGS 16
 
 /** Interpolation of a varying from the three vertices of a triangle to a fragment. */
@@ -32,11 +32,11 @@ typedef enum shd_interpolation {
     /** Linear on the triangle itself. */
     SHD_INTERPOLATION_PERSPECTIVE = 0,
     /**
-     * Linear on the screen between the three projected vertices, clipped or not. PERSPECTIVE where a vertex has no
-     * projection: w < 2^-100, or more than 2^60 pixels away.
+     * Linear on the screen between the three projected vertices, also for clipped triangles. If a vertex cannot be
+     * projected (w < 2^-100, or more than 2^60 pixels away), PERSPECTIVE is used.
      */
     SHD_INTERPOLATION_AFFINE = 1,
-    /** The value of the triangle's first vertex, in every row of the triangle and at every frequency. */
+    /** The value of the triangle's first vertex, for all fragments and at every frequency. */
     SHD_INTERPOLATION_FLAT = 2,
     SHD_INTERPOLATION_MAX_ENUM = 0x7fffffff
 } shd_interpolation;
@@ -44,9 +44,9 @@ typedef enum shd_interpolation {
 /**
  * Neighbouring vertices of one draw, one row each, as packed columns of `count` elements; borrowed for the call.
  *
- * Every vertex of a triangle is processed for each instance of the draw, up to 512 per call: once, or in each pass that
- * needs it where the frame takes several passes (shd_render_desc.pass_triangles). The grouping of vertices and the
- * order of calls are unspecified.
+ * Every vertex of a triangle is processed for each instance of the draw, up to 512 vertices per call. It is processed
+ * once, or once in each pass that needs it if the frame has several passes (shd_render_desc.pass_triangles). The
+ * grouping of vertices and the order of calls are unspecified.
  */
 typedef struct shd_vertices {
     uint32_t struct_size;           /**< size of the library's struct */
@@ -69,9 +69,9 @@ typedef struct shd_vertices {
 /**
  * Values that a program may change, as packed columns of `count` elements.
  *
- * Each starts as its value without a program. A vertex whose values stay unchanged has the same bits in the frame as
- * without a program. Triangles of a vertex with NaN or infinity in any column are dropped and counted as
- * shd_render_stats.nonfinite.
+ * Each column starts with the values that the draw has without a program. A vertex whose values stay unchanged gives
+ * the same bits as without a program. Triangles with a vertex that has NaN or infinity in any column are dropped;
+ * shd_render_stats.nonfinite counts them.
  */
 typedef struct shd_vertex_outputs {
     uint32_t struct_size;   /**< size of the library's struct */

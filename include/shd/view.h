@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Views: the transforms from world to clip space, and a camera that fills one.
+ * @brief Views: the transforms from world to clip space, and a camera from which a view is computed.
  *
  * Matrices are float[16], column-major, acting on column vectors. World and view space are right-handed with +Y up; the
  * camera looks along -Z of view space. Clip space: NDC y up, depth 0 near .. 1 far.
@@ -22,13 +22,13 @@
 SHD_BEGIN_DECLS
 
 /**
- * Transforms from world to clip space. Frozen: it is a member of shd_render_desc, where later options of a picture are
- * appended.
+ * Transforms from world to clip space. Frozen, because it is a member of shd_render_desc. Later options of a picture
+ * are appended to shd_render_desc.
  */
 typedef struct shd_view {
     float world_to_view[16]; /**< rigid, finite */
     float view_to_clip[16];  /**< projection, finite */
-    float eye[3];            /**< world space; the point at which wo ends */
+    float eye[3];            /**< world space; viewing directions (wo) point to it */
 } shd_view;
 
 /** A perspective camera. */
@@ -38,7 +38,7 @@ typedef struct shd_camera {
     float target[3];      /**< world space, different from the eye; default 0 */
     float up[3];          /**< world space, any length, not along the line of sight; default (0, 1, 0) */
     float fov_y;          /**< vertical field of view [rad], (0, pi); default 0.8 */
-    float aspect;         /**< width / height, > 0; 0 = that of the picture, or 1 where there is none; default 0 */
+    float aspect;         /**< width / height, > 0; 0 = aspect of the picture, or 1 if there is no picture; default 0 */
     float near_plane;     /**< distance, > 0; default 0.1 */
     float far_plane;      /**< distance, > near_plane; default 100 */
     /* ---- end of 0.1; append below ---- */

@@ -3,7 +3,7 @@
  * @file
  * @brief Texels outside an image, for lookups and for mip kernels.
  *
- * Thread safety: there are no functions here.
+ * Thread safety: this header has no functions.
  *
  * @code
  * shd_sampler_desc desc = shd_sampler_desc_default();

@@ -21,6 +21,6 @@
 /// | draws.h          | the draws of a frame or a shadow                                                  |
 /// | levels.h         | mip levels that the caller gives                                                  |
 /// | color/           | the C functions of libshd_color                                                   |
-/// | io/              | the C functions of libshd_io; common.h is what its files share                    |
+/// | io/              | the C functions of libshd_io; common.h has declarations that they share           |
 /// | scene/           | the C functions of libshd_scene                                                   |
 #pragma once

@@ -2,12 +2,12 @@
 /// @file
 /// Sizes of the structs that begin with struct_size. Links to nothing.
 ///
-/// Version 0.1 is the first one, so no caller of a released header has less than its layout. The library accepts less
-/// all the same, down to the last field that a call cannot do without: fields beyond that have defaults. Only what
-/// stands in this table is ever read from a struct without looking at its struct_size.
+/// Version 0.1 is the first one, so no caller of a released header has less than its layout. The library still accepts
+/// smaller structs that contain every required field: later fields have defaults. Only the fields in this table are
+/// read from a struct without a check of its struct_size.
 ///
-/// A row names the struct, that last field, and the size of the struct in 0.1 on LP64. Rows never change once a version
-/// is released; tests/abi/resize_headers.py reads them.
+/// A row names the struct, its last required field, and the size of the struct in 0.1 on LP64. Rows never change once a
+/// version is released; tests/abi/resize_headers.py reads them.
 #pragma once
 
 #include <cstddef>

@@ -58,8 +58,8 @@ shd_result tbb_parallel_for(void* user_data, uint32_t count, shd_task_fn task, v
       tbb::this_task_arena::isolate([&] { tbb::parallel_for(uint32_t{0}, drains, drain, tbb::simple_partitioner()); });
     });
   } catch (...) {
-    // Tasks do not throw: an exception means that oneTBB could not start a thread or had no memory. oneTBB waits for all
-    // tasks that it has begun before it throws.
+    // Tasks do not throw: an exception means that oneTBB could not start a thread or had no memory. oneTBB waits for
+    // all started tasks before it throws.
     queue.drain(0);
   }
   return SHD_OK;

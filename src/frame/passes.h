@@ -11,7 +11,7 @@ namespace shd::frame {
 
 /// Divides a frame into passes of at most frame.pass_triangles triangles, which are drawn one after the other. A pass
 /// holds whole draws, or a part of one larger draw; each draw is counted as at least kMinTriangles. Draws with
-/// order-independent blends share the last pass, whatever their number of triangles. Most frames have one pass.
+/// order-independent blends share the last pass, for any number of triangles. Most frames have one pass.
 class Passes {
  public:
   /// Throws std::bad_alloc.

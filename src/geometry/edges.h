@@ -21,9 +21,9 @@ inline uint32_t triangle_of(uint32_t across) {
 }
 
 /// [3 * triangle_count] Across of each edge, stored once, at the first triangle of the edge. Corners at the same
-/// position are merged, whatever their vertices; triangles without area are ignored. Two sorts, linear for meshes whose
-/// vertices have few triangles each. Needs 12 bytes per triangle, and temporarily 12 more and 12 per vertex. Throws
-/// std::bad_alloc.
+/// position are merged, even if their vertices differ; triangles without area are ignored. Two sorts, linear for meshes
+/// whose vertices have few triangles each. Needs 12 bytes per triangle, and temporarily 12 more and 12 per vertex.
+/// Throws std::bad_alloc.
 core::Array<uint32_t> find_across(const core::Allocator& allocator, const Mesh& mesh);
 
 }  // namespace shd::geometry

@@ -33,7 +33,7 @@ class MemoryStream : public Assimp::IOStream {
   size_t Write(const void*, size_t, size_t) override { return 0; }
   aiReturn Seek(size_t offset, aiOrigin origin) override {
     const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? place_ : bytes_.size();
-    const size_t place = from + offset;  // offsets may be negative: the sum wraps
+    const size_t place = from + offset;  // offsets may be negative; the sum wraps to the correct position
     if (place > bytes_.size()) return aiReturn_FAILURE;
     place_ = place;
     return aiReturn_SUCCESS;
@@ -43,8 +43,8 @@ class MemoryStream : public Assimp::IOStream {
   void Flush() override {}
 
  private:
-  /// Readers that go on for ever at the end of a damaged file, or beyond the deadline, end here: assimp turns
-  /// exceptions into a failed import.
+  /// Stops readers that would loop forever at the end of a damaged file, and readers beyond the deadline: assimp turns
+  /// an exception into a failed import.
   void check_progress(size_t read) {
     constexpr int kMaxEmptyReads = 1000;
     empty_reads_ = read ? 0 : empty_reads_ + 1;
@@ -58,7 +58,7 @@ class MemoryStream : public Assimp::IOStream {
   int empty_reads_ = 0;
 };
 
-/// An open regular file and its size, or nothing.
+/// Opens a regular file and returns it with its size, or an empty result.
 struct RegularFile {
   explicit RegularFile(const char* path) : fd(::open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
     struct stat status;

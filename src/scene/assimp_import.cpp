@@ -38,7 +38,7 @@ class Stopwatch : public Assimp::ProgressHandler {
   const Deadline& deadline_;
 };
 
-/// Refuses what is no regular file, with the reason.
+/// Throws Failure, with the reason, if the path is not a regular file.
 void check_file(const std::string& path, const Limits& limits) {
   const std::string name = text_of(path.c_str());
   struct stat status;
@@ -90,7 +90,7 @@ void add_geometries(Import& import) {
   }
 }
 
-/// assimp's matrices are row-major. False for one that is not finite.
+/// Converts a matrix from assimp's row-major order. Returns false if it is not finite.
 bool copy_matrix(const aiMatrix4x4& matrix, std::array<float, 16>& out) {
   bool finite = true;
   for (unsigned row = 0; row < 4; ++row) {
@@ -138,7 +138,7 @@ void place_nodes(Import& import) {
   }
 }
 
-/// Throws Failure unless `scene` is what assimp has made.
+/// Throws Failure if assimp did not make `scene`.
 void require_scene(const aiScene* scene, const Assimp::Importer& importer, const Limits& limits,
                    const FileBudget& budget, const Deadline& deadline) {
   deadline.check();
@@ -152,14 +152,15 @@ void require_scene(const aiScene* scene, const Assimp::Importer& importer, const
   core::refuse(unknown ? SHD_ERROR_UNSUPPORTED : SHD_ERROR_CORRUPT, "%s", reason.c_str());
 }
 
-/// Reads without any step of assimp's, takes out what those steps do not expect, and then lets them run.
+/// Reads the file without assimp's post-processing, removes data that the post-processing steps do not expect, and then
+/// runs these steps.
 const aiScene& read_scene(Assimp::Importer& importer, const std::string& path, const Limits& limits,
                           const FileBudget& budget, const Deadline& deadline, Model& model) {
   const aiScene* scene = importer.ReadFile(path, 0);
   require_scene(scene, importer, limits, budget, deadline);
   sanitize(const_cast<aiScene&>(*scene), limits, model);
-  // Degenerate triangles stay: shd skips them, and assimp's own check would take all of a very small model away. Slots
-  // transform uv themselves, one texture apart from the other; what assimp has of glTF 2.0 is taken from there.
+  // Degenerate triangles stay: shd skips them, and assimp's own check would remove all triangles of a very small model.
+  // In files of glTF 2.0 each texture has its own transform of uv, which slots apply; other formats leave it to assimp.
   const unsigned steps =
       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices | aiProcess_GenUVCoords;
   scene = importer.ApplyPostProcessing(steps);

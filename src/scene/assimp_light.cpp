@@ -28,8 +28,8 @@ bool is_zero(const aiVector3D& v) {
   return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-/// What the light's colours are to be multiplied by, so that shd's fall with the square of the distance has the
-/// file's strength: exactly where that is such a fall, else at the distance `radius`.
+/// Returns the factor of the light's colours. shd's lights decrease with the square of the distance. With this factor
+/// they equal the file's light at every distance if it decreases in the same way, else at the distance `radius`.
 double strength_of(const aiLight& light, double radius) {
   const double a = static_cast<double>(light.mAttenuationConstant), b = static_cast<double>(light.mAttenuationLinear),
                c = static_cast<double>(light.mAttenuationQuadratic);
@@ -38,7 +38,7 @@ double strength_of(const aiLight& light, double radius) {
   return a == 0.0 && b == 0.0 ? 1.0 / c : radius * radius / fall;
 }
 
-/// glTF's inner and outer angles are half the cone; those of other formats are read as such, too.
+/// glTF's inner and outer angles are half angles of the cone. The angles of other formats are read in the same way.
 void set_cone(const aiLight& light, shd_light_desc& desc) {
   const float outer = light.mAngleOuterCone;
   if (std::isfinite(outer)) desc.outer_angle = std::clamp(outer, 0.001f, 1.5707963f);
@@ -56,7 +56,7 @@ bool kind_of(const aiLight& light, shd_light_kind* kind) {
   }
 }
 
-/// False if a number of the light cannot be used.
+/// Returns false if a number of the light is not usable.
 bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& world, double radius,
                shd_light_desc& desc) {
   const bool is_ambient = desc.kind == SHD_LIGHT_KIND_AMBIENT, is_far = desc.kind == SHD_LIGHT_KIND_DIRECTIONAL;
@@ -80,12 +80,13 @@ bool set_light(const aiLight& light, const aiNode* node, const aiMatrix4x4& worl
   return copy_finite(direction, desc.direction) && !is_zero(direction);
 }
 
-/// assimp's field of view is horizontal, but for glTF 2.0 before version 5.3 the vertical one times the aspect.
+/// assimp's field of view is horizontal. For glTF 2.0, assimp before version 5.3 gives the vertical angle times the
+/// aspect.
 bool is_vertical(bool gltf2) {
   return gltf2 && (aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3));
 }
 
-/// Vertical field of view of a camera, or 0 if it has none that can be used.
+/// Vertical field of view of a camera, or 0 if it has no usable one.
 float fov_of(const aiCamera& camera, float aspect, bool gltf2) {
   const float angle = camera.mHorizontalFOV;
   const float fov = is_vertical(gltf2) ? angle / aspect : 2.0f * std::atan(std::tan(0.5f * angle) / aspect);

@@ -24,7 +24,7 @@ bool is_usable(const aiMesh& mesh, const aiFace& face) {
   return true;
 }
 
-/// Keeps polygons of three or more good vertices. Returns how many others of that size there were.
+/// Keeps polygons of three or more valid vertices. Returns the number of removed polygons of three or more vertices.
 size_t keep_polygons(aiMesh& mesh) {
   size_t bad = 0;
   unsigned kept = 0;

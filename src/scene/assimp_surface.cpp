@@ -149,7 +149,7 @@ void read_alpha(const aiMaterial& material, Surface& surface) {
   }
 }
 
-/// What materials that are not of metallic-roughness have besides colour.
+/// Reads the coefficients besides colour of materials that are not metallic-roughness.
 void read_classic(Materials& materials, const aiMaterial& material, Surface& surface) {
   read_map(materials, material, aiTextureType_SPECULAR, false, surface.maps[SHD_SLOT_SPECULAR]);
   read_map(materials, material, aiTextureType_SHININESS, true, surface.maps[SHD_SLOT_EXPONENT]);
@@ -161,7 +161,7 @@ void read_classic(Materials& materials, const aiMaterial& material, Surface& sur
   read_color(material, AI_MATKEY_COLOR_EMISSIVE, surface.emission);
   const bool black = surface.emission == std::array<float, 3>{0, 0, 0};
   if (surface.maps[SHD_SLOT_EMISSION].texture >= 0 && black) surface.emission = {1, 1, 1};
-  // Files in which 0 means opaque are common: it counts as 1.
+  // Files in which opacity 0 means opaque are common, so 0 counts as 1.
   float opacity = 1.0f;
   if (read_number(material, AI_MATKEY_OPACITY, 0.0f, 1.0f, opacity) && opacity > 0.0f) surface.opacity = opacity;
   if (surface.opacity < 1.0f || surface.maps[SHD_SLOT_OPACITY].texture >= 0) surface.alpha = Alpha::kBlend;

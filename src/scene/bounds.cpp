@@ -7,7 +7,7 @@
 namespace shd::scene {
 namespace {
 
-/// Grows a box, which is empty at first, by an instance's vertices.
+/// Extends a box, which is initially empty, by the vertices of an instance.
 void grow(const Geometry& geometry, const float* m, bool* empty, Bounds* box) {
   for (const uint32_t vertex : geometry.indices) {
     const float* p = &geometry.position[size_t{3} * vertex];

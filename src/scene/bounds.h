@@ -5,8 +5,8 @@
 
 namespace shd::scene {
 
-/// The box around all placed vertices that triangles use, world space; what is not finite there is left out. Zero if
-/// nothing is.
+/// The box around all vertices that triangles of instances use, world space. Vertices that are not finite are ignored.
+/// Zero if no vertex is finite.
 struct Bounds {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
   /// Half the diagonal, at least 1e-6.

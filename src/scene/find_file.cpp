@@ -16,7 +16,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The entry of `folder` with the given name, ignoring case; the first by name if there are several.
+/// The entry of `folder` with the given name, ignoring case; the first one in alphabetical order if there are several.
 fs::path entry_of(const fs::path& folder, const std::string& name) {
   std::error_code error;
   fs::path found;
@@ -27,7 +27,7 @@ fs::path entry_of(const fs::path& folder, const std::string& name) {
   return found;
 }
 
-/// `relative` under `folder`, each part in its own or another case; empty if there is none.
+/// The path `relative` under `folder`, ignoring the case of each part; empty if there is no such file.
 fs::path walk(const fs::path& folder, const fs::path& relative) {
   std::error_code error;
   fs::path place = folder;

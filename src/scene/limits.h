@@ -20,14 +20,14 @@ struct Limits {
   double seconds = 60;
 };
 
-/// Throws Failure (SHD_ERROR_LIMIT) if `count` things are more than the field of the desc allows.
+/// Throws Failure (SHD_ERROR_LIMIT) if `count` exceeds the limit of the desc's field.
 inline void check_limit(const char* things, uint64_t count, const char* field, uint64_t limit) {
   if (count <= limit) return;
   core::refuse(SHD_ERROR_LIMIT, "%llu %s are above scene.%s %llu", static_cast<unsigned long long>(count), things,
                field, static_cast<unsigned long long>(limit));
 }
 
-/// The moment by which a load must be done.
+/// The time at which a load must have finished.
 class Deadline {
  public:
   explicit Deadline(double seconds) : end_(Clock::now() + span(seconds)), seconds_(seconds) {}

@@ -68,7 +68,7 @@ struct NamedLight {
   shd_light_desc desc;
 };
 
-/// near_plane and far_plane are 0 where the file has none that can be used.
+/// near_plane and far_plane are 0 if the file has no usable ones.
 struct NamedCamera {
   std::string name;
   shd_camera camera;

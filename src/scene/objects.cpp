@@ -14,7 +14,7 @@ namespace {
 
 using extension::require;
 
-/// What the making of one scene shares.
+/// State that the functions share while one scene is made.
 struct Maker {
   shd_context* context;
   const ObjectOptions& options;
@@ -55,7 +55,8 @@ std::vector<shd_slot> slots_of(Maker& maker, const Surface& surface) {
   return slots;
 }
 
-/// The exponent of a Blinn-Phong lobe as wide as a GGX lobe: p = 2 / alpha^2 - 2, alpha = roughness^2; and its inverse.
+/// The exponent of a Blinn-Phong lobe with the width of a GGX lobe, p = 2 / alpha^2 - 2 with alpha = roughness^2, and
+/// the inverse function.
 float exponent_of(float roughness) {
   const float alpha = std::max(roughness * roughness, 0.01f);
   return std::max(2.0f / (alpha * alpha) - 2.0f, 0.0f);
@@ -138,7 +139,7 @@ void add_lights(Maker& maker, const std::vector<NamedLight>& lights) {
   }
 }
 
-/// Planes that hold the whole model, where the file has none.
+/// Chooses near and far planes that enclose the whole model, if the file has no such planes.
 void add_cameras(Maker& maker, const std::vector<NamedCamera>& cameras) {
   const Bounds& box = maker.out.bounds;
   const double radius = box.radius();

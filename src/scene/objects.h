@@ -10,21 +10,22 @@
 
 namespace shd::scene {
 
-/// How objects are made.
+/// Settings for all objects of a scene.
 struct ObjectOptions {
   shd_sampler_desc sampler;  // wraps come from the model
-  shd_load_desc load;        // of textures
+  shd_load_desc load;        // tables of all textures
   uint32_t mesh_flags;
   bool all_textures_required;
 };
 
-/// A model as handles, and what they were made from. Members point at each other: objects stay where they are made.
+/// A model as handles, and the data that they were made from. Members point at each other, so Objects is never moved or
+/// copied.
 struct Objects {
-  std::vector<Texture> textures;  // of the model, in its order; empty where one could not be read
+  std::vector<Texture> textures;  // textures of the model, in its order; empty where a texture could not be read
   std::vector<shd_texture*> found_textures;
-  std::vector<std::string> texture_names;  // of the found ones
+  std::vector<std::string> texture_names;  // paths of found_textures, in their order
   std::vector<Sampler> samplers;
-  std::vector<std::vector<shd_slot>> material_slots;  // of each material
+  std::vector<std::vector<shd_slot>> material_slots;  // slots of each material
   std::vector<shd_material_desc> material_descs;
   std::vector<Material> materials;
   std::vector<std::string> material_names;
@@ -37,13 +38,13 @@ struct Objects {
   std::vector<shd_camera> cameras;
   std::vector<std::string> camera_names;
   std::vector<Instance> instances;
-  std::vector<shd_draw> draws;  // of the instances
+  std::vector<shd_draw> draws;  // one for each instance, in their order
   std::vector<std::string> warnings;
-  uint64_t vertex_count = 0, triangle_count = 0;  // of the meshes
+  uint64_t vertex_count = 0, triangle_count = 0;  // sums over all meshes
   Bounds bounds;
 };
 
-/// Throws Failure; what was made so far is released then.
+/// Makes all objects. Throws Failure; all objects made before are then released.
 void make_objects(shd_context* context, Model&& model, const ObjectOptions& options, const Limits& limits,
                   const Deadline& deadline, Objects* out);
 

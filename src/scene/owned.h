@@ -18,7 +18,7 @@ struct Owned {
   }
   ~Owned() { release(handle); }
   Handle* get() const { return handle; }
-  /// For an out parameter of an empty one.
+  /// Address for an out parameter; the object must be empty.
   Handle** out() { return &handle; }
 
   Handle* handle = nullptr;

@@ -10,7 +10,7 @@ namespace {
 
 using extension::require;
 
-/// Texels that the model carries without a file around them.
+/// Makes a texture of texels that are embedded in the model without an image file format.
 shd_result create_texture(shd_context* context, const TextureSource& source, uint32_t tables, Texture& out) {
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = source.data ? SHD_FORMAT_RGBA8 : SHD_FORMAT_RGBA8_SRGB;
@@ -30,7 +30,7 @@ shd_result load_texture(shd_context* context, const TextureSource& source, shd_l
   return shd_texture_load(context, source.path.c_str(), &desc, out.out());
 }
 
-/// The message of a texture that failed: that of a file names it already.
+/// The message for a texture that failed. Messages about files contain the name already.
 std::string message_of(const TextureSource& source) {
   const std::string text = shd_last_error();
   return source.file.empty() && source.rgba.empty() ? text : source.path + ": " + text;

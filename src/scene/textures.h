@@ -11,8 +11,8 @@
 
 namespace shd::scene {
 
-/// The textures of a model in its order, empty where one cannot be read: that is a warning, or with `all_required` a
-/// Failure. Lack of memory and budgets of the scene always are.
+/// Loads the textures of a model, in its order. A texture that cannot be read is empty and gives a warning, or throws
+/// Failure with `all_required`. Lack of memory and an exceeded budget always throw Failure.
 std::vector<Texture> load_textures(shd_context* context, const Model& model, const shd_load_desc& load,
                                    bool all_required, const Limits& limits, const Deadline& deadline,
                                    std::vector<std::string>* warnings);

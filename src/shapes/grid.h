@@ -5,13 +5,13 @@
 
 namespace shd::shapes {
 
-/// i / n of the way along a side of that size around 0; mirrored i give mirrored bits.
+/// Coordinate at fraction i / n of a side of length `size` that is centred at 0. Mirrored i give mirrored bits.
 inline double along(double size, uint32_t i, uint32_t n) {
   return size * ((2.0 * i - n) / (2.0 * n));
 }
 
-/// Triangles of rows x columns quadrilaterals over (rows + 1) x (columns + 1) vertices from `first` on, row by row.
-/// Counter-clockwise where rows go down and columns to the right.
+/// Writes the triangles of rows x columns quadrilaterals over (rows + 1) x (columns + 1) vertices from `first` on, row
+/// by row. They are counter-clockwise if rows run down and columns to the right.
 inline void add_grid(Sink& out, uint32_t first, uint32_t rows, uint32_t columns) {
   for (uint32_t row = 0; row < rows; ++row) {
     for (uint32_t column = 0; column < columns; ++column) {

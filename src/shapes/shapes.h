@@ -2,12 +2,12 @@
 /// @file
 /// Stage contract: shapes, vertices and triangles of common shapes.
 ///
-/// Input:      a checked shd_shape_desc without zeros in the segments that the shape names.
-/// Output:     columns of vertices and indices, as shd/shapes.h has them.
-/// Invariants: nothing is allocated. Computed in double and rounded once; vertices at one place have the same bits.
-///             The number of vertices and triangles written is that of counts_of().
+/// Input:      a checked shd_shape_desc whose used segments are not zero.
+/// Output:     columns of vertices and indices, as described in shd/shapes.h.
+/// Invariants: nothing is allocated. Computed in double and rounded once; vertices at the same position have the same
+///             bits. counts_of() gives the number of vertices and triangles that are written.
 ///
-/// | file            | what                                                |
+/// | file            | contents                                            |
 /// |-----------------|-----------------------------------------------------|
 /// | sink.h          | the columns, each of which may be absent            |
 /// | grid.h          | rows and columns of quadrilaterals as triangles     |

@@ -13,7 +13,7 @@ namespace shd::shapes {
 
 using data::Vec3d;
 
-/// The caller's columns and what is written next. Absent columns are skipped.
+/// The caller's columns, and the next element to write. Absent columns are skipped.
 struct Sink {
   shd_f32_out position[3], normal[3], uv[2];
   shd_u32_out indices;
@@ -31,7 +31,7 @@ inline void put(const shd_f32_out (&columns)[3], size_t row, const Vec3d& value)
   put(columns[2], row, value.z);
 }
 
-/// The normal is unit to the rounding of double.
+/// The normal has unit length up to the rounding of double.
 inline void add_vertex(Sink& out, const Vec3d& position, const Vec3d& normal, double u, double v) {
   put(out.position, out.vertex, position);
   put(out.normal, out.vertex, normal);

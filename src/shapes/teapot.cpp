@@ -7,7 +7,7 @@ namespace {
 
 /// A ring of patches that share a texture chart. u runs around, to the right seen from outside; v runs down.
 struct Ring {
-  int first, count;        // patches; together they go once around
+  int first, count;        // number of patches; together they go once around
   double u_span;           // repeats of the texture around; whole numbers leave no seam
   double v_first, v_last;  // at the first and last row of control points
   bool has_pole;           // the first row is one point
@@ -43,7 +43,7 @@ Vec3d blend(const double* weights, const Vec3d& p0, const Vec3d& p1, const Vec3d
   return (weights[0] * p0 + weights[3] * p3) + (weights[1] * p1 + weights[2] * p2);
 }
 
-/// The patch with `down` and `around` as weights of rows and columns: point or derivative.
+/// Evaluates a patch with `down` and `around` as weights of rows and columns; gives a point or a derivative.
 Vec3d evaluate(int patch, const double* down, const double* around) {
   Vec3d rows[4];
   for (int row = 0; row < 4; ++row) {
@@ -78,7 +78,7 @@ void add_point(Sink& out, const Ring& ring, int k, int steps, int i, double j) {
 
 void add_patch(Sink& out, const Ring& ring, int k, int steps) {
   const uint32_t first = out.vertex, size = static_cast<uint32_t>(steps);
-  const uint32_t first_row = first + size + (ring.has_pole ? 0 : 1);  // of vertices after the first
+  const uint32_t first_row = first + size + (ring.has_pole ? 0 : 1);  // first vertex of the second row
   for (int j = 0; j < steps && ring.has_pole; ++j) add_point(out, ring, k, steps, 0, j + 0.5);
   for (int i = ring.has_pole ? 1 : 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j) add_point(out, ring, k, steps, i, j);

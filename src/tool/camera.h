@@ -11,6 +11,6 @@ struct Camera {
   std::array<float, 3> right, up, back;  // axes of the view, world space, unit
 };
 
-/// Camera of `--camera`, or of `--orbit`, rotated by `turn` degrees, and `--fov`. Without a given distance, the position
-/// and direction of the eye are chosen so that every vertex is just inside the picture.
+/// Makes the camera of `--camera`, or of `--orbit`, rotated by `turn` degrees, and `--fov`. Without a given distance,
+/// the position and direction of the eye are chosen so that every vertex is just inside the picture.
 Camera make_camera(const Options& options, const Model& model, const Bounds& bounds, float turn);

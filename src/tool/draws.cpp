@@ -21,7 +21,7 @@ Mesh displace(shd_context* context, const Options& options, const Camera& camera
   desc.object_to_world = instance.object_to_world.data();
   desc.displacement = height;
   desc.amplitude = options.displacement;
-  desc.lod = 2.0f;  // mean of some texels: single texels are finer than the triangles
+  desc.lod = 2.0f;  // mean of several texels, because single texels are smaller than the triangles
   Mesh displaced;
   check(shd_mesh_tessellate(context, mesh, &desc, displaced.out()), "displacement");
   return displaced;

@@ -10,18 +10,18 @@ struct Paint {
   Extras extras;
   std::vector<Sampler> samplers;
   std::vector<Material> materials;
-  Material ink;  // of lines
+  Material ink;  // material of lines
 };
 
 Paint make_paint(shd_context* context, const Options& options, const Model& model);
 
-/// What a frame draws.
+/// The draws of a frame.
 struct Draws {
-  std::vector<Mesh> displaced;  // of instances
+  std::vector<Mesh> displaced;  // displaced meshes of instances
   std::vector<shd_draw> draws;  // surfaces, then lines
-  size_t solid_count = 0;       // of surfaces
+  size_t solid_count = 0;       // number of draws that are surfaces
 };
 
-/// Displaced meshes are as fine as the camera needs them.
+/// Makes the draws of a frame. Displaced meshes are subdivided for the distance of the camera.
 Draws make_draws(shd_context* context, const Options& options, const Model& model, const Paint& paint,
                  const Camera& camera);

@@ -18,7 +18,7 @@ struct Owned {
   ~Owned() { release(handle); }
 
   Handle* get() const { return handle; }
-  /// Returns an out parameter; releases the previous handle.
+  /// Releases the previous handle and returns the address for an out parameter.
   Handle** out() {
     release(handle);
     handle = nullptr;

@@ -50,7 +50,7 @@ constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
                                    {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
 constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 
-/// The two points of ../course/shading.h, which stand around a model of radius 3.
+/// The two point lights of ../course/shading.h, which are placed for a model of radius 3.
 constexpr float kCourseLights[2][3] = {{30.0f, 50.0f, 20.0f}, {-30.0f, 50.0f, 0.0f}};
 constexpr float kCourseIntensity = 500.0f;
 
@@ -110,7 +110,7 @@ Texture make_cookie(shd_context* context, const std::string& name) {
   return name == "window" ? make_window(context) : load_texture(context, name, false);
 }
 
-/// Those of the model's file, as strong as it says.
+/// Adds the lights of the model's file, with the intensities of the file.
 void add_file_lights(const Stage& stage, const shd_scene* scene, std::vector<StageLight>& out) {
   shd_scene_info info = shd_scene_info_default();
   if (!scene || shd_scene_get_info(scene, &info) != SHD_OK || info.light_count == 0) {

@@ -13,6 +13,6 @@ struct StageLight {
 };
 
 /// Makes the lights of the preset, which are placed around the camera, and of the command line, which are placed around
-/// the model; or the lights of the file. Their strength suits the reflectance model.
+/// the model; or the lights of the file. Their intensities are chosen for the reflectance model.
 std::vector<StageLight> make_lights(shd_context* context, const Options& options, const Model& model,
                                     const Bounds& bounds, const Camera& camera);

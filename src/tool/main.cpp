@@ -97,7 +97,7 @@ void run(const Options& options) {
   const Context context = make_context(options);
   Model model = make_model(context.get(), options);
   const Bounds bounds = bounds_of(model);
-  make_camera(options, model, bounds, 0.0f);  // refuses before textures are read
+  make_camera(options, model, bounds, 0.0f);  // throws before textures are read
   if (options.floor) add_floor(context.get(), options, bounds, model);
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);

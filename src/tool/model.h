@@ -7,17 +7,17 @@
 #include "tool/handles.h"
 #include "tool/options.h"
 
-/// What is to be drawn: the scene of a file, or a shape, and perhaps a floor.
+/// The model to draw: the scene of a file or a shape, optionally with a floor.
 
-/// A mesh, and what of it cameras are placed by.
+/// A mesh, with the vertices and triangles that are needed to place a camera.
 struct Geometry {
-  Mesh own;  // of shapes; empty for those of the scene
+  Mesh own;  // owner of a shape's mesh; empty for meshes of the scene
   shd_mesh* mesh = nullptr;
   std::vector<float> position;    // [vertex][3]
   std::vector<uint32_t> indices;  // [triangle][3]
 };
 
-/// What a material is made from, before the options change it.
+/// Description of a material before the options change it.
 struct Surface {
   std::string name;
   shd_material_desc desc;
@@ -31,7 +31,7 @@ struct Instance {
 };
 
 struct Model {
-  Scene scene;  // of a file; empty for shapes
+  Scene scene;  // scene of a file; empty for shapes
   std::vector<Geometry> geometries;
   std::vector<Surface> surfaces;
   std::vector<Instance> instances;
@@ -44,7 +44,8 @@ struct Bounds {
   float bottom = -1.0f;
 };
 
-/// The file or shape of the options. What is wrong with parts of a file is reported on stderr. Throws Failure.
+/// Loads the file or makes the shape that the options name. Problems with parts of a file are reported on stderr.
+/// Throws Failure.
 Model make_model(shd_context* context, const Options& options);
 
 /// Adds a square floor under the model, four radii to each side.

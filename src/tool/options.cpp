@@ -294,7 +294,7 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   return false;
 }
 
-/// Handles options of the shape, real or apparent. Returns false if `name` is not one.
+/// Handles options of the shape and of bumps. Returns false if `name` is not one.
 bool set_shape_value(const std::string& name, const std::string& value, Options& out) {
   if (name == "--shape") return out.model.clear(), out.shape = pick(name, value, kShapes), true;
   if (name == "--height") return out.height_map = value, true;

@@ -32,7 +32,7 @@ struct Options {
   float azimuth = 30.0f, elevation = 20.0f;  // [deg]
   float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
   float fov = 35.0f;                         // vertical [deg]
-  std::optional<uint32_t> camera;            // of the file, instead of these
+  std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
   uint32_t turntable = 0;                    // pictures once around; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
   shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;

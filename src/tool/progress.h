@@ -5,7 +5,7 @@
 
 #include <shd/render.h>
 
-/// How far all pictures are and how long they will take, on stderr, once that is long enough for somebody to wonder.
+/// Progress of all pictures and the remaining time, written to stderr if the work takes longer than a moment.
 class Progress {
  public:
   /// Without `wanted` nothing is written.
@@ -13,7 +13,7 @@ class Progress {
   ~Progress() { finish(); }
   /// For shd_render_desc.progress of picture number `picture`, from 0.
   shd_progress of_picture(uint32_t picture);
-  /// Ends the line. The destructor does, too.
+  /// Ends the line. The destructor does this, too.
   void finish();
 
  private:

@@ -3,14 +3,14 @@
 #include "tool/handles.h"
 #include "tool/options.h"
 
-/// Tables that lookups with a filter read.
+/// Tables that a filter reads.
 uint32_t tables_of(shd_filter filter);
 
 /// Loads a texture with its mipmap or other tables. Throws Failure (kExitInput) when it cannot be read.
 Texture load_texture(shd_context* context, const std::string& path, bool data, uint32_t tables = SHD_TABLE_MIPMAP);
 
-/// Loads a normal map so that its levels keep the roughness of the bumps that they no longer show. Throws Failure
-/// as above.
+/// Loads a normal map whose levels keep the roughness of bumps that are smaller than their texels. Throws Failure
+/// (kExitInput).
 Texture load_normal_map(shd_context* context, const Options& options);
 
 /// A built-in pattern: squares in two colours with a mark in the corner where (u, v) = (0, 0).

@@ -4,19 +4,19 @@
 ///
 /// Input:      the command line; a model file or the name of a shape.
 /// Output:     pictures.
-/// Invariants: uses shd through its public headers alone, as any program would. What goes wrong is a Failure with a
-///             sentence for the user and an exit code.
+/// Invariants: uses shd only through its public headers, as any program would. An error is a Failure with a sentence
+///             for the user and an exit code.
 ///
-/// | file        | what                                                    |
+/// | file        | contents                                                |
 /// |-------------|---------------------------------------------------------|
 /// | main.cpp    | from options to pictures                                |
 /// | options.h   | the command line, checked; help.cpp: --help             |
 /// | model.h     | the scene of a file, or a shape, and the floor          |
 /// | shapes.h    | meshes of shd/shapes.h                                  |
-/// | materials.h | materials as the options change them                    |
+/// | materials.h | materials, changed by the options                       |
 /// | draws.h     | all materials, and the draws of a picture               |
 /// | textures.h  | built-in textures and files; normal_maps.cpp            |
-/// | camera.h    | the camera of a file, or one that sees all of the model |
+/// | camera.h    | the camera of a file, or one that shows the whole model |
 /// | lights.h    | presets, options and the lights of a file               |
 /// | shadows.h   | shadow maps                                             |
 /// | output.h    | file names and saving                                   |

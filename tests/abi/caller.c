@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A program that passes every sized struct, in and out, to the library. It is compiled three times: with the headers as
- * they are, with those of an older version (SHD_TEST_OLDER: fewer fields at the end of every struct) and with those of a
- * newer one (SHD_TEST_NEWER: a field more, `added`). Structs lie in memory of their own with canaries behind them. */
+/* A program that passes every sized struct, in and out, to the library. It is compiled three times: with the current
+ * headers, with headers of an older version (SHD_TEST_OLDER: fewer fields at the end of every struct) and with headers
+ * of a newer version (SHD_TEST_NEWER: another field, `added`). Each struct has its own memory, with canaries behind
+ * it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Colour configs: where they come from, what is refused, the names in them. */
+/* Colour configs: sources, refusals and names. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/color.h"
 
@@ -77,7 +77,7 @@ static shd_context *make_context(void)
     return context;
 }
 
-/** The handle works: one pixel to the default display. */
+/** Checks that the handle works: transforms one pixel for the default display. */
 static void assert_works(const shd_color *color)
 {
     const float in[4] = {0.18f, 0.18f, 0.18f, 1.0f};
@@ -275,7 +275,7 @@ static void test_names(void **state)
     shd_context_release(context);
 }
 
-/** Writes `text` to a new file and gives its path. */
+/** Writes `text` to a new file and returns its path. */
 static void write_file(char *path, const char *text)
 {
     const int fd = mkstemp(path);
@@ -325,7 +325,7 @@ static void test_files(void **state)
     shd_context_release(context);
 }
 
-/** A view whose lookup table is not there is refused by name; the others work. */
+/** A view whose lookup table is missing is refused with its name; the other views work. */
 static void test_missing_table(void **state)
 {
     static const char text[] = HEAD "search_path: /nowhere\n" SPACES SPACE(
@@ -350,7 +350,7 @@ static void test_missing_table(void **state)
     shd_context_release(context);
 }
 
-/** Nothing reaches stderr, whatever OpenColorIO has to say. */
+/** Messages of OpenColorIO do not reach stderr. */
 static void test_silent(void **state)
 {
     char path[] = "/tmp/shd_color_XXXXXX";
@@ -416,7 +416,7 @@ static void test_locale(void **state)
     shd_context_release(context);
 }
 
-/** Every prefix of the built-in config, and it with one byte changed: an answer, never a crash. */
+/** Every prefix of the built-in config, and the config with one byte changed, gives a result and never crashes. */
 static void test_damaged(void **state)
 {
     static const char changes[] = {'\0', '\n', ':', '{', '[', '!', '&', '*', '"', '9', '\xff', '\t', '%'};

@@ -89,7 +89,7 @@ static void test_bad_values(void **state)
     free(out);
 }
 
-/** What the header promises about single bad values. */
+/** Single bad values give the results that the header documents. */
 static void test_bad_policy(void **state)
 {
     float out[4];
@@ -105,7 +105,10 @@ static void test_bad_policy(void **state)
     assert_true(out[0] == 1e12f && out[1] == -1e12f && out[2] == 0.0f);
 }
 
-/** All 65536 halves as grey, through every view: finite, and never darker than a darker one. */
+/**
+ * All 65536 half floats as grey, through every view: the output is finite, and a brighter input never gives a darker
+ * output.
+ */
 static void test_all_halves(void **state)
 {
     uint16_t *in = (uint16_t *)malloc(65536 * 8);
@@ -317,7 +320,7 @@ static void *run_worker(void *data)
     return NULL;
 }
 
-/** Eight threads on a handle whose cache is empty. */
+/** Eight threads use a handle whose cache is empty. */
 static void test_concurrent(void **state)
 {
     shd_context *context = NULL;
@@ -376,7 +379,7 @@ static void test_executor_fails(void **state)
 /* ---- memory ---- */
 
 struct budget {
-    long allowed; /* allocations until one fails; negative = none fails */
+    long allowed; /* number of allocations before one fails; negative = none fails */
     long live;
 };
 
@@ -400,7 +403,10 @@ static void budget_free(void *user_data, void *memory, size_t size, size_t align
     free(memory);
 }
 
-/** The n-th allocation of the host's fails, for every n: out of memory, nothing left over, and then it works. */
+/**
+ * The n-th allocation from the host fails, for every n: the result is out of memory, nothing leaks, and the next call
+ * works.
+ */
 static void test_memory(void **state)
 {
     long allowed;

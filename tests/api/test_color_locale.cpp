@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colour under a global C++ locale that writes 1234.5 as 1.234,5: C has no way to set one.
+// Colour under a global C++ locale that writes 1234.5 as 1.234,5. A C test cannot set such a locale.
 #include <clocale>
 #include <locale>
 #include <sstream>

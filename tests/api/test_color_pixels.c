@@ -64,7 +64,7 @@ static void test_srgb_codes(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
-/** A curve against its formula in double, on 0..1 and above. */
+/** Compares a curve with its formula in double, from 0 to values above 1. */
 struct curve_case {
     const char *name;
     const char *from;
@@ -103,7 +103,7 @@ static void test_curve(void **state)
     }
 }
 
-/** Single figures; ACES: Academy output transform SDR 1.0, published 0.18 -> 0.356 in sRGB code values. */
+/** Single published numbers. ACES: the Academy output transform SDR 1.0 maps 0.18 to 0.356 in sRGB code values. */
 struct figure_case {
     const char *name;
     const char *from;
@@ -183,7 +183,7 @@ static void test_convert_ramp(void **state)
     }
 }
 
-/** Every half through a conversion that changes nothing comes back with the same bits, NaN and infinities aside. */
+/** Every half float except NaN and infinities keeps its bits in a conversion between equal spaces. */
 static void test_convert_halves(void **state)
 {
     uint16_t *pixels = (uint16_t *)malloc(65536 * 4 * sizeof *pixels);
@@ -251,7 +251,7 @@ static const struct {
     uint32_t width, height;
 } k_sizes[] = {{1, 1}, {1, 7}, {5, 3}, {1023, 3}, {1024, 2}, {1025, 2}, {3, 6000}, {129, 257}};
 
-/** All formats agree with the float output to their own rounding, and padding of rows stays. */
+/** All formats equal the float output up to their own rounding, and the padding of rows does not change. */
 static void test_formats(void **state)
 {
     size_t s, f, i;

@@ -147,7 +147,7 @@ static void test_retain(void **state)
     shd_context_release(context);
 }
 
-/** A target and what shd_context_simd_target() calls it. */
+/** A target and its name from shd_context_simd_target(). */
 static const struct {
     shd_simd simd;
     const char *name, *other_name;
@@ -157,7 +157,7 @@ static const struct {
     {SHD_SIMD_NEON, "NEON", "NEON"},       {SHD_SIMD_WASM, "WASM", "WASM"},
 };
 
-/** Creates a context on a target; its name, or "" where the target cannot run. */
+/** Creates a context on a target. Returns the name of the target, or "" if it cannot run here. */
 static const char *target_name(shd_simd simd)
 {
     shd_context_desc desc = shd_context_desc_default();

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* shd_desc_init writes what the inline defaults return, into structs of any size that has the required fields. */
+/* shd_desc_init writes the values that the inline defaults return, into structs of any size that contains the
+ * required fields. */
 #include "support/check.h"
 
 #include <shd/color.h>
@@ -13,7 +14,7 @@ struct kind_case {
     const char *name;
     shd_desc_kind kind;
     size_t size;
-    size_t required; /* through the last field that callers cannot do without */
+    size_t required; /* size up to the end of the last required field */
     void (*defaults)(void *out);
 };
 
@@ -144,7 +145,7 @@ static const struct kind_case k_kinds[] = {
      REQUIRED(shd_scene_instance, object_to_world), defaults_shd_scene_instance},
 };
 
-/* Padding is in no order: both structs get the same bytes there. */
+/* Padding bytes are unspecified, so both structs get the same bytes there. */
 static void level_padding(const char *name, size_t end, unsigned char *a, unsigned char *b)
 {
     static const struct {

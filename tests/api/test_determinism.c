@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The same bits for any SIMD target, worker count, scheduling order and run; and the same as the stored hashes. */
+/* Results have the same bits for any SIMD target, worker count, scheduling order and run, and these bits have the
+ * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/pool.h"
 #include "support/scene.h"
@@ -91,7 +92,7 @@ static void test_orders(void **state)
     }
 }
 
-/* Every draw of the mixed scene must be seen, or the hashes above say nothing about it. */
+/* Every draw of the mixed scene must be visible; otherwise the hashes above do not cover it. */
 static void test_scene_is_whole(void **state)
 {
     shd_context *context = NULL;
@@ -123,7 +124,7 @@ static void test_scene_is_whole(void **state)
     shd_context_release(context);
 }
 
-/* Lookups: every filter and format of the mixed scene's textures, with every special value among the inputs. */
+/* Lookups with every filter, in textures of every format of the mixed scene. The inputs contain every special value. */
 enum { k_lookups = 40003 }; /* not a whole number of vectors */
 
 static void fill_lookups(float *columns)
@@ -202,7 +203,7 @@ static void test_lookups(void **state)
     }
 }
 
-/* Every filter, on formats of every kind, with derivatives where it has them. */
+/* Every filter, on formats of every kind, with derivatives if the filter supports them. */
 enum { k_filter_lookups = 3001, k_filter_width = 37, k_filter_height = 24, k_filter_layers = 2 };
 
 static const struct {
@@ -227,7 +228,7 @@ static const struct {
     {SHD_FILTER_EXACT, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, SHD_BOX_BOUNDING, 0},
     {SHD_FILTER_EWA, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_DEFAULT, SHD_BOX_BOUNDING, 1},
 };
-/* The filters that profiles change, after those. */
+/* The filters whose results depend on the profile; their cases follow those of k_filters. */
 static const struct {
     shd_filter filter;
     shd_profile profile;
@@ -246,7 +247,7 @@ static const struct {
 };
 enum { k_plain_count = sizeof k_filters / sizeof k_filters[0] };
 
-/** What case `filter` looks up with; returns whether it has derivatives. */
+/** Sets the lookups of case `filter`; returns whether it has derivatives. */
 static int describe_filter(size_t filter, shd_sampler_desc *sd)
 {
     if (filter < k_plain_count) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Edges of meshes by kind against every pair of edges compared, on shapes whose drawings are known; columns; refusals.
+/* Edges of meshes by kind: against an oracle that compares every pair of edges, on shapes with known drawings; columns;
+ * refusals.
  */
 #include "support/shapes.h"
 
@@ -76,7 +77,7 @@ static void make_two_sided(void)
     shd_test_shape_triangle(&g_shape, 0, 1, 2);
     shd_test_shape_triangle(&g_shape, 2, 1, 0);
 }
-/* A cone of 16 triangles whose tip is as many vertices, with triangles that have shrunk to edges at tip and rim. */
+/* A cone of 16 triangles with 16 vertices at its tip, and with triangles degenerated to edges at tip and rim. */
 static void make_degenerate(void)
 {
     uint32_t i;
@@ -116,7 +117,7 @@ static void make_nonfinite(void)
 struct shape_case {
     const char *name;
     void (*make)(void);
-    float scale; /* of eyes */
+    float scale; /* scale of eye positions */
 };
 static const struct shape_case k_shapes[] = {
     {"oracle/cube", make_cube, 3},
@@ -142,7 +143,7 @@ static float next_random(uint32_t *seed)
     return 2 * (float)(*seed >> 8) / 16777216.0f - 1;
 }
 
-/* The edges found are those of the oracle but for kinds that rounding decides. */
+/* The result has the edges of the oracle, except for kinds that depend on rounding. */
 static void compare(const char *name, const shd_edges_desc *desc, size_t want, size_t got)
 {
     size_t i, row = 0;
@@ -185,7 +186,7 @@ static void test_oracle(void **state)
     shd_mesh_release(mesh);
 }
 
-/* ---- what drawings of known shapes have ---- */
+/* ---- known shapes ---- */
 
 static shd_mesh *make(void (*shape)(void))
 {
@@ -194,7 +195,8 @@ static shd_mesh *make(void (*shape)(void))
     return shd_test_shape_mesh(g_context, &g_shape, SHD_MESH_ADJACENCY);
 }
 
-/* Twelve creases; the silhouette has 6 of them from before a corner or an edge, 4 from before a side. */
+/* Twelve creases. The silhouette has 6 of them if the eye is in front of a corner or an edge, and 4 if it is in
+ * front of a side. */
 static void test_cube(void **state)
 {
     shd_mesh *mesh = make(make_cube);
@@ -208,7 +210,7 @@ static void test_cube(void **state)
     assert_int_equal(count_of(mesh, SHD_EDGE_SILHOUETTE, 0.5f, 0.25f, -0.5f, 1), 0); /* inside */
     assert_int_equal(count_of(mesh, SHD_EDGE_SILHOUETTE, 3, 2, 1, 0), 6);
     assert_int_equal(count_of(mesh, SHD_EDGE_SILHOUETTE, -3, -2, -1, 0), 6);
-    /* Of sides that are seen from their edge all edges are silhouettes, their diagonals too. */
+    /* All edges of a side that is seen edge-on are silhouettes, including its diagonal. */
     assert_int_equal(count_of(mesh, SHD_EDGE_SILHOUETTE, 0, 0, 1, 0), 16);
     assert_int_equal(count_of(mesh, SHD_EDGE_BORDER | SHD_EDGE_NONMANIFOLD, 0, 0, 1, 0), 0);
     desc.crease_cosine = -0.01f;
@@ -223,7 +225,7 @@ static void test_cube(void **state)
     shd_mesh_release(mesh);
 }
 
-/* A point for the eye is the same however it is scaled; a direction is a point far away. */
+/* Scaling the homogeneous point of the eye changes nothing; a direction is the limit of points far away. */
 static void test_eye(void **state)
 {
     shd_mesh *mesh = make(make_sphere);
@@ -248,7 +250,7 @@ static void test_eye(void **state)
     shd_mesh_release(mesh);
 }
 
-/* Silhouettes of a closed surface are closed: as many of their edges meet in each place, an even number. */
+/* Silhouettes of a closed surface are closed: an even number of their edges meets at each position. */
 static void test_closed(void **state)
 {
     shd_mesh *mesh = make(make_sphere);
@@ -289,7 +291,7 @@ static void test_borders(void **state)
     shd_mesh_release(mesh);
 }
 
-/* More than two triangles at an edge; a strip with one side and one border. */
+/* Edges of more than two triangles; a Moebius strip, which has one side and one border. */
 static void test_nonmanifold(void **state)
 {
     shd_mesh *mesh = make(make_book_of_5);
@@ -306,7 +308,7 @@ static void test_nonmanifold(void **state)
     mesh = make(make_moebius);
     desc.edges = SHD_EDGE_BORDER | SHD_EDGE_NONMANIFOLD;
     assert_int_equal(find(mesh, &desc), 48);
-    desc.edges = SHD_EDGE_CREASE; /* where the strip joins itself turned over there is none */
+    desc.edges = SHD_EDGE_CREASE; /* the twist at the joint makes no crease */
     assert_int_equal(find(mesh, &desc), 0);
     shd_mesh_release(mesh);
 }
@@ -325,7 +327,7 @@ static void test_empty(void **state)
     shd_mesh_release(mesh);
 }
 
-/* Many vertices in few places, and one with very many triangles. */
+/* Many vertices at few positions, and a vertex with very many triangles. */
 static void test_crowded(void **state)
 {
     enum { COUNT = 100000 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Explanations: replayed, they give the very bits of shd_texture_sample; and what is refused. */
+/* Explanations: a replay gives exactly the bits of shd_texture_sample; refusals. */
 #include "support/check.h"
 
 #include <stdlib.h>
@@ -31,7 +31,7 @@ static const struct {
                  {"stochastic_ewa", SHD_FILTER_STOCHASTIC, SHD_FILTER_EWA}};
 enum { FILTERS = sizeof k_filters / sizeof k_filters[0] };
 
-/* With a profile, each of them on one format and wrap. */
+/* Filters with a profile, each with one format and wrap. */
 static const struct {
     const char *name;
     shd_profile profile;
@@ -137,7 +137,7 @@ static shd_sampler *make_sampler(shd_filter filter, shd_filter stochastic_filter
 
 static uint32_t level_size(uint32_t size, uint32_t level) { return size >> level > 0 ? size >> level : 1; }
 
-/** Stored channel c of the result, by the tree. */
+/** Stored channel c of the result, computed from the tree. */
 static float replay(const shd_explanation *e, uint32_t c)
 {
     static float v[2 * MAX_TAPS];
@@ -211,7 +211,7 @@ static void test_replay(void **state)
     shd_texture_release(texture);
 }
 
-/** The four texels of one bilinear lookup by hand. */
+/** The four texels of one bilinear lookup, computed by hand. */
 static void test_bilinear_by_hand(void **state)
 {
     const unsigned char texels[] = {0, 51, 102, 255};
@@ -255,7 +255,10 @@ static void test_bilinear_by_hand(void **state)
     shd_texture_release(texture);
 }
 
-/** Ellipses by hand: turned by 30 degrees, half axes 8 and 2 texels, and the same doubled by the sampler's widths. */
+/**
+ * Ellipses computed by hand: rotated by 30 degrees, half axes of 8 and 2 texels; then both doubled by the sampler's
+ * widths.
+ */
 static void test_axes(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);

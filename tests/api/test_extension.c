@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What libraries on top of libshd use: errors, memory, log, tasks and handles. */
+/* Functions for libraries on top of libshd: errors, memory, log, tasks and handles. */
 #include "support/fault_allocator.h"
 
 #include <shd/extension.h>
@@ -163,7 +163,7 @@ static void test_parallel_for(void **state)
                       "context: NULL");
 }
 
-/* Many tasks need memory to be told apart. */
+/* More than 1024 tasks need memory to keep track of each task. */
 static void test_parallel_for_faults(void **state)
 {
     static struct count_tasks tasks;
@@ -201,7 +201,7 @@ static void test_object(void **state)
     shd_object_release(object, k_other_type);
     shd_object_release(object, k_type);
     assert_int_equal(ends, 0);
-    shd_mesh_release((shd_mesh *)object); /* another type's release does nothing */
+    shd_mesh_release((shd_mesh *)object); /* the release of another type does nothing */
     assert_int_equal(ends, 0);
     shd_object_release(object, k_type);
     assert_int_equal(ends, 1);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Every allocation of a whole scene fails in turn, alone and with all that follow; then executors that fail, lie or
-   call back. After each fault the next render has the reference hash, and nothing is left. */
+/* Every allocation of a whole scene fails in turn, alone and with all later ones; then executors that fail, break
+ * their contract or call back. After each fault the next render has the reference hash, and nothing leaks. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/locked_allocator.h"
 #include "support/pool.h"
 #include "support/scene.h"
 
-/* Four workers in turn on the calling thread: the same allocations in the same order each time. */
+/* Four workers that run one after another on the calling thread, so that every run makes the same allocations in the
+ * same order. */
 static shd_result turns_parallel_for(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
 {
     uint32_t i;
@@ -30,7 +31,7 @@ static void use_threads(shd_context_desc *desc)
     desc->executor.worker_count = 4;
 }
 
-/* Threads under a sanitizer take a tenth of a second a point: every ninth will do there. */
+/* With threads under a sanitizer one point takes a tenth of a second, so only every ninth is tested there. */
 #if defined(__SANITIZE_THREAD__)
 enum { k_stride = 9 };
 #else
@@ -41,7 +42,7 @@ struct fault_case {
     const char *name;
     void (*use)(shd_context_desc *desc);
     int persistent;
-    int steady; /* allocates the same every time */
+    int steady; /* allocates the same blocks in every run */
 };
 static const struct fault_case k_faults[] = {
     {"one_worker/transient", use_one_worker, 0, 1},     {"one_worker/persistent", use_one_worker, 1, 1},
@@ -50,7 +51,7 @@ static const struct fault_case k_faults[] = {
     {"built_in_of_four/transient", use_built_in, 0, 0}, {"built_in_of_four/persistent", use_built_in, 1, 0},
 };
 
-/* The handle that a step makes, as the scene holds it. */
+/* The field of the scene for the handle that a step makes. */
 static const void *step_handle(const shd_scene *s, size_t step)
 {
     if (step < SHD_SCENE_TEXTURES) return s->texture[step];
@@ -69,7 +70,7 @@ struct tally {
     size_t points, context, objects, render;
 };
 
-/* `result` is SHD_OK, or the armed fault; answers whether it was the fault, which is then disarmed. */
+/* Checks that `result` is SHD_OK or the armed fault. Returns whether it is the fault, which is then disarmed. */
 static int is_fault(const char *what, shd_result result, struct locked_memory *locked)
 {
     if (result == SHD_OK) return 0;
@@ -79,8 +80,8 @@ static int is_fault(const char *what, shd_result result, struct locked_memory *l
     return 1;
 }
 
-/* Builds and renders the scene with the n-th allocation failing; each refused step is taken again. Answers whether
-   the fault was met. */
+/* Builds and renders the scene while the n-th allocation fails, and repeats each refused step. Returns whether the
+ * fault occurred. */
 static int run_with_fault(const struct fault_case *c, size_t n, uint64_t want, struct tally *tally)
 {
     struct locked_memory locked;
@@ -146,7 +147,7 @@ static void test_faults(void **state)
     struct tally tally;
     size_t n, missed = 0;
     memset(&tally, 0, sizeof tally);
-    /* Threads may need fewer workers in one run than in the next: three runs without a fault end the search. */
+    /* With threads, runs may use different numbers of workers, so the search ends after three runs without a fault. */
     for (n = 1; missed < (c->steady ? 1u : 3u); n += k_stride) {
         missed = run_with_fault(c, n, want, &tally) ? 0 : missed + 1;
         assert_true(n < 5000);
@@ -157,10 +158,10 @@ static void test_faults(void **state)
     assert_true(tally.context >= 1 && tally.objects > 40 / k_stride && tally.render > 20 / k_stride);
 }
 
-/* Executors that do not keep their word. */
+/* Executors that break their contract. */
 struct liar {
     shd_result answer;
-    int lie; /* which of the cases below */
+    int lie; /* one of the cases below */
     int armed;
     uint32_t calls;
     shd_context *context;

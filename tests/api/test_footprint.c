@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Derivatives of ray tracers: against where neighbouring rays hit a plane, and what is refused or degenerate. */
+/* Derivatives for ray tracers, against the hits of neighbouring rays with a plane; refusals and degenerate input. */
 #include "support/check.h"
 
 #include <shd/shd.h>
@@ -41,7 +41,7 @@ static void hit(const double *eye, const double *direction, double *uv, double *
     uv[1] = dot(b, normal) / n2;
 }
 
-/** The ray of pixel position (x, y): the eye moves with x as well, as that of a sheared lens would. */
+/** The ray of pixel position (x, y). The eye moves with x too, as with a sheared lens. */
 static void ray(double x, double y, double *eye, double *direction)
 {
     eye[0] = 0.01 * x;
@@ -117,7 +117,7 @@ static shd_derivatives outputs(void)
     return out;
 }
 
-/** The derivative of where the rays hit, by central differences in double. */
+/** The derivative of the hit point, by central differences in double. */
 static void test_differentials(void **state)
 {
     const double h = 1e-5;
@@ -143,7 +143,7 @@ static void test_differentials(void **state)
     }
 }
 
-/** The ellipse of a cone: along the ray as long as width / cosine, across it as wide as the cone. */
+/** The ellipse of a cone has the length width / cosine along the ray and the width of the cone across it. */
 static void test_cones(void **state)
 {
     double normal[3];
@@ -172,7 +172,9 @@ static void test_cones(void **state)
     }
 }
 
-/** Head on, the ellipse is a circle; beside the surface it is as long as at the smallest angle. */
+/**
+ * For a perpendicular ray the ellipse is a circle; for a nearly parallel ray it has the length of the smallest angle.
+ */
 static void test_cone_limits(void **state)
 {
     static const float k_directions[3][3] = {{0, 0, -1}, {1, 0, 0}, {0, 0, 3}};
@@ -200,7 +202,7 @@ static void test_cone_limits(void **state)
     }
 }
 
-/** Each column of ray 0 in turn takes every bad value: the result is finite, and ray 1 does not notice. */
+/** Each column of ray 0 in turn gets every bad value: the result is finite, and the result of ray 1 does not change. */
 static void test_degenerate(void **state)
 {
     static const float k_values[] = {NAN, INFINITY, -INFINITY, 0.0f, 1e-45f, 3e38f, -3e38f};

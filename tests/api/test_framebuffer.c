@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Framebuffers: every field of the desc, planes, and what a new one reads as in every format. */
+/* Framebuffers: every field of the desc, planes, and the initial values in every format. */
 #include "support/check.h"
 
 #include <shd/framebuffer.h>
@@ -123,7 +123,7 @@ static double pixel(const struct plane_case *c, size_t i)
     return c->is_integer ? (double)g_pixels.u32[i] : (double)g_pixels.f32[i];
 }
 
-/* By the call that fits the plane, or by the other one. */
+/* Reads with the function for the plane's type, or with the other function. */
 static shd_result read_plane(const struct plane_case *c, const shd_framebuffer *framebuffer, size_t stride, int other)
 {
     const shd_f32_out floats = {g_pixels.f32, stride};
@@ -132,7 +132,8 @@ static shd_result read_plane(const struct plane_case *c, const shd_framebuffer *
                                   : shd_framebuffer_read_plane(framebuffer, c->plane, &floats);
 }
 
-/* With every combination of AOVs: there or NOT_FOUND, with the value of an empty frame, by one call alone. */
+/* For every combination of AOVs, a plane exists with the value of an empty frame or is NOT_FOUND, and only one
+ * function reads it. */
 static void test_plane(void **state)
 {
     enum { k_width = 19, k_height = 5, k_pixels = k_width * k_height };
@@ -229,7 +230,7 @@ struct color_case {
     const char *name;
     shd_format format;
     uint32_t width, height;
-    size_t offset, stride; /* of pixels, in bytes */
+    size_t offset, stride; /* stride of pixels, in bytes */
     shd_result expected;
     const char *message;
 };
@@ -275,7 +276,7 @@ static void test_color(void **state)
     image.pixels = memory.bytes + c->offset;
     result = shd_framebuffer_read_color(framebuffer, &image);
     shd_assert_result(c->name, result, c->expected, c->message);
-    if (result == SHD_OK) { /* an empty frame is 0 in every format; what lies between rows stays */
+    if (result == SHD_OK) { /* an empty frame is 0 in every format; bytes between rows do not change */
         for (y = 0; y < 3; ++y) {
             for (i = 0; i < 7 * pixel; ++i) {
                 unsigned char *byte = &memory.bytes[c->offset + y * stride + i];

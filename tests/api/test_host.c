@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A guest in its host's process: floating-point control, errno, locale, signals, directory and output as they were;
-   at home after fork, on small stacks, and where threads are refused. */
+/* The host's process is not disturbed: floating-point control, errno, locale, signals, directory and output stay
+ * unchanged. shd works after fork, on small stacks, and where no thread can be started. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -24,7 +24,7 @@
 #include <shd/extension.h>
 #include <shd/shd.h>
 
-/* What the host looks like while it calls shd, checked after every call. */
+/* State of the host while it calls shd, checked after every call. */
 static struct host {
     unsigned mxcsr;
     sigset_t signals;
@@ -79,7 +79,7 @@ static shd_result host_leave(shd_result result)
     return result;
 }
 
-/* From here on every shd call is made by that host. */
+/* All calls of shd below come from this host. */
 #define CHECKED(call) (host_enter(), host_leave(call))
 #define CHECKED_VOID(call) (host_enter(), call, host_left())
 #define shd_context_create(d, o) CHECKED(shd_context_create(d, o))
@@ -117,7 +117,7 @@ static void set_host(unsigned mxcsr)
     snprintf(g_host.locale, sizeof g_host.locale, "%s", setlocale(LC_ALL, NULL));
 }
 
-/* Tasks and programs run with the IEEE defaults, whatever the host has. */
+/* Tasks and programs run with the IEEE defaults, even if the host changed floating-point control. */
 static void check_control(void *data, uint32_t index, uint32_t worker)
 {
     (void)index;
@@ -173,7 +173,7 @@ static uint64_t visit(uint32_t workers)
     return hash;
 }
 
-/* What a child process answers with. */
+/* Result of a child process. */
 static int wait_for(pid_t child)
 {
     int status = 0;
@@ -183,7 +183,7 @@ static int wait_for(pid_t child)
     return WEXITSTATUS(status);
 }
 
-/* This program again with one argument, its output in `output` unless that is negative. */
+/* Starts this program again with one argument; its output goes to `output` unless that is negative. */
 static int run_self(const char *argument, int output)
 {
     pid_t child;
@@ -200,7 +200,7 @@ static int run_self(const char *argument, int output)
     return wait_for(child);
 }
 
-/* A library below may print once in a process only, so this runs in one of its own. */
+/* A library below may print only once per process, so this test has its own process. */
 static int run_visits(void)
 {
     static const uint32_t k_counts[] = {0, 1, 2, 64};
@@ -311,7 +311,7 @@ static void test_fork(void **state)
 
 static void *idle(void *argument) { return argument; }
 
-/* The same program again, where no thread may be started. */
+/* Starts this program again, where no thread can be started. */
 static int run_without_threads(void)
 {
     const struct rlimit none = {0, 0};
@@ -341,13 +341,13 @@ static void test_no_threads(void **state)
     const int answer = run_self("--no-threads", -1);
     (void)state;
     if (answer == 77) {
-        print_message("skipped: this process may not refuse itself threads\n");
+        print_message("skipped: this process cannot limit its number of threads\n");
         skip();
     }
     assert_int_equal(answer, 0);
 }
 
-/* How deep the stack goes, by painting it first. */
+/* Measures the used depth of the stack, which is filled with a pattern first. */
 struct deep {
     void (*run)(struct deep *self);
     shd_context *context;
@@ -411,7 +411,7 @@ static void test_small_stack(void **state)
     int simd;
     (void)state;
 #if defined(__SANITIZE_THREAD__)
-    print_message("skipped: the sanitizer wants stacks of its own\n");
+    print_message("skipped: the sanitizer uses its own stacks\n");
     skip();
 #endif
     set_host(0x1f80);
@@ -459,7 +459,7 @@ int main(int argc, char **argv)
     static struct CMUnitTest tests[8 + sizeof k_controls / sizeof k_controls[0]];
     size_t n = 0, i;
     if (argc > 1 && strcmp(argv[1], "--visits") == 0) return run_visits();
-    /* _exit: a leak checker would want a thread at exit. */
+    /* _exit, because a leak checker would start a thread at exit. */
     if (argc > 1 && strcmp(argv[1], "--no-threads") == 0) _exit(run_without_threads());
     tests[n++] = (struct CMUnitTest){"silent", test_silent, NULL, NULL, NULL};
     for (i = 0; i < sizeof k_controls / sizeof k_controls[0]; ++i) {

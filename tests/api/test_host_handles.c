@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Every entry point with every wrong handle: NULL, released, of each other type, a context, plain memory. Each is
-   refused with its name, and what it was mistaken for stays as it was. */
+/* Every entry point with every wrong handle: NULL, a released handle, handles of each other type, a context, plain
+ * memory. Each call is refused with the name of the argument, and the object of the wrong type does not change. */
 #include "support/scene.h"
 
-/* Handles to try; the last of each type in `live` is the right one. */
+/* Handles to try; the last one of each type in `live` is correct. */
 enum { k_texture, k_sampler, k_mesh, k_material, k_light, k_framebuffer, k_object, k_types };
 struct fixture {
     shd_context *context;
@@ -156,8 +156,8 @@ struct entry {
     const char *name;
     int type;
     shd_result (*call)(struct fixture *f, void *handle);
-    const char *message; /* "" = the call has no text of its own */
-    int optional;        /* NULL is fine */
+    const char *message; /* "" = the call sets no error text */
+    int optional;        /* NULL is allowed */
 };
 static const struct entry k_entries[] = {
     {"shd_texture_get_info", k_texture, texture_info, "texture: ", 0},
@@ -244,7 +244,7 @@ static void test_entry(void **state)
     shd_context_release(f.context);
 }
 
-/* Retain and release of every type with every other handle do nothing. */
+/* Retain and release of every type do nothing for handles of other types. */
 static void test_references(void **state)
 {
     struct fixture f;

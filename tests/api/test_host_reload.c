@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A plug-in that comes and goes: libshd loaded, used with threads and unloaded, 200 times. This program does not link
-   libshd (the build says --as-needed), so the last dlclose may take it and what it brought out of the process. */
+/* A plug-in that is loaded and unloaded: libshd is loaded, used with threads and unloaded, 200 times. This program
+ * does not link libshd (the build uses --as-needed), so the last dlclose can unload it with its dependencies. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ struct library {
     const char *(*last_error)(void);
 };
 
-/* Function pointers through memcpy, as ISO C knows no cast from void pointers. */
+/* Function pointers are copied with memcpy, because ISO C has no cast from void pointers to them. */
 static void find(void *handle, const char *name, void *function)
 {
     void *symbol = dlsym(handle, name);
@@ -54,7 +54,7 @@ static void use_library(void *handle)
     shd.release(context);
 }
 
-/* Resident pages, and lines of the map that name libshd. */
+/* Number of resident pages, and of lines of the memory map that name libshd. */
 static size_t resident_pages(void)
 {
     FILE *file = fopen("/proc/self/statm", "r");
@@ -85,10 +85,10 @@ static void test_reload(void **state)
         if (!handle) fail_msg("%s", dlerror());
         use_library(handle);
         assert_int_equal(dlclose(handle), 0);
-        usleep(1000); /* oneTBB's threads give the memory of a context back when they next run */
+        usleep(1000); /* oneTBB's threads free the memory of a context when they run the next time */
         if (i == 0) parts = mapped_parts();
         if (i == k_warm_up) warm = resident_pages();
-        assert_int_equal(mapped_parts(), parts); /* at most one copy ever stays */
+        assert_int_equal(mapped_parts(), parts); /* at most one copy remains */
     }
     print_message("%d loads: libshd %s, resident %zu -> %zu pages\n", k_loads, parts ? "stays mapped" : "unmapped",
                   warm, resident_pages());

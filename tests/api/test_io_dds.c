@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Block-compressed DDS files, BC1 to BC7: blocks put together field by field, and what a texture made of them gives.
- * Block layouts: Microsoft, "Texture Block Compression in Direct3D 11"; header: "Programming Guide for DDS". */
+/* Block-compressed DDS files, BC1 to BC7: blocks are built field by field, and the values of a texture made from
+ * them are compared. Block layouts: Microsoft, "Texture Block Compression in Direct3D 11"; header: "Programming
+ * Guide for DDS". */
 #include "support/check.h"
 
 #include <shd/io.h>
@@ -21,14 +22,14 @@ static void put(struct bits *b, unsigned width, uint32_t value)
     }
 }
 
-/** Texel (x, y) has index x in every block here, of `width` bits; the first one of BC6H and BC7 lacks its top bit. */
+/** In every block here texel (x, y) has index x, with `width` bits. The first index of BC6H and BC7 has no top bit. */
 static void put_indices(struct bits *b, unsigned width, int anchored)
 {
     uint32_t i;
     for (i = 0; i < 16; ++i) put(b, anchored && i == 0 ? width - 1 : width, i % 4);
 }
 
-/** Colours 5:6:5 of two endpoints, then indices of 2 bits: red 31 and blue 31 in four-colour order. */
+/** Two endpoints of 5:6:5 bits, red 31 and blue 31 in four-colour order, then indices of 2 bits. */
 static void put_bc1_color(struct bits *b)
 {
     put(b, 16, 31u << 11);
@@ -61,7 +62,7 @@ static void make_bc5(struct bits *b)
     put_bc4_channel(b);
     put_bc4_channel(b);
 }
-/** Mode 11: one region, endpoints of 10 bits as they are, indices of 4 bits. */
+/** Mode 11: one region, endpoints of 10 bits without transform, indices of 4 bits. */
 static void make_bc6h(struct bits *b)
 {
     static const uint32_t k_endpoints[6] = {0, 256, 512, 960, 256, 0};
@@ -82,7 +83,7 @@ static void make_bc7(struct bits *b)
     put_indices(b, 4, 1);
 }
 
-/** Unquantised 10-bit endpoints of BC6H, blended by `weight` of 64 and turned into binary16: its value. */
+/** Returns the value of two unquantised 10-bit endpoints of BC6H, blended by weight / 64 and converted to binary16. */
 static double bc6h_value(uint32_t a, uint32_t b, uint32_t weight)
 {
     const uint32_t low = a == 0 ? 0 : (a * 65536u + 32768u) >> 10, high = b == 0 ? 0 : (b * 65536u + 32768u) >> 10;
@@ -95,7 +96,7 @@ static double bc7_value(uint32_t a, uint32_t b, uint32_t weight)
     return (double)((a * (64 - weight) + b * weight + 32) / 64) / 255;
 }
 
-/** What column x of the block decodes to. */
+/** Expected texel in column x of the block. */
 static const double k_red[4] = {1, 0, 170 / 255.0, 85 / 255.0}, k_blue[4] = {0, 1, 85 / 255.0, 170 / 255.0};
 static const double k_bc4[4] = {210 / 255.0, 0, 180 / 255.0, 150 / 255.0};
 static const uint32_t k_weights4[4] = {0, 4, 9, 13};
@@ -145,7 +146,7 @@ static void want_bc7(int x, double *rgba)
 
 struct dds_case {
     const char *name;
-    const char *code; /**< of the header; "DX10" = another header with the next member follows */
+    const char *code; /**< four-character code of the header; "DX10" = a second header with dxgi_format follows */
     uint32_t dxgi_format;
     unsigned block_size;
     void (*make)(struct bits *b);
@@ -226,7 +227,7 @@ static void test_block(void **state)
     shd_texels out;
     int i, k;
     shd_assert_ok(shd_context_create(NULL, &context));
-    load.color_space = SHD_COLOR_ENCODING_DATA; /* the codes as they are */
+    load.color_space = SHD_COLOR_ENCODING_DATA; /* the codes without conversion */
     shd_assert_ok(shd_bitmap_load_memory(context, file, size, &load, &bitmap));
     texture = make_texture(context, bitmap);
     nearest.filter = SHD_FILTER_NEAREST;
@@ -254,7 +255,7 @@ static void test_block(void **state)
     shd_context_release(context);
 }
 
-/** Every cut of every file is an error, not a crash. */
+/** Every file, truncated at every byte, gives an error and no crash. */
 static void test_truncated(void **state)
 {
     const struct dds_case *c = (const struct dds_case *)*state;

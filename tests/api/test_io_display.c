@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Framebuffers saved through a display and with a dither: what the display is given, what becomes of its pixels, and
-   that dithered areas keep their mean and codes stay. */
+/* Framebuffers saved through a display and with dithering: input and output of the display; dithered areas keep
+ * their mean, and values that equal a code do not change. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 
@@ -27,7 +27,7 @@ static int tear_down(void **state)
     return io_remove_folder(state);
 }
 
-/* One colour everywhere: the views lead to the framebuffer's own memory. */
+/* Fills the framebuffer with one colour: plane views point to the framebuffer's own memory. */
 static void paint(const float rgba[4])
 {
     int plane, x, y;
@@ -41,7 +41,7 @@ static void paint(const float rgba[4])
     }
 }
 
-/* Saves and loads; sums of the codes of each channel, and their range. */
+/* Saves and loads; returns the sum and the range of the codes of each channel. */
 struct codes {
     double sum[4];
     uint32_t least[4], most[4];
@@ -73,7 +73,7 @@ static struct codes save(const shd_save_desc *desc, const char *file)
     return codes;
 }
 
-/* Between two codes: both occur, as often as the mean asks. */
+/* For a value between two codes, both codes occur, and their mean is the value. */
 static void test_dither_mean(void **state)
 {
     static const uint32_t k_depths[2] = {8, 16};
@@ -100,7 +100,8 @@ static void test_dither_mean(void **state)
     }
 }
 
-/* Values that are codes stay, so do 0 and 1, what is beyond them, and NaN; alpha is rounded to the nearest. */
+/* Dithering does not change values that equal a code, 0, 1, values outside 0..1 and NaN. Alpha is rounded to the
+ * nearest code. */
 static void test_dither_exact(void **state)
 {
     static const float k_colors[3][4] = {{0.2f, 0.4f, 0.6f, 1}, {0, 1, 7, 1}, {-3, NAN, 0.5f * 0.5f, 0.5f}};
@@ -122,7 +123,7 @@ static void test_dither_exact(void **state)
     }
 }
 
-/* The pattern is a function of the place: the same bits on every machine. */
+/* The pattern depends only on the position: the same bits on every machine. */
 static void test_dither_bits(void **state)
 {
     const float rgba[4] = {0.1f, 0.01f, 0.5f, 1};
@@ -171,7 +172,7 @@ static void test_display(void **state)
     paint(rgba);
     desc.display.apply = show;
     desc.display.user_data = &display;
-    codes = save(&desc, "display.png"); /* no curve on top, nothing divided by alpha */
+    codes = save(&desc, "display.png"); /* no further curve, no division by alpha */
     assert_true(codes.least[0] == 204 && codes.most[3] == 204);
     display.value = 204.5f / 255;
     desc.dither = SHD_DITHER_ORDERED;
@@ -183,11 +184,12 @@ static void test_display(void **state)
     codes = save(&desc, "display.png");
     assert_true(codes.most[0] == 0 && codes.most[3] == 0);
     assert_int_equal(display.calls, 3);
-    shd_assert_ok(shd_framebuffer_save(g_framebuffer, io_path("display.exr"), &desc)); /* linear: without it */
+    shd_assert_ok(shd_framebuffer_save(g_framebuffer, io_path("display.exr"), &desc)); /* linear files do not use the
+                                                                                          display */
     assert_int_equal(display.calls, 3);
 }
 
-/* What the display answers is the answer, and no file appears. */
+/* A failure of the display is the result of the call, and no file appears. */
 static void test_display_fails(void **state)
 {
     struct display display = {0, SHD_ERROR_NOT_FOUND, "display: no view of that name", 0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What loading leaves as it was: descriptors, children, signals, locale, errno, memory; and eight threads at once. */
+/* Loading does not change descriptors, children, signals, locale, errno or memory; eight threads load concurrently. */
 #define _GNU_SOURCE
 #include "support/io_corpus.h"
 
@@ -52,7 +52,7 @@ static void test_hygiene(void **state)
     char saved_locale[256];
     int descriptors, i;
     (void)state;
-    load_everything(0); /* what OpenImageIO keeps open stays open from here on */
+    load_everything(0); /* opens the descriptors that OpenImageIO keeps open, before they are counted */
     snprintf(saved_locale, sizeof saved_locale, "%s", locale);
     assert_non_null(getcwd(folder, sizeof folder));
     sigprocmask(SIG_SETMASK, NULL, &before);
@@ -67,7 +67,7 @@ static void test_hygiene(void **state)
     assert_string_equal(setlocale(LC_ALL, NULL), saved_locale);
     assert_non_null(getcwd(folder_after, sizeof folder_after));
     assert_string_equal(folder, folder_after);
-    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* no children left, dead or alive */
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* no child is left, running or zombie */
     assert_int_equal(errno, ECHILD);
 }
 
@@ -79,7 +79,7 @@ static void test_sigchld_ignored(void **state)
     signal(SIGCHLD, old);
 }
 
-/* Standard input, output and error closed: the worker's descriptors must not get in each other's way. */
+/* With standard input, output and error closed, the worker's pipes get the descriptors 0 to 2 and must still work. */
 static void test_no_standard_streams(void **state)
 {
     int saved[3], fd;
@@ -106,7 +106,7 @@ static void test_no_standard_streams(void **state)
 }
 
 struct fault {
-    long countdown; /* allocations until one fails; negative = never */
+    long countdown; /* number of allocations before one fails; negative = never */
     size_t live;
 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Damaged files: truncation at every byte and seeded byte flips of one small file of each format. Each runs in a
-   child of this test, so that a decoder that dies is counted and not the end of the test. */
+/* Damaged files: one small file of each format, truncated at every byte and with bytes changed by a seeded
+ * generator. Each is loaded in a child process, so that a crash of a decoder is counted and does not end the test. */
 #define _GNU_SOURCE
 #include "support/io_corpus.h"
 
@@ -11,14 +11,14 @@
 
 enum { MAX_CASES = 4096, FLIPS = 400 };
 
-/** How one load ended; in memory shared with the children. */
+/** Result of one load, in memory shared with the child processes. */
 struct outcome {
     int result; /* shd_result, or a negative signal number */
     uint64_t hash;
 };
 static struct outcome *g_outcomes;
 
-/* Where the children's standard output and error go: nothing may come. */
+/* Receives standard output and error of the child processes, which must be empty. */
 static int g_printed = -1;
 
 static long printed_bytes(void)
@@ -67,7 +67,7 @@ static void run_cases(const io_sample *sample, size_t first, size_t count, const
     free(damaged.data);
 }
 
-/* Number of cases that killed a child. */
+/* Returns the number of cases that killed a child process. */
 static int run_all(const io_sample *sample, size_t count, const shd_load_desc *desc)
 {
     size_t first = 0;
@@ -94,7 +94,7 @@ static void test_damaged(void **state)
 {
     const io_sample *sample = (const io_sample *)*state;
     const shd_load_desc desc = shd_load_desc_default();
-    const size_t count = sample->bytes.size + FLIPS + 1; /* the last one whole */
+    const size_t count = sample->bytes.size + FLIPS + 1; /* the last case is the undamaged file */
     size_t i, loaded = 0, refused = 0, silent = 0;
     uint64_t whole = 0;
     int deaths;
@@ -116,11 +116,11 @@ static void test_damaged(void **state)
     print_message("%s: %zu truncations and %d flips in process: %zu loaded, %zu refused, %d deaths\n", sample->name,
                   sample->bytes.size, FLIPS, loaded, refused, deaths);
     assert_int_equal(deaths, 0);
-    assert_int_equal(silent, 0); /* a file that is cut off is refused, or what is missing did not matter */
+    assert_int_equal(silent, 0); /* a truncated file is refused, unless the missing bytes have no effect */
     assert_int_equal(printed_bytes(), 0);
 }
 
-/* A few damaged files of each format through the worker: the same answers, and this process lives. */
+/* A few damaged files of each format in an isolated load: the results are equal, and this process survives. */
 static void test_isolated(void **state)
 {
     const io_sample *sample = (const io_sample *)*state;
@@ -149,7 +149,7 @@ static void test_isolated(void **state)
     free(damaged.data);
 }
 
-/* Decoding threads do not survive a fork, so this process never decodes or encodes itself. */
+/* Decoding threads do not survive a fork, so this process itself never decodes or encodes. */
 static void make_corpus_in_child(void)
 {
     int status = 0;

@@ -55,7 +55,7 @@ static void edit_worker_dies(shd_load_desc *d)
 static void edit_worker_hangs(shd_load_desc *d)
 {
     d->flags = SHD_LOAD_ISOLATE;
-    d->worker_path = "/bin/cat"; /* reads its input for ever and answers nothing */
+    d->worker_path = "/bin/cat"; /* reads its input forever and sends no reply */
     d->time_limit = 0.2;
 }
 static void edit_worker_folder(shd_load_desc *d)
@@ -110,7 +110,7 @@ static void test_desc(void **state)
 
 struct path_case {
     const char *name;
-    const char *path; /* without a leading slash: in the folder */
+    const char *path; /* without a leading slash: relative to the folder of the test */
     shd_result expected;
     const char *message;
 };
@@ -228,7 +228,7 @@ static void test_lifecycle(void **state)
     shd_context_release(context);
 }
 
-/* Bombs: headers that claim what the file does not hold. */
+/* Decompression bombs: headers that claim more than the file contains. */
 
 struct bomb_case {
     const char *name;
@@ -280,7 +280,7 @@ static void test_bomb(void **state)
     assert_null(bitmap);
 }
 
-/* What each format gives. */
+/* The pixel format, size, channels and colour space of a file of each format. */
 
 struct format_case {
     const char *sample;
@@ -393,7 +393,7 @@ static void test_flip(void **state)
     shd_bitmap_release(bitmap);
 }
 
-/* A grey pixel has r = g = b and an opaque alpha; metadata is not looked at; missing rows can be asked for. */
+/* A grey pixel has r = g = b and an opaque alpha; metadata is ignored; a partial load returns the rows that exist. */
 static void test_grey(void **state)
 {
     const io_sample *sample = find_sample("pgm_text");
@@ -465,7 +465,7 @@ static void test_partial(void **state)
 struct exr_case {
     const char *name;
     int data[4];    /* x min, y min, x max, y max */
-    int display[4]; /* the same */
+    int display[4]; /* display window: x min, y min, x max, y max */
     int sampling;
     uint32_t version;
     shd_result expected;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SHD_PROFILE_OIIO beside OpenImageIO's TextureSystem on the same levels: a tiled and mipmapped file for the one, its
-// levels in memory for the other.
+// SHD_PROFILE_OIIO against OpenImageIO's TextureSystem, with the same levels: OpenImageIO reads a tiled and mipmapped
+// file, shd gets its levels in memory.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -32,10 +32,10 @@ struct Case {
     double worst;
 };
 
-/// All but one point in fifty are this close, whatever the case.
+/// In every case at least 98 % of the points are this close.
 const double kClose = 1e-5;
-/// Ellipses some thousand times as long as wide: OpenImageIO has the shorter axis from a difference of rounded squares,
-/// up to 3e-4 of the longer one off. Measured 2.9e-3.
+/// For ellipses a thousand times as long as wide, OpenImageIO computes the shorter axis from a difference of rounded
+/// squares, with an error of up to 3e-4 of the longer axis. Measured 2.9e-3.
 const double kThin = 6e-3;
 
 const OIIO::TextureOpt::MipMode kNone = OIIO::TextureOpt::MipModeNoMIP, kOne = OIIO::TextureOpt::MipModeOneLevel,
@@ -76,8 +76,8 @@ float random_in(float low, float high)
     return low + (high - low) * static_cast<float>(t_seed >> 8) * 0x1p-24f;
 }
 
-/// Footprints from 2^-9 to 1/2 of the texture, some of them degenerate; with blur all of them round enough for
-/// OpenImageIO, which asserts that the shorter axis is above 0 where rounding may make it 0.
+/// Footprints from 2^-9 to 1/2 of the texture, some of them degenerate. With blur all are round enough for OpenImageIO,
+/// which asserts that the shorter axis is above 0, although rounding can make it 0.
 void place_points(bool round)
 {
     t_seed = 7;
@@ -97,7 +97,7 @@ void place_points(bool round)
 
 std::string write_file(const Case &c)
 {
-    // OpenImageIO remembers files by their names.
+    // OpenImageIO caches files by name.
     const std::string path =
         "/tmp/shd-test-profile-" + std::to_string(getpid()) + "-" + std::to_string(&c - k_cases) + ".tx";
     OIIO::ImageBuf image(OIIO::ImageSpec(c.width, c.height, 3, OIIO::TypeDesc::UINT8));
@@ -174,7 +174,7 @@ void look_up(const Case &c, shd_context *context, const std::string &path)
 
 void look_up_peer(const Case &c, const std::string &path)
 {
-    // The shared one: destroying one's own frees it by the type of its base, which sanitizers refuse.
+    // The shared TextureSystem: destroying a private one frees it through its base type, which sanitizers report.
     OIIO::TextureSystem *system = OIIO::TextureSystem::create(true);
     system->invalidate_all(true);
     OIIO::TextureOpt options;

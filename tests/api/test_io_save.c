@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Saving: round trips of images and framebuffers, and everything that can go wrong on the way to the disk. */
+/* Saving: round trips of images and framebuffers, and every failure of writing. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 #include "support/rows.h"
@@ -20,7 +20,7 @@ struct image_case {
     shd_color_encoding encoding;
     shd_format loaded; /* format of the bitmap; NONE = the save is refused */
     const char *color_space;
-    int channels; /* that come back */
+    int channels; /* channels of the loaded file */
     double tolerance;
 };
 
@@ -48,7 +48,7 @@ static const struct image_case k_images[] = {
     {"i_none", SHD_FORMAT_RGBA8, SHD_COLOR_ENCODING_AUTO, SHD_FORMAT_NONE, "extension \"\" is not", 0, 0},
 };
 
-/* Rows are padded, so that a stride that is ignored shows. */
+/* Rows are padded, so that ignoring the stride is detected. */
 static union {
     unsigned char bytes[HEIGHT][WIDTH * 16 + 16];
     uint16_t words[HEIGHT][WIDTH * 8 + 8];
@@ -161,7 +161,7 @@ static void test_arguments(void **state)
 
 struct place_case {
     const char *name;
-    const char *path; /* without a leading slash: in the folder */
+    const char *path; /* without a leading slash: relative to the folder of the test */
     shd_result expected;
     const char *message;
 };
@@ -204,7 +204,7 @@ static void test_link(void **state)
     assert_int_equal(status.st_mode & 0777, 0640);
 }
 
-/* Writing over a file that is open: who reads it goes on reading the old one. */
+/* Overwriting a file that is open: a reader continues to read the old contents. */
 static void test_over_open_input(void **state)
 {
     const shd_image image = make_image(SHD_FORMAT_RGBA8);
@@ -220,7 +220,7 @@ static void test_over_open_input(void **state)
     fclose(file);
 }
 
-/* A full disk, played by a limit on file sizes: an error, the old file intact, nothing else left. */
+/* A full disk, simulated by a limit on file sizes: an error, the old file is intact, and no temporary file is left. */
 static void test_disk_full(void **state)
 {
     static const char *const files[] = {"full.png", "full.exr", "full.tif", "full.hdr"};
@@ -263,7 +263,7 @@ static shd_framebuffer *make_framebuffer(uint32_t aovs)
     return framebuffer;
 }
 
-/* Known colours in the planes: the views lead to the framebuffer's own memory. */
+/* Writes known colours to the planes: plane views point to the framebuffer's own memory. */
 static const float k_colors[6][4] = {
     {0.5f, 0.25f, 0.125f, 1.0f}, {0.25f, 0.125f, 0.0f, 0.5f},  {4.0f, -1.0f, NAN, 1.0f}, {0, 0, 0, 0},
     {0.002f, 1.0f, 0.18f, 1.0f}, {0.1f, 0.1f, 0.1f, INFINITY},
@@ -422,7 +422,7 @@ static const struct texture_case k_textures[] = {
 
 static double linear_of(double value) { return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4); }
 
-/* The bytes of the file give the same texture; wrong arguments give none. */
+/* The bytes of the file give the same texture; invalid arguments give no texture. */
 static void assert_same_from_memory(const char *file, const shd_load_desc *desc, const shd_image *want)
 {
     const io_bytes bytes = io_read(io_path(file));

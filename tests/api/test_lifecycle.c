@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One script over every type of handle: references, misuse, order of release, leaks, allocations that fail. */
+/* One sequence of calls for every type of handle: references, misuse, order of release, leaks, allocations that
+ * fail. */
 #include "support/check.h"
 #include "support/fault_allocator.h"
 #include "support/handle_types.h"
@@ -46,10 +47,10 @@ static void test_references(void **state)
     t->release(handle);
     expect_use(t, handle, SHD_ERROR_INVALID_ARGUMENT);
     t->release(handle); /* ignored */
-    t->retain(handle);  /* brings nothing back */
+    t->retain(handle);  /* does not revive the handle */
     expect_use(t, handle, SHD_ERROR_INVALID_ARGUMENT);
     t->release(handle);
-    shd_assert_ok(t->create(f.context, &other)); /* not mistaken for the dead one */
+    shd_assert_ok(t->create(f.context, &other)); /* the old handle does not refer to the new object */
     assert_ptr_not_equal(other, handle);
     t->release(handle);
     expect_use(t, other, SHD_OK);
@@ -57,7 +58,7 @@ static void test_references(void **state)
     t->retain(NULL);
     t->release(NULL);
     if (strcmp(t->type, "material") == 0) {
-        shd_assert_ok(t->use(NULL)); /* depth alone */
+        shd_assert_ok(t->use(NULL)); /* depth only */
     } else {
         shd_assert_result(t->name, t->use(NULL), SHD_ERROR_INVALID_ARGUMENT, ": NULL");
     }
@@ -156,7 +157,7 @@ static void test_many_alive(void **state)
     close_context(t->name, &f);
 }
 
-/* What a context holds once a handle has come and gone: its slab of handles stays. */
+/* Bytes that a context holds after a handle was created and released: its slab of handles stays. */
 static size_t idle_bytes(const struct type_row *t)
 {
     struct fixture f;
@@ -170,7 +171,7 @@ static size_t idle_bytes(const struct type_row *t)
     return bytes;
 }
 
-/* Every allocation of a create call fails in turn: alone, then with all that follow. */
+/* Every allocation of a create call fails in turn: alone, then with all later ones. */
 static void test_allocation_faults(void **state)
 {
     const struct type_row *t = (const struct type_row *)*state;
@@ -207,7 +208,7 @@ static void test_allocation_faults(void **state)
     }
 }
 
-/* The same for the context itself. */
+/* Every allocation of shd_context_create() fails in turn. */
 static void test_context_faults(void **state)
 {
     size_t n;
@@ -219,7 +220,7 @@ static void test_context_faults(void **state)
         shd_context *context = (shd_context *)&memory;
         memset(&memory, 0, sizeof memory);
         desc = shd_fault_context_desc(&memory);
-        desc.worker_count = 2; /* with an executor of its own, where one is built in */
+        desc.worker_count = 2; /* with the built-in executor, if the build has one */
         shd_fault_arm(&memory, n, 1);
         result = shd_context_create(&desc, &context);
         if (result != SHD_OK) {
@@ -251,8 +252,8 @@ static void test_null_out(void **state)
     close_context("null_out", &f);
 }
 
-/* The library forgets nothing that happens to belong to two contexts: a material of one holds a texture of the
-   other, and every order of release ends with no memory in either. */
+/* Objects of two contexts that refer to each other are freed: a material of one context holds a texture of the
+ * other, and every order of release frees all memory of both. */
 static void test_two_contexts(void **state)
 {
     int order;

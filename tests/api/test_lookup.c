@@ -12,7 +12,7 @@ static float g_in[7][POINTS + 8];
 static float g_out[4][POINTS + 8];
 static unsigned char g_texels[SIZE * SIZE * 4];
 
-/** Reproducible test points: coordinates in [-2, 2), footprints of all sizes, a few that are not finite. */
+/** Reproducible test points: coordinates in [-2, 2), footprints of all sizes, a few values that are not finite. */
 static void fill_inputs(void)
 {
     uint32_t state = 1;
@@ -87,7 +87,7 @@ static uint64_t hash_out(void)
     return hash;
 }
 
-/* One context, texture and sampler for the tests that need nothing special. */
+/* One context, texture and sampler, for tests without special needs. */
 static shd_context *g_context;
 static shd_texture *g_texture;
 static shd_sampler *g_sampler;
@@ -341,7 +341,7 @@ static void test_other_context(void **state)
     shd_context_release(other);
 }
 
-/* Summed-area lookups need their table, and have neither derivatives nor an explanation. */
+/* Summed-area lookups require their table, and support neither derivatives nor explanations. */
 static void test_summed_area(void **state)
 {
     shd_context *context = make_context(1, SHD_SIMD_BEST);
@@ -396,7 +396,8 @@ static void test_batch_splits(void **state)
     }
 }
 
-/* Records of 12 floats in and of 5 floats out give the bits of packed columns; what lies between stays. */
+/* Input in records of 12 floats and output in records of 5 floats give the bits of packed columns; other floats of
+ * the records do not change. */
 static void test_strides(void **state)
 {
     float *in = (float *)calloc(POINTS * 12, sizeof(float));

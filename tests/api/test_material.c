@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Materials: every field of the desc, programs, and the texture and sampler they hold. */
+/* Materials: every field of the desc, programs, and the texture and sampler that a material retains. */
 #include "support/check.h"
 #include "support/fault_allocator.h"
 #include "support/slots.h"
@@ -407,7 +407,7 @@ static shd_result look_up(const struct parts *p)
     return shd_texture_sample(p->texture, p->sampler, &lookups, &texels);
 }
 
-/* The material keeps both alive, and lets both go with its own last reference. */
+/* The material keeps both alive, and releases both when its last reference is dropped. */
 static void test_parts_retained(void **state)
 {
     struct parts p;
@@ -430,7 +430,7 @@ static void test_parts_retained(void **state)
     shd_assert_all_freed("parts_retained", &p.memory);
 }
 
-/* A texture that is fine goes back to one reference when the sampler is refused. */
+/* If the sampler is refused, a valid texture has one reference again. */
 static void test_parts_after_refusal(void **state)
 {
     struct parts p;
@@ -459,7 +459,7 @@ static void test_parts_after_refusal(void **state)
     shd_assert_all_freed("parts_after_refusal", &p.memory);
 }
 
-/* A texture without sampler is fine. */
+/* A texture without a sampler is valid. */
 static void test_one_part(void **state)
 {
     struct parts p;

@@ -250,7 +250,7 @@ static void test_bounds(void **state)
     shd_mesh_info info = shd_mesh_info_default();
     (void)state;
     desc.position[0].data = k_far;
-    desc.position[1].data = k_with_nan; /* vertex 3 does not count */
+    desc.position[1].data = k_with_nan; /* vertex 3 is not part of the bounds */
     desc.flags = SHD_MESH_KEEP_NONFINITE;
     shd_assert_ok(shd_mesh_create(g_context, &desc, &mesh));
     shd_assert_ok(shd_mesh_get_info(mesh, &info));
@@ -303,7 +303,7 @@ static uint64_t hash_normals(const shd_mesh *mesh, uint32_t count, size_t stride
     for (i = 0; i < count; ++i) {
         for (c = 0; c < 3; ++c) hash = shd_hash(hash, out[c].data + i * stride_floats, sizeof(float));
     }
-    if (stride_floats == 8) { /* what lies between stays */
+    if (stride_floats == 8) { /* floats between the elements do not change */
         for (i = 0; i < count; ++i) assert_true(buffer[8 * i + 3] == 777.0f && buffer[8 * i + 7] == 777.0f);
         assert_true(buffer[8 * count] == 777.0f);
     }
@@ -409,7 +409,7 @@ static void test_bad_normal_columns(void **state)
     shd_mesh_release(mesh);
 }
 
-/* Everything is copied: the caller's memory may go at once. */
+/* Everything is copied: the caller may free its memory immediately. */
 static void test_copied(void **state)
 {
     float x[3] = {0, 1, 0}, y[3] = {0, 0, 1}, z[3] = {0, 0, 0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* SHD_MESH_TANGENTS through the API: what is computed, what stands in, the vertices that are added, and reading columns
-   back. */
+/* SHD_MESH_TANGENTS through the API: computed tangents, tangents of degenerate input, added vertices, and reading
+ * columns back. */
 #include "support/fault_allocator.h"
 
 #include <shd/mesh.h>
@@ -115,7 +115,7 @@ static const struct tangent_case {
     void (*edit)(struct strip *s);
     uint32_t tangentless, split;
     float first[4]; /* tangent of the first vertex */
-    float last[4];  /* of the last there is */
+    float last[4];  /* tangent of the last vertex */
 } k_cases[] = {
     {"upright", as_it_is, 0, 0, {1, 0, 0, 1}, {1, 0, 0, 1}},
     {"mirrored", mirrored, 0, 0, {-1, 0, 0, -1}, {-1, 0, 0, -1}},
@@ -171,8 +171,8 @@ static void test_tangents(void **state)
     shd_mesh_release(mesh);
 }
 
-/* The two vertices that are added where mirrored faces meet copy every column, and only the faces that need them use
-   them. */
+/* The two vertices that are added where mirrored faces meet have copies of every column, and only the mirrored faces
+ * use them. */
 static void test_split(void **state)
 {
     static struct strip s;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Normal maps and bumps through computed tangents: up in the picture is up, and what a triangle's own uv give on flat
-   faces is what the mesh's tangents give. */
+/* Normal maps and bumps with computed tangents: up in the texture is up in the picture, and on flat faces the
+ * tangents of the mesh equal those that a triangle's own uv give. */
 #include "support/frame.h"
 
 enum { SIZE = 48, TEXELS = 32 };
 
-/* How u and v lie on the square: (a, b) -> (u, v) at its corners. */
+/* Orientation of u and v on the square: the uv of its corners. */
 static const struct orient_case {
     const char *name;
     float uv[4][2]; /* at (-, -), (+, -), (+, +), (-, +) of x, y */
@@ -18,7 +18,7 @@ static const struct orient_case {
     {"mirrored_uv_and_matrix", {{1, 1}, {0, 1}, {0, 0}, {1, 0}}, -1},
 };
 
-/* A dome in the middle of the texture: its height, or the normals of that, green up in the picture. */
+/* A dome in the middle of the texture: its heights, or its normals with green up in the picture. */
 static shd_texture *make_dome(shd_context *context, int normals)
 {
     static float texels[TEXELS * TEXELS][4];
@@ -47,7 +47,7 @@ struct pictures {
     double normal[2][2][SIZE * SIZE]; /* [mesh has tangents][x, y] of the shown normal */
 };
 
-/* Normals, as SHD_DEBUG_VIEW_NORMAL shows them, of a square with the map or the bump. */
+/* Renders a square with the normal map or the bump, and reads its normals from SHD_DEBUG_VIEW_NORMAL. */
 static void show(const struct orient_case *c, int bump, int has_tangents, double *x, double *y)
 {
     static const float k_place[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -99,7 +99,7 @@ static void show(const struct orient_case *c, int bump, int has_tangents, double
     shd_frame_close(&f);
 }
 
-/* On a dome, normals lean away from its middle wherever uv and matrix put it. */
+/* Normals of the dome point away from its middle for every uv orientation and matrix. */
 static void test_dome(void **state)
 {
     static struct pictures p;

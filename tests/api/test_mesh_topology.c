@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Strips, fans and 16-bit indices: the frame has the bits of the same triangles one by one. */
+/* Strips, fans and 16-bit indices: the frame has the same bits as with separate triangles. */
 #include "support/frame.h"
 
 enum { VERTICES = 12, MOST = 24 };
@@ -40,7 +40,7 @@ static const struct topology_case k_cases[] = {
     {"fan/restart_too_soon", FAN, 6, {0, 1, R, 2, R, R}, 0, {0}},
 };
 
-/* Vertices all over the frame. */
+/* Vertices at random positions in the frame. */
 static shd_mesh_desc make_desc(float vertices[VERTICES][5])
 {
     shd_mesh_desc desc = shd_mesh_desc_default();
@@ -141,7 +141,7 @@ static void test_unindexed(void **state)
     }
 }
 
-/* 0xffff is a vertex of triangles, if there are as many. */
+/* In separate triangles 0xffff is an ordinary vertex number. */
 static void test_last_of_16_bits(void **state)
 {
     static const uint16_t k_indices[3] = {0, 1, 0xffff};

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* shd_mip_build's arguments, and textures made from the caller's own levels. */
+/* Arguments of shd_mip_build(), and textures made from the caller's own levels. */
 #include "support/fault_allocator.h"
 
 #include <shd/shd.h>
 
 enum { WIDTH = 8, HEIGHT = 4, LEVELS = 3 };
 
-/** Valid arguments for a case to spoil. */
+/** Valid arguments, of which each case makes one invalid. */
 struct arguments {
     shd_image base, levels[LEVELS];
     shd_mip_desc desc;
@@ -135,7 +135,8 @@ static void test_case(void **state)
     shd_context_release(context);
 }
 
-/* The second level lies right of the first, in rows of one picture: their bytes alternate, and share none. */
+/* The second level lies to the right of the first in the rows of one picture: their rows alternate in memory and do
+ * not overlap. */
 static void test_beside(void **state)
 {
     struct arguments a;
@@ -174,7 +175,7 @@ static void test_null(void **state)
     shd_context_release(context);
 }
 
-/** Every allocation may fail; nothing leaks and the next call works. */
+/** Every allocation fails in turn; nothing leaks and the next call works. */
 static void test_allocation_faults(void **state)
 {
     size_t n;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Moments of normal maps: every format against the oracle, what lookups get back of them and of the lengths of mean
-   normals, and refusals. */
+/* Moments of normal maps: every format against the oracle, lookups of moments and of lengths of mean normals, and
+ * refusals. */
 #include "support/check.h"
 
 #include <stdlib.h>
@@ -58,7 +58,7 @@ static const struct format_case k_formats[] = {
     {"format/rgba32f_to_16f", SHD_FORMAT_RGBA32F, SHD_FORMAT_RGBA16F, 4},
 };
 
-/* Stores a random channel; returns what it means. */
+/* Stores a random channel; returns the value that the stored bits represent. */
 static double store_channel(shd_format format, uint32_t *seed, unsigned char *to)
 {
     const float value = next_random(seed);
@@ -66,7 +66,7 @@ static double store_channel(shd_format format, uint32_t *seed, unsigned char *to
     switch (format) {
         case SHD_FORMAT_RGB32F:
         case SHD_FORMAT_RGBA32F: {
-            const float scaled = 5 * value; /* of any length */
+            const float scaled = 5 * value; /* normals may have any length */
             memcpy(to, &scaled, sizeof scaled);
             return (double)scaled;
         }
@@ -91,7 +91,7 @@ static double load_moment(shd_format format, const unsigned char *from, size_t c
     return format == SHD_FORMAT_RGBA16F ? half_value(half) : (double)value;
 }
 
-/* Rows lie apart in both images, and what is between them stays. */
+/* Rows have gaps in both images, and the gaps do not change. */
 static void test_format(void **state)
 {
     static unsigned char in[HEIGHT * 256], out[HEIGHT * 256];
@@ -219,7 +219,7 @@ static void look_up(shd_context *context, const shd_texture *texture, float u, f
     shd_texels texels;
     int c;
     desc.filter = SHD_FILTER_TRILINEAR;
-    desc.lod_bias = lod; /* of a footprint of one texel */
+    desc.lod_bias = lod; /* the footprint is one texel */
     shd_assert_ok(shd_sampler_create(context, &desc, &sampler));
     memset(&texels, 0, sizeof texels);
     lookups.count = 1;
@@ -241,7 +241,8 @@ static double variance_of(const float m[4])
     return fmax(0, (double)m[2] + (double)m[3] - bx * bx - by * by) / 2;
 }
 
-/* A level's texel tells the variance of the slopes below it, summed one by one; without bumps there is none. */
+/* A texel of a level gives the variance of the slopes that it covers, which the test sums one by one. Without bumps
+ * the variance is 0. */
 static void test_variance(void **state)
 {
     const float height = (float)*(const int *)*state / 100.0f;
@@ -276,15 +277,15 @@ static void test_variance(void **state)
         shd_assert_close("bx", level, (double)got[0], sum[0], 1e-6, 1e-6);
         shd_assert_close("by", level, (double)got[1], sum[1], 1e-6, 1e-6);
         shd_assert_close("variance", level, variance_of(got), want, 2e-7, 1e-5);
-        if (level == LEVELS) /* of a number uniform in +-height */
+        if (level == LEVELS) /* the variance of a uniform distribution on +-height */
             shd_assert_close("variance", 99, variance_of(got), (double)(height * height) / 3, 1e-6, 0.03);
     }
     shd_texture_release(texture);
     shd_context_release(context);
 }
 
-/* The fourth channel of levels of normals is the length of their mean, and a trilinear lookup between two levels lies
-   between theirs; with gentle bumps it tells the same variance as the moments. */
+/* The fourth channel of levels of normals is the length of the mean normal. A trilinear lookup blends the lengths of
+ * two levels. With gentle bumps the length gives the same variance as the moments. */
 static void test_length(void **state)
 {
     const shd_image normals = make_image(SHD_FORMAT_RGBA32F, SIZE, SIZE, g_normals);
@@ -309,9 +310,9 @@ static void test_length(void **state)
                          0);
         assert_true(got[3] <= 1 && got[3] > 0.99f);
         if (lod == 0) assert_true(got[3] == 1);
-        if (lod < 4) continue; /* means of many texels, where the two need not agree on which */
+        if (lod < 4) continue; /* only means of many texels, because the two lookups may cover different ones */
         look_up(context, by_moments, u, v, lod, m);
-        /* Toksvig's is that of directions: slopes are larger by the mean slope of 1/4. */
+        /* Toksvig's variance is of directions; the variance of slopes is larger because of the mean slope of 1/4. */
         shd_assert_close("variance", (size_t)i, shd_ref_toksvig((double)got[3]), variance_of(m), 0, 0.15);
     }
     shd_texture_release(by_length);
@@ -319,7 +320,7 @@ static void test_length(void **state)
     shd_context_release(context);
 }
 
-/* The same in eight bits, whose codes of 0..255 mean -1..1 and lengths of 0..1. */
+/* Lengths in eight bits: codes 0..255 represent components -1..1 and lengths 0..1. */
 static void test_length_in_codes(void **state)
 {
     static unsigned char codes[LEVELS + 1][SIZE * SIZE * 4];
@@ -362,7 +363,7 @@ static void test_length_in_codes(void **state)
     shd_context_release(context);
 }
 
-/* The same bits from any number of workers. */
+/* The result has the same bits for any number of workers. */
 static void test_workers(void **state)
 {
     static uint16_t out[SIZE * SIZE * 4];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A fragment program that looks textures up: the bits of the model with that texture, and nothing on the executor. */
+/* A fragment program that looks textures up: the frame has the bits of a model with this texture, and the lookups do
+ * not use the executor. */
 #include <pthread.h>
 
 #include "support/frame.h"
@@ -11,7 +12,7 @@ static const float k_quad[6][8] = {{-1, -1, 0.2f, 0, 0, 1, 0, 3}, {1, -1, 0.2f, 
                                    {1, 1, 0.8f, 0, 0, 1, 2, 0},   {-1, -1, 0.2f, 0, 0, 1, 0, 3},
                                    {1, 1, 0.8f, 0, 0, 1, 2, 0},   {-1, 1, 0.8f, 0, 0, 1, 0, 0}};
 
-/* What the program is given, and what it saw go wrong. */
+/* Input of the program, and its count of failures. */
 struct look {
     shd_texture *texture;
     shd_sampler *sampler;
@@ -36,7 +37,7 @@ static void look_up(const shd_fragments *in, shd_radiance *out, void *user_data)
     pthread_mutex_unlock(&look->lock);
 }
 
-/* The executor of the texture's context: a lookup of few rows has no reason to call it. */
+/* The executor of the texture's context: lookups of few rows must not call it. */
 static shd_result count_calls(void *user_data, uint32_t count, shd_task_fn task, void *task_data)
 {
     uint32_t i;

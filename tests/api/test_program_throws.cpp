@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs that break their contract by throwing, or by changing the number of rows: a result with a message, nothing
-// leaks, and the next render works.
+// Programs that break their contract by throwing or by changing the number of rows: the call fails with a message,
+// nothing leaks, and the next render works.
 #include "support/frame.h"
 
 #include <cstdlib>
@@ -24,7 +24,7 @@ void give_back(void *, void *memory, size_t size, size_t)
     free(memory);
 }
 
-/// What both programs do, and in which draw.
+/// Action of both programs, and the draw in which it happens.
 enum class Deed { kNothing, kThrowException, kThrowNumber, kThrowBadAlloc, kChangeCount };
 struct Plan {
     Deed vertex, fragment;

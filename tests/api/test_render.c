@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* shd_render: every field of its descs that can be wrong, and that a refused call changes nothing. */
+/* shd_render: every invalid field of its descs; a refused call changes nothing. */
 #include "support/scene.h"
 
-/* A frame with two draws and two lights, and a larger record for each draw as a newer header would have it. */
+/* A frame with two draws and two lights, and with a larger record for each draw, as from a newer header. */
 struct newer_draw {
     shd_draw draw;
     uint32_t later[3]; /* struct_size is then not a multiple of 8 */
@@ -360,7 +360,7 @@ static void test_newer_desc(void **state)
     close_frame(&f);
 }
 
-/* Objects of one context rendered by another. */
+/* A context renders objects of another context. */
 static void test_other_context(void **state)
 {
     shd_context *other = NULL;

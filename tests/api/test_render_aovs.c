@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Auxiliary planes against interpolation in double, and the statistics that a frame asks for. */
+/* Auxiliary planes against interpolation in double, and the optional statistics of a frame. */
 #include <math.h>
 
 #include "support/frame.h"
@@ -9,7 +9,7 @@ enum { WIDTH = 90, HEIGHT = 70, TRIANGLES = 9, ALL_AOVS = 2 * SHD_AOV_OVERDRAW -
 struct frame_case {
     const char *name;
     uint32_t samples;
-    double x, y; /* of the first sample, sixteenths of a pixel (Vulkan 1.3 specification, "Multisampling") */
+    double x, y; /* position of the first sample [1/16 pixel] (Vulkan 1.3 specification, "Multisampling") */
     uint32_t flags;
 };
 static const struct frame_case k_frames[] = {
@@ -101,7 +101,7 @@ static double mix(const double weight[3], const float *triangle, int field)
            weight[2] * (double)triangle[16 + field];
 }
 
-/* What the first sample of a pixel should show; -1 where that is too close to call. */
+/* Expected triangle at the first sample of a pixel; -1 if rounding could change it. */
 static int expect_pixel(const float *triangles, double x, double y, uint32_t *overdraw)
 {
     double nearest = 1;
@@ -223,7 +223,8 @@ static shd_material_desc make_textured(shd_frame *f, shd_slot *slot)
     return material;
 }
 
-/* Levels in perspective: bit for bit those of the query, and the logarithm of the footprint between its bounds. */
+/* Levels in perspective: they have the bits of shd_texture_query_levels(), and the logarithm of the footprint lies
+ * between its bounds. */
 static void test_levels(void **state)
 {
     static float triangles[24 * TRIANGLES], lod[WIDTH * HEIGHT];
@@ -255,7 +256,8 @@ static void test_levels(void **state)
     for (i = 0; i < WIDTH * HEIGHT; ++i) {
         const double xx = hypot((double)lookups.dudx.data[i], (double)lookups.dvdx.data[i]);
         const double yy = hypot((double)lookups.dudy.data[i], (double)lookups.dvdy.data[i]);
-        const double least = log2(64 * fmax(xx, yy)) + 0.25; /* the ellipse's longer axis is up to sqrt(2) of that */
+        const double least = log2(64 * fmax(xx, yy)) + 0.25; /* the ellipse's longer axis is up to sqrt(2) times this
+                                                                length */
         const double got = (double)f.plane[SHD_PLANE_LOD][i];
         if (f.triangle[i] == 0xffffffffu) {
             assert_true(got == 0 && f.u32[SHD_PLANE_LEVEL][i] == 0);
@@ -273,7 +275,8 @@ static void test_levels(void **state)
     shd_frame_close(&f);
 }
 
-/* Draws of the shared quad over everything, `second` in front of the first, half of `third` in front of both. */
+/* Draws three quads: one over the whole frame, `second` in front of it, and a third one over half of the frame,
+ * hidden. */
 static void open_layers(shd_frame *f, uint32_t samples, const shd_material_desc *second)
 {
     const shd_material_desc plain = shd_frame_plain(1, 1, 1);
@@ -293,7 +296,7 @@ struct layer_case {
     shd_blend blend;
     float alpha, cutoff;
     int is_depth_alone;
-    uint32_t draw, overdraw; /* wanted */
+    uint32_t draw, overdraw; /* expected values */
 };
 static const struct layer_case k_layers[] = {
     {"layers/opaque", SHD_BLEND_OPAQUE, 1, 0, 0, 1, 2},
@@ -306,7 +309,7 @@ static const struct layer_case k_layers[] = {
     {"layers/sorted", SHD_BLEND_SORTED, 0.5f, 0, 0, 0, 1},
 };
 
-/* Blended draws, and fragments that are dropped, leave the planes; the third draw is hidden in any case. */
+/* Blended draws and dropped fragments do not change the planes; the third draw is always hidden. */
 static void test_layers(void **state)
 {
     const struct layer_case *c = (const struct layer_case *)*state;
@@ -331,7 +334,7 @@ static void test_layers(void **state)
     }
 }
 
-/* A second frame over the first goes on counting; a cleared one starts anew. */
+/* A second frame that keeps the planes adds to the overdraw; a cleared frame starts at 0. */
 static void test_load(void **state)
 {
     const shd_material_desc plain = shd_frame_plain(1, 1, 1);
@@ -356,7 +359,7 @@ static void test_load(void **state)
     shd_frame_close(&f);
 }
 
-/* Asking for counts or planes changes nothing else; times and memory are always there. */
+/* Optional counts and planes do not change other results; times and memory are always written. */
 static void test_statistics(void **state)
 {
     static float plain_color[WIDTH * HEIGHT];

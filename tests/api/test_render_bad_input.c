@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Geometry that reaches far beyond the picture, behind the eye and down to nothing: each sample is still hit once, and
- * every plane stays finite, with one sample a pixel or many. */
+/* Geometry that reaches far beyond the picture or behind the eye, and degenerate geometry: each sample is still hit
+ * once, and every plane stays finite, with one or many samples per pixel. */
 #include "support/fault_allocator.h"
 #include "support/frame.h"
 #include "support/scene.h"
@@ -32,7 +32,7 @@ static void make_fan(uint32_t *random, const float middle[3], int a, int b, floa
     }
 }
 
-/* Opens a frame whose red adds up how often each sample is hit. */
+/* Opens a frame whose red channel counts the hits of each sample. */
 static void open_count(shd_frame *f, const float *fan, uint32_t samples)
 {
     shd_material_desc one = shd_frame_plain(1, 0, 0);
@@ -70,7 +70,7 @@ static void test_huge_fan(void **state)
     }
 }
 
-/* A floor around the point right below the eye: vertices before it, behind it and at W = 0. */
+/* A floor around the point directly below the eye, with vertices in front of it, behind it and at W = 0. */
 static void test_fan_through_the_eye(void **state)
 {
     static const float k_middle[3] = {0, -0.5f, 0};
@@ -105,7 +105,7 @@ static void test_fan_through_the_eye(void **state)
     }
 }
 
-/* Triangles of every size, slivers and points among them. */
+/* Triangles of every size, including slivers and points. */
 static void make_soup(uint32_t *random, float reach, size_t triangles, float *out)
 {
     size_t i, k, c;
@@ -132,7 +132,7 @@ static const struct soup_case k_soups[] = {
     {"planes/huge", 1e9f},      {"planes/1e36", 1e36f},
 };
 
-/* Whatever is drawn, every plane has numbers. */
+/* Every plane is finite for any input. */
 static void test_planes(void **state)
 {
     enum { TRIANGLES = 150 };
@@ -181,7 +181,7 @@ static void test_planes(void **state)
     assert_true(fragments > 0);
 }
 
-/* A host that grants 64 MiB: the largest framebuffer does not fit, and nothing is left of the attempt. */
+/* With a host limit of 64 MiB the largest framebuffer does not fit, and the failed call leaks nothing. */
 struct budget {
     shd_fault_allocator allocator;
     size_t refused;

@@ -41,7 +41,7 @@ static void check_color(const char *name, const shd_frame *f, const double want[
     }
 }
 
-/* One layer over a colour, by the definition of each blend. */
+/* Expected colour of one layer over a colour, from the definition of each blend. */
 static void blend_by_hand(const layer *l, double color[4])
 {
     const double a = (double)l->opacity;
@@ -89,7 +89,7 @@ static void test_blend(void **state)
             blend_by_hand(&layers[1], want);
             render_layers(&f, layers + 2 - n, n, i == 2 ? 4 : 1);
             check_color(c->name, &f, want);
-            /* blends write depth, but for those that come last */
+            /* blends write depth, except order-independent blends */
             shd_assert_close("depth", n, (double)f.plane[SHD_PLANE_DEPTH][0],
                              c->blend >= SHD_BLEND_WEIGHTED ? (n == 2 ? 0.75 : 1) : 0.5, 0, 0);
             shd_frame_close(&f);
@@ -97,7 +97,7 @@ static void test_blend(void **state)
     }
 }
 
-/* Layers take effect in the order of draws, but sorted ones last and by depth. */
+/* Layers take effect in the order of draws, except sorted layers, which come last and in the order of depth. */
 static void test_order(void **state)
 {
     const layer layers[4] = {{{1, 0, 0}, 0.5f, 0.4f, SHD_BLEND_SORTED},
@@ -117,7 +117,7 @@ static void test_order(void **state)
     }
 }
 
-/* Sorted layers behind an opaque draw, in whatever order, are hidden. */
+/* An opaque draw hides sorted layers behind it, for any order of draws. */
 static void test_hidden(void **state)
 {
     const layer layers[4] = {{{1, 0, 0}, 0.5f, 0.9f, SHD_BLEND_SORTED},
@@ -132,7 +132,8 @@ static void test_hidden(void **state)
     shd_frame_close(&f);
 }
 
-/* Weighted layers of one colour give it, whatever their number, order and depth, with 1 - the product of 1 - a. */
+/* Weighted layers of one colour give this colour with alpha 1 - the product of 1 - a, for any number, order and
+ * depth. */
 static void test_weighted(void **state)
 {
     const layer layers[3] = {{{0.25f, 0.5f, 1}, 0.5f, 0.9f, SHD_BLEND_WEIGHTED},
@@ -150,7 +151,7 @@ static void test_weighted(void **state)
 
 enum { DEEP = 600 };
 
-/* 600 sorted layers at random depths in one draw, more than the table of a worker holds for a tile. */
+/* 600 sorted layers at random depths in one draw: more than a worker's table can hold for a tile. */
 static void test_deep(void **state)
 {
     static float vertices[DEEP * 24];
@@ -216,7 +217,7 @@ static void render_columns(shd_frame *f, uint32_t flags, float cutoff, void *dis
     shd_frame_render(f);
 }
 
-/* Fragments below the cutoff, and those that a program discards, leave neither colour nor depth nor ids. */
+/* Fragments below the cutoff, and fragments that a program discards, write no colour, depth or ids. */
 static void test_cutoff(void **state)
 {
     int discard, i;
@@ -250,7 +251,7 @@ static void test_alpha_to_coverage(void **state)
     }
 }
 
-/* Alpha-tested quads through each other: the nearest one that is there shows, whatever the order of draws. */
+/* Intersecting alpha-tested quads: the nearest one that passes the test is visible, for any order of draws. */
 static void test_cutoff_order(void **state)
 {
     int order, i, k;
@@ -278,7 +279,7 @@ static void test_cutoff_order(void **state)
     }
 }
 
-/* A draw without material leaves its depth alone: what is behind it does not show. */
+/* A draw without a material writes only depth, which hides surfaces behind it. */
 static void test_depth_only(void **state)
 {
     const shd_material_desc red = shd_frame_plain(1, 0, 0);
@@ -302,7 +303,7 @@ static void test_depth_only(void **state)
     shd_frame_close(&f);
 }
 
-/* Depth that falls with the distance, depth that is tested and not written, and an equal depth. */
+/* Depth that decreases with the distance, depth that is tested but not written, and equal depths. */
 static void test_compare(void **state)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* shd_render_desc.camera: the bits of the view with the aspect of the picture, whatever part of it is drawn. */
+/* shd_render_desc.camera: the frame has the bits of a view with the aspect of the picture, for any window of it. */
 #include "support/scene.h"
 
 enum { WIDTH = 64, HEIGHT = 36, PIXELS = WIDTH * HEIGHT };
@@ -32,7 +32,7 @@ static shd_camera oblique(float aspect)
     return camera;
 }
 
-/* Colour and depth of a frame in a framebuffer of that size. */
+/* Renders colour and depth into a framebuffer of the given size. */
 static void draw(const shd_render_desc *desc, uint32_t width, uint32_t height, float *out)
 {
     shd_framebuffer_desc made = shd_framebuffer_desc_default();
@@ -53,7 +53,7 @@ static void draw(const shd_render_desc *desc, uint32_t width, uint32_t height, f
 
 struct aspect_case {
     const char *name;
-    float aspect;                     /* of the camera */
+    float aspect;                     /* aspect of the camera */
     uint32_t picture[2], viewport[4]; /* 0 = absent */
     float wanted;                     /* aspect of a view with the same bits */
 };
@@ -78,7 +78,7 @@ static void test_aspect(void **state)
     if (viewport.width) desc.viewport = &viewport;
     shd_assert_ok(shd_view_from_camera(&explicit_camera, &desc.view));
     draw(&desc, WIDTH, HEIGHT, want);
-    desc.view.world_to_view[3] = (float)NAN; /* does not count beside a camera */
+    desc.view.world_to_view[3] = (float)NAN; /* ignored, because there is a camera */
     desc.camera = &camera;
     draw(&desc, WIDTH, HEIGHT, got);
     assert_memory_equal(got, want, sizeof got);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Instances: a frame has the bits of the same draws one by one, and programs are told which one they shade. */
+/* Instances: a frame has the bits of the same draws one by one, and programs get the number of the instance. */
 #include "support/scene.h"
 
 enum { MOST = 40, DRAWS = SHD_SCENE_DRAWS };
 
-/* Places next to, behind and through each other, one of them singular, one mirrored. */
+/* Matrices that place instances next to, behind and through each other; one is singular, one mirrors. */
 static void make_matrices(const float own[16], size_t count, float *out)
 {
     uint32_t seed = 31;
@@ -45,7 +45,7 @@ static void close_scene(shd_scene *s, shd_context *context)
     shd_context_release(context);
 }
 
-/* Each draw of a scene of every blend as `count` instances, against that many draws. */
+/* Each draw of a scene of every blend as `count` instances, against `count` separate draws. */
 static void expect_same(shd_scene_kind kind, size_t count, uint32_t workers)
 {
     static shd_draw separate[DRAWS * MOST];
@@ -90,7 +90,7 @@ static void test_same(void **state)
     expect_same(SHD_SCENE_GLASS, 2, 2);
 }
 
-/* How many rows of each instance of each draw a program saw. */
+/* Number of rows that a program got for each instance of each draw. */
 struct seen {
     size_t rows[2][3];
 };
@@ -184,7 +184,7 @@ static void test_refused(void **state)
     s.draw[1].instance_count = SIZE_MAX;
     EXPECT("render.draws[1]: draw.instance_count: 18446744073709551615 is not in 0..1048576");
     assert_true(shd_hash_framebuffer(s.framebuffer) == before);
-    s.draw[1].instance_count = 0; /* then the matrices do not matter */
+    s.draw[1].instance_count = 0; /* then the matrices have no effect */
     matrices[0] = NAN;
     shd_assert_ok(shd_render(context, &s.desc));
     close_scene(&s, context);

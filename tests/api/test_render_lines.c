@@ -51,7 +51,7 @@ static void check_counts(const shd_frame *f)
     assert_int_equal(s->nonfinite + s->outside + s->culled + s->empty + s->rasterised, s->triangles);
 }
 
-/* A cube along the line of sight without perspective: a square of lines two pixels wide, square at their ends. */
+/* A cube seen along an axis in a parallel projection: a square of lines two pixels wide, with square ends. */
 static void test_square(void **state)
 {
     const shd_cull cull = (shd_cull) * (const int *)*state;
@@ -135,7 +135,7 @@ static const struct edges_case k_edges[] = {
     {"edges/none", shd_test_shape_cube, 1, SHD_EDGE_NONE, 0.5f, 3, {0.8f, 0.8f, 0.3f}, {0, 0, 0}, 0, 1},
 };
 
-/* The same edges as triangles that have shrunk to them. */
+/* The edges as degenerate triangles. */
 static shd_mesh *edges_as_triangles(const shd_frame *f, const shd_mesh *mesh, const shd_edges_desc *desc)
 {
     static uint32_t vertex[2][MAX_EDGES];
@@ -160,7 +160,7 @@ static void make_orthographic(shd_view *view)
     view->view_to_clip[15] = 1;
 }
 
-/* Draws lines, then as wireframes the edges that are seen from where the frame's eye is in object space. */
+/* Draws lines; then draws the edges that are found for the frame's eye in object space as wireframes. */
 static void test_edges(void **state)
 {
     const struct edges_case *c = (const struct edges_case *)*state;
@@ -218,8 +218,8 @@ static void project(const shd_view *view, const float p[3], float pixel[2])
     pixel[1] = (1 - clip[1] / clip[3]) * EDGE / 2;
 }
 
-/* Of a cube with a corner in front nine edges show and three do not, unless lines go over everything. The solid cube
-   hides lines without a pixel of its own. */
+/* A cube with a corner in front has nine visible edges and three hidden ones; without a depth test all are visible.
+ * The solid cube is drawn without colour, only to hide lines. */
 static void test_hidden(void **state)
 {
     const int overlay = *(const int *)*state;
@@ -242,7 +242,7 @@ static void test_hidden(void **state)
     shd_frame_ambient(&f);
     shd_frame_render(&f);
     for (axis = 0; axis < 3; ++axis) {
-        for (side = 0; side < 4; ++side) { /* a third of the way along an edge; there neither corners nor others are */
+        for (side = 0; side < 4; ++side) { /* a point at a third of the edge, away from corners and other edges */
             const int is_back = side == 3;
             float p[3], pixel[2];
             p[axis] = 0.8f / 3;
@@ -258,9 +258,9 @@ static void test_hidden(void **state)
     shd_frame_close(&f);
 }
 
-/* ---- what frames do to lines ---- */
+/* ---- lines in frames ---- */
 
-/* Instances are draws of their own, each with its silhouette. */
+/* Each instance is like a separate draw and has its own silhouette. */
 static void test_instances(void **state)
 {
     static float matrices[2][16], planes[2][EDGE * EDGE];
@@ -304,7 +304,7 @@ static void lean(const shd_vertices *in, shd_vertex_outputs *out, void *user_dat
     for (i = 0; i < in->count; ++i) out->x[i] += in->pz[i];
 }
 
-/* A program moves lines, but silhouettes stay those of the mesh. */
+/* A vertex program moves lines, but silhouettes are computed from the mesh. */
 static void test_vertex_program(void **state)
 {
     shd_material_desc moved = shd_frame_plain(1, 1, 1);
@@ -329,7 +329,7 @@ static void test_vertex_program(void **state)
     shd_frame_close(&f);
 }
 
-/* A matrix without a centre of projection, and one that flattens: total, whatever they show. */
+/* A matrix without a centre of projection and a matrix that flattens: frames are finite and defined. */
 static void test_singular(void **state)
 {
     shd_draw *draw;
@@ -344,7 +344,7 @@ static void test_singular(void **state)
     shd_frame_render(&f);
     assert_int_equal(f.stats.outside, 0);
     assert_true(f.stats.rasterised > 10 && f.stats.rasterised < 40);
-    draw->object_to_world[0] = 0; /* as a line: every edge is one */
+    draw->object_to_world[0] = 0; /* flattened to a line: every edge is a silhouette */
     shd_frame_render(&f);
     assert_true(f.stats.rasterised > 100);
     draw->object_to_world[5] = 0;
@@ -354,7 +354,7 @@ static void test_singular(void **state)
     shd_frame_close(&f);
 }
 
-/* The scene of lines in passes and in windows. */
+/* The scene of lines, rendered in passes and in windows. */
 static void test_passes(void **state)
 {
     shd_context *context = NULL;

@@ -37,7 +37,7 @@ static const float k_intensity[3] = {2.0f, 1.0f, 0.5f};
 static const double k_pi = 3.14159265358979323846;
 enum { k_width = 48, k_height = 40 };
 
-/* The directions of a point. */
+/* The directions at a point. */
 struct directions {
     vec3 n;
     double e, n_l, n_h, v_r, n_v, v_h;
@@ -58,7 +58,7 @@ static struct directions directions(vec3 p, vec3 n, int c)
     return d;
 }
 
-/* glTF 2.0, appendix B, of one light. */
+/* Reflection of one light by glTF 2.0, appendix B. */
 static double metallic_roughness(const shd_material_desc *m, const struct directions *d, int c)
 {
     const double alpha = fmax((double)(m->roughness * m->roughness), 1e-3), a2 = alpha * alpha;
@@ -73,7 +73,7 @@ static double metallic_roughness(const shd_material_desc *m, const struct direct
     return d->e * d->n_l * ((1 - metal) * plain + metal * mirror);
 }
 
-/* L of a point in channel c. */
+/* Radiance L at a point in channel c. */
 static double reflect(const shd_material_desc *m, vec3 p, vec3 n, double ambient, int c)
 {
     const struct directions d = directions(p, n, c);
@@ -235,7 +235,7 @@ static void test_shade(void **state)
             for (i = 0; i < 3; ++i) {
                 const double want = expected(&m, c->frequency, c->ambient_lights, b, i);
                 if (steps && fabs(want - (double)f.plane[i][at]) > 1e-4) {
-                    ++steps_moved; /* within rounding of a step */
+                    ++steps_moved; /* rounding may select either side of a step */
                     continue;
                 }
                 shd_assert_close(c->name, 4 * at + (size_t)i, (double)f.plane[i][at], want, 2e-5, 4e-4);

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Wireframes and points in whole frames: which samples they cover, what they look like, and that windows, workers and
- * SIMD targets do not matter. */
+/* Wireframes and points in whole frames: coverage and shading, and equal bits for windows, workers and SIMD targets. */
 #include "support/frame.h"
 #include "support/scene.h"
 
 enum { EDGE = 64 };
 
-/* Distance of a point to the rectangle's border, > 0 inside, of a line from a to b (pixels). */
+/* Signed distance of a point to the border of the rectangle around the line from a to b [pixels]; > 0 inside. */
 static double inside_line(const double *a, const double *b, double width, double x, double y)
 {
     const double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
@@ -15,7 +14,7 @@ static double inside_line(const double *a, const double *b, double width, double
     return fmin(fmin(along, length - along), width / 2 - across);
 }
 
-/* The same for the five edges of a quad from (x0, y0) to (x1, y1). */
+/* Largest such distance over the five edges of a quad from (x0, y0) to (x1, y1). */
 static double inside_quad(const double box[4], double width, double x, double y)
 {
     const double corner[4][2] = {{box[0], box[3]}, {box[2], box[3]}, {box[2], box[1]}, {box[0], box[1]}};
@@ -51,8 +50,8 @@ static const struct border_case k_borders[] = {
     {"border/thin_samples_16", 16, 0.0625f, {10, 8, 61, 50}},
 };
 
-/* A wireframe covers the border and the diagonal of a quad and nothing else: each pixel has the share of its samples.
- * Their places are those of a solid picture of all of them, so a grid of points bounds the share instead. */
+/* A wireframe covers only the border and the diagonal of a quad, and the colour of a pixel is its share of covered
+ * samples. Pixels away from the border are fully covered or not covered at all. */
 static void test_border(void **state)
 {
     const struct border_case *c = (const struct border_case *)*state;
@@ -69,7 +68,7 @@ static void test_border(void **state)
     shd_frame_render(&f);
     for (y = 0; y < EDGE; ++y) {
         for (x = 0; x < EDGE; ++x) {
-            const double reach = c->samples == 1 ? slack : 0.75; /* of samples from the centre */
+            const double reach = c->samples == 1 ? slack : 0.75; /* largest distance of a sample from the centre */
             const double inside = inside_quad(c->box, width, x + 0.5, y + 0.5);
             const double got = (double)f.plane[SHD_PLANE_R][y * EDGE + x];
             if ((inside > reach && got != 1) || (inside < -reach && got != 0)) {
@@ -86,10 +85,10 @@ static void test_border(void **state)
     shd_frame_close(&f);
 }
 
-/* A vertical line along x = 32, 1.5 wide, from -0.75 to +0.75: the samples of four at 2, 6, 10 and 14 sixteenths. */
+/* A vertical line along x = 32, 1.5 wide, from -0.75 to +0.75: four samples at x = 2, 6, 10 and 14 sixteenths. */
 static void test_average(void **state)
 {
-    static const float k_want[4] = {0.0f, 0.75f, 0.75f, 0.0f}; /* of pixels 30..33 */
+    static const float k_want[4] = {0.0f, 0.75f, 0.75f, 0.0f}; /* colours of pixels 30..33 */
     const float line[24] = {0, -2, 0.5f, 0, 0, 1, 0, 0, 0, 2, 0.5f, 0, 0, 1, 0, 0, 0, 2, 0.5f, 0, 0, 1, 0, 0};
     const shd_material_desc red = shd_frame_plain(1, 0, 0);
     uint32_t x, y;
@@ -111,7 +110,7 @@ static void test_average(void **state)
     shd_frame_close(&f);
 }
 
-/* Lines over their own surface: with a bias all of them show, and the solid keeps the rest. */
+/* Lines over their own surface: with a bias all lines are visible, and the other pixels show the solid surface. */
 static void test_on_top(void **state)
 {
     static const double k_box[4] = {9.3, 7.1, 57.9, 51.2};
@@ -124,7 +123,7 @@ static void test_on_top(void **state)
     add_quad(&f, k_box, 0.125f, 0.875f, &red);
     f.draw[1].fill = SHD_FILL_WIREFRAME;
     f.draw[1].fill_width = 2;
-    f.draw[1].depth_bias = -0.03125f; /* more than the surface climbs in half the width */
+    f.draw[1].depth_bias = -0.03125f; /* more than the change of the surface's depth over half the width */
     shd_frame_ambient(&f);
     shd_frame_render(&f);
     for (i = 0; i < EDGE * EDGE; ++i) {
@@ -139,7 +138,7 @@ static void test_on_top(void **state)
     shd_frame_close(&f);
 }
 
-/* Points apart from each other: w * w pixels each, whatever their place, in the colour and depth of their vertex. */
+/* Separate points: each covers w * w pixels at any position, with the colour and depth of its vertex. */
 static void test_points(void **state)
 {
     enum { ACROSS = 5, COUNT = ACROSS * ACROSS };
@@ -148,7 +147,7 @@ static void test_points(void **state)
     uint32_t seed = 3, i, w;
     float vertices[COUNT][3][8];
     memset(vertices, 0, sizeof vertices);
-    for (i = 0; i < COUNT; ++i) { /* triangles of one vertex */
+    for (i = 0; i < COUNT; ++i) { /* degenerate triangles with one vertex */
         vertices[i][0][0] = ((float)(i % ACROSS) * 12 + 7 + shd_scene_random(&seed)) / 32 - 1;
         vertices[i][0][1] = ((float)(i / ACROSS) * 12 + 7 + shd_scene_random(&seed)) / 32 - 1;
         vertices[i][0][2] = (float)(i + 1) / 32;
@@ -181,7 +180,7 @@ static void test_points(void **state)
     }
 }
 
-/* A shared edge: the depth test shows it once; blended with depth kept it adds up. */
+/* A shared edge: with a depth test it is drawn once; with SHD_DRAW_KEEP_DEPTH blending adds it twice. */
 static void test_shared_edge(void **state)
 {
     static const double k_box[4] = {8, 8, 56, 56};
@@ -209,7 +208,7 @@ static void test_shared_edge(void **state)
     shd_frame_close(&f);
 }
 
-/* Rows that a program saw. */
+/* Counts the rows of a program, and writes uv and nz as colour. */
 static void shade_by_uv(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
     size_t i;
@@ -233,7 +232,7 @@ static const struct shading_case k_shadings[] = {
     {"shading/program", SHD_FREQUENCY_PHONG, 1},
 };
 
-/* A pixel of a line that the solid triangle covers, too, has its colour and coordinates. */
+/* A pixel of a line that the solid triangle also covers has the colour and coordinates of the solid triangle. */
 static void test_shading(void **state)
 {
     static const double k_box[4] = {5.5, 9.25, 58.1, 60.3};
@@ -266,7 +265,7 @@ static void test_shading(void **state)
     draw->fill = SHD_FILL_WIREFRAME;
     draw->fill_width = 3;
     rows = 0;
-    if (c->program) { /* in one thread, to count */
+    if (c->program) { /* one thread, because the program counts without a lock */
         shd_context_desc one = shd_context_desc_default();
         one.worker_count = 1;
         shd_context_release(f.context);
@@ -333,7 +332,7 @@ static void test_same_bits(void **state)
     assert_true(targets >= 1);
 }
 
-/* Instances are draws of their own, outlined or not; 0 is the width 1. */
+/* Instances are like separate draws, as outlines or solid; width 0 means 1. */
 static void test_defaults(void **state)
 {
     shd_context *context = NULL;

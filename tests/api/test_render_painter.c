@@ -40,7 +40,7 @@ static double random_in(uint32_t *state, double low, double high)
     return low + (high - low) * (double)(*state >> 8) * 0x1p-24;
 }
 
-/* Each over the next and the last over the first, without touching. */
+/* Triangles that overlap cyclically without touching: each lies over the next, and the last over the first. */
 static void make_circle(struct triangles *t, int count)
 {
     int i;
@@ -79,7 +79,7 @@ static void make_tangle(struct triangles *t)
     }
 }
 
-/* Sheets one behind the other, in any order. */
+/* Parallel sheets one behind another, submitted in any order. */
 static void make_layers(struct triangles *t)
 {
     uint32_t random = 12;
@@ -96,7 +96,7 @@ static void make_layers(struct triangles *t)
     }
 }
 
-/* The triangles over four draws, each of them with a material of its own. */
+/* Distributes the triangles over four draws with different materials. */
 static void render(shd_frame *f, const struct triangles *t, shd_visibility visibility, uint32_t samples, int reversed)
 {
     uint32_t i;
@@ -148,7 +148,8 @@ static const struct hard_case k_hard[] = {
     {"tangle/reversed", make_tangle, 1},
 };
 
-/* No order of whole triangles is right: the painter says so, and Newell's method cuts. */
+/* No order of whole triangles is correct: the painter's algorithm counts conflicts, and Newell's method cuts
+ * triangles. */
 static void test_hard(void **state)
 {
     const struct hard_case *c = (const struct hard_case *)*state;
@@ -173,7 +174,7 @@ static void test_hard(void **state)
                           samples, (unsigned long long)painter.stats.order_conflicts, wrong,
                           (unsigned long long)newell.stats.splits, seam);
         }
-        if (wrong < 20) fail_msg("%s, %u samples: the painter is wrong at %zu pixels only", c->name, samples, wrong);
+        if (wrong < 20) fail_msg("%s, %u samples: painter wrong at only %zu pixels", c->name, samples, wrong);
         if (seam > PIXELS / 1000) fail_msg("%s, %u samples: %zu pixels at seams", c->name, samples, seam);
         shd_frame_close(&depth);
         shd_frame_close(&painter);
@@ -181,7 +182,7 @@ static void test_hard(void **state)
     }
 }
 
-/* Triangles that do not meet in depth: every method has the same bits. */
+/* Triangles without intersections in depth: every method gives the same bits. */
 static void test_layers(void **state)
 {
     static struct triangles triangles;
@@ -208,7 +209,7 @@ static void test_layers(void **state)
     }
 }
 
-/* Quads over the whole frame, one draw each; the blend of all is `blend`. */
+/* Quads over the whole frame, one draw each, all with the blend `blend`. */
 static void render_stack(shd_frame *f, const float *depths, size_t count, shd_blend blend, shd_visibility visibility,
                          uint32_t samples)
 {
@@ -229,7 +230,7 @@ static void render_stack(shd_frame *f, const float *depths, size_t count, shd_bl
     shd_frame_render(f);
 }
 
-/* Layers blended in the order of painting have the bits of the exact transparency. */
+/* Layers blended in the order of painting have the bits of SHD_BLEND_SORTED. */
 static void test_blended(void **state)
 {
     const float depths[4] = {0.4f, 0.8f, 0.2f, 0.6f};
@@ -242,10 +243,10 @@ static void test_blended(void **state)
             render_stack(&sorted, depths, 4, SHD_BLEND_SORTED, SHD_VISIBILITY_DEPTH, samples);
             render_stack(&painted, depths, 4, SHD_BLEND_PREMULTIPLIED, (shd_visibility)method, samples);
             for (c = 0; c < 4; ++c) assert_memory_equal(sorted.plane[c], painted.plane[c], PIXELS * 4);
-            assert_true(painted.plane[SHD_PLANE_DEPTH][7] == 0.2f); /* of what was painted last */
+            assert_true(painted.plane[SHD_PLANE_DEPTH][7] == 0.2f); /* the depth of the quad painted last */
             assert_true(sorted.plane[SHD_PLANE_DEPTH][7] == 1.0f);
             shd_frame_close(&painted);
-            /* those without an order come last in any case */
+            /* order-independent blends come last with every method */
             render_stack(&painted, depths, 4, SHD_BLEND_SORTED, (shd_visibility)method, samples);
             expect_same_planes("sorted", &painted, &sorted);
             shd_frame_close(&painted);
@@ -254,7 +255,8 @@ static void test_blended(void **state)
     }
 }
 
-/* Of equal depths the one submitted last shows, unlike with a depth buffer that passes what is nearer. */
+/* With equal depths the quad submitted last is visible, unlike with a depth buffer that passes only nearer
+ * fragments. */
 static void test_equal(void **state)
 {
     const float depths[3] = {0.5f, 0.5f, 0.5f};
@@ -274,8 +276,8 @@ static void test_equal(void **state)
     }
 }
 
-/* What the framebuffer holds is painted over, near or not; depth that is kept stays; a bias moves a draw in the order;
-   depth alone hides nothing but what comes last. */
+/* Draws paint over the previous contents of the framebuffer at any depth; SHD_DRAW_KEEP_DEPTH keeps the depth; a
+ * bias changes the place of a draw in the order; draws without a material hide only order-independent blends. */
 static void test_states(void **state)
 {
     int method;
@@ -330,7 +332,7 @@ static void test_empty(void **state)
     }
 }
 
-/* A scene with its method; hash of all that it gives. */
+/* Renders a scene with a method; returns the hash of all results. */
 static uint64_t render_scene(const shd_context_desc *desc, shd_scene_kind kind, shd_visibility visibility)
 {
     shd_context *context = NULL;
@@ -378,7 +380,7 @@ static void test_same_bits(void **state)
     }
 }
 
-/* Each allocation of a frame fails in turn; the next render is as if nothing had been. */
+/* Each allocation of a frame fails in turn; the next render gives the reference picture. */
 static void test_faults(void **state)
 {
     int method, persistent;

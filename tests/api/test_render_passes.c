@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames drawn in passes of a bounded number of triangles: the same bits however many, in memory for one of them. */
+/* Frames drawn in passes of a bounded number of triangles: the same bits for any bound, with the memory of one pass. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/fault_allocator.h"
 #include "support/pool.h"
@@ -8,13 +8,13 @@
 
 enum { ALL_AOVS = 2 * SHD_AOV_TARGET3 - 1, INSTANCES = 40 };
 
-/* In which order the triangles of a sheet lie. */
+/* Order of the triangles of a sheet. */
 typedef enum sheet_order {
     ROWS = 0,    /* neighbours follow each other */
-    SHUFFLED = 1 /* from anywhere */
+    SHUFFLED = 1 /* random order */
 } sheet_order;
 
-/* Hills of n x n cells over [-1, 1]^2, in front of `unused` vertices that no triangle has. */
+/* Hills of n x n cells over [-1, 1]^2, with `unused` vertices that no triangle uses before and after their own. */
 static shd_mesh *make_sheet(shd_context *context, uint32_t n, sheet_order order, uint32_t unused)
 {
     const uint32_t vertices = (n + 1) * (n + 1) + 2 * unused;
@@ -53,14 +53,15 @@ static shd_mesh *make_sheet(shd_context *context, uint32_t n, sheet_order order,
     return mesh;
 }
 
-/* The scene of every blend and depth state, with larger meshes in the place of some, and one of them many times. */
+/* The scene of every blend and depth state, with larger meshes in some draws, one of which has many instances. */
 struct stage {
     shd_scene scene;
     shd_mesh *rows, *shuffled, *sparse;
     float instances[INSTANCES][16];
 };
 
-/* Both go by the number of a vertex, which a program must be told wherever the vertex lies in memory. */
+/* The displacement and a varying depend on the vertex number, so the program must get the correct number in every
+ * pass. */
 static void move_vertices(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     size_t i;
@@ -147,7 +148,7 @@ static void close_stage(struct stage *t)
     shd_scene_close(&t->scene);
 }
 
-/* Hash of planes and statistics, but for those that may depend on passes. */
+/* Hash of planes and statistics, without the statistics that may depend on passes. */
 static uint64_t render(struct stage *t, uint32_t pass_triangles)
 {
     shd_render_stats *stats = &t->scene.stats;
@@ -202,7 +203,7 @@ static void test_bits(void **state)
     shd_context_release(context);
 }
 
-/* Two blends without an order among draws that have one, so that both are cut out of their places. */
+/* Two draws with order-independent blends between ordered draws; both are moved to the last pass. */
 static void test_unordered(void **state)
 {
     shd_context *context = NULL;
@@ -230,7 +231,8 @@ static void test_unordered(void **state)
     shd_context_release(context);
 }
 
-/* Hidden samples are counted by depths, which in draws of the visibility buffer are those of the triangle before. */
+/* Hidden samples are counted by comparing depths; draws of the visibility buffer compare with the depth of the
+ * previous triangle. */
 static void test_hidden(void **state)
 {
     shd_context *context = NULL;
@@ -252,7 +254,7 @@ static void test_hidden(void **state)
     shd_context_release(context);
 }
 
-/* Frames that are painted have one pass; those that are supersampled have some for each block. */
+/* The painter's algorithm has one pass; supersampled frames have several passes for each block. */
 static void test_modes(void **state)
 {
     shd_context *context = NULL;
@@ -366,7 +368,7 @@ static void test_faults(void **state)
     shd_assert_all_freed("faults", &memory);
 }
 
-/* What render.h promises of one worker. */
+/* Memory bound of render.h, for one worker. */
 static uint64_t promised_bytes(uint64_t pass_triangles, uint64_t samples, uint64_t pixels, uint64_t draws)
 {
     return 512 * pass_triangles + 24 * samples * pixels + 256 * draws + (8u << 20);

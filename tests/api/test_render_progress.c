@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Progress: rising from above 0 to 1, never twice at once; a cancel at any point, and the render after it. */
+/* Progress increases to 1, and calls are never concurrent; a cancel at any point, and the render after it. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/pool.h"
 #include "support/scene.h"
@@ -71,7 +71,7 @@ static void test_progress(void **state)
         s.stats.struct_size = sizeof s.stats;
         shd_assert_result("cancel", shd_render(context, &s.desc), SHD_ERROR_CANCELLED, "render.progress: cancelled");
         assert_int_equal(watcher.mistakes, 0);
-        assert_int_equal(watcher.reports, at); /* none after the cancel */
+        assert_int_equal(watcher.reports, at); /* no call after the cancel */
         assert_true(s.stats.triangles == 0 && s.stats.fragments == 0);
         start(&watcher, 0);
         assert_true(shd_scene_render(&s) == want);

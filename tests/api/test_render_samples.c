@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Several samples a pixel: each belongs to one triangle of a fan, colours resolve to their plain average, a pixel is
- * shaded once for every triangle that it shows and where that triangle is. */
+/* Several samples per pixel: each belongs to one triangle of a fan; colours resolve to their plain average; a pixel
+ * is shaded once for every visible triangle, at a position inside this triangle. */
 #include <math.h>
 
 #include "support/frame.h"
@@ -9,7 +9,7 @@ enum { EDGE = 70, SPOKES = 24 };
 
 static const uint32_t k_samples[] = {1, 2, 4, 8, 16};
 
-/* Places of samples in sixteenths of a pixel (Vulkan 1.3 specification, "Multisampling"). */
+/* Positions of samples [1/16 pixel] (Vulkan 1.3 specification, "Multisampling"). */
 static const int k_places[5][16][2] = {{{8, 8}},
                                        {{12, 12}, {4, 4}},
                                        {{6, 2}, {14, 6}, {2, 10}, {10, 14}},
@@ -54,7 +54,7 @@ static void make_fan(uint32_t *random, float out[24 * SPOKES])
     }
 }
 
-/* Added up, fans of colour 1 count how often each sample is hit. */
+/* With additive blending, fans of colour 1 count the hits of each sample. */
 static void test_each_sample_once(void **state)
 {
     const uint32_t samples = *(const uint32_t *)*state;
@@ -76,7 +76,7 @@ static void test_each_sample_once(void **state)
     }
 }
 
-/* How many samples of a pixel lie left of x = edge (in pixels). */
+/* Number of samples of a pixel to the left of x = edge [pixels]. */
 static int samples_left_of(uint32_t count, uint32_t pixel, double edge)
 {
     int row = 0, n = 0;
@@ -86,7 +86,7 @@ static int samples_left_of(uint32_t count, uint32_t pixel, double edge)
     return n;
 }
 
-/* A vertical edge at every sixteenth of a pixel, drawn at once or over what is there: the share of samples. */
+/* A vertical edge at every sixteenth of a pixel, with every blend: the colour is the share of covered samples. */
 static void test_edge(void **state)
 {
     const uint32_t samples = *(const uint32_t *)*state;
@@ -117,7 +117,7 @@ static void test_edge(void **state)
     }
 }
 
-/* What a program was called with. */
+/* Rows that a program was called with. */
 struct rows {
     size_t count;
     float x[4096], y[4096];
@@ -158,7 +158,7 @@ static void render_rows(uint32_t samples, uint32_t flags, float edge, struct row
     shd_context_release(context);
 }
 
-/* Rows are shaded at centres that the triangle covers, else in the mean of the samples that it does. */
+/* A row is shaded at the centre of the pixel if the triangle covers it, else at the mean of the covered samples. */
 static void test_places(void **state)
 {
     const uint32_t samples = *(const uint32_t *)*state;
@@ -173,13 +173,13 @@ static void test_places(void **state)
             assert_true(x < edge && x >= 0 && y >= 0 && y < 16);
             inside += x == floor(x) + 0.5 && y == floor(y) + 0.5;
         }
-        /* the diagonal has two triangles in a pixel, of which one covers the centre */
+        /* a pixel on the diagonal has two triangles, of which one covers the centre */
         assert_true(inside >= 16 * (size_t)(edge - 0.5));
         assert_true(rows.count >= inside && rows.count <= 16 * 10 + 16 + 16);
     }
 }
 
-/* With sample shading there is a row for each sample, at its place. */
+/* With sample shading there is a row for each sample, at the position of the sample. */
 static void test_sample_shading(void **state)
 {
     const uint32_t samples = *(const uint32_t *)*state;
@@ -197,7 +197,8 @@ static void test_sample_shading(void **state)
     }
 }
 
-/* A scene of many triangles at random, resolved, against one of 8 x 8 the pixels: within the error of the samples. */
+/* A scene of many random triangles, resolved, against a picture of 8 x 8 times the pixels: the difference is within
+ * the error of the samples. */
 static void test_against_supersampling(void **state)
 {
     const uint32_t samples = *(const uint32_t *)*state;
@@ -233,7 +234,7 @@ static void test_against_supersampling(void **state)
         }
         shd_frame_close(&f);
     }
-    /* the error of a mean of n samples of an edge falls at least like that of n random ones: 1/2 / sqrt(n) */
+    /* the error of the mean of n samples at an edge is at most that of n random samples, 1/2 / sqrt(n) */
     assert_true(sqrt(error) < 0.25 / sqrt((double)samples));
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Ambient light once or for each light, and what a program gets at each frequency. */
+/* The ambient term added once or for each light, and the input of a program at each frequency. */
 #include "support/frame.h"
 
 static const float k_eye[3] = {0.2f, 0.1f, 2.0f};
@@ -35,7 +35,7 @@ static void test_ambient_per_light(void **state)
     }
 }
 
-/* What a program saw, by pixel. */
+/* Input that a program got, by pixel. */
 struct record {
     uint32_t calls, rows, mistakes, draw;
     float x[k_width * k_height], u[k_width * k_height], px[k_width * k_height], dudx[k_width * k_height],
@@ -93,7 +93,7 @@ static void open_program(shd_frame *f, struct record *record, shd_frequency freq
     shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.75f, quad);
     shd_frame_draw(f, quad, 6, &m)->frequency = frequency;
     memcpy(f->desc.view.eye, k_eye, sizeof k_eye);
-    /* One worker, so that the record needs no lock: the objects may come from another context. */
+    /* One worker, so that the record needs no lock. The objects may come from another context. */
     shd_context_release(f->context);
     one.worker_count = 1;
     shd_assert_ok(shd_context_create(&one, &f->context));
@@ -110,7 +110,7 @@ static void test_program_columns(void **state)
     assert_int_equal(record.mistakes, 0);
     assert_int_equal(record.rows, k_width * k_height);
     assert_int_equal(record.draw, 0);
-    assert_true(record.calls < 10); /* hundreds at a time */
+    assert_true(record.calls < 10); /* hundreds of rows in a call */
     for (y = 0; y < k_height; ++y) {
         for (x = 0; x < k_width; ++x) {
             const size_t at = (size_t)y * k_width + x;
@@ -152,7 +152,7 @@ static void test_program_nonfinite(void **state)
     shd_frame_close(&f);
 }
 
-/* At Gouraud and flat frequency a program sees corners and centroids, with no place on the screen. */
+/* At Gouraud and flat frequency a program gets corners and centroids, without a position on the screen. */
 static void test_program_rows(void **state)
 {
     static struct record record;

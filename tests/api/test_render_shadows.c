@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames with shadows: each light's part of a fragment times what shd_shadow_sample has there; what is refused. */
+/* Frames with shadows: the light of each source at a fragment is multiplied by the result of shd_shadow_sample()
+ * there; refusals. */
 #include "support/shadow_scene.h"
 
 #define BAD SHD_ERROR_INVALID_ARGUMENT
@@ -116,7 +117,7 @@ static void read_planes(shd_plane first, float out[3][k_pixels])
     }
 }
 
-/* The frame of all lights is the sum over lights of frames without shadow times visibility. */
+/* The frame with all lights equals the sum, over the lights, of frames without shadows times visibility. */
 static void expect_product(const char *name, const shd_light *const *lights, const shd_shadow *const *shadows,
                            size_t count)
 {
@@ -166,7 +167,8 @@ static void test_product(void **state)
     expect_product("seven", many, of_many, 7);
 }
 
-/* Where the model runs at corners or once a triangle, so do shadows: a small box in shadow is dark as a whole. */
+/* At Gouraud and flat frequency shadows are evaluated at corners or centroids: a small box in shadow is completely
+ * dark. */
 static void test_frequencies(void **state)
 {
     static const shd_frequency k_all[] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames of n x n pixels a pixel: the bits of a larger frame averaged by hand, for any block, worker and SIMD target.
+/* Supersampling: frames have the bits of a larger frame that the test averages, for any block, worker count and SIMD
+ * target.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "support/fault_allocator.h"
@@ -9,7 +10,7 @@
 
 enum { PLANES = SHD_PLANE_TARGET3_A + 1, ALL_AOVS = 2 * SHD_AOV_TARGET3 - 1 };
 
-/* A frame: a framebuffer's place in a picture, and how it is drawn. */
+/* A frame: the position of a framebuffer in a picture, and the settings of the draws. */
 struct frame_case {
     const char *name;
     shd_scene_kind kind;
@@ -17,7 +18,7 @@ struct frame_case {
     uint32_t width, height;
     uint32_t picture_width, picture_height; /* 0 = as the framebuffer */
     uint32_t crop_x, crop_y;
-    shd_region viewport, scissor; /* empty = all */
+    shd_region viewport, scissor; /* empty = the whole picture */
     uint32_t load;
 };
 static const struct frame_case k_frames[] = {
@@ -62,7 +63,7 @@ static uint32_t *element(const shd_framebuffer *framebuffer, int plane, uint32_t
            x;
 }
 
-/* What a framebuffer holds before: something else in every pixel of the frame, n x n of them alike. */
+/* Previous contents of a framebuffer: a different value in every pixel of the frame, repeated n x n times. */
 static void fill(const shd_framebuffer *framebuffer, uint32_t n)
 {
     shd_framebuffer_info info = shd_framebuffer_info_default();
@@ -87,7 +88,7 @@ static shd_region times(const shd_region *r, uint32_t n)
     return large;
 }
 
-/* Lines and points: width in pixels of the case; 0 = solid. */
+/* Width of lines and points, in pixels of the case; 0 = solid. */
 static float g_fill_width;
 
 static void outline_scene(shd_scene *s, float scale)
@@ -99,7 +100,7 @@ static void outline_scene(shd_scene *s, float scale)
     }
 }
 
-/* The scene's own lines are as wide in pixels of the case. */
+/* Lines of the scene keep their width in pixels of the case. */
 static void scale_lines(shd_scene *s, float factor)
 {
     size_t i;
@@ -108,7 +109,7 @@ static void scale_lines(shd_scene *s, float factor)
     }
 }
 
-/* Draws a case into a framebuffer whose pixels are `size` to a pixel of the case, with or without the library's n. */
+/* Draws a case into a framebuffer with `size` pixels for each pixel of the case, with or without supersampling. */
 static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *framebuffer, uint32_t size, uint32_t n)
 {
     const shd_region viewport = times(&c->viewport, size), scissor = times(&c->scissor, size);
@@ -139,7 +140,7 @@ static int is_in_scissor(const struct frame_case *c, uint32_t x, uint32_t y)
     return at_x >= r->x && at_x - r->x < r->width && at_y >= r->y && at_y - r->y < r->height;
 }
 
-/* What a pixel must hold, from the large frame. */
+/* Expected value of a pixel, computed from the large frame. */
 static uint32_t expected(const shd_framebuffer *large, const struct frame_case *c, int plane, uint32_t x, uint32_t y)
 {
     double sum = 0.0;
@@ -193,7 +194,7 @@ static void test_truth(void **state)
     shd_context_release(context);
 }
 
-/* Lines and points are as wide in the picture as without. */
+/* Lines and points keep their width in the picture. */
 static void test_outlines(void **state)
 {
     static struct frame_case k_cases[2] = {
@@ -209,7 +210,7 @@ static void test_outlines(void **state)
     g_fill_width = 0;
 }
 
-/* Windows of one picture, whose blocks end elsewhere, have the bits of the whole. */
+/* Windows of a picture have other block borders, but the same bits as the whole picture. */
 static void test_windows(void **state)
 {
     static const uint32_t k_sizes[][2] = {{64, 64}, {65, 63}, {141, 9}, {33, 101}};
@@ -284,7 +285,7 @@ static void test_workers_and_targets(void **state)
     }
 }
 
-/* Footprints shrink with the pixels: levels are log2 n finer, derivatives n times smaller. */
+/* Footprints become smaller with the pixels: levels are log2 n finer, derivatives n times smaller. */
 static void test_footprints(void **state)
 {
     const struct frame_case plain = {"", SHD_SCENE_FLOOR, 1, 1, 64, 64, 0, 0, 0, 0, {0, 0, 0, 0}, {0, 0, 0, 0}, 0};
@@ -344,7 +345,7 @@ static void test_progress(void **state)
     shd_context_release(context);
 }
 
-/* Every allocation fails in turn; memory is that of a block, whatever the frame. */
+/* Every allocation fails in turn; memory depends on the size of a block, not of the frame. */
 static void test_memory(void **state)
 {
     shd_fault_allocator memory;

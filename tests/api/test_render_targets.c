@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Colour targets: what programs write besides colour, blended and averaged with it. */
+/* Colour targets: additional colours that programs write; they are blended and averaged like colour. */
 #include <math.h>
 
 #include "support/frame.h"
@@ -9,7 +9,7 @@ enum { SIZE = 67, PIXELS = SIZE * SIZE };
 static const uint32_t k_aov[4] = {0, SHD_AOV_TARGET1, SHD_AOV_TARGET2, SHD_AOV_TARGET3};
 static const int k_plane[4] = {SHD_PLANE_R, SHD_PLANE_TARGET1_R, SHD_PLANE_TARGET2_R, SHD_PLANE_TARGET3_R};
 
-/* What a program writes to a target, and whether it found the columns that it should. */
+/* Values that a program writes to its targets, and whether a column was missing, unexpected or not 0 at first. */
 typedef struct job {
     float value[4][4];
     uint32_t aovs;
@@ -68,7 +68,7 @@ static void check_planes(const shd_frame *f, int target, const double want[4], d
     }
 }
 
-/* Every combination of targets: those that are there get what the program wrote, to the bit. */
+/* Every combination of targets: existing targets have exactly the bits that the program wrote. */
 static void test_combinations(void **state)
 {
     uint32_t bits, samples;
@@ -99,7 +99,8 @@ static void test_combinations(void **state)
 static const shd_blend k_blends[] = {SHD_BLEND_PREMULTIPLIED, SHD_BLEND_STRAIGHT, SHD_BLEND_ADD,
                                      SHD_BLEND_MULTIPLY,      SHD_BLEND_WEIGHTED, SHD_BLEND_SORTED};
 
-/* A blended layer over an opaque one: each target by its own a; order-independent blends leave targets. */
+/* A blended layer over an opaque one: each target is blended by its own a; order-independent blends do not change
+ * targets. */
 static void test_blends(void **state)
 {
     const uint32_t aovs = SHD_AOV_TARGET1 | SHD_AOV_TARGET3;
@@ -142,7 +143,7 @@ static void test_blends(void **state)
     }
 }
 
-/* A built-in model over a program writes 0; cleared frames hold 0; kept ones what they had. */
+/* A built-in model over a program writes 0; cleared frames contain 0; kept frames keep their values. */
 static void test_models_and_keep(void **state)
 {
     static const double k_zero[4] = {0, 0, 0, 0};
@@ -171,7 +172,7 @@ static void test_models_and_keep(void **state)
         }
     }
     f.desc.draw_count = 1;
-    f.draw[0].depth_bias = -0.5f; /* in front of what is kept */
+    f.draw[0].depth_bias = -0.5f; /* in front of the kept picture */
     f.desc.flags |= SHD_RENDER_LOAD;
     shd_frame_render(&f);
     check_planes(&f, 2, want, 0);
@@ -185,7 +186,7 @@ static void test_models_and_keep(void **state)
     shd_frame_close(&f);
 }
 
-/* Columns of coarser frequencies reach targets as they reach colour. */
+/* Targets of coarser frequencies are interpolated like colour. */
 static void test_frequencies(void **state)
 {
     static const shd_frequency k_frequency[3] = {SHD_FREQUENCY_PHONG, SHD_FREQUENCY_GOURAUD, SHD_FREQUENCY_FLAT};
@@ -215,7 +216,7 @@ static void test_frequencies(void **state)
     }
 }
 
-/* What alpha drops of colour it drops of targets; dropped samples keep what is below. */
+/* Samples that alpha drops from colour are dropped from targets too; they keep their previous values. */
 static void test_alpha_drops(void **state)
 {
     job below = make_job(SHD_AOV_TARGET1, 1), above = make_job(SHD_AOV_TARGET1, 0.5f);
@@ -226,7 +227,7 @@ static void test_alpha_drops(void **state)
     int c;
     (void)state;
     above.value[0][3] = 0.5f; /* two of four samples */
-    above.value[1][3] = 0.0f; /* tells nothing */
+    above.value[1][3] = 0.0f; /* has no effect */
     shd_frame_open_aovs(&f, SIZE, SIZE, 4, SHD_AOV_TARGET1);
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad[0]);
     shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.25f, quad[1]);

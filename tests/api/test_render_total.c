@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every scene has an image: broken vertices, matrices and sizes. Statistics add up, output is finite, and what cannot
-   be seen changes nothing. */
+/* Every scene gives a picture, also with broken vertices, matrices and sizes. Statistics add up, the output is
+ * finite, and invisible draws change nothing. */
 #include "support/scene.h"
 
 /* A frame with one mesh of loose triangles, a textured Blinn-Phong material and two lights. */
@@ -82,7 +82,8 @@ static void close_frame(struct frame *f)
     shd_context_release(f->context);
 }
 
-/* Every plane is finite, normals are unit or 0, depth is in range, and covered pixels are as many as fragments. */
+/* Every plane is finite, normals are unit vectors or 0, depth is in range, and the number of covered pixels equals
+ * the number of fragments. */
 static void expect_sane(const char *what, const struct frame *f)
 {
     const shd_render_stats *s = &f->stats;
@@ -121,7 +122,7 @@ static void expect_sane(const char *what, const struct frame *f)
     }
 }
 
-/* The same draw as lines and as points, whatever becomes of it. */
+/* The draw as lines and as points: planes are finite and statistics add up. */
 static void expect_sane_outlines(const char *what, struct frame *f)
 {
     static const float k_widths[] = {0.0625f, 1, 64};
@@ -197,7 +198,7 @@ static void test_triangle(void **state)
     }
 }
 
-/* Positions up to the end of float, through a projection: whatever happens, it is sane. */
+/* Positions up to the largest float, through a projection: planes are finite and statistics add up. */
 static void test_random_huge(void **state)
 {
     static const float k_scales[] = {1e-40f, 1e-20f, 1e-3f, 1.0f, 1e3f, 1e6f, 1e12f, 1e19f, 1e30f, BIG};
@@ -281,7 +282,7 @@ static void test_matrix(void **state)
     }
 }
 
-/* Where a light stands decides nothing but brightness. */
+/* The position of a light changes only the brightness. */
 static void test_lights_in_odd_places(void **state)
 {
     static const float k_p[9] = {-1, -1, 0.5f, 3, -1, 0.5f, -1, 3, 0.5f};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames whose pixels are known: coverage, depth, order, clearing, culling, texture orientation, perspective. */
+/* Frames with known pixels: coverage, depth, order, clearing, culling, texture orientation, perspective. */
 #include "support/frame.h"
 
 struct cover_case {
@@ -12,7 +12,7 @@ static const struct cover_case k_covers[] = {{"cover/1x1", 1, 1},
                                              {"cover/65x63", 65, 63},
                                              {"cover/203x151", 203, 151}};
 
-/* Two triangles over the whole frame: each pixel belongs to one of them. */
+/* Two triangles over the whole frame: each pixel belongs to exactly one of them. */
 static void test_cover(void **state)
 {
     const struct cover_case *c = (const struct cover_case *)*state;
@@ -41,7 +41,7 @@ static void test_cover(void **state)
     shd_frame_close(&f);
 }
 
-/* Each triangle alone covers exactly what the other does not. */
+/* Each triangle alone covers exactly the pixels that the other does not cover. */
 static void test_shared_edge(void **state)
 {
     const shd_material_desc plain = shd_frame_plain(1, 1, 1);
@@ -132,7 +132,7 @@ static void test_order(void **state)
     shd_frame_close(&f);
 }
 
-/* Two draws in one frame, and one after the other with load = 1: the same pixels. */
+/* Two draws in one frame give the same pixels as two frames, the second with SHD_RENDER_LOAD. */
 static void test_load(void **state)
 {
     const shd_material_desc red = shd_frame_plain(1, 0, 0), green = shd_frame_plain(0, 1, 0);
@@ -204,7 +204,7 @@ static void test_cull(void **state)
     shd_frame_close(&f);
 }
 
-/* A texture on a quad of as many pixels: every texel in its place, row 0 on top. */
+/* A texture on a quad with one pixel per texel: every texel is at its pixel, row 0 on top. */
 static void test_texels(void **state)
 {
     enum { k_width = 37, k_height = 23 };
@@ -238,7 +238,7 @@ static void test_texels(void **state)
     for (c = 0; c < 3; ++c) material.diffuse[c] = 1.0f;
     shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
     shd_frame_draw(&f, quad, 6, &material);
-    shd_texture_release(slot.texture); /* the material has them */
+    shd_texture_release(slot.texture); /* the material retains them */
     shd_sampler_release(slot.sampler);
     light.kind = SHD_LIGHT_KIND_DIRECTIONAL;
     light.direction[1] = 0.0f;

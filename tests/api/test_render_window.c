@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Windows of a picture put together have the bits of the whole; viewports and scissors. */
+/* Windows of a picture have the bits of the whole picture; viewports and scissors. */
 #include "support/scene.h"
 
 enum { PLANES = SHD_PLANE_TRIANGLE + 1, WIDTH = 203, HEIGHT = 151 };
@@ -42,12 +42,12 @@ struct window_case {
     char name[64];
     shd_scene_kind kind;
     uint32_t samples;
-    uint32_t width, height; /* of a window */
+    uint32_t width, height; /* size of a window */
     shd_visibility visibility;
     int outlined;
 };
 
-/* Lines and points as wide as pixels and far wider. */
+/* Lines and points of one pixel and much wider. */
 static void outline_scene(shd_scene *s)
 {
     size_t i;
@@ -72,7 +72,7 @@ static void expect_same(const char *what)
     }
 }
 
-/* First into planes that are cleared, then over what is there. */
+/* First into cleared planes, then over the previous contents. */
 static void render_twice(shd_scene *s)
 {
     s->desc.flags &= ~(uint32_t)SHD_RENDER_LOAD;
@@ -81,7 +81,7 @@ static void render_twice(shd_scene *s)
     shd_assert_ok(shd_render(s->context, &s->desc));
 }
 
-/* Windows side by side, drawn twice: afresh, and over what they hold. */
+/* Adjacent windows, drawn twice: into cleared planes, and over their previous contents. */
 static void render_windows(shd_scene *s, const struct window_case *c)
 {
     uint32_t x, y;
@@ -132,8 +132,8 @@ static void test_windows(void **state)
     shd_context_release(context);
 }
 
-/* A viewport is a smaller picture in a larger one: what a framebuffer of its size holds when the picture has no more.
- * Its pixels lie elsewhere, so shading rounds differently; coverage and depth of a scene on powers of two do not. */
+/* A viewport is a smaller picture in a larger one, equal to a framebuffer of the viewport's size. Its pixels have
+ * other coordinates, so shading rounds differently. Coverage and depth of a scene with powers of two are equal. */
 static void test_viewport(void **state)
 {
     static const float k_x[3] = {-0.75f, 3.0f, -0.75f}, k_y[3] = {-3.0f, 0.75f, 0.75f};
@@ -181,7 +181,7 @@ static void test_viewport(void **state)
     shd_context_release(context);
 }
 
-/* Pixels of the scissor have the bits of the frame without, the others those from before. */
+/* Pixels inside the scissor have the bits of the frame without a scissor; the others keep their previous bits. */
 static void test_scissor(void **state)
 {
     static const shd_region k_scissors[] = {{0, 0, WIDTH, HEIGHT},
@@ -210,7 +210,7 @@ static void test_scissor(void **state)
         const shd_region *r = &k_scissors[i];
         uint32_t x, y;
         int plane;
-        s.desc.draw_count = 4; /* something else first */
+        s.desc.draw_count = 4; /* different previous contents */
         s.desc.scissor = NULL;
         s.desc.clear_color[1] = 0.7f;
         s.desc.clear_depth = 0.97f;
@@ -238,7 +238,7 @@ static void test_scissor(void **state)
     shd_context_release(context);
 }
 
-/* A window far out in the largest picture: the last pixels of a quad over all of it. */
+/* A window at the corner of the largest picture: the last pixels of a quad over the whole picture. */
 static void test_far_corner(void **state)
 {
     static const float k_x[4] = {-1, 1, 1, -1}, k_y[4] = {-1, -1, 1, 1}, k_z[4] = {0, 0, 0, 0};

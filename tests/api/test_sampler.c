@@ -155,7 +155,7 @@ static void test_null_desc_and_lifetime(void **state)
     shd_assert_ok(shd_sampler_create(context, NULL, &sampler));
     shd_sampler_retain(sampler);
     shd_sampler_release(sampler);
-    shd_context_release(context); /* the sampler keeps it */
+    shd_context_release(context); /* the sampler retains the context */
     shd_sampler_release(sampler);
 }
 

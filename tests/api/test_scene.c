@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* shd_scene_load: what comes out of small OBJ and glTF files, every refusal of the desc, handles that outlive their
-   scene, a frame of the draws and lights, allocations that fail, and models of assimp where they are installed. */
+/* shd_scene_load: results of small OBJ and glTF files, every refusal of the desc, handles that outlive their scene,
+ * a frame of the draws and lights, allocations that fail, and the models of assimp if they are installed. */
 #define _GNU_SOURCE
 #include "support/fault_allocator.h"
 #include "support/rows.h"
@@ -49,7 +49,7 @@ static void assert_three(const char *what, const float *got, double x, double y,
     shd_assert_close(what, 2, got[2], z, 1e-6, 1e-6);
 }
 
-/* The slot of a material with a target; NULL if there is none. */
+/* The slot of a material for a target; NULL if there is none. */
 static const shd_slot *slot_of(const shd_material_desc *material, shd_slot_target target)
 {
     uint32_t i;
@@ -219,7 +219,7 @@ static void test_gltf_camera(void **state)
     shd_scene_release(scene);
 }
 
-/* A texture that is missing costs its slot, or with the flag the load. */
+/* If a texture is missing, its slot is left out, or the load fails if the flag is set. */
 static void test_missing_texture(void **state)
 {
     shd_scene_desc desc = shd_scene_desc_default();
@@ -231,7 +231,7 @@ static void test_missing_texture(void **state)
     scene_write_text("bare.mtl", "newmtl m\nKd 1 1 1\nmap_Kd C:\\art\\Missing.png\nmap_Ks SKIN.PNG\n");
     scene = load("bare.obj");
     assert_int_equal(info_of(scene).warning_count, 1);
-    assert_int_equal(info_of(scene).texture_count, 1); /* found whatever the case of its letters */
+    assert_int_equal(info_of(scene).texture_count, 1); /* found in spite of the case of its letters */
     assert_non_null(strstr(shd_scene_warning(scene, 0), "Missing.png"));
     assert_null(shd_scene_warning(scene, 1));
     shd_scene_release(scene);
@@ -397,7 +397,7 @@ static void test_null(void **state)
     shd_scene_release(scene);
 }
 
-/* Every allocation of the context fails in turn: the answer is OUT_OF_MEMORY and nothing is left. */
+/* Every allocation of the context fails in turn: the result is OUT_OF_MEMORY and nothing leaks. */
 static void test_faults(void **state)
 {
     static const char *const k_files[] = {"tri.obj", "room.gltf"};

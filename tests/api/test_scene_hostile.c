@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Files that are damaged, or are no models: each load answers, with a message that names the file, or leaves out what
-   cannot be used and says so. */
+/* Damaged files, and files that are not models: each load either fails with a message that names the file, or leaves
+ * out unusable parts and reports them. */
 #define _GNU_SOURCE
 #include "support/rows.h"
 #include "support/scene_files.h"
@@ -26,7 +26,7 @@ static int tear_down(void **state)
     return io_remove_folder(state);
 }
 
-/* Loads what may be anything: a scene is whole, a refusal names the file. Returns the result. */
+/* Loads any file: a loaded scene is complete, and an error names the file. Returns the result. */
 static shd_result survive(const char *name)
 {
     shd_scene *scene = NULL;
@@ -82,7 +82,7 @@ static void test_file(void **state)
     shd_assert_result(c->name, survive(c->name), c->result, c->message);
 }
 
-/* Paths that are no regular files. */
+/* Paths that are not regular files. */
 static void test_paths(void **state)
 {
     char folder[300];
@@ -92,11 +92,11 @@ static void test_paths(void **state)
     assert_int_equal(mkdir(folder, 0700), 0);
     assert_int_equal(survive("folder.obj"), SHD_ERROR_IO);
     assert_int_equal(rmdir(folder), 0);
-    assert_int_equal(mkfifo(io_path("fifo.obj"), 0600), 0); /* opening one for reading would wait for a writer */
+    assert_int_equal(mkfifo(io_path("fifo.obj"), 0600), 0); /* a plain open() of a FIFO would wait for a writer */
     assert_int_equal(survive("fifo.obj"), SHD_ERROR_IO);
 }
 
-/* Triangles that cannot be used are left out and reported; the others stay. */
+/* Unusable triangles are left out and reported; the others stay. */
 static void test_bad_triangles(void **state)
 {
     shd_scene *scene = NULL;
@@ -140,7 +140,7 @@ static void test_deep_nodes(void **state)
     }
 }
 
-/* A matrix that is not finite costs its instances; here they are all there are. */
+/* Instances with a matrix that is not finite are left out; here no others exist. */
 static void test_wild_matrix(void **state)
 {
     char text[4096];
@@ -153,7 +153,7 @@ static void test_wild_matrix(void **state)
     shd_assert_result("wild", survive("wild.gltf"), SHD_ERROR_UNSUPPORTED, "no triangles in it");
 }
 
-/* Good files cut off at every byte, and with bytes changed. */
+/* Valid files, truncated at every byte, and with changed bytes. */
 static void test_cut(void **state)
 {
     static const char *const k_names[2] = {"cut.obj", "cut.ply"};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Shadows: every field of the descs, what is refused, and what a failed call leaves. */
+/* Shadows: every field of the descs, refusals, and the state after a failed call. */
 #include "support/shadow_scene.h"
 
 #define BAD SHD_ERROR_INVALID_ARGUMENT
@@ -184,7 +184,7 @@ static const struct render_case k_render[] = {
     {"render/far_draw", far_draw, "shadow_render.draws: bounds of 1e+30 exceed 1e+18"},
 };
 
-/* A map that was there stays, to the bit. */
+/* The previous map stays, with the same bits. */
 static void test_render(void **state)
 {
     const struct render_case *c = (const struct render_case *)*state;
@@ -229,7 +229,7 @@ static void test_lookups(void **state)
     shd_assert_result("not_rendered", shd_shadow_sample(shadow, &lookups, &out), BAD, "shadow: it was not rendered");
     shd_shadow_release(shadow);
     shadow = shd_boxes_shadow(&g.boxes, g.context, NULL, g.light);
-    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out)); /* none */
+    shd_assert_ok(shd_shadow_sample(shadow, &lookups, &out)); /* no points */
     lookups.count = 1;
     shd_assert_result("null_shadow", shd_shadow_sample(NULL, &lookups, &out), BAD, "shadow: NULL");
     shd_assert_result("null_lookups", shd_shadow_sample(shadow, NULL, &out), BAD, "shadow_lookups: NULL");
@@ -251,12 +251,12 @@ static void test_lookups(void **state)
     shd_shadow_release(shadow);
 }
 
-/** Rows of eight floats: position, normal and two others. */
+/** Rows of eight floats: position, normal and two unused ones. */
 static float g_rows[5][8];
 
 struct overlap_case {
     const char *name;
-    size_t first, stride; /**< of `out`, in floats of g_rows */
+    size_t first, stride; /**< position of `out`, in floats from the start of g_rows */
     const char *message;  /**< "" = accepted */
 };
 static const struct overlap_case k_overlaps[] = {

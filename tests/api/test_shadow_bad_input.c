@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shadows of scenes that are none: nothing, points, numbers beyond reason, lights on surfaces. Every call ends with a
-   documented result, and visibility is a number in 0..1. */
+/* Shadows of unusual scenes: empty ones, single points, extreme numbers, lights on surfaces. Every call ends with a
+ * documented result, and visibility is a number in 0..1. */
 #include <float.h>
 
 #include "support/shadow_scene.h"
@@ -20,11 +20,12 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* The points of a square of this size at a place, one of them replaced; and where the light is. */
+/* A square of the given size and position, with some coordinates replaced by `bad`; position and direction of the
+ * light. */
 struct scene_case {
     const char *name;
     float size, place[3], bad;
-    int bad_count; /* of the 12 coordinates */
+    int bad_count; /* number of replaced coordinates, of 12 */
     float light[3], direction[3], near_plane, far_plane;
     float want; /* behind the square, -1 = any */
 };
@@ -152,7 +153,7 @@ static void test_scene(void **state)
     shd_mesh_release(mesh);
 }
 
-/* No mesh, no vertices, no instances: all is lit. */
+/* No mesh, no vertices, no instances: every point is lit. */
 static void test_nothing(void **state)
 {
     static const float k_p[3] = {1, 2, 3};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What casts shadows, and maps that stand still while their bounds move. */
+/* Draws that cast shadows, and maps that do not change while their bounds move. */
 #include "support/shadow_scene.h"
 
 static shd_context *g_context;
@@ -23,7 +23,7 @@ static double unit_random(uint32_t *seed)
     return (*seed >> 8) / 16777216.0;
 }
 
-/* Shadows do not crawl when bounds move by parts of a texel: the same points have the same visibility. */
+/* Shadows do not change when bounds move by parts of a texel: the same points have the same visibility. */
 static void test_steady(void **state)
 {
     static const float k_low[2][3] = {{-4, -1, -4}, {-0.5f, 0.2f, -0.7f}};
@@ -69,7 +69,7 @@ static void test_steady(void **state)
     shd_boxes_close(&boxes);
 }
 
-/* Which draws cast: their flags, instances, alpha and the faces left out. Points under, in and beside a box. */
+/* Effect of flags, instances, alpha and culled faces on shadows, at points below, in and beside a box. */
 static void test_casters(void **state)
 {
     static const float k_low[3] = {-1, 1, -1}, k_high[3] = {1, 2, 1};
@@ -109,8 +109,8 @@ static void test_casters(void **state)
         shd_boxes_add(&boxes, k_low, k_high);
         desc.caster_cull = k_cases[i].cull;
         boxes.draws[0].flags = k_cases[i].flags;
-        boxes.draws[0].cull = SHD_CULL_BACK;        /* does not count */
-        boxes.draws[0].compare = SHD_COMPARE_NEVER; /* nor this */
+        boxes.draws[0].cull = SHD_CULL_BACK;        /* has no effect */
+        boxes.draws[0].compare = SHD_COMPARE_NEVER; /* has no effect, too */
         if (k_cases[i].has_instances) {
             boxes.draws[0].instances = k_places;
             boxes.draws[0].instance_count = 2;

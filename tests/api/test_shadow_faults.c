@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every allocation of rendering and looking up a shadow fails in turn, alone and with all that follow: the map that was
-   there stays to the bit, the next call works, and nothing is left. */
+/* Every allocation of rendering and looking up a shadow fails in turn, alone and with all later ones: the previous
+ * map keeps its bits, the next call works, and nothing leaks. */
 #include "support/fault_allocator.h"
 #include "support/shadow_scene.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Shadows of boxes against rays: every filter with every kind of light, lit where nothing is between a point and the
-   light and dark where something is; widths of penumbras; Chebyshev's bound. */
+/* Shadows of boxes against rays: every filter with every kind of light. Points are lit if no box lies between them
+ * and the light, else dark. Widths of penumbras; Chebyshev's bound. */
 #include "support/shadow_scene.h"
 
 static shd_context *g_context;
@@ -22,7 +22,7 @@ struct box {
     float low[3], high[3];
 };
 
-/* A room around the origin without walls of its own thickness: slabs outside -4..4, and one thing to every side. */
+/* A room around the origin: its walls are slabs outside -4..4, with one object on every side. */
 static const struct box k_room[] = {{{-4.2f, -4.2f, -4.2f}, {-4, 4.2f, 4.2f}}, {{4, -4.2f, -4.2f}, {4.2f, 4.2f, 4.2f}},
                                     {{-4.2f, -4.2f, -4.2f}, {4.2f, -4, 4.2f}}, {{-4.2f, 4, -4.2f}, {4.2f, 4.2f, 4.2f}},
                                     {{-4.2f, -4.2f, -4.2f}, {4.2f, 4.2f, -4}}, {{-4.2f, -4.2f, 4}, {4.2f, 4.2f, 4.2f}},
@@ -54,7 +54,7 @@ static const struct truth_case k_truth[] = {
     {"point/off_centre", SHD_LIGHT_KIND_POINT, {0.3f, -0.2f, 0.4f}, {0, -1, 0}, 0, ROOM},
 };
 
-/* Whether a box lies on the way from p to the light, from a little off p on. */
+/* Returns whether a box lies between p and the light; the ray starts slightly off p. */
 static int blocks(const struct box *box, const double p[3], const double way[3], double length)
 {
     double low = 1e-4, high = length;
@@ -93,7 +93,7 @@ static int is_shadowed(const struct truth_case *c, const double p[3])
     return 0;
 }
 
-/* 0 or 1 where all points of the surface around p are so, else -1. */
+/* Returns 0 or 1 if this is the visibility of all points of the surface around p, else -1. */
 static int truth_around(const struct truth_case *c, const double p[3], int axis, double margin)
 {
     const int shadowed = is_shadowed(c, p);
@@ -130,7 +130,7 @@ struct tally {
     int lit, shadowed;
 };
 
-/* Random points on the faces of the boxes that look at the light, where no other box is. */
+/* Checks random points on the faces towards the light that no other box covers. */
 static struct tally check_points(const struct truth_case *c, const shd_shadow_desc *desc, const shd_shadow *shadow,
                                  double margin, double tolerance)
 {
@@ -155,7 +155,7 @@ static struct tally check_points(const struct truth_case *c, const shd_shadow_de
         }
         if (way[axis] * n[axis] < 0.15 * sqrt(distance)) continue; /* steep: biases are large */
         if (c->kind == SHD_LIGHT_KIND_SPOT && axial < cos(0.95 * c->outer_angle) * sqrt(squared * length)) continue;
-        /* Away from corners: another face comes near there. */
+        /* Skips points near corners, because another face is close there. */
         for (k = 0; k < 3; ++k) {
             if (k != axis && (p[k] - box->low[k] < margin || box->high[k] - p[k] < margin)) break;
         }
@@ -235,7 +235,7 @@ static void close_edge(struct edge *edge)
     shd_boxes_close(&edge->boxes);
 }
 
-/* Where visibility reaches a value along the floor. */
+/* The x at which visibility along the floor reaches a value. */
 static double crossing(const shd_shadow *shadow, double value)
 {
     static const float k_up[3] = {0, 1, 0};
@@ -248,7 +248,8 @@ static double crossing(const shd_shadow *shadow, double value)
     return 0;
 }
 
-/* The penumbra of a square light of width L is L (z - b) / b wide: from 0.2 to 0.8 that times 0.6. */
+/* The penumbra of a square light of width L has the width L (z - b) / b; visibility goes from 0.2 to 0.8 in 0.6 of
+ * it. */
 static void test_penumbra(void **state)
 {
     static const struct {
@@ -278,8 +279,8 @@ static void test_penumbra(void **state)
     }
 }
 
-/* Of two depths, f of them the receiver's, Chebyshev's bound is f (Donnelly and Lauritzen 2006, 3.1): what PCF with as
-   many taps has. */
+/* For two depths, of which a fraction f is the receiver's, Chebyshev's bound is f (Donnelly and Lauritzen 2006,
+ * 3.1). PCF with the same number of taps gives the same value. */
 static void test_chebyshev(void **state)
 {
     static const float k_up[3] = {0, 1, 0};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Many threads: all look up one shadow, and each renders and looks up its own, in one context. The same bits as one
-   thread. */
+/* Many threads in one context: all look up one shadow, and each renders and looks up its own shadow. Results have
+ * the bits of one thread. */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 
@@ -40,7 +40,7 @@ static shd_shadow_desc shadow_desc(void)
     return desc;
 }
 
-/* Assertions end the process on other threads, so they count instead. */
+/* A failed assertion on another thread would end the process, so threads count mistakes instead. */
 static void *act(void *argument)
 {
     int *mistakes = (int *)argument, round;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* shd/shapes.h: every refusal; closed edges, winding, uv and normals of every shape at many tessellations; areas and
-   volumes that converge to those of calculus; strides and absent columns; the bits. */
+ * volumes that converge to the exact values; strides and absent columns; the bits. */
 #include <stdlib.h>
 
 #include "ref/shapes_ref.h"
@@ -12,7 +12,7 @@
 #define BAD SHD_ERROR_INVALID_ARGUMENT
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
 
-/* A shape in memory of its own, interleaved: position, normal, uv. Free with drop(). */
+/* A shape in allocated memory, interleaved: position, normal, uv. Free with drop(). */
 struct filled {
     uint32_t vertex_count;
     size_t index_count;
@@ -66,7 +66,7 @@ static shd_shape_desc shape_of(shd_shape shape, uint32_t a, uint32_t b, uint32_t
 
 /* Edges. */
 
-static const float *g_position; /* of compare_places */
+static const float *g_position; /* array that compare_places() reads */
 
 static int compare_places(const void *a, const void *b)
 {
@@ -99,7 +99,8 @@ static uint32_t *weld(const struct filled *f)
     return first;
 }
 
-/* Edges without a partner that runs the other way. Fails for two that run the same way. */
+/* Returns the number of edges without a partner in the opposite direction. Fails for two edges in the same
+ * direction. */
 static size_t count_open_edges(const char *name, const struct filled *f)
 {
     uint32_t *first = weld(f);
@@ -121,7 +122,7 @@ static size_t count_open_edges(const char *name, const struct filled *f)
     return open;
 }
 
-/* Every shape, at its least and at odd and even numbers of segments. */
+/* Every shape, with the smallest numbers of segments and with odd and even numbers. */
 
 struct shape_case {
     const char *name;
@@ -166,7 +167,8 @@ static void check_indices(const char *name, const struct filled *f)
     free(used);
 }
 
-/* Area, and uv that run the same way round: with v down, counter-clockwise triangles have a negative area in uv. */
+/* Triangles have area, and uv have the same orientation: with v down, counter-clockwise triangles have a negative
+ * area in uv. */
 static void check_triangles(const char *name, const struct filled *f)
 {
     size_t i;
@@ -208,7 +210,7 @@ static void test_shape(void **state)
         assert_true(f.uv[i] >= 0 && f.uv[i] <= 1);
     }
     for (i = 0; i < 3 * (size_t)f.vertex_count; ++i) {
-        assert_false(signbit(f.position[i]) && f.position[i] == 0); /* one zero only, so that places have one pattern */
+        assert_false(signbit(f.position[i]) && f.position[i] == 0); /* no -0: equal positions, equal bits */
     }
     drop(&f);
 }
@@ -235,7 +237,7 @@ static void test_equations(void **state)
     }
 }
 
-/* Normals on the front of every triangle around them. */
+/* Normals are on the front side of every triangle around their vertex. */
 static void test_outwards(void **state)
 {
     static const struct shape_case *c;
@@ -245,7 +247,7 @@ static void test_outwards(void **state)
         shd_shape_desc desc;
         struct filled f;
         c = &k_shapes[k];
-        if (c->shape == SHD_SHAPE_TEAPOT && c->triangles < 4000) continue; /* coarse faces turn away from the surface */
+        if (c->shape == SHD_SHAPE_TEAPOT && c->triangles < 4000) continue; /* too coarse */
         desc = shape_of(c->shape, c->segments[0], c->segments[1], c->segments[2]);
         f = fill(&desc);
         for (i = 0; i < f.index_count; ++i) {
@@ -279,7 +281,7 @@ static struct measure measure(shd_shape_desc desc, uint32_t a, uint32_t b)
     return m;
 }
 
-/* Twice as many segments leave a quarter of the error. */
+/* Doubling the segments reduces the error to a quarter. */
 static void check_convergence(const char *name, shd_shape_desc desc)
 {
     const long double area = shd_ref_shape_area(&desc), volume = shd_ref_shape_volume(&desc);
@@ -316,7 +318,7 @@ static void test_measures(void **state)
     drop(&f);
 }
 
-/* The teapot has no formula: its own measures converge, and it stands where the header says. */
+/* The teapot has no formula: its area and volume converge, and its position is as documented in the header. */
 static void test_teapot(void **state)
 {
     const shd_shape_desc desc = shape_of(SHD_SHAPE_TEAPOT, 0, 0, 0);
@@ -340,7 +342,7 @@ static void test_teapot(void **state)
     drop(&f);
 }
 
-/* Meshes take shapes as they are: tangents for every vertex, and no seam that needs vertices of its own. */
+/* Meshes accept shapes without changes: every vertex gets a tangent, and no seam needs additional vertices. */
 static void test_tangents(void **state)
 {
     shd_context *context = NULL;
@@ -371,7 +373,7 @@ static void test_tangents(void **state)
         }
         shd_assert_ok(shd_mesh_create(context, &made, &mesh));
         shd_assert_ok(shd_mesh_get_info(mesh, &info));
-        /* At two latitudes a vertex of the equator has triangles of two longitudes that share no edge. */
+        /* With two latitudes, a vertex on the equator has triangles of two longitudes that share no edge. */
         splits = s->shape == SHD_SHAPE_SPHERE && s->segments[1] == 2 ? s->segments[0] - 1 : 0;
         if (info.split_count > splits || info.tangentless_count || info.normalless_count) {
             fail_msg("%s: %u split, %u without tangent", s->name, info.split_count, info.tangentless_count);
@@ -382,7 +384,7 @@ static void test_tangents(void **state)
     shd_context_release(context);
 }
 
-/* Packed columns, some of them absent, hold what interleaved ones do, and nothing beyond is written. */
+/* Packed columns, some of them absent, get the same values as interleaved ones, and nothing is written beyond them. */
 static void test_columns(void **state)
 {
     size_t k, i;
@@ -426,7 +428,7 @@ static void test_columns(void **state)
     }
 }
 
-/* The largest counts are found without being made; one large shape is made. */
+/* The largest counts are computed without making the shapes; one large shape is made. */
 static void test_large(void **state)
 {
     shd_shape_desc desc = shape_of(SHD_SHAPE_BOX, 4096, 4096, 4096);

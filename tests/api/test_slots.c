@@ -5,7 +5,7 @@
 
 enum { k_size = 16, k_pixels = k_size * k_size };
 
-/* A frame over all of which lies one quad with everything that slots read. */
+/* A frame covered by one quad, which has all data that slots read. */
 typedef struct scene {
     shd_frame f;
     shd_material_desc material;
@@ -139,7 +139,7 @@ static void test_uv_transform(void **state)
     }
 }
 
-/* The second set, and 0 where the mesh has none. */
+/* The second uv set; 0 if the mesh has none. */
 static void test_uv_set(void **state)
 {
     size_t i;
@@ -159,7 +159,7 @@ static void test_uv_set(void **state)
     }
 }
 
-/* Columns of the mesh, and 1 where it has none. */
+/* Columns of the mesh; 1 if the mesh has none. */
 static void test_vertex(void **state)
 {
     size_t i;
@@ -184,7 +184,7 @@ static void test_vertex(void **state)
     }
 }
 
-/* The last attribute of a mesh has no neighbours: those of a colour read 1. */
+/* A colour that begins at the last attribute of a mesh: the missing attributes read 1. */
 static void test_vertex_end(void **state)
 {
     scene s;
@@ -260,10 +260,10 @@ static void test_scalars(void **state)
     close_scene(&s);
 }
 
-/* A texture of one normal over the quad, whose u runs to the right and v down: y is up in the image, or down. */
+/* A texture of one normal over the quad, with u to the right and v down: y of the normal is up or down in the image. */
 static void test_normal(void **state)
 {
-    /* Bytes hold (n + 1) / 2, floats n. */
+    /* Bytes contain (n + 1) / 2, floats n. */
     static const float k_texel[4] = {0.48f, 0.6f, 0.64f, 1.0f};
     static const uint16_t k_codes[4] = {48496, 52428, 53738, 65535};
     int down, flips;
@@ -296,7 +296,7 @@ static void test_normal(void **state)
     }
 }
 
-/* A height that grows to the right: the gradient knows the size of the quad, differences over a texel do not. */
+/* Heights that increase to the right: the gradient depends on the size of the quad, differences over a texel do not. */
 static void test_bump(void **state)
 {
     static const float k_ramp[8] = {0, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f};
@@ -329,7 +329,8 @@ static void test_bump(void **state)
     }
 }
 
-/* Seen from behind, normals turn around if the material has two sides; a matrix that mirrors is no back. */
+/* Seen from behind, normals are flipped if the material is two-sided; a matrix that mirrors does not turn a front
+ * into a back. */
 static void test_double_sided(void **state)
 {
     int both, flips, behind;
@@ -358,14 +359,14 @@ static void test_double_sided(void **state)
     }
 }
 
-/* Values beyond their range, on a surface under a light: what the slot's documentation says becomes of them. */
+/* Values outside their range, on a surface under a light: they have the documented effect. */
 static const struct wild_case {
     const char *name;
     shd_slot_target slot;
     shd_model model;
     float value;
-    float like;    /* gives the same picture; NaN = none */
-    int nonfinite; /* the picture has NaN or infinity, and says so */
+    float like;    /* value that gives the same picture; NaN = none */
+    int nonfinite; /* the picture has NaN or infinity, and the statistics count it */
 } k_wild[] = {
     {"wild/diffuse_nan", SHD_SLOT_DIFFUSE, SHD_MODEL_LAMBERT, NAN, NAN, 1},
     {"wild/diffuse_inf", SHD_SLOT_DIFFUSE, SHD_MODEL_METALLIC_ROUGHNESS, INFINITY, NAN, 1},
@@ -383,7 +384,7 @@ static const struct wild_case {
     {"wild/height_inf", SHD_SLOT_HEIGHT, SHD_MODEL_LAMBERT, INFINITY, 1, 0},
 };
 
-/* The picture with every channel of a slot at a value. */
+/* Renders with one value in every channel of a slot. */
 static void render_wild(const struct wild_case *c, float value, float *out, uint64_t *nonfinite)
 {
     const float texel[4] = {value, value, value, value};
@@ -426,7 +427,7 @@ static void test_wild(void **state)
     assert_memory_equal(got, want, sizeof got);
 }
 
-/* What a program is given besides: tangents of triangles, the second uv, attributes. */
+/* Other inputs of a program: tangents of triangles, the second uv set, attributes. */
 static void look(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
     int *mistakes = (int *)user_data;

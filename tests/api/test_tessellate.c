@@ -63,7 +63,7 @@ static uint64_t hash_mesh(const shd_mesh *mesh)
     return hash;
 }
 
-/* The square [0, 1]^2 at z = 0 as two triangles, uv as in a picture. */
+/* The square [0, 1]^2 at z = 0 as two triangles, with v down as in a picture. */
 static shd_mesh *make_square(shd_context *context, uint32_t flags)
 {
     static const float k_rows[4][8] = {
@@ -85,7 +85,7 @@ static shd_mesh *make_square(shd_context *context, uint32_t flags)
     return mesh;
 }
 
-/* A cube of six sides, each with vertices, a normal and uv of its own; with `smooth`, normals away from the middle. */
+/* A cube of six sides, each with its own vertices, normal and uv; with `smooth`, normals point away from the middle. */
 static shd_mesh *make_cube(shd_context *context, int smooth)
 {
     float rows[24][8];
@@ -289,7 +289,7 @@ static void test_null(void **state)
     shd_mesh_release(mesh);
 }
 
-/* Sampling with a filter whose table the texture lacks is refused as a lookup is. */
+/* A sampler whose filter needs a table that the texture lacks is refused, as in a lookup. */
 static void test_missing_table(void **state)
 {
     shd_sampler_desc sampler_desc = shd_sampler_desc_default();
@@ -310,7 +310,7 @@ static void test_missing_table(void **state)
     shd_sampler_release(sampler);
 }
 
-/* One part for each edge, and nothing moves: the mesh itself. */
+/* With one part for each edge and without displacement, the result is the mesh itself. */
 static void test_identity(void **state)
 {
     shd_mesh *mesh = make_cube(g_context, 1), *out;
@@ -395,7 +395,7 @@ static void test_heights(void **state)
     shd_texture_release(heights);
 }
 
-/* A ramp: all of the surface has one normal, and tangents lie in it. */
+/* A ramp: the whole surface has one normal, and tangents lie in the surface. */
 static void test_normals_of_a_ramp(void **state)
 {
     static const float k_ramp[2] = {-0.5f, 1.5f}; /* u between the centres of two texels */
@@ -487,7 +487,7 @@ static void test_normals_of_options(void **state)
 
 static int compare_sides(const void *a, const void *b) { return memcmp(a, b, 6 * sizeof(float)); }
 
-/* Every side of a triangle, by the bits of its positions, runs once in each direction. */
+/* Every edge, identified by the bits of its positions, occurs once in each direction. */
 static void assert_closed(const char *name, const struct readback *r)
 {
     const size_t count = 3 * (size_t)r->triangle_count;
@@ -528,8 +528,8 @@ static const struct closed_case k_closed[] = {
     {"closed/smooth_noise_adaptive", 1, 1, 1, SHD_DISPLACED_NORMALS_TILTED},
 };
 
-/* A cube whose sides meet in seams of uv, and of normals unless smooth, stays closed when displaced. Where it is
-   smooth, so are the normals across seams. */
+/* A cube whose sides meet in seams of uv, and of normals unless smooth, stays closed when displaced. If it is
+ * smooth, normals are continuous across seams. */
 static void test_closed(void **state)
 {
     const struct closed_case *c = (const struct closed_case *)*state;
@@ -617,7 +617,7 @@ static void test_height(void **state)
     shd_texture_release(heights);
 }
 
-/* Vertices that are not finite stay so, and hold up nothing else. */
+/* Vertices that are not finite stay unchanged, and do not affect others. */
 static void test_nonfinite(void **state)
 {
     static const float k_x[4] = {0, 1, 0, (float)NAN}, k_y[4] = {0, 0, 1, 1}, k_z[4] = {0, 0, 0, INFINITY};
@@ -658,7 +658,7 @@ static void test_nonfinite(void **state)
     shd_texture_release(heights);
 }
 
-/* The same bits for every worker count and SIMD target. */
+/* Results have the same bits for every worker count and SIMD target. */
 static void test_bits(void **state)
 {
     uint64_t want = 0;

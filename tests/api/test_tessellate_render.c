@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A mesh that is cut and not moved renders as the mesh does, up to samples on edges and rounding. */
+/* A tessellated mesh without displacement renders like the original mesh, except for samples on edges and rounding. */
 #include "support/frame.h"
 
 enum { SIZE = 160, ACROSS = 12, DOWN = 8 };
 
-/* A sphere of few triangles, three vertices each. Returns how many vertices. */
+/* A sphere of few triangles, three vertices each. Returns the number of vertices. */
 static uint32_t make_sphere(float rows[][8])
 {
     uint32_t n = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Texture: every field's range, what it turns out to be, reading levels back. */
+/* Textures: the range of every field, the info of the texture, reading levels back. */
 #include "support/fault_allocator.h"
 
 #include <stdlib.h>

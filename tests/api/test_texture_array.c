@@ -139,7 +139,7 @@ static void test_format(void **state)
     shd_texture_release(texture);
 }
 
-/** Layers beyond the last read the last; no column reads the first. */
+/** Layer numbers beyond the last read the last layer; without a column the first layer is read. */
 static void test_layers(void **state)
 {
     unsigned char texels[TEXELS * LAYERS];
@@ -170,7 +170,7 @@ struct swizzle_case {
     const char *name;
     shd_format format;
     shd_channel swizzle[4];
-    float want[4]; /**< of the texel 51, 102, 153, 204 and the fill 5, 6, 7, 8 */
+    float want[4]; /**< expected for the texel 51, 102, 153, 204 and the fill 5, 6, 7, 8 */
 };
 static const struct swizzle_case k_swizzles[] = {
     {"swizzle/default", SHD_FORMAT_RGBA8, {SHD_CHANNEL_DEFAULT}, {0.2f, 0.4f, 0.6f, 0.8f}},

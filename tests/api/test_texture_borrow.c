@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Borrowed base levels: what is refused, that nothing is copied, and that everything reads the caller's memory. */
+/* Borrowed base levels: refusals; nothing is copied, and all functions read the caller's memory. */
 #include "support/check.h"
 
 #include <stdlib.h>
@@ -100,7 +100,7 @@ static void test_create(void **state)
     shd_texture_release(texture);
 }
 
-/* Only the tables count. */
+/* Only the tables take memory. */
 static void test_byte_size(void **state)
 {
     shd_texture_desc desc = borrowing();
@@ -138,7 +138,7 @@ static void read_red(const shd_texture *texture, shd_filter filter, shd_magnific
     shd_sampler_release(sampler);
 }
 
-/* Lookups, levels and explanations read the caller's texels, and those of an update. */
+/* Lookups, levels and explanations read the caller's texels, also after an update. */
 static void test_reads(void **state)
 {
     shd_texture_desc desc = borrowing();
@@ -171,7 +171,7 @@ static void test_reads(void **state)
     read_red(texture, SHD_FILTER_TRILINEAR, SHD_MAGNIFICATION_BILINEAR, 7.5f / WIDTH, 2.5f / HEIGHT, &red);
     shd_assert_close("bilinear", 0, (double)red, k_texels[4 * (2 * WIDTH + 7)] / 255.0, 1e-7, 0);
 
-    /* The levels are those of a copy of the changed texels. */
+    /* The levels equal the levels of a texture that copied the changed texels. */
     {
         shd_texture *copy = NULL;
         desc.flags = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Updates of a rectangle: what is refused, what is read afterwards, and memory that runs out on the way. */
+/* Updates of a rectangle: refusals, lookups after the update, and memory that runs out during it. */
 #define _POSIX_C_SOURCE 200112L
 #include "support/check.h"
 #include "support/fault_allocator.h"
@@ -109,7 +109,7 @@ static const struct update_case {
     {"update/struct_size_zero", edit_size, "texels.struct_size: 0"},
 };
 
-/* Refused updates leave every level as it was; the others give the texture of the changed base. */
+/* A refused update changes no level; every other update gives the texture of the changed base. */
 static void test_update(void **state)
 {
     const struct update_case *c = (const struct update_case *)*state;
@@ -158,7 +158,7 @@ static void test_handles(void **state)
     shd_context_release(context);
 }
 
-/* The n-th allocation of an update fails: nothing changes, and the next one is as if it had not been. */
+/* The n-th allocation of an update fails: nothing changes, and the next update works. */
 static void test_faults(void **state)
 {
     enum { EDGE = 64 };
@@ -205,7 +205,7 @@ static void test_faults(void **state)
     assert_int_equal(points, 2); /* sums of the mip levels, rows of the ripmap */
 }
 
-/* An executor that skips every other call of it. */
+/* An executor that fails in call number `fail_at`. */
 struct lazy {
     uint32_t calls, fail_at;
 };
@@ -218,7 +218,7 @@ static shd_result lazy_parallel_for(void *user_data, uint32_t count, shd_task_fn
     return SHD_OK;
 }
 
-/* After an executor fails within an update, the same update again mends the texture. */
+/* After an executor failed during an update, repeating the update repairs the texture. */
 static void test_executor(void **state)
 {
     static unsigned char got[TEXELS * 8], want[TEXELS * 8];

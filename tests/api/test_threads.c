@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Many threads on one context: sampling, rendering, creating, releasing. The same bits as one thread, nothing left,
-   and nothing for a thread sanitizer to say. oneTBB is not instrumented, so under one only the host's executor runs. */
+/* Many threads on one context: sampling, rendering, creating, releasing. Results have the bits of one thread,
+ * nothing leaks, and a thread sanitizer reports nothing. oneTBB is not instrumented, so under a sanitizer only the
+ * host's executor runs. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/locked_allocator.h"
 #include "support/pool.h"
@@ -19,7 +20,7 @@
 
 enum { k_threads = 8, k_rounds = HAS_TSAN ? 6 : 25, k_lookups = 3001, k_variants = 3 };
 
-/* What the threads of a test share. */
+/* Data that the threads of a test share. */
 struct stage {
     struct locked_memory locked;
     shd_pool pool;
@@ -29,7 +30,7 @@ struct stage {
     pthread_barrier_t start;
 };
 
-/* One thread; assertions end the process there, so it counts instead. */
+/* One thread. A failed assertion there would end the process, so the thread counts mistakes. */
 struct actor {
     struct stage *stage;
     void (*act)(struct actor *self);
@@ -61,7 +62,7 @@ static uint64_t sample(const shd_texture *texture, const shd_sampler *sampler)
     return hash;
 }
 
-/* The shared scene as `frame` has it, into a framebuffer of the thread's own. */
+/* Renders the shared scene with the settings of `frame` into the thread's own framebuffer. */
 static uint64_t render_as(const shd_scene *scene, shd_render_desc frame, shd_context *context)
 {
     shd_framebuffer_desc desc = shd_framebuffer_desc_default();
@@ -86,7 +87,7 @@ static uint64_t render_as(const shd_scene *scene, shd_render_desc frame, shd_con
 
 static uint64_t render(const shd_scene *scene, shd_context *context) { return render_as(scene, scene->desc, context); }
 
-/* In other ways: in two passes, with one draw many times, averaged from a larger picture, in an order of its own. */
+/* Renders in another way: in two passes, with many instances of one draw, supersampled, or with Newell's method. */
 static uint64_t render_variant(const shd_scene *scene, shd_context *context, uint32_t variant)
 {
     enum { k_copies = 70 }; /* each counts as 16 triangles or more */
@@ -147,7 +148,7 @@ static void *run_actor(void *argument)
     return NULL;
 }
 
-/* Runs acts[i % count] on thread i, `between` meanwhile on this one; no thread may have made a mistake. */
+/* Runs acts[i % count] on thread i, and `between` on this thread; no thread may count a mistake. */
 static void play(struct stage *stage, void (*const *acts)(struct actor *self), size_t count,
                  void (*between)(struct stage *stage))
 {
@@ -299,7 +300,7 @@ static void act_last_user(struct actor *self)
     self->mistakes += sample(s->texture[0], s->sampler[0]) != self->stage->want_lookups;
 }
 
-static shd_scene g_dropped; /* what the main thread drops */
+static shd_scene g_dropped; /* objects that the main thread releases */
 
 static void retain_scene(const shd_scene *s)
 {
@@ -322,7 +323,7 @@ static void act_use_and_drop(struct actor *self)
 {
     shd_scene mine = self->stage->scene;
     act_last_user(self);
-    shd_scene_close(&mine); /* this thread's references */
+    shd_scene_close(&mine); /* references of this thread */
 }
 
 static void test_context_dropped(void **state)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* shd/transform.h: every refusal, and every function against long double arithmetic of another method. */
+/* shd/transform.h: every refusal, and every function against another method in long double. */
 #include "ref/transform_ref.h"
 #include "support/check.h"
 
@@ -9,7 +9,7 @@
 #define BAD SHD_ERROR_INVALID_ARGUMENT
 #define COUNT(table) (sizeof(table) / sizeof(table)[0])
 
-/* Half an ulp of float, and a little for what double loses. */
+/* Half an ulp of float, and a margin for the rounding of double. */
 static const double k_round = 5.97e-8;
 
 static const float k_identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -34,7 +34,7 @@ struct perspective_case {
     const char *name;
     float fov_y, aspect, near_plane, far_plane;
     int order;
-    const char *message; /* NULL = done */
+    const char *message; /* NULL = success */
 };
 
 static const struct perspective_case k_perspective[] = {
@@ -57,7 +57,7 @@ static const struct perspective_case k_perspective[] = {
     {"perspective/beyond_float", 1e-30f, 1e-30f, 1, 2, 0, "perspective: the result exceeds the range of float"},
 };
 
-/* A point of the volume's corner goes to (1, 1, depth). */
+/* A corner of the view volume is mapped to (1, 1, depth). */
 static void check_corner(const char *name, const float *m, long double x, long double y, long double distance,
                          long double depth, double tolerance)
 {
@@ -305,7 +305,7 @@ static void test_multiply(void **state)
     }
 }
 
-/* Every element within half an ulp, and as much more as the condition of the matrix costs double. */
+/* Every element is within half an ulp, plus a margin for the condition number of the matrix in double. */
 static void check_inverse(const char *name, const float *m, int size, const float *got, int step)
 {
     long double want[16], largest_in = 0, largest_out = 0;
@@ -349,7 +349,7 @@ static void test_inverse_random(void **state)
     }
 }
 
-/* Axes of very different units, and projections with planes far apart, are not taken for singular. */
+/* Matrices with axes of very different scales, and projections with distant planes, are not singular. */
 static void test_inverse_scales(void **state)
 {
     float m[16], inverse[16];
@@ -371,7 +371,7 @@ static void test_inverse_scales(void **state)
     }
 }
 
-/* Nearly singular: either refused, or an inverse that is right; never NaN. */
+/* A nearly singular matrix is refused or gives a correct inverse; never NaN. */
 static void test_inverse_slivers(void **state)
 {
     int exponent, refused = 0, k;
@@ -425,7 +425,7 @@ static void test_transform(void **state)
     }
 }
 
-/* The bits of one of each: every machine and compiler must give them. */
+/* The bits of one result of each function: every machine and compiler must give them. */
 static void test_bits(void **state)
 {
     const float rectangle[4] = {-1.1f, 1.3f, -0.7f, 0.9f}, t[3] = {1, -2, 3}, q[4] = {0.1f, 0.7f, -0.3f, 0.6f};

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Varyings: what a fragment program gets of what a vertex program wrote, against double, in every interpolation. */
+/* Varyings: the values that a fragment program gets for values of a vertex program, against double, with every
+ * interpolation. */
 #include "ref/varying_ref.h"
 #include "support/frame.h"
 
 enum { k_width = 96, k_height = 80, k_triangles = 24, k_max = SHD_MAX_VARYINGS };
 
-/* Triangles in clip space, and what the program has to say about them. */
+/* Triangles in clip space, and the measurements of the fragment program. */
 typedef struct scene {
     float clip[3 * k_triangles][4];
     float value[3 * k_triangles][k_max];
     double raster[3 * k_triangles][4];
     shd_interpolation mode[k_max];
-    uint32_t count; /* of varyings */
+    uint32_t count; /* number of varyings */
     shd_frequency frequency;
     size_t rows, mistakes;
     double worst[3]; /* largest error of each interpolation */
-    double rest;     /* largest |blend - value| that was expected, to see that there is something to get wrong */
+    double rest;     /* largest expected |blend - value|, to check that the test is sensitive */
 } scene;
 
 static uint32_t g_seed;
@@ -74,7 +75,7 @@ static void make_beyond_guard(scene *s, size_t t)
 typedef struct varying_case {
     const char *name;
     void (*make)(scene *s, size_t t);
-    double perspective, affine; /* largest error allowed, of values in -10..10; from the figures measured */
+    double perspective, affine; /* largest allowed error for values in -10..10, from measured errors */
     uint32_t samples;
     int at_samples;
 } varying_case;
@@ -108,7 +109,7 @@ static void write_varyings(const shd_vertices *in, shd_vertex_outputs *out, void
         out->y[i] = s->clip[k][1];
         out->z[i] = s->clip[k][2];
         out->w[i] = s->clip[k][3];
-        out->px[i] = (float)k; /* tells Gouraud rows apart */
+        out->px[i] = (float)k; /* distinguishes Gouraud rows */
         for (c = 0; c < out->varying_count; ++c) out->varying[c][i] = s->value[k][c];
     }
 }
@@ -133,7 +134,7 @@ static void compare(scene *s, const shd_fragments *in, size_t i, size_t c)
     if (fabs(got - (double)a[0]) > s->rest) s->rest = fabs(got - (double)a[0]);
 }
 
-/* Compares every varying and shows the first four. */
+/* Compares every varying and writes the first four as colour. */
 static void check_varyings(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
     const uint32_t count = *(const uint32_t *)user_data;
@@ -204,7 +205,7 @@ static const varying_case k_cases[] = {
     {"clipped/guard_band", make_beyond_guard, 1e-4, 1e-4, 1, 0},
 };
 
-/* Where all three w are the same power of two, linear on the screen is linear on the triangle, to the bit. */
+/* If all three w are the same power of two, both interpolations have the same bits. */
 static void test_affine_is_perspective(void **state)
 {
     static scene s;
@@ -220,7 +221,7 @@ static void test_affine_is_perspective(void **state)
     shd_frame_close(&f);
 }
 
-/* The rows of Gouraud and flat shading: vertices and centroids. */
+/* Rows of Gouraud and flat shading are vertices and centroids. */
 static void test_rows(void **state)
 {
     static scene s;
@@ -240,7 +241,7 @@ static void test_rows(void **state)
     }
 }
 
-/* At Gouraud frequency the colours that the varyings became are blended on the triangle. */
+/* At Gouraud frequency the program turns varyings into colours at the vertices, and these colours are interpolated. */
 static void test_gouraud_picture(void **state)
 {
     static scene s;
@@ -265,7 +266,7 @@ static void test_gouraud_picture(void **state)
     shd_frame_close(&f);
 }
 
-/* Windows of a picture hold the pixels of the whole. */
+/* Windows of a picture have the pixels of the whole picture. */
 static void test_windows(void **state)
 {
     static const uint32_t k_windows[][4] = {{0, 0, 96, 1}, {17, 9, 33, 41}, {64, 63, 32, 17}, {95, 79, 1, 1}};
@@ -300,7 +301,7 @@ static void test_windows(void **state)
     }
 }
 
-/* Draws with as many varyings as they like beside each other. */
+/* Draws with different numbers of varyings in one frame. */
 static void test_counts(void **state)
 {
     static const uint32_t k_counts[SHD_FRAME_DRAWS] = {3, 0, 16, 1};
@@ -320,7 +321,7 @@ static void test_counts(void **state)
         m.program.user_data = &s[i].count;
         m.varying_count = k_counts[i];
         m.interpolation = s[i].mode;
-        m.blend = SHD_BLEND_ADD; /* so that every draw is shaded */
+        m.blend = SHD_BLEND_ADD; /* so that every draw is visible */
         shd_frame_draw(&f, vertices, 3 * k_triangles, &m)->uniforms = &s[i];
         f.draw[i].compare = SHD_COMPARE_ALWAYS;
     }
@@ -333,7 +334,7 @@ static void test_counts(void **state)
     shd_frame_close(&f);
 }
 
-/* A constant stays constant to the bit; values near the end of float stay finite. */
+/* A constant keeps its bits; values near the largest float stay finite. */
 static void test_extremes(void **state)
 {
     static scene s;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Vertex programs: what they are told, what they may change, and that a vertex left alone keeps its bits. */
+/* Vertex programs: their inputs and outputs; an unchanged vertex keeps its bits. */
 #include "support/frame.h"
 #include "support/pool.h"
 #include "support/scene.h"
 
-/* Programs that change nothing: by doing nothing, and by writing what is there. */
+/* Programs that change nothing: one does nothing, one writes the values that are already there. */
 static void leave(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     (void)in;
@@ -52,7 +52,7 @@ static void test_identity(void **state)
     }
 }
 
-/* A program gives each place on the screen to the vertex itself: positions of the mesh do not count. */
+/* A program that computes positions on the screen without the positions of the mesh. */
 static void full_screen(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     static const float k_x[6] = {-1, 1, 1, -1, 1, -1}, k_y[6] = {-1, -1, 1, -1, 1, 1};
@@ -102,7 +102,7 @@ static void test_full_screen(void **state)
     shd_frame_close(&f);
 }
 
-/* A quarter sphere-like patch of n x n cells, in records of eight floats, every three a triangle. */
+/* A curved patch of k_cells x k_cells cells, in records of eight floats; three records are a triangle. */
 enum { k_cells = 20, k_patch = k_cells * k_cells * 6 };
 static float patch_height(float x, float y) { return 0.2f * (x * x - 0.5f * x * y + 0.25f * y); }
 static void make_patch(float out[k_patch * 8], int displaced)
@@ -127,7 +127,7 @@ static void make_patch(float out[k_patch * 8], int displaced)
     }
 }
 
-/* What make_patch does, for the identity view. */
+/* Displaces vertices as make_patch() does, for the identity view. */
 static void displace(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     size_t i;
@@ -140,7 +140,7 @@ static void displace(const shd_vertices *in, shd_vertex_outputs *out, void *user
     }
 }
 
-/* Beside draws of other models in one frame; the second draw is the patch. */
+/* Renders the patch as the second draw of a frame with draws of other models. */
 static void render_patch(shd_frame *f, int by_program, shd_model model, shd_frequency frequency)
 {
     static float vertices[k_patch * 8];
@@ -188,7 +188,7 @@ static void test_displacement(void **state)
 /* A value that is not finite, in column `column` of vertex `vertex`. */
 struct spoil {
     const char *name;
-    int column; /* of shd_vertex_outputs, in order; 12 = varying 0, 13 = varying 2 */
+    int column; /* column of shd_vertex_outputs, in order; 12 = varying 0, 13 = varying 2 */
     float value;
 };
 static void spoil(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
@@ -233,7 +233,7 @@ static void test_nonfinite(void **state)
     shd_frame_close(&f);
 }
 
-/* w of 0 and below, and far outside: clipped like any other vertex. */
+/* Vertices with w <= 0 or far outside are clipped like any other vertex. */
 static void behind(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     const float w = *(const float *)user_data;
@@ -269,7 +269,7 @@ static void test_behind(void **state)
     shd_frame_close(&f);
 }
 
-/* What a program was told, by draw, instance and vertex. */
+/* Calls of a program, counted by draw, instance and vertex. */
 enum { k_vertices = 1300, k_instances = 3 };
 struct heard {
     int calls[2][k_instances][k_vertices];
@@ -302,7 +302,7 @@ static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
         h->mistakes += in->tx && (in->tx[i] != 1 || in->ty[i] != id || in->tz[i] != 0 || in->tw[i] != -1);
         h->mistakes += out->varying[0][i] != 0 || out->varying[1][i] != 0;
         h->mistakes += out->px[i] != world[0] * id + world[12] || out->u[i] != -id;
-        out->varying[0][i] = out->varying[1][i] = 5; /* must not come back in the next call */
+        out->varying[0][i] = out->varying[1][i] = 5; /* must not appear in the next call */
     }
 }
 
@@ -371,7 +371,7 @@ static void test_inputs(void **state)
     shd_frame_close(&f);
 }
 
-/* A draw without a material runs no program, and an empty mesh calls none. */
+/* A draw without a material and an empty mesh call no program. */
 static void must_not_run(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
     (void)in;

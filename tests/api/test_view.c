@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cameras: every field, and what the matrices do to points, against double arithmetic. */
+/* Cameras: every field, and transformed points against double arithmetic. */
 #include "support/check.h"
 
 #include <shd/view.h>
@@ -127,7 +127,7 @@ static void transform(const float *m, const double *in, double *out)
     }
 }
 
-/* Rigid, right-handed, finite; the eye goes to the origin, the target to -Z, up stays up. */
+/* The view is rigid, right-handed and finite. It maps the eye to the origin and the target to -Z; up stays up. */
 static void check_rigid(const char *name, const shd_camera *camera, const shd_view *view)
 {
     const float *m = view->world_to_view;
@@ -169,7 +169,7 @@ static void check_rigid(const char *name, const shd_camera *camera, const shd_vi
     }
 }
 
-/* Corners of the frustum go to the corners of clip space. */
+/* Corners of the frustum are mapped to the corners of clip space. */
 static void check_projection(const char *name, const shd_camera *camera, const shd_view *view)
 {
     const double tangent = tan(0.5 * (double)camera->fov_y);
@@ -219,7 +219,7 @@ static void test_null(void **state)
     shd_assert_result("view", shd_view_from_camera(&camera, NULL), BAD, "out_view: NULL");
 }
 
-/* Many cameras, every angle of view: the focal length is the correctly rounded one but for the last place. */
+/* Many cameras, every angle of view: the focal length differs from the correctly rounded one by at most one ulp. */
 static void test_sweep(void **state)
 {
     int i;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds and runs the examples as a user of shd would. Usage: run.sh find_package | pkg_config | add_subdirectory,
-# with what the build knows in the environment (see CMakeLists.txt). Exit code 77: not for this build.
+# with the settings of the build in the environment (see CMakeLists.txt). Exit code 77: not for this build.
 set -euo pipefail
 kind=$1
 course=(normal phong texture bump displacement)  # these without assimp: they draw a sphere

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random textures, samplers and lookups, legal and not: no call may crash, leak, write outside its columns, give a
-// non-finite value from finite texels, or give other bits on another SIMD target.
+// Random textures, samplers and lookups, valid and invalid. No call may crash, leak, write outside its columns, give a
+// non-finite value from finite texels, or give different bits on another SIMD target.
 #include "source.h"
 
 namespace shd::fuzz {
@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kCanary = -12345.75f;
 
-/// What one input asks for, so that it can run on several contexts.
+/// The arguments that one input describes, so that they can run on several contexts.
 struct Case {
   shd_texture_desc texture = shd_texture_desc_default();
   shd_sampler_desc sampler = shd_sampler_desc_default();
@@ -54,7 +54,7 @@ void fill_texture(Source& source, Case& c) {
     const uint32_t bits = source.word();
     std::memcpy(&c.texels[i], floats ? static_cast<const void*>(&value) : &bits, 4);
   }
-  // A stride that is out of the ordinary could make the library read past the buffer legitimately: refuse it here.
+  // With an unusual stride the library may read beyond the buffer, which is correct: skip such a case here.
   if (desc.row_stride > packed + 64 && desc.height > 1) desc.row_stride = packed;
   desc.texels = source.one_in(32) ? nullptr : c.texels.data();
 }
@@ -97,7 +97,7 @@ void fill_lookups(Source& source, Case& c) {
     column.resize(c.count + 1);
     for (uint32_t& value : column) value = source.one_in(2) ? source.word() : source.below(4);
   }
-  c.channels = 1 + source.below(15);  // none at all is refused
+  c.channels = 1 + source.below(15);  // a call without outputs is refused
   for (size_t& stride : c.out_stride) stride = 4 * (1 + source.below(3));
 }
 
@@ -116,7 +116,7 @@ shd_lookups make_lookups(const Case& c) {
   return lookups;
 }
 
-/// Output columns, canaries between and after the elements included.
+/// Output columns, with canaries between and after the elements.
 struct Output {
   std::vector<float> channel[4];
   size_t nonfinite_count = 0;
@@ -132,7 +132,7 @@ void check_output(const Case& c, const Output& output, int channel) {
   }
 }
 
-/// Runs the case on one target; false if texture or sampler was refused.
+/// Runs the case on one target. Returns false if the texture or sampler was refused.
 bool run(const Case& c, shd_simd simd, Output& output) {
   Memory memory;
   shd_context* context = make_context(memory, simd);

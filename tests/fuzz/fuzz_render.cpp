@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random frames, legal and not: hostile vertices and matrices, odd sizes, every frequency, cull mode and flag. No
-// call may crash, leak or lose count of triangles, and two SIMD targets give the same planes.
+// Random frames, valid and invalid: hostile vertices and matrices, odd sizes, every frequency, cull mode and flag. No
+// call may crash or leak, statistics must count every triangle, and two SIMD targets give the same planes.
 #include "source.h"
 
 namespace shd::fuzz {
@@ -24,7 +24,7 @@ struct DrawData {
   uint32_t textured = 0;  // slots, by bit
 };
 
-/// What one input asks for, so that it can run on several contexts.
+/// The frame that one input describes, so that it can run on several contexts.
 struct Case {
   shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
   shd_render_desc render = shd_render_desc_default();
@@ -67,7 +67,7 @@ void fill_mesh(Source& source, MeshData& mesh) {
 
 void fill_material(Source& source, shd_material_desc& material) {
   const auto pick = [&](uint32_t count) { return source.below(source.one_in(32) ? 100 : count); };
-  const uint32_t model = source.one_in(4) ? pick(2) : 3 + pick(12);  // debug views come after the models
+  const uint32_t model = source.one_in(4) ? pick(2) : 3 + pick(12);  // values above SHD_MODEL_MATCAP are debug views
   material.model = static_cast<shd_model>(model > SHD_MODEL_MATCAP && model < 15 ? 0 : model);
   if (model > SHD_MODEL_MATCAP && model < 15)
     material.debug_view = static_cast<shd_debug_view>(model - SHD_MODEL_MATCAP);
@@ -132,7 +132,7 @@ void fill_case(Source& source, Case& c) {
   c.render.visibility = static_cast<shd_visibility>(source.below(source.one_in(32) ? 5 : 3));
 }
 
-/// The library's objects of one run.
+/// The objects of shd in one run.
 struct Objects {
   shd_framebuffer* framebuffer = nullptr;
   shd_texture* texture = nullptr;
@@ -207,7 +207,7 @@ void read_planes(const Case& c, const Objects& o, std::vector<float>& planes) {
   }
 }
 
-/// Runs the case on one target; false if any part of it was refused.
+/// Runs the case on one target. Returns false if any part of it was refused.
 bool run(const Case& c, shd_simd simd, std::vector<float>& planes) {
   Memory memory;
   shd_context* context = make_context(memory, simd);

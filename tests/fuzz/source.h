@@ -23,7 +23,7 @@ namespace shd::fuzz {
     }                                                                                             \
   } while (0)
 
-/// Reads choices out of the fuzzer's bytes; zeros when they run out.
+/// Reads choices from the fuzzer's bytes; returns zeros when no bytes are left.
 class Source {
  public:
   Source(const uint8_t* data, size_t size) : data_(data), size_(size) {}
@@ -39,13 +39,13 @@ class Source {
   /// In [0, bound).
   uint32_t below(uint32_t bound) { return (bound > 256 ? word() : byte()) % bound; }
 
-  /// True once in `n` times; false when the bytes have run out.
+  /// True with probability 1 / n; false when no bytes are left.
   bool one_in(uint32_t n) { return below(n) == n - 1; }
 
   /// In [-1, 1].
   float unit() { return static_cast<float>(static_cast<int>(below(65536)) - 32768) / 32768.0f; }
 
-  /// Any float: mostly near one, at times the values that break arithmetic.
+  /// Any float: usually near one, sometimes a value that breaks arithmetic.
   float hostile() {
     constexpr float kInf = std::numeric_limits<float>::infinity();
     constexpr float kMax = std::numeric_limits<float>::max();
@@ -78,7 +78,7 @@ class Source {
   size_t position_ = 0;
 };
 
-/// Host memory that counts what is out.
+/// Host memory that counts live allocations.
 struct Memory {
   long live = 0;
 };
@@ -104,7 +104,7 @@ inline shd_context* make_context(Memory& memory, shd_simd simd) {
   return context;
 }
 
-/// The same bits; any NaN equals any other, since IEEE 754 leaves the payload open.
+/// Equal bits. Any NaN equals any other NaN, because IEEE 754 does not define the payload.
 inline bool same_values(const std::vector<float>& a, const std::vector<float>& b) {
   if (a.size() != b.size()) return false;
   for (size_t i = 0; i < a.size(); ++i) {

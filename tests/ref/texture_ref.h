@@ -117,7 +117,7 @@ inline double texel(const Image& image, int level, int64_t i, int64_t j, int c) 
   return decode(image.format, l.texels + (y * l.width + x) * size, c);
 }
 
-/// A texel of weight 0 is ignored, whatever its value.
+/// A texel of weight 0 is ignored, even if it is NaN.
 inline double mix(double a, double b, double s) {
   if (s == 0) return a;
   if (s == 1) return b;

@@ -7,9 +7,11 @@ import re
 
 # Finished folders and files; comments elsewhere are not checked yet. A folder includes its subfolders, but Markdown
 # outside docs/ is listed file by file.
-FOLDERS = ["CHANGELOG.md", "README.md", "bench", "docs", "examples", "include", "src/abi", "src/color", "src/core", "src/data",
-           "src/extension", "src/film", "src/frame", "src/geometry", "src/image", "src/io", "src/light", "src/material",
-           "src/raster", "src/shade", "src/simd", "src/texture", "tests/abi", "tests/ref", "tests/support", "tests/unit"]
+FOLDERS = ["CHANGELOG.md", "README.md", "bench", "docs", "examples", "include", "src/abi", "src/color", "src/core",
+           "src/data", "src/extension", "src/film", "src/frame", "src/geometry", "src/image", "src/io", "src/light",
+           "src/material", "src/raster", "src/scene", "src/shade", "src/shapes", "src/simd", "src/texture", "src/tool",
+           "tests/abi", "tests/api", "tests/consumer", "tests/fuzz", "tests/ref", "tests/support", "tests/tool",
+           "tests/unit"]
 SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake", ".txt", ".md"}
 MARKS = {".py": "#", ".sh": "#", ".cmake": "#", ".txt": "#"}
 
@@ -36,6 +38,8 @@ RULES = {
     "alike": (r"\ball alike\b", "use: equal, uniform"),
     "comparative": (r"\b[Tt]he " + GREATER + r"(?: the|[^.;:]*, the) " + GREATER + r"\b", "state the order"),
     "iff": (r"\biff\b", "use: if and only if"),
+    "whatever": (r"\b[Ww]h(?:at|ich|o|ere)ever\b|\bhowever (?:many|much|large|small)\b", "use: for any, even if"),
+    "which_one": (r"\bthe ones? (?:before|after)\b|\bthat many\b", "name the thing or the number"),
 }
 PERSON_BEFORE = re.compile(r"\b" + PERSON + r"(?: \w+){0,3}$", re.IGNORECASE)
 
@@ -67,6 +71,10 @@ BAD = [
     ("comparative", "the better the higher; what is unseen lies outside"),
     ("comparative", "the longer the list, the later it ends"),
     ("iff", "Set iff the triangle covers a sample."),
+    ("whatever", "Corners are merged, whatever their vertices."),
+    ("whatever", "The bits are the same however many workers run."),
+    ("which_one", "The finer level is the one before."),
+    ("which_one", "Each draw as instances, against that many draws."),
 ]
 GOOD = [
     "These functions use libm, which determines their last bits.",
@@ -78,6 +86,7 @@ GOOD = [
     "The number of rows, the order of columns and the smaller box.",
     "All triangles except the last one.",
     "Returns whether the slab was known.",
+    "Each draw has a material; however, it may be NULL.",
     "|error| of a component <= 1e-6",
 ]
 SNIPPET = '''const char* k = "Of strings, // Those are not checked";  // units

@@ -502,7 +502,7 @@ void test_masks(void**) {
   set_samples(1);
 }
 
-/// Pixels outside the box do not change, whatever their depth.
+/// Pixels outside the box do not change, for any depth.
 void test_box(void**) {
   const uint32_t entry = 0;
   const raster::DepthState always = {SHD_COMPARE_ALWAYS, true, 0.0f, 0.0f};

@@ -149,7 +149,7 @@ void test_wall(void**) {
   free_texture(heights);
 }
 
-/// Heights are looked up through the slot's transform: a field of one column, whatever its width.
+/// Heights are looked up through the slot's transform: the height field has one column for any width.
 void test_transform(void**) {
   g->sampler = make_sampler(SHD_FILTER_BILINEAR, SHD_WRAP_CLAMP);
   texture::Texture* heights = height_texture([](uint32_t i) { return (i + 0.5) / kWidth; }, kWidth);

@@ -51,7 +51,7 @@ void test_rounding(void**) {
   free_texture(texture);
 }
 
-/// With a weight that rounds to 1, the other texel has no effect, whatever its value.
+/// With a weight that rounds to 1, the other texel has no effect, even if it is NaN.
 void test_rounding_up(void**) {
   const float texels[] = {NAN, 3, INFINITY, 3};
   Texture* texture = make_texture(SHD_FORMAT_R32F, 4, 1, reinterpret_cast<const uint8_t*>(texels), false);
