@@ -67,8 +67,8 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 /**
  * Read a model file.
  *
- * Materials: those that state roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG with
- * ambient light as their diffuse colour. Every slot whose texture is in the file is set. Heights are in their slot, but
+ * Materials: those that state roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG. All
+ * reflect ambient light with their diffuse colour (ambient_share = 1). Every slot whose texture is in the file is set. Heights are in their slot, but
  * have no effect until a material enables bump, parallax or displacement. An opacity below 1, an opacity map and glTF's
  * BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two sets of texture coordinates are used.
  *
