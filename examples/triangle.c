@@ -15,61 +15,50 @@ static void require(shd_result result)
 
 int main(void)
 {
-    static const float x[3] = {-1, 1, 0}, y[3] = {-1, -1, 1}, z[3] = {0, 0, 0}; /* counter-clockwise */
-    static const float u[3] = {0, 4, 2}, v[3] = {4, 4, 0};                      /* the texture repeats four times */
-    static const uint8_t texels[4][4] = {
-        {230, 90, 30, 255}, {250, 240, 220, 255}, {250, 240, 220, 255}, {30, 90, 160, 255}};
+    static const float vertices[3][5] = {{-1, -1, 0, 0, 4}, {1, -1, 0, 4, 4}, {0, 1, 0, 2, 0}}; /* x, y, z, u, v */
+    static const uint8_t texels[4][3] = {{230, 90, 30}, {250, 240, 220}, {250, 240, 220}, {30, 90, 160}};
+    const shd_camera camera = shd_camera_default(); /* at (0, 0, 3), looks at the origin */
+    shd_texture_desc texture_desc = shd_texture_desc_default();
+    shd_material_desc material_desc = shd_material_desc_default();
+    shd_mesh_desc mesh_desc = shd_mesh_desc_default();
+    shd_framebuffer_desc picture_desc = shd_framebuffer_desc_default();
+    shd_draw draw = shd_draw_default();
+    shd_render_desc frame = shd_render_desc_default();
+    shd_render_stats stats = shd_render_stats_default();
     shd_context *context = NULL;
     shd_texture *texture = NULL;
     shd_material *material = NULL;
     shd_mesh *mesh = NULL;
-    shd_framebuffer *framebuffer = NULL;
-    shd_texture_desc texture_desc = shd_texture_desc_default();
-    shd_material_desc material_desc = shd_material_desc_default();
-    shd_mesh_desc mesh_desc = shd_mesh_desc_default();
-    shd_framebuffer_desc framebuffer_desc = shd_framebuffer_desc_default();
-    shd_camera camera = shd_camera_default(); /* at (0, 0, 3), looks at the origin */
-    shd_draw draw = shd_draw_default();
-    shd_render_desc frame = shd_render_desc_default();
-    shd_render_stats stats = shd_render_stats_default();
+    shd_framebuffer *picture = NULL;
     shd_slot diffuse;
+    int c;
 
-    require(shd_context_create(NULL, &context));
-    texture_desc.format = SHD_FORMAT_RGBA8_SRGB;
+    require(shd_context_create(NULL, &context)); /* NULL: all defaults */
+    texture_desc.format = SHD_FORMAT_RGB8_SRGB;
     texture_desc.width = texture_desc.height = 2;
     texture_desc.texels = texels;
     require(shd_texture_create(context, &texture_desc, &texture));
-
-    material_desc.model = SHD_MODEL_UNLIT;                       /* the colour of the texture, without lights */
     diffuse = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, NULL); /* NULL: the default sampler */
-    material_desc.slots = &diffuse;
-    material_desc.slot_count = 1;
+    material_desc.model = SHD_MODEL_UNLIT;                       /* the colour of the texture, without lights */
+    material_desc.slots = &diffuse, material_desc.slot_count = 1;
     require(shd_material_create(context, &material_desc, &material));
-
     mesh_desc.vertex_count = 3;
-    mesh_desc.position[0].data = x;
-    mesh_desc.position[1].data = y;
-    mesh_desc.position[2].data = z;
-    mesh_desc.uv[0].data = u;
-    mesh_desc.uv[1].data = v;
+    for (c = 0; c < 5; ++c) {
+        *(c < 3 ? &mesh_desc.position[c] : &mesh_desc.uv[c - 3]) = shd_f32_column(&vertices[0][c], sizeof vertices[0]);
+    }
     require(shd_mesh_create(context, &mesh_desc, &mesh));
+    picture_desc.width = picture_desc.height = 480;
+    picture_desc.samples = 8; /* smooth edges */
+    require(shd_framebuffer_create(context, &picture_desc, &picture));
 
-    framebuffer_desc.width = framebuffer_desc.height = 480;
-    framebuffer_desc.samples = 8; /* smooth edges */
-    require(shd_framebuffer_create(context, &framebuffer_desc, &framebuffer));
-
-    draw.mesh = mesh;
-    draw.material = material;
-    frame.framebuffer = framebuffer;
-    frame.draws = &draw;
-    frame.draw_count = 1;
+    draw.mesh = mesh, draw.material = material;
+    frame.framebuffer = picture, frame.camera = &camera;
+    frame.draws = &draw, frame.draw_count = 1;
     frame.stats = &stats;
-    require(shd_view_from_camera(&camera, &frame.view));
     require(shd_render(context, &frame));
-    require(shd_framebuffer_save(framebuffer, "triangle.png", NULL));
-    printf("triangle.png: %d pixels of the triangle\n", (int)stats.fragments);
+    require(shd_framebuffer_save(picture, "triangle.png", NULL));
 
-    shd_framebuffer_release(framebuffer);
+    shd_framebuffer_release(picture);
     shd_mesh_release(mesh);
     shd_material_release(material);
     shd_texture_release(texture);

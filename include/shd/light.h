@@ -19,6 +19,7 @@
  * desc.position[1] = 4.0f;     // above the origin
  * desc.direction[1] = -1.0f;   // downwards
  * desc.outer_angle = 0.5f;
+ * desc.intensity[0] = desc.intensity[1] = desc.intensity[2] = 16.0f; // E = 1 at the origin: 16 / 4^2
  * result = shd_light_create(context, &desc, &light);
  * @endcode
  */
@@ -47,7 +48,8 @@ typedef enum shd_light_kind {
 typedef struct shd_light_desc {
     uint32_t struct_size; /**< set by shd_light_desc_default() */
     shd_light_kind kind;  /**< default SHD_LIGHT_KIND_POINT */
-    float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1 */
+    float intensity[3];   /**< I, scene-linear RGB, 0..1e12; default 1. Points and spots: E = 1 at distance r takes
+                               I = r^2 */
     float position[3];    /**< position of points, spots and the cookie of directional lights; world space, finite;
                                default 0 */
     float direction[3];   /**< directional lights and spots: direction of the light rays, world space, any length

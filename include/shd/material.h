@@ -194,7 +194,10 @@ typedef struct shd_material_desc {
     shd_model model;           /**< default SHD_MODEL_LAMBERT */
     shd_debug_view debug_view; /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
     shd_material_flags flags;  /**< default none */
-    float ambient[3];          /**< k_a, 0..1e6; default 0.05 */
+    float ambient[3];          /**< k_a, 0..1e6. Default -1 in all channels: k_a follows the diffuse colour, as
+                                    ambient_share times k_d and its slot; SHD_SLOT_AMBIENT takes the place of the slot */
+    float ambient_share;       /**< the share that k_a follows with, 0..1; default 1/16. METALLIC_ROUGHNESS multiplies
+                                    k_a by its base colour itself: there -1 gives k_a = ambient_share */
     float diffuse[3];          /**< k_d or base colour, 0..1e6; default 0.8 */
     float specular[3];         /**< k_s, 0..1e6; default 0.5 */
     float exponent;            /**< p, 0..1e6; default 64 */
@@ -241,10 +244,11 @@ static inline shd_material_desc shd_material_desc_default(void)
     int c;
     desc.struct_size = (uint32_t)sizeof desc;
     for (c = 0; c < 3; ++c) {
-        desc.ambient[c] = 0.05f;
+        desc.ambient[c] = -1.0f;
         desc.diffuse[c] = 0.8f;
         desc.specular[c] = 0.5f;
     }
+    desc.ambient_share = 0.0625f;
     desc.exponent = 64.0f;
     desc.roughness = 0.5f;
     desc.ior = 1.5f;

@@ -19,6 +19,7 @@
 
 #include <shd/column.h>
 #include <shd/context.h>
+#include <shd/shapes.h>
 
 SHD_BEGIN_DECLS
 
@@ -127,6 +128,17 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_mesh_create(shd_context *context, const shd_mesh_desc *desc, shd_mesh **out_mesh);
+
+/**
+ * Make the mesh of a shape: shd_shape_fill() and shd_mesh_create() in one call.
+ * @param context   retained
+ * @param desc      borrowed for the call; NULL = all defaults, a sphere of radius 1
+ * @param flags     as shd_mesh_desc.flags
+ * @param out_mesh  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_mesh_create_shape(shd_context *context, const shd_shape_desc *desc,
+                                                       shd_mesh_flags flags, shd_mesh **out_mesh);
 
 /** Add a reference; NULL is ignored. Any thread. @since 0.1 */
 SHD_API void shd_mesh_retain(shd_mesh *mesh);

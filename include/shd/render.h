@@ -12,13 +12,15 @@
  *                between concurrent renders.
  *
  * @code
+ * const shd_light *const lights[2] = {sun, lamp};
+ * const shd_camera camera = shd_camera_default();
  * shd_render_desc desc = shd_render_desc_default();
  * shd_draw draw = shd_draw_default();
  * draw.mesh = mesh, draw.material = material;
  * desc.framebuffer = framebuffer;
- * desc.view = view;
+ * desc.camera = &camera;
  * desc.draws = &draw, desc.draw_count = 1;
- * desc.lights = lights, desc.light_count = light_count;
+ * desc.lights = lights, desc.light_count = 2;
  * result = shd_render(context, &desc);
  * @endcode
  */

@@ -67,10 +67,11 @@ static inline shd_scene_desc shd_scene_desc_default(void)
 /**
  * Read a model file.
  *
- * Materials: materials with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG, whose
- * ambient colour is the diffuse colour. Every slot whose texture is in the file is set. Heights are in their slot, but
- * have no effect until a material enables bump, parallax or displacement. An opacity below 1, an opacity map and glTF's
- * BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two sets of texture coordinates are used.
+ * Materials: materials with a roughness become SHD_MODEL_METALLIC_ROUGHNESS, all others SHD_MODEL_BLINN_PHONG. All
+ * reflect ambient light with their diffuse colour (ambient_share = 1). Every slot whose texture is in the file is set.
+ * Heights are in their slot, but have no effect until a material enables bump, parallax or displacement. An opacity
+ * below 1, an opacity map and glTF's BLEND become SHD_BLEND_SORTED; glTF's MASK becomes alpha_cutoff. The first two
+ * sets of texture coordinates are used.
  *
  * Lights: points, spots, directional and ambient ones, with the file's numbers as intensities. If the light of the file
  * does not decrease with the square of the distance, its intensity is chosen so that both agree at the distance of half

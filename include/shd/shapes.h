@@ -3,7 +3,8 @@
  * @file
  * @brief Vertices and triangles of common shapes, in the caller's columns.
  *
- * shd_shape_count() returns the numbers of vertices and indices of a shape; shd_shape_fill() writes the shape. The
+ * shd_mesh_create_shape() (shd/mesh.h) makes the mesh of a shape in one call. shd_shape_count() returns the numbers of
+ * vertices and indices of a shape; shd_shape_fill() writes the shape, for programs that change or keep the columns. The
  * columns have the conventions of shd_mesh_desc: object space, right-handed, +Y up, triangles counter-clockwise seen
  * from outside, uv with v down.
  *

@@ -40,6 +40,19 @@ shd_result check_programs(const shd_material_desc& desc) {
   return SHD_OK;
 }
 
+/// k_a: -1 in all channels, or none of them negative.
+shd_result check_ambient(const shd_material_desc& desc) {
+  SHD_TRY(check_range("material.ambient_share", double{desc.ambient_share}, 0.0, 1.0));
+  const float* const k = desc.ambient;
+  if (k[0] == -1.0f && k[1] == -1.0f && k[2] == -1.0f) return SHD_OK;
+  for (int c = 0; c < 3; ++c) {
+    if (k[c] >= 0.0f && k[c] <= 1e6f) continue;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "material.ambient[%d]: %g is not in 0..1e+06, and the channels are not all -1", c, double{k[c]});
+  }
+  return SHD_OK;
+}
+
 shd_result check_metal(const shd_material_desc& desc) {
   SHD_TRY(check_values("material.emission", desc.emission, 3, 0.0, 1e12));
   SHD_TRY(check_range("material.metallic", double{desc.metallic}, 0.0, 1.0));
@@ -69,7 +82,7 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   SHD_TRY(check_enum("material.model", desc.model, SHD_MODEL_LAMBERT, material::last_model()));
   SHD_TRY(check_enum("material.debug_view", desc.debug_view, 0, SHD_DEBUG_VIEW_BARYCENTRICS));
   SHD_TRY(check_flags("material.flags", desc.flags, kFlags));
-  SHD_TRY(check_values("material.ambient", desc.ambient, 3, 0.0, 1e6));
+  SHD_TRY(check_ambient(desc));
   SHD_TRY(check_values("material.diffuse", desc.diffuse, 3, 0.0, 1e6));
   SHD_TRY(check_values("material.specular", desc.specular, 3, 0.0, 1e6));
   SHD_TRY(check_range("material.exponent", static_cast<double>(desc.exponent), 0.0, 1e6));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <shd/mesh.h>
 #include <shd/shapes.h>
 
 #include "abi/desc.h"
 #include "abi/guard.h"
+#include "abi/handle.h"
+#include "geometry/mesh.h"
 #include "shapes/shapes.h"
 
 namespace {
@@ -106,6 +109,31 @@ shd_result check_columns(const shd_shape_columns& columns, const shapes::Counts&
   return check_count("columns.index_count", columns.index_count, 3 * counts.triangles, SIZE_MAX);
 }
 
+/// Builds the mesh of a shape from columns that live as long as the call.
+geometry::Mesh build_mesh(core::Context& owner, const Shape& shape, const shd_shape_desc& desc, shd_mesh_flags flags) {
+  constexpr size_t kColumns = 8;  // position, normal, uv
+  const shapes::Counts counts = shape.count(desc);
+  const auto vertices = static_cast<size_t>(counts.vertices);
+  core::Array<float> values(owner.allocator, kColumns * vertices);
+  core::Array<uint32_t> indices(owner.allocator, static_cast<size_t>(3 * counts.triangles));
+  shapes::Sink sink = {};
+  shd_mesh_desc made = shd_mesh_desc_default();
+  for (size_t c = 0; c < kColumns; ++c) {
+    float* const column = values.data() + c * vertices;
+    (c < 3 ? sink.position[c] : c < 6 ? sink.normal[c - 3] : sink.uv[c - 6]).data = column;
+    (c < 3 ? made.position[c] : c < 6 ? made.normal[c - 3] : made.uv[c - 6]).data = column;
+  }
+  sink.indices.data = indices.data();
+  shape.fill(desc, sink);
+  made.flags = flags;
+  made.vertex_count = static_cast<uint32_t>(vertices);
+  made.indices.data = indices.data();
+  made.index_count = indices.size();
+  geometry::Mesh mesh{};
+  geometry::build(owner, made, &mesh);
+  return mesh;
+}
+
 }  // namespace
 
 extern "C" {
@@ -139,6 +167,23 @@ shd_result shd_shape_fill(const shd_shape_desc* desc, const shd_shape_columns* c
     for (int i = 0; i < 2; ++i) sink.uv[i] = out.uv[i];
     sink.indices = out.indices;
     shape->fill(read, sink);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_mesh_create_shape(shd_context* context, const shd_shape_desc* desc, shd_mesh_flags flags,
+                                 shd_mesh** out_mesh) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(check_not_null("out_mesh", out_mesh));
+    *out_mesh = nullptr;
+    SHD_TRY(check_context(context));
+    shd_shape_desc read;
+    const Shape* shape = nullptr;
+    SHD_TRY(read_shape(desc, &read, &shape));
+    SHD_TRY(check_flags("flags", flags, SHD_MESH_KEEP_NONFINITE | SHD_MESH_TANGENTS | SHD_MESH_ADJACENCY));
+    core::Context& owner = context_of(context);
+    auto* mesh = core::create<geometry::Mesh>(owner.allocator, build_mesh(owner, *shape, read, flags));
+    make_handle(owner, core::ObjectType::kMesh, mesh, out_mesh);
     return SHD_OK;
   });
 }

@@ -17,6 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// k_d (I_a + sum of E max(0, n.l)) + sum of E k_s max(0, n.h)^p.
 struct Combined : BlinnPhong {
   static constexpr uint32_t kSlots = BlinnPhong::kSlots & ~(1u << SHD_SLOT_AMBIENT);
+  static constexpr bool kColorsAmbient = true;
 
   struct Combination {
     template <class D, class V = hn::Vec<D>>

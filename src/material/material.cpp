@@ -34,6 +34,17 @@ float dielectric_f0_of(float ior) noexcept {
   return static_cast<float>(ratio * ratio);
 }
 
+/// k_a and its slot: those of the desc, or a share of the diffuse colour.
+void build_ambient(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept {
+  out->ambient_slot = SHD_SLOT_AMBIENT;
+  std::copy_n(desc.ambient, 3, out->ambient);
+  if (desc.ambient[0] >= 0.0f) return;
+  const bool is_colored = info_of(out->model).colors_ambient;
+  for (int c = 0; c < 3; ++c) out->ambient[c] = desc.ambient_share * (is_colored ? 1.0f : desc.diffuse[c]);
+  if (!is_colored && slots[SHD_SLOT_AMBIENT].desc.source == SHD_SLOT_SOURCE_CONSTANT)
+    out->ambient_slot = SHD_SLOT_DIFFUSE;
+}
+
 void build_surface(const shd_material_desc& desc, const texture::Texture* normals, Material* out) noexcept {
   const bool is_unorm =
       normals && normals->component != image::Component::kFloat16 && normals->component != image::Component::kFloat32;
@@ -60,7 +71,7 @@ Material::~Material() {
 void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept {
   out->model = model_key(desc.model, desc.debug_view);
   out->flags = out->model == ModelKey::kProgram ? desc.flags : desc.flags & ~uint32_t{SHD_MATERIAL_DISCARDS};
-  std::copy_n(desc.ambient, 3, out->ambient);
+  build_ambient(desc, slots, out);
   std::copy_n(desc.diffuse, 3, out->diffuse);
   std::copy_n(desc.specular, 3, out->specular);
   std::copy_n(desc.emission, 3, out->emission);

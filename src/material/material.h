@@ -45,7 +45,7 @@ namespace shd::material {
 struct Material {
   ModelKey model;
   uint32_t flags;     // shd_material_flag
-  float ambient[3];   // k_a
+  float ambient[3];   // k_a without its slot
   float diffuse[3];   // k_d, or base colour
   float specular[3];  // k_s
   float exponent;     // p
@@ -64,7 +64,8 @@ struct Material {
   float parallax_depth;
   uint32_t parallax_steps;
   Slot slot[kSlotCount];
-  uint32_t slots;  // bits of the set slots that the model reads
+  uint32_t ambient_slot;  // slot that scales k_a: its own, or that of the diffuse colour which it follows
+  uint32_t slots;         // bits of the set slots that the model reads
   shd_material_program program;
   uint32_t varying_count;  // 0 without program.vertex
   shd_interpolation interpolation[SHD_MAX_VARYINGS];

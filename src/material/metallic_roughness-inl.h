@@ -60,6 +60,7 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
 /// colour b = k_d, metallic m, f0 the reflectance of the dielectric and F0 = f0 (1 - m) + b m.
 struct MetallicRoughness : ModelBase {
   static constexpr uint32_t kSlots = kLitSlots | 1u << SHD_SLOT_METALLIC | 1u << SHD_SLOT_ROUGHNESS;
+  static constexpr bool kColorsAmbient = true;
 
   struct Lighting : LightingBase {
     static constexpr uint32_t kLobes = 3;

@@ -105,6 +105,8 @@ struct LightingBase {
 struct ModelBase {
   /// Whether normal maps and bumps change the result of the model.
   static constexpr bool kHasNormal = true;
+  /// Whether Combine() multiplies the ambient light by the diffuse colour itself.
+  static constexpr bool kColorsAmbient = false;
   /// raster::Interpolated bits of the columns that Show() reads, except the normal.
   static constexpr uint32_t kShownColumns = 0;
 

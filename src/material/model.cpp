@@ -39,7 +39,8 @@ constexpr ModelInfo make_info() {
   static_assert(Lighting::kLobes <= kMaxLobes && Shape::kColumns <= kMaxShapeColumns,
                 "columns of shade/ hold all models");
   return {Model::kSlots,        Lighting::kLobes,    Shape::kSlots,     Shape::kColumns,
-          Model::kShownColumns, Lighting::kNeedsEye, Model::kHasNormal, Lighting::kIgnoresIrradiance};
+          Model::kShownColumns, Lighting::kNeedsEye, Model::kHasNormal, Lighting::kIgnoresIrradiance,
+          Model::kColorsAmbient};
 }
 
 template <class... Rows>

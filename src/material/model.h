@@ -58,6 +58,7 @@ struct ModelInfo {
   bool needs_eye;
   bool has_normal;
   bool ignores_irradiance;
+  bool colors_ambient;
 };
 
 /// Properties of a model; all zero for ModelKey::kProgram.

@@ -148,8 +148,9 @@ void require_scene(const aiScene* scene, const Assimp::Importer& importer, const
   }
   if (scene && scene->mRootNode) return;
   const std::string reason = text_of(importer.GetErrorString());
-  const bool unknown = reason.find("No suitable reader") != std::string::npos;
-  core::refuse(unknown ? SHD_ERROR_UNSUPPORTED : SHD_ERROR_CORRUPT, "%s", reason.c_str());
+  if (reason.find("No suitable reader") != std::string::npos)
+    core::refuse(SHD_ERROR_UNSUPPORTED, "assimp has no reader for this format or version");
+  core::refuse(SHD_ERROR_CORRUPT, "%s", reason.c_str());
 }
 
 /// Reads the file without assimp's post-processing, removes data that the post-processing steps do not expect, and then
@@ -182,7 +183,7 @@ Model import_checked(const std::string& path, const Limits& limits, const Deadli
   if (import.model.surfaces.empty()) import.model.surfaces.emplace_back();
   add_geometries(import);
   place_nodes(import);
-  if (import.model.instances.empty()) core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it");
+  if (import.model.instances.empty()) refuse_empty(import.model);
   add_lights(import.scene, bounds_of(import.model).radius(), import.model);
   add_cameras(import.scene, import.model);
   return std::move(import.model);

@@ -30,6 +30,9 @@ std::unique_ptr<Assimp::IOSystem> make_file_system(FileBudget& budget, const Dea
 /// without polygons.
 void sanitize(aiScene& scene, const Limits& limits, Model& model);
 
+/// Refuses a model of which nothing can be drawn. The message ends with the last warning about a mesh or a node.
+[[noreturn]] void refuse_empty(const Model& model);
+
 /// Whether the scene comes from glTF 2.0.
 bool is_gltf2(const aiScene& scene);
 

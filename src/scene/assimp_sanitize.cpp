@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,7 +86,16 @@ void sanitize(aiScene& scene, const Limits& limits, Model& model) {
   }
   check_limit("vertices", vertices, "max_vertices", limits.vertices);
   check_limit("triangles", triangles, "max_triangles", limits.triangles);
-  if (triangles == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it");
+  if (triangles == 0) refuse_empty(model);
+}
+
+void refuse_empty(const Model& model) {
+  const auto is_cause = [](const std::string& warning) {
+    return warning.rfind("mesh ", 0) == 0 || warning.rfind("node ", 0) == 0;
+  };
+  const auto last = std::find_if(model.warnings.rbegin(), model.warnings.rend(), is_cause);
+  if (last == model.warnings.rend()) core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it");
+  core::refuse(SHD_ERROR_UNSUPPORTED, "no triangles in it: %s", last->c_str());
 }
 
 }  // namespace shd::scene

@@ -41,15 +41,11 @@ std::vector<shd_slot> slots_of(Maker& maker, const Surface& surface) {
   for (size_t target = 0; target < surface.maps.size(); ++target) {
     const Map& map = surface.maps[target];
     shd_texture* texture = map.texture >= 0 ? maker.out.textures[static_cast<size_t>(map.texture)].get() : nullptr;
-    // Ambient light is reflected by the diffuse colour; metallic-roughness includes this itself.
-    if (!texture || (target == SHD_SLOT_AMBIENT && !surface.metallic_roughness)) continue;
+    if (!texture) continue;
     shd_slot slot = shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler_of(maker, map));
     slot.uv_set = map.uv_set;
     slot.channel = map.channel;
     std::copy(map.uv_transform.begin(), map.uv_transform.end(), slot.uv_transform);
-    slots.push_back(slot);
-    if (target != SHD_SLOT_DIFFUSE || surface.metallic_roughness) continue;
-    slot.target = SHD_SLOT_AMBIENT;
     slots.push_back(slot);
   }
   return slots;
@@ -72,10 +68,10 @@ shd_material_desc desc_of(const Surface& surface) {
   desc.model = metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
   for (size_t c = 0; c < 3; ++c) {
     desc.diffuse[c] = surface.diffuse[c];
-    desc.ambient[c] = metallic ? 1.0f : surface.diffuse[c];
     desc.specular[c] = surface.specular[c];
     desc.emission[c] = surface.emission[c];
   }
+  desc.ambient_share = 1.0f;  // ambient light is reflected by the diffuse colour
   desc.exponent = metallic ? exponent_of(surface.roughness) : surface.exponent;
   desc.roughness = metallic ? surface.roughness : roughness_of(surface.exponent);
   desc.metallic = surface.metallic;

@@ -35,7 +35,7 @@ void CombineAmbient(const Inputs& in, Radiance& out) {
       const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
       const auto lost = slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one;
       const auto kept = one + strength * lost;
-      hn::Store(slots.Get(in.ambient[c], SHD_SLOT_AMBIENT, c) * kept, d, out.channel[c] + i);
+      hn::Store(slots.Get(in.ambient[c], in.material.ambient_slot, c) * kept, d, out.channel[c] + i);
     }
   }
 }

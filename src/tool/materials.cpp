@@ -29,23 +29,13 @@ struct Replacements {
 /// Slots of one material, at most one for each target.
 using Slots = std::vector<shd_slot>;
 
-/// Copies the slot of `source`, if there is one, to `target`.
-void share_slot(Slots& slots, shd_slot_target source, shd_slot_target target) {
-  const auto is_source = [&](const shd_slot& slot) { return slot.target == source; };
-  const auto found = std::find_if(slots.begin(), slots.end(), is_source);
-  if (found == slots.end()) return;
-  shd_slot slot = *found;
-  slot.target = target;
-  slots.push_back(slot);
-}
-
 /// Slots of the surface and of the command line, with the uv scale of the options.
 Slots make_slots(const shd_material_desc& desc, const Options& options, const Replacements& replacements,
                  shd_sampler* sampler) {
   Slots slots;
   for (size_t i = 0; i < desc.slot_count && !replacements.drops_others; ++i) {
     const shd_slot& slot = desc.slots[i];
-    if (slot.target != SHD_SLOT_AMBIENT && !replacements.texture[slot.target]) slots.push_back(slot);
+    if (!replacements.texture[slot.target]) slots.push_back(slot);
   }
   for (int target = 0; target < kTargets; ++target) {
     shd_texture* texture = replacements.texture[target];
@@ -54,8 +44,6 @@ Slots make_slots(const shd_material_desc& desc, const Options& options, const Re
   for (shd_slot& slot : slots) {
     for (size_t i = 0; i < 6 && slot.target != SHD_SLOT_MATCAP; ++i) slot.uv_transform[i] *= options.uv_scale;
   }
-  // Ambient light is reflected by the diffuse colour; metallic-roughness includes this itself.
-  if (desc.model != SHD_MODEL_METALLIC_ROUGHNESS) share_slot(slots, SHD_SLOT_DIFFUSE, SHD_SLOT_AMBIENT);
   return slots;
 }
 
@@ -121,7 +109,6 @@ Material make_material(shd_context* context, const Options& options, shd_model m
   set_lobe(desc, options);
   Replacements replacements;
   if (!surface.is_floor) replacements = set_extras(desc, options, extras);
-  for (size_t c = 0; c < 3; ++c) desc.ambient[c] = model == SHD_MODEL_METALLIC_ROUGHNESS ? 1.0f : desc.diffuse[c];
   const Slots slots = make_slots(desc, options, replacements, make_sampler(context, options, samplers));
   desc.slots = slots.data();
   desc.slot_count = static_cast<uint32_t>(slots.size());

@@ -110,6 +110,7 @@ Surface make_surface(const char* name, const std::array<float, 3>& diffuse, floa
     surface.desc.diffuse[c] = diffuse[c];
     surface.desc.specular[c] = specular;
   }
+  surface.desc.ambient_share = 1.0f;  // as shd_scene_load() sets it
   surface.desc.exponent = 40.0f;
   surface.desc.roughness = std::sqrt(std::sqrt(2.0f / 42.0f));  // as wide a lobe
   surface.desc.model = SHD_MODEL_BLINN_PHONG;

@@ -43,9 +43,28 @@ static void edit_black(shd_material_desc *d)
     memset(d->specular, 0, sizeof d->specular);
     d->exponent = 0;
 }
-static void edit_largest(shd_material_desc *d) { d->ambient[0] = d->diffuse[1] = d->specular[2] = d->exponent = 1e6f; }
-static void edit_ambient_negative(shd_material_desc *d) { d->ambient[0] = -1; }
-static void edit_ambient_nan(shd_material_desc *d) { d->ambient[2] = (float)NAN; }
+static void edit_largest(shd_material_desc *d)
+{
+    d->ambient[0] = d->ambient[1] = d->ambient[2] = 1e6f;
+    d->diffuse[1] = d->specular[2] = d->exponent = 1e6f;
+}
+static void set_ambient(shd_material_desc *d, float r, float g, float b)
+{
+    d->ambient[0] = r;
+    d->ambient[1] = g;
+    d->ambient[2] = b;
+}
+static void edit_ambient_minus_1(shd_material_desc *d) { set_ambient(d, -1, -1, -1); }
+static void edit_ambient_minus_0(shd_material_desc *d) { set_ambient(d, -0.0f, 0, 1); }
+static void edit_ambient_negative(shd_material_desc *d) { set_ambient(d, 0, 0.5f, -0.5f); }
+static void edit_ambient_minus_2(shd_material_desc *d) { set_ambient(d, -2, -2, -2); }
+static void edit_ambient_mixed(shd_material_desc *d) { d->ambient[1] = 0.2f; }
+static void edit_ambient_mixed_last(shd_material_desc *d) { set_ambient(d, 0.2f, 0.2f, -1); }
+static void edit_ambient_above(shd_material_desc *d) { set_ambient(d, 0, 2e6f, 0); }
+static void edit_ambient_share_0(shd_material_desc *d) { d->ambient_share = 0; }
+static void edit_ambient_share_above(shd_material_desc *d) { d->ambient_share = 1.5f; }
+static void edit_ambient_share_nan(shd_material_desc *d) { d->ambient_share = (float)NAN; }
+static void edit_ambient_nan(shd_material_desc *d) { set_ambient(d, 0, 0, (float)NAN); }
 static void edit_diffuse_above(shd_material_desc *d) { d->diffuse[1] = 1.5e6f; }
 static void edit_diffuse_inf(shd_material_desc *d) { d->diffuse[2] = INFINITY; }
 static void edit_specular_nan(shd_material_desc *d) { d->specular[0] = (float)NAN; }
@@ -255,7 +274,18 @@ static const struct create_case k_create[] = {
     {"create/fragment_without_program", edit_program_unused, BAD,
      "material.program.fragment: set, but the model is not SHD_MODEL_PROGRAM"},
     {"create/flags_unknown", edit_flags_unknown, SHD_ERROR_UNSUPPORTED, "material.flags: bits 0x40 "},
-    {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[0]: -1 is not in 0..1e+06"},
+    {"create/ambient_minus_1", edit_ambient_minus_1, SHD_OK, ""},
+    {"create/ambient_minus_0", edit_ambient_minus_0, SHD_OK, ""},
+    {"create/ambient_negative", edit_ambient_negative, BAD, "material.ambient[2]: -0.5 is not in 0..1e+06"},
+    {"create/ambient_minus_2", edit_ambient_minus_2, BAD,
+     "material.ambient[0]: -2 is not in 0..1e+06, and the channels are not all -1"},
+    {"create/ambient_mixed", edit_ambient_mixed, BAD,
+     "material.ambient[0]: -1 is not in 0..1e+06, and the channels are not all -1"},
+    {"create/ambient_mixed_last", edit_ambient_mixed_last, BAD, "material.ambient[2]: -1 is not in 0..1e+06"},
+    {"create/ambient_2e6", edit_ambient_above, BAD, "material.ambient[1]: 2e+06"},
+    {"create/ambient_share_0", edit_ambient_share_0, SHD_OK, ""},
+    {"create/ambient_share_1.5", edit_ambient_share_above, BAD, "material.ambient_share: 1.5 is not in 0..1"},
+    {"create/ambient_share_nan", edit_ambient_share_nan, BAD, "material.ambient_share: "},
     {"create/ambient_nan", edit_ambient_nan, BAD, "material.ambient[2]: "},
     {"create/diffuse_1.5e6", edit_diffuse_above, BAD, "material.diffuse[1]: 1.5e+06"},
     {"create/diffuse_inf", edit_diffuse_inf, BAD, "material.diffuse[2]: inf"},

@@ -173,6 +173,7 @@ static void test_deep(void **state)
         order[n] = i;
     }
     material.ambient[0] = 0.5f;
+    material.ambient[1] = material.ambient[2] = 0;
     material.opacity = 1.0f / 64;
     material.blend = SHD_BLEND_SORTED;
     shd_frame_open_samples(&f, SIZE, SIZE, 1);

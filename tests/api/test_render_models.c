@@ -194,6 +194,7 @@ static shd_material_desc material_of(const struct shade_case *c)
     m.debug_view = c->view;
     m.flags = c->flags;
     m.exponent = c->exponent;
+    m.ambient[0] = m.ambient[2] = 0.05f;
     m.ambient[1] = 0.2f;
     m.diffuse[2] = 0.4f;
     m.specular[0] = 0.9f;

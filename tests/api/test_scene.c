@@ -59,25 +59,24 @@ static const shd_slot *slot_of(const shd_material_desc *material, shd_slot_targe
     return NULL;
 }
 
-/* Diffuse and specular maps are slots of the file; ambient light uses the diffuse map. */
+/* Diffuse and specular maps are slots of the file; ambient light follows the diffuse map. */
 static void test_obj_slots(void **state)
 {
     shd_scene *scene = load("tri.obj");
     shd_material_desc material = shd_material_desc_default();
-    const shd_slot *diffuse, *specular, *ambient;
+    const shd_slot *diffuse, *specular;
     shd_scene_instance instance = shd_scene_instance_default();
     (void)state;
     shd_assert_ok(shd_scene_get_instance(scene, 0, &instance));
     shd_assert_ok(shd_scene_get_material_desc(scene, instance.material, &material));
-    assert_int_equal(material.slot_count, 3);
+    assert_int_equal(material.slot_count, 2);
     diffuse = slot_of(&material, SHD_SLOT_DIFFUSE);
     specular = slot_of(&material, SHD_SLOT_SPECULAR);
-    ambient = slot_of(&material, SHD_SLOT_AMBIENT);
-    assert_true(diffuse && specular && ambient);
+    assert_true(diffuse && specular);
+    assert_true(material.ambient_share == 1.0f);
     assert_int_equal(diffuse->source, SHD_SLOT_SOURCE_TEXTURE);
     assert_int_equal(diffuse->struct_size, sizeof *diffuse);
     assert_true(diffuse->texture && diffuse->sampler && specular->texture);
-    assert_ptr_equal(diffuse->texture, ambient->texture);
     assert_ptr_not_equal(diffuse->texture, specular->texture);
     shd_scene_release(scene);
 }
@@ -105,7 +104,7 @@ static void test_obj(void **state)
     assert_string_equal(shd_scene_name(scene, SHD_SCENE_PART_MATERIAL, instance.material), "red");
     assert_int_equal(material.model, SHD_MODEL_BLINN_PHONG);
     assert_three("diffuse", material.diffuse, 0.5, 0.25, 0.125);
-    assert_three("ambient", material.ambient, 0.5, 0.25, 0.125);
+    assert_three("ambient", material.ambient, -1, -1, -1);
     assert_three("specular", material.specular, 0.75, 0.5, 0.25);
     assert_three("emission", material.emission, 0.5, 0, 0);
     shd_assert_close("exponent", 0, material.exponent, 20, 0, 0);

@@ -63,9 +63,11 @@ struct file_case {
 static const struct file_case k_files[] = {
     {"empty.obj", "", SHD_ERROR_CORRUPT, "is empty"},
     {"noise.obj", "\x01\x02\xff\xfe noise \n noise", SHD_ERROR_UNSUPPORTED, ""},
-    {"noise.xyz", "\x01\x02\xff\xfe noise \n noise", SHD_ERROR_UNSUPPORTED, "No suitable reader"},
+    {"noise.xyz", "\x01\x02\xff\xfe noise \n noise", SHD_ERROR_UNSUPPORTED,
+     "assimp has no reader for this format or version"},
     {"lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n", SHD_ERROR_UNSUPPORTED, "no triangles in it"},
     {"points.obj", "v 0 0 0\nv 1 0 0\np 1\n", SHD_ERROR_UNSUPPORTED, "no triangles in it"},
+    {"nowhere.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", SHD_ERROR_UNSUPPORTED, "no triangles in it: mesh \""},
     {"brace.gltf", "{", SHD_ERROR_UNSUPPORTED, ""},
     {"array.gltf", "[1, 2, 3]", SHD_ERROR_UNSUPPORTED, ""},
     {"version.gltf", "{\"asset\":{\"version\":\"2.0\"}}", SHD_ERROR_CORRUPT, ""},
@@ -150,7 +152,7 @@ static void test_wild_matrix(void **state)
              "\"nodes\":[{\"scale\":[1e30,1,1],\"children\":[1]},{\"scale\":[1e30,1,1],\"mesh\":0}],"
              "\"materials\":[{}]," ROOM_BUFFERS "\"samplers\":[]}");
     scene_write_text("wild.gltf", text);
-    shd_assert_result("wild", survive("wild.gltf"), SHD_ERROR_UNSUPPORTED, "no triangles in it");
+    shd_assert_result("wild", survive("wild.gltf"), SHD_ERROR_UNSUPPORTED, "no triangles in it: node \"");
 }
 
 /* Valid files, truncated at every byte, and with changed bytes. */

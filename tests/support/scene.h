@@ -312,6 +312,12 @@ static inline void shd_scene_stripes(const shd_fragments *in, float *const out[4
     for (i = 0; i < in->count; ++i) out[0][i] = in->px[i] * in->px[i] + in->u1[i];
 }
 
+/** Sets a constant k_a, that of the defaults without a texture. */
+static inline void shd_scene_ambient(shd_material_desc *desc)
+{
+    desc->ambient[0] = desc->ambient[1] = desc->ambient[2] = 0.05f;
+}
+
 /** Materials of SHD_SCENE_SURFACE. */
 static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
 {
@@ -329,6 +335,7 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
     desc.model = k_models[which];
     desc.flags = SHD_MATERIAL_DOUBLE_SIDED;
     desc.metallic = 0.4f;
+    shd_scene_ambient(&desc);
     if (which == 0) {
         shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 0)->uv_set = 1;
         shd_scene_slot(s, &slots, &desc, SHD_SLOT_ROUGHNESS, 1)->channel = 1;
@@ -370,6 +377,7 @@ static inline shd_result shd_scene_material(shd_scene *s, size_t which)
     if (s->kind == SHD_SCENE_SURFACE) return shd_scene_surface(s, which);
     desc.model = which < 2 ? SHD_MODEL_LAMBERT : SHD_MODEL_BLINN_PHONG;
     desc.exponent = which == 2 ? 7.5f : 64.0f;
+    if (which < SHD_SCENE_TEXTURES || which == 5) shd_scene_ambient(&desc);
     if (which < SHD_SCENE_TEXTURES) {
         shd_scene_slot(s, &slots, &desc, SHD_SLOT_DIFFUSE, which);
     } else if (which == 4) {

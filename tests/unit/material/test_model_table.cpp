@@ -14,26 +14,26 @@ struct ModelCase {
   material::ModelKey model;
   uint32_t lobes;
   int shape_slot;  // negative = none
-  bool needs_eye, has_normal, ignores_irradiance, has_ambient;
+  bool needs_eye, has_normal, ignores_irradiance, has_ambient, colors_ambient;
   uint32_t shown_columns;
 };
 const ModelCase k_models[] = {
-    {"lambert", material::key_of(SHD_MODEL_LAMBERT), 1, -1, false, true, false, true, 0},
-    {"blinn_phong", material::key_of(SHD_MODEL_BLINN_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
-    {"unlit", material::key_of(SHD_MODEL_UNLIT), 0, -1, false, false, false, false, 0},
-    {"phong", material::key_of(SHD_MODEL_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+    {"lambert", material::key_of(SHD_MODEL_LAMBERT), 1, -1, false, true, false, true, false, 0},
+    {"blinn_phong", material::key_of(SHD_MODEL_BLINN_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, false, 0},
+    {"unlit", material::key_of(SHD_MODEL_UNLIT), 0, -1, false, false, false, false, false, 0},
+    {"phong", material::key_of(SHD_MODEL_PHONG), 2, SHD_SLOT_EXPONENT, true, true, false, true, false, 0},
     {"normalized", material::key_of(SHD_MODEL_BLINN_PHONG_NORMALIZED), 2, SHD_SLOT_EXPONENT, true, true, false, true,
-     0},
-    {"combined", material::key_of(SHD_MODEL_COMBINED), 2, SHD_SLOT_EXPONENT, true, true, false, false, 0},
-    {"gooch", material::key_of(SHD_MODEL_GOOCH), 1, -1, false, true, true, false, 0},
-    {"toon", material::key_of(SHD_MODEL_TOON), 2, SHD_SLOT_EXPONENT, true, true, false, true, 0},
+     false, 0},
+    {"combined", material::key_of(SHD_MODEL_COMBINED), 2, SHD_SLOT_EXPONENT, true, true, false, false, true, 0},
+    {"gooch", material::key_of(SHD_MODEL_GOOCH), 1, -1, false, true, true, false, false, 0},
+    {"toon", material::key_of(SHD_MODEL_TOON), 2, SHD_SLOT_EXPONENT, true, true, false, true, false, 0},
     {"metallic_roughness", material::key_of(SHD_MODEL_METALLIC_ROUGHNESS), 3, SHD_SLOT_ROUGHNESS, true, true, false,
-     true, 0},
-    {"matcap", material::key_of(SHD_MODEL_MATCAP), 0, -1, false, true, false, false, 0},
-    {"show_normal", material::key_of(SHD_DEBUG_VIEW_NORMAL), 0, -1, false, true, false, false, 0},
-    {"show_uv", material::key_of(SHD_DEBUG_VIEW_UV), 0, -1, false, false, false, false, raster::kTexture},
-    {"show_level", material::key_of(SHD_DEBUG_VIEW_LEVEL), 0, -1, false, false, false, false, raster::kTexture},
-    {"show_barycentrics", material::key_of(SHD_DEBUG_VIEW_BARYCENTRICS), 0, -1, false, false, false, false,
+     true, true, 0},
+    {"matcap", material::key_of(SHD_MODEL_MATCAP), 0, -1, false, true, false, false, false, 0},
+    {"show_normal", material::key_of(SHD_DEBUG_VIEW_NORMAL), 0, -1, false, true, false, false, false, 0},
+    {"show_uv", material::key_of(SHD_DEBUG_VIEW_UV), 0, -1, false, false, false, false, false, raster::kTexture},
+    {"show_level", material::key_of(SHD_DEBUG_VIEW_LEVEL), 0, -1, false, false, false, false, false, raster::kTexture},
+    {"show_barycentrics", material::key_of(SHD_DEBUG_VIEW_BARYCENTRICS), 0, -1, false, false, false, false, false,
      raster::kBarycentrics},
 };
 
@@ -48,6 +48,7 @@ void test_row(void** state) {
   assert_int_equal(info.slots >> SHD_SLOT_NORMAL & 1, c->has_normal);
   assert_int_equal(info.ignores_irradiance, c->ignores_irradiance);
   assert_int_equal(info.slots >> SHD_SLOT_AMBIENT & 1, c->has_ambient);
+  assert_int_equal(info.colors_ambient, c->colors_ambient);
   assert_int_equal(info.shown_columns, c->shown_columns);
 }
 

@@ -67,6 +67,7 @@ void fill(Random* random, const combine_case& c) {
   shd_material_desc desc = shd_material_desc_default();
   desc.model = c.model;
   desc.flags = c.flags;
+  std::fill_n(desc.ambient, 3, 1.0f);  // does not follow the diffuse slot
   const material::SlotInput slots[material::kSlotCount] = {};
   material::build(desc, slots, &g->material);
   g->lights.count = c.lights;
