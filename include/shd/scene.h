@@ -152,13 +152,13 @@ SHD_API const char *shd_scene_name(const shd_scene *scene, shd_scene_part part, 
 /** A mesh; borrowed until release of the scene, to be retained for longer; NULL if there is none. @since 0.1 */
 SHD_API shd_mesh *shd_scene_mesh(const shd_scene *scene, uint32_t index);
 
-/** A material, likewise. @since 0.1 */
+/** A material; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_material *shd_scene_material(const shd_scene *scene, uint32_t index);
 
-/** A texture, likewise. @since 0.1 */
+/** A texture; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_texture *shd_scene_texture(const shd_scene *scene, uint32_t index);
 
-/** A light, likewise. @since 0.1 */
+/** A light; borrowed until release of the scene; NULL if there is none. @since 0.1 */
 SHD_API shd_light *shd_scene_light(const shd_scene *scene, uint32_t index);
 
 /**
