@@ -17,7 +17,7 @@ if(TARGET triangle)
 endif()
 foreach(name IN ITEMS normal phong texture bump displacement)
   add_executable(${name} ${EXAMPLES_DIR}/course/${name}.c ${EXAMPLES_DIR}/course/course.c
-                 ${EXAMPLES_DIR}/course/course_model.c)
+                 ${EXAMPLES_DIR}/course/course_model.c ${EXAMPLES_DIR}/course/course_options.c)
   target_link_libraries(${name} PRIVATE shd::shd m)
   if("io" IN_LIST COMPONENTS)
     target_compile_definitions(${name} PRIVATE EXAMPLE_HAS_IO)

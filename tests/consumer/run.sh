@@ -74,7 +74,7 @@ with_pkg_config() {
   for example in "${examples[@]}"; do
     modules=(shd) sources=("$SOURCE/examples/$example.c") defines=()
     if [[ " ${course[*]} " == *" $example "* ]]; then
-      sources=("$SOURCE/examples/course/"{"$example",course,course_model}.c)
+      sources=("$SOURCE/examples/course/"{"$example",course,course_model,course_options}.c)
       [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
     elif [ "$example" = triangle ]; then
       modules+=(shd_io)
