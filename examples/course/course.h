@@ -12,8 +12,8 @@
  * linear, and no curve is applied to the picture. A renderer should decode texels, shade light, and encode the picture,
  * as ../frame.c does.
  *
- * Usage of each program: NAME [options] [MODEL]; --help lists the options. MODEL is a file that assimp reads, or - for a
- * sphere made in code. If it is missing, the model is the duck of Debian's assimp-testmodels, or its spider for height
+ * Usage of each program: NAME [options] [MODEL]; --help lists the options. MODEL is a file that assimp reads, or - for
+ * a sphere made in code. If it is missing, the model is the duck of Debian's assimp-testmodels, or its spider for height
  * maps, or the sphere if that package or assimp is missing. Without --texture, the program uses the model's first
  * texture, or one made in code.
  */
@@ -55,6 +55,7 @@ struct course_options {
     float scale;     /* 0 = fitted into the picture */
     float intensity; /* of all lamps; below 0 = their own */
     int notes;       /* the lamps of the lecture */
+    int is_default;  /* no option that changes the lamps */
     enum course_move move;
     struct shading shading;
 };

@@ -119,6 +119,7 @@ static void place_lamps(struct course_options *options)
     if (options->shading.lamp_count == 0) {
         memcpy(options->shading.lamps, options->notes ? k_notes : k_homework, sizeof k_notes);
         options->shading.lamp_count = 2;
+        options->is_default = !options->notes && options->intensity < 0.0f;
     }
     for (i = 0; i < options->shading.lamp_count && options->intensity >= 0.0f; ++i) {
         options->shading.lamps[i].intensity = options->intensity;

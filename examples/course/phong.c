@@ -15,8 +15,8 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
     }
 }
 
-/* The built-in Blinn-Phong model in the textbook form gives the same picture. The lamps of the assignment show the model,
-   sRGB-encoded grey of a fifth at least on average. */
+/* The built-in Blinn-Phong model in the textbook form gives the same picture. The lamps of the assignment show
+   the model: its mean is above a fifth. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
     const struct shading *s = &course->options.shading;
