@@ -53,7 +53,7 @@ struct course_options {
     uint32_t size;   /* pixels a side */
     float angle;     /* about the y axis [degrees] */
     float scale;     /* 0 = fitted into the picture */
-    float intensity; /* of all lamps; below 0 = their own */
+    float intensity; /* replaces that of every lamp; below 0 = none */
     int notes;       /* the lamps of the lecture */
     int is_default;  /* no option that changes the lamps */
     enum course_move move;

@@ -17,7 +17,7 @@ struct lamp {
     float cone; /* half angle [rad] of a spot light; 0 = a point light */
 };
 
-/* What the formulas take besides the point. */
+/* Lamps and constants of the formulas. */
 struct shading {
     struct lamp lamps[COURSE_LAMPS];
     int lamp_count;
