@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Edges of meshes by kind against every pair of edges compared, on shapes whose drawings are known; columns; refusals.
  */
+#include "support/noise.h"
 #include "support/shapes.h"
 
 #include <stdlib.h>
@@ -138,7 +139,7 @@ static const struct shape_case k_shapes[] = {
 
 static float next_random(uint32_t *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    shd_noise(seed);
     return 2 * (float)(*seed >> 8) / 16777216.0f - 1;
 }
 

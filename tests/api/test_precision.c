@@ -2,11 +2,12 @@
 /* What the headers state about rounding and precision: raster positions, depth, viewports, addresses of texels, borders,
    read-outs, and the magnification that each filter has by itself. */
 #include "support/frame.h"
+#include "support/noise.h"
 
 static uint32_t g_random = 1;
 static double unit(void)
 {
-    g_random = g_random * 1664525u + 1013904223u;
+    shd_noise(&g_random);
     return (double)(g_random >> 8) / 16777216.0;
 }
 
