@@ -23,7 +23,7 @@ if [ -z "$build" ]; then
   build=build/demo
   echo "== Building shd in $build: about 240 files, minutes on a few cores"
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
-  cmake --build "$build" --target shd-render examples/course/all
+  cmake --build "$build" --parallel "$(compile_jobs)" --target shd-render examples/course/all
 fi
 
 models=/usr/share/assimp/models
