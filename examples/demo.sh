@@ -19,7 +19,7 @@ install_packages "${packages[@]}"
 
 echo "== Building shd in build/demo: about 240 files, minutes on a few cores"
 cmake -S . -B build/demo -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
-cmake --build build/demo --target shd-render
+cmake --build build/demo --parallel "$(compile_jobs)" --target shd-render
 
 models=/usr/share/assimp/models
 render=build/demo/src/tool/shd-render

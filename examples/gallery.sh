@@ -23,7 +23,7 @@ if [ -z "$build" ]; then
   build=build/demo
   echo "== Building shd in $build: about 240 files, minutes on a few cores"
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
-  cmake --build "$build" --target shd-render examples/course/all
+  cmake --build "$build" --parallel "$(compile_jobs)" --target shd-render examples/course/all
 fi
 
 models=/usr/share/assimp/models
@@ -136,14 +136,13 @@ picture line-drawing "Silhouettes and creases" --orbit 40,15 --model unlit --tex
   --lines 1.6 "$truck"
 picture line-gooch "Lines over Gooch" "${pot[@]}" "${sun[@]}" --model gooch --diffuse 0.7,0.22,0.1 --lines 2
 
-# The lights of the course leave its models dark: here they are six times as bright.
 group "Fragment programs of a course"
 for program in "normal Normals" "phong Blinn-Phong" "texture Texture" "bump Bump mapping" "displacement Displacement"; do
   name=${program%% *}
-  model=
-  if [ "$name" = bump ] || [ "$name" = displacement ]; then model=-; fi
+  model=()
+  if [ "$name" = bump ] || [ "$name" = displacement ]; then model=(-); fi
   echo "   ${program#* }"
-  "$build/examples/course/$name" "$model" "$out/program.png" "" 3000
+  "$build/examples/course/$name" -o "$out/program.png" "${model[@]}"
   oiiotool "$out/program.png" --create 512x512 4 --fill:color=.5,.5,.5,1 512x512 --over --cut 512x384+0+64 \
     --ch R,G,B -o "$out/course-$name.png"
   rm "$out/program.png"

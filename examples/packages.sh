@@ -1,4 +1,13 @@
 # SPDX-License-Identifier: MIT
+# compile_jobs: one compiler for each core, but only one for each 2 GiB of free memory, which is what one may take.
+compile_jobs() {
+  local cores memory
+  cores=$(nproc)
+  memory=$(awk '/^MemAvailable/ {print int($2 / 2097152)}' /proc/meminfo)
+  if [ "$memory" -lt 1 ]; then memory=1; fi
+  echo $((cores < memory ? cores : memory))
+}
+
 # install_packages NAME...: installs the Debian packages that are missing, after a line about their size. Needs root or
 # sudo only if one is missing. For demo.sh and gallery.sh.
 install_packages() {

@@ -53,29 +53,29 @@ int main(void)
     shd_mesh *mesh = NULL;
     shd_material *material = NULL;
     shd_framebuffer *framebuffer = NULL;
-    shd_mesh_desc sd = shd_mesh_desc_default();
-    shd_material_desc md = shd_material_desc_default();
-    shd_framebuffer_desc fd = shd_framebuffer_desc_default();
-    shd_render_desc rd = shd_render_desc_default(); /* identity view */
+    shd_mesh_desc mesh_desc = shd_mesh_desc_default();
+    shd_material_desc material_desc = shd_material_desc_default();
+    shd_framebuffer_desc framebuffer_desc = shd_framebuffer_desc_default();
+    shd_render_desc frame = shd_render_desc_default(); /* identity view */
     shd_draw draw = shd_draw_default();
 
-    sd.vertex_count = 4;
-    sd.position[0].data = k_x, sd.position[1].data = k_y, sd.position[2].data = k_z;
-    sd.uv[0].data = k_u, sd.uv[1].data = k_v;
-    sd.indices.data = k_indices;
-    sd.index_count = 6;
-    md.model = SHD_MODEL_PROGRAM;
-    md.program.fragment = uv_as_colour; /* runs concurrently on the executor's workers */
-    md.program.user_data = &blue;
-    fd.width = WIDTH, fd.height = HEIGHT;
+    mesh_desc.vertex_count = 4;
+    mesh_desc.position[0].data = k_x, mesh_desc.position[1].data = k_y, mesh_desc.position[2].data = k_z;
+    mesh_desc.uv[0].data = k_u, mesh_desc.uv[1].data = k_v;
+    mesh_desc.indices.data = k_indices;
+    mesh_desc.index_count = 6;
+    material_desc.model = SHD_MODEL_PROGRAM;
+    material_desc.program.fragment = uv_as_colour; /* runs concurrently on the executor's workers */
+    material_desc.program.user_data = &blue;
+    framebuffer_desc.width = WIDTH, framebuffer_desc.height = HEIGHT;
 
-    if (shd_context_create(NULL, &context) == SHD_OK && shd_mesh_create(context, &sd, &mesh) == SHD_OK &&
-        shd_material_create(context, &md, &material) == SHD_OK &&
-        shd_framebuffer_create(context, &fd, &framebuffer) == SHD_OK) {
+    if (shd_context_create(NULL, &context) == SHD_OK && shd_mesh_create(context, &mesh_desc, &mesh) == SHD_OK &&
+        shd_material_create(context, &material_desc, &material) == SHD_OK &&
+        shd_framebuffer_create(context, &framebuffer_desc, &framebuffer) == SHD_OK) {
         draw.mesh = mesh, draw.material = material;
-        rd.framebuffer = framebuffer;
-        rd.draws = &draw, rd.draw_count = 1;
-        if (shd_render(context, &rd) == SHD_OK) good = check(framebuffer);
+        frame.framebuffer = framebuffer;
+        frame.draws = &draw, frame.draw_count = 1;
+        if (shd_render(context, &frame) == SHD_OK) good = check(framebuffer);
     }
     if (good) {
         printf("%d fragments carry their texture coordinates\n", WIDTH * HEIGHT);

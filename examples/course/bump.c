@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bump mapping: shows the normal that results from a height map as a colour; negative components are black. */
 #include "course.h"
-#include "shading.h"
 
 static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -16,8 +15,9 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
         for (k = 0; k < count; ++k) {
             const size_t i = first + k;
             float normal[3] = {in->nx[i], in->ny[i], in->nz[i]};
-            tilt(height_of(here.r[k], here.g[k], here.b[k]), height_of(next_u.r[k], next_u.g[k], next_u.b[k]),
-                 height_of(next_v.r[k], next_v.g[k], next_v.b[k]), normal);
+            tilt(&course->options.shading, height_of(here.r[k], here.g[k], here.b[k]),
+                 height_of(next_u.r[k], next_u.g[k], next_u.b[k]), height_of(next_v.r[k], next_v.g[k], next_v.b[k]),
+                 normal);
             out->r[i] = normal[0], out->g[i] = normal[1], out->b[i] = normal[2];
         }
     }

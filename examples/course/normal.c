@@ -20,7 +20,6 @@ static int check(struct course *course, const shd_framebuffer *frame)
 {
     size_t x, y;
     int c;
-    (void)course;
     for (c = 0; c < 3; ++c) {
         shd_plane_view color = shd_plane_view_default(), normal = shd_plane_view_default(),
                        alpha = shd_plane_view_default();
@@ -29,8 +28,8 @@ static int check(struct course *course, const shd_framebuffer *frame)
             shd_framebuffer_view_plane(frame, SHD_PLANE_A, &alpha) != SHD_OK) {
             return 0;
         }
-        for (y = 0; y < COURSE_SIZE; ++y) {
-            for (x = 0; x < COURSE_SIZE; ++x) {
+        for (y = 0; y < course->options.size; ++y) {
+            for (x = 0; x < course->options.size; ++x) {
                 const size_t i = y * (color.row_stride / sizeof(float)) + x;
                 const size_t j = y * (normal.row_stride / sizeof(float)) + x;
                 if (alpha.f32[i] == 0.0f) continue;

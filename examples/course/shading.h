@@ -5,13 +5,26 @@
 
 #include <math.h>
 
-static const float k_ambient = 0.005f, k_ambient_light = 10.0f; /* k_a I_a, once for each light */
-static const float k_specular = 0.7937f, k_exponent = 150.0f;
-static const float k_light[2][3] = {{30, 50, 20}, {-30, 50, 0}};
-static const float k_intensity = 500.0f;
+enum { COURSE_LAMPS = 8 };
+
 static const float k_eye[3] = {0, 0, 10};
 static const float k_color[3] = {148 / 255.0f, 121 / 255.0f, 92 / 255.0f}; /* colour of a model without texture */
-static const float k_h = 0.2f, k_n = 0.1f;                                 /* factors of heights */
+
+/* A point light, or a spot light that shines at the origin. */
+struct lamp {
+    float position[3];
+    float intensity;
+    float cone; /* half angle [rad] of a spot light; 0 = a point light */
+};
+
+/* Lamps and constants of the formulas. */
+struct shading {
+    struct lamp lamps[COURSE_LAMPS];
+    int lamp_count;
+    float ambient, ambient_light; /* k_a I_a, once for each lamp */
+    float specular, exponent;     /* k_s, p */
+    float kh, kn;                 /* factors of heights */
+};
 
 static inline float dot(const float a[3], const float b[3])
 {
@@ -25,21 +38,36 @@ static inline void normalize(float a[3])
     for (c = 0; c < 3 && length > 0.0f; ++c) a[c] /= length;
 }
 
-/* Sum over the lights of k_a I_a + k_d I / r^2 max(0, n.l) + k_s I / r^2 max(0, n.h)^p (Blinn 1977). */
-static inline void blinn_phong(const float kd[3], float intensity, const float point[3], const float n[3], float out[3])
+/* Part of a lamp's light that leaves it against the unit vector l: 1 on the axis of a spot light, 0 at its cone
+   (shd/light.h). */
+static inline float in_cone(const struct lamp *lamp, const float l[3])
+{
+    float axis[3] = {lamp->position[0], lamp->position[1], lamp->position[2]}, t;
+    if (lamp->cone == 0.0f) return 1.0f;
+    normalize(axis);
+    t = (dot(axis, l) - cosf(lamp->cone)) / (1.0f - cosf(lamp->cone));
+    t = fminf(fmaxf(t, 0.0f), 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/* Sum over the lamps of k_a I_a + k_d I / r^2 max(0, n.l) + k_s I / r^2 max(0, n.h)^p (Blinn 1977). */
+static inline void blinn_phong(const struct shading *s, const float kd[3], const float point[3], const float n[3],
+                               float out[3])
 {
     int k, c;
     out[0] = out[1] = out[2] = 0.0f;
-    for (k = 0; k < 2; ++k) {
+    for (k = 0; k < s->lamp_count; ++k) {
+        const struct lamp *lamp = &s->lamps[k];
         float l[3], v[3], h[3], received, diffuse, specular;
-        for (c = 0; c < 3; ++c) l[c] = k_light[k][c] - point[c], v[c] = k_eye[c] - point[c];
-        received = intensity / dot(l, l);
+        for (c = 0; c < 3; ++c) l[c] = lamp->position[c] - point[c], v[c] = k_eye[c] - point[c];
+        received = lamp->intensity / dot(l, l);
         normalize(l), normalize(v);
+        received *= in_cone(lamp, l);
         for (c = 0; c < 3; ++c) h[c] = v[c] + l[c];
         normalize(h);
         diffuse = received * fmaxf(0.0f, dot(n, l));
-        specular = k_specular * received * powf(fmaxf(0.0f, dot(n, h)), k_exponent);
-        for (c = 0; c < 3; ++c) out[c] += k_ambient * k_ambient_light + kd[c] * diffuse + specular;
+        specular = s->specular * received * powf(fmaxf(0.0f, dot(n, h)), s->exponent);
+        for (c = 0; c < 3; ++c) out[c] += s->ambient * s->ambient_light + kd[c] * diffuse + specular;
     }
 }
 
@@ -48,9 +76,9 @@ static inline void blinn_phong(const float kd[3], float intensity, const float p
  * the next texel in u and in v: n + dh/du t + dh/dv b with the course's frame. The course's t is perpendicular to n
  * only where n.y = 0, which is part of its look. Along +-y, where t has no direction, any frame is used.
  */
-static inline void tilt(const float here, const float next_u, const float next_v, float n[3])
+static inline void tilt(const struct shading *s, float here, float next_u, float next_v, float n[3])
 {
-    const float du = k_h * k_n * (next_u - here), dv = k_h * k_n * (next_v - here);
+    const float du = s->kh * s->kn * (next_u - here), dv = s->kh * s->kn * (next_v - here);
     const float across = sqrtf(n[0] * n[0] + n[2] * n[2]);
     float t[3] = {1, 0, 0}, b[3];
     int c;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Blinn-Phong with k_d from a texture, which the program looks up: filtered over the footprint of each fragment. */
 #include "course.h"
-#include "shading.h"
 
 static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
 {
@@ -17,7 +16,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
             const float point[3] = {in->px[i], in->py[i], in->pz[i]};
             const float normal[3] = {in->nx[i], in->ny[i], in->nz[i]};
             float color[3];
-            blinn_phong(kd, course->intensity, point, normal, color);
+            blinn_phong(&course->options.shading, kd, point, normal, color);
             out->r[i] = color[0], out->g[i] = color[1], out->b[i] = color[2];
         }
     }
@@ -26,6 +25,7 @@ static void shade(const shd_fragments *in, shd_radiance *out, void *user_data)
 /* The built-in Blinn-Phong model with the texture in its diffuse slot gives the same picture. */
 static int check(struct course *course, const shd_framebuffer *frame)
 {
+    const struct shading *s = &course->options.shading;
     const shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, course->texture, course->sampler);
     shd_material_desc model = shd_material_desc_default();
     shd_framebuffer *expected = NULL;
@@ -33,12 +33,12 @@ static int check(struct course *course, const shd_framebuffer *frame)
     int c;
     model.model = SHD_MODEL_BLINN_PHONG;
     model.flags = SHD_MATERIAL_SPECULAR_UNGATED | SHD_MATERIAL_AMBIENT_PER_LIGHT;
-    model.exponent = k_exponent;
+    model.exponent = s->exponent;
     model.slots = &slot, model.slot_count = 1;
-    for (c = 0; c < 3; ++c) model.ambient[c] = k_ambient, model.diffuse[c] = 1.0f, model.specular[c] = k_specular;
+    for (c = 0; c < 3; ++c) model.ambient[c] = s->ambient, model.diffuse[c] = 1.0f, model.specular[c] = s->specular;
     if (course_render(course, &model, 1, &expected) == SHD_OK) difference = course_difference(frame, expected);
     shd_framebuffer_release(expected);
-    return difference < 1e-3 * fmaxf(1.0f, course->intensity / k_intensity);
+    return difference < 1e-3;
 }
 
 int main(int argc, char **argv)

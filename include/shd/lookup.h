@@ -9,6 +9,10 @@
  * bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction of lambda. The
  * other profiles of a sampler compute levels as described at shd_profile.
  *
+ * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
+ * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
+ * 4e-7 n texels of the exact one, with every wrap and filter.
+ *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. Finite texels give finite results; a texel of weight 0 has no effect, even
  * if it is NaN.

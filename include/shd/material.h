@@ -194,10 +194,11 @@ typedef struct shd_material_desc {
     shd_model model;           /**< default SHD_MODEL_LAMBERT */
     shd_debug_view debug_view; /**< shown instead of the model; default SHD_DEBUG_VIEW_NONE */
     shd_material_flags flags;  /**< default none */
-    float ambient[3];          /**< k_a, 0..1e6. Default -1 in all channels: k_a follows the diffuse colour, as
-                                    ambient_share times k_d and its slot; SHD_SLOT_AMBIENT takes the place of the slot */
-    float ambient_share;       /**< the share that k_a follows with, 0..1; default 1/16. METALLIC_ROUGHNESS multiplies
-                                    k_a by its base colour itself: there -1 gives k_a = ambient_share */
+    float ambient[3];          /**< k_a, 0..1e6. Default -1 in all channels: k_a is ambient_share times the diffuse
+                                    colour, k_d times its slot. SHD_SLOT_AMBIENT replaces the slot of the diffuse
+                                    colour in this product */
+    float ambient_share;       /**< 0..1; default 1/16; used if ambient is -1. METALLIC_ROUGHNESS multiplies k_a by its
+                                    base colour in any case, so k_a is ambient_share there */
     float diffuse[3];          /**< k_d or base colour, 0..1e6; default 0.8 */
     float specular[3];         /**< k_s, 0..1e6; default 0.5 */
     float exponent;            /**< p, 0..1e6; default 64 */

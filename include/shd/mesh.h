@@ -37,7 +37,10 @@ typedef enum shd_normal_weight {
     SHD_NORMAL_WEIGHT_MAX_ENUM = 0x7fffffff
 } shd_normal_weight;
 
-/** Assembly of triangles from indices. A triangle of coincident vertices counts as a triangle, but covers nothing. */
+/**
+ * Assembly of triangles from indices. A triangle of coincident vertices counts as a triangle, but covers nothing.
+ * There is no topology of lines or points: shd_draw.fill draws the edges or the vertices of triangles.
+ */
 typedef enum shd_topology {
     SHD_TOPOLOGY_TRIANGLES = 0, /**< three indices each: (0, 1, 2), (3, 4, 5), ... */
     SHD_TOPOLOGY_STRIP = 1,     /**< each further index adds a triangle: (0, 1, 2), (1, 3, 2), (2, 3, 4), ... */

@@ -4,9 +4,17 @@
  * @brief Whole frames: one call takes everything that a frame needs.
  *
  * Triangles cover the samples that they contain, with 8 subpixel bits and the top-left rule: the centre of a pixel, or
- * the standard positions of 2, 4, 8 or 16 samples. Attributes are perspective-correct with analytic derivatives. Draws
- * take effect in their order, with two exceptions: order-independent blends come last, and the painter's algorithm
- * orders triangles from far to near. The frame has the same bits for any executor, worker count and SIMD target.
+ * the standard positions of 2, 4, 8 or 16 samples. Before that, raster positions, computed in binary32, are rounded to
+ * the nearest multiple of 1/256 pixel. Ties go to the even multiple. Vertices that clipping makes or moves are an
+ * exception: their ties go to the larger multiple. The top left corner of the picture is (0, 0), y grows downwards.
+ *
+ * The depth of a vertex is z / w, rounded to binary32. The depth z of a sample at (x, y) is linear in x and y between
+ * the depths of the rounded vertices. It is computed in binary32 from the first vertex (x0, y0, z0), with an error of
+ * at most 2^-22 (z0 + |dz/dx| (|x - x0| + 1) + |dz/dy| (|y - y0| + 1)), and clamped to the range of the vertices.
+ *
+ * Attributes are perspective-correct with analytic derivatives. Draws take effect in their order, with two exceptions:
+ * order-independent blends come last, and the painter's algorithm orders triangles from far to near. The frame has the
+ * same bits for any executor, worker count and SIMD target.
  *
  * Thread safety: exclusive use of the framebuffer; meshes, materials, lights and textures may be shared
  *                between concurrent renders.
@@ -287,7 +295,8 @@ typedef struct shd_render_desc {
     uint32_t crop_x;            /**< column of the picture at which the framebuffer begins; the framebuffer lies
                                      inside the picture; default 0 */
     uint32_t crop_y;            /**< row of the picture at which the framebuffer begins; default 0 */
-    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; NULL = the whole picture */
+    const shd_region *viewport; /**< target of NDC -1..1 in the picture, not empty; cuts triangles, lines and points
+                                     at its edge; NULL = the whole picture */
     const shd_region *scissor;  /**< pixels of the picture that may change; NULL = all */
     /**
      * n, 2..16; 0 and 1 = off. The frame is drawn as a picture n times as large, up to 65536 pixels a side, with the

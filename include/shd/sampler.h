@@ -73,7 +73,8 @@ typedef enum shd_filter {
 
 /** Filter for magnification: where the footprint is at most one texel long (level of detail 0 or below). */
 typedef enum shd_magnification {
-    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: bilinear for filters that use mip levels */
+    SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
+                                         BICUBIC, bilinear for all others */
     SHD_MAGNIFICATION_NEAREST = 1,  /**< SHD_FILTER_NEAREST */
     SHD_MAGNIFICATION_BILINEAR = 2, /**< SHD_FILTER_BILINEAR */
     SHD_MAGNIFICATION_BICUBIC = 3,  /**< SHD_FILTER_BICUBIC */
@@ -152,7 +153,9 @@ typedef struct shd_sampler_desc {
     shd_magnification magnification; /**< default SHD_MAGNIFICATION_DEFAULT */
     shd_wrap wrap_u;                 /**< default SHD_WRAP_REPEAT */
     shd_wrap wrap_v;                 /**< default SHD_WRAP_REPEAT */
-    float border[4];                 /**< r, g, b, a of SHD_WRAP_BORDER, linear; finite; default 0 */
+    float border[4];                 /**< colour of texels outside with SHD_WRAP_BORDER: stored r, g, b, a, linear,
+                                          before the swizzle of the texture; channels that come from its `fill` are
+                                          `fill` outside, too; finite; default 0 */
     shd_profile profile;             /**< default SHD_PROFILE_EXACT. It also determines which lookups are magnified:
                                           lookups with lambda <= 0 after bias and clamps */
     float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */

@@ -88,8 +88,9 @@ typedef struct shd_texture_desc {
     size_t layer_stride;     /**< bytes between layers, at least height * row stride; 0 = packed */
     uint32_t layers;         /**< images of the array, 1..2048; default 1 */
     shd_texture_flags flags; /**< default none */
-    shd_channel swizzle[4];  /**< sources of r, g, b, a; default SHD_CHANNEL_DEFAULT */
-    float fill[4];           /**< values of channels that the format does not have, finite; default 0, 0, 0, 1 */
+    shd_channel swizzle[4];  /**< sources of r, g, b, a of lookups; default SHD_CHANNEL_DEFAULT */
+    float fill[4];           /**< values of channels that the format does not have, in lookups inside and outside the
+                                  image; finite; default 0, 0, 0, 1 */
     shd_table_flags tables;  /**< default none */
     uint32_t level_count;    /**< number of `levels` per layer; the mipmap ends with the last one, even if it is
                                   larger than 1 x 1; default 0 = the library builds the levels */
@@ -163,7 +164,8 @@ static inline shd_texture_info shd_texture_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 
 /**
- * Copy one mip level out as stored (sRGB stays encoded).
+ * Copy one mip level out as stored: sRGB stays encoded, and the swizzle does not apply. The fourth channel of a format
+ * of three is 0 here, while lookups give `fill`.
  * @param layer  0..layers - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
  * @param out    image of that size, and of the format in shd_texture_info

@@ -53,11 +53,14 @@ typedef struct shd_vertices {
     uint32_t draw;                  /**< index into shd_render_desc.draws */
     uint32_t instance;              /**< index into shd_draw.instances, 0 without instances */
     uint32_t first;                 /**< row i is vertex first + i of the mesh */
+    uint32_t attribute_count;       /**< number of `attribute` columns */
     size_t count;                   /**< rows; must not be changed */
     const float *px, *py, *pz;      /**< position, object space */
     const float *nx, *ny, *nz;      /**< normal, object space, unit */
     const float *tx, *ty, *tz, *tw; /**< tangent, object space, and handedness; NULL if the mesh has no tangents */
     const float *u, *v;             /**< texture coordinates; 0 if the mesh has none */
+    const float *u1, *v1;           /**< second set of texture coordinates; NULL if the mesh has none */
+    const float *const *attribute;  /**< [attribute_count] columns of the mesh; NULL for absent ones */
     const float *object_to_world;   /**< [16], column-major; of the instance */
     const float *world_to_view;     /**< [16], column-major */
     const float *view_to_clip;      /**< [16], column-major */

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene) and pkg-config files.
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene), pkg-config files and documentation.
 include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)
@@ -27,17 +27,16 @@ else()
   string(CONCAT PC_PREFIX "\${pcfiledir}/" "${pc_up}")
 endif()
 
-# name, description, what a static link needs besides, what a shared link needs besides
+# name, description, what a static link needs besides, what a shared link needs besides. The file of a shared library
+# names nothing private: pkg-config would look for those packages on every machine that compiles against the library.
 function(shd_pkg_config name description private_requires requires)
   set(PC_NAME ${name})
   set(PC_DESCRIPTION ${description})
   set(PC_REQUIRES "${requires}")
-  set(PC_REQUIRES_PRIVATE "${private_requires}")
-  set(PC_LIBS_PRIVATE "-lstdc++ -lm -pthread")
-  if(NOT BUILD_SHARED_LIBS)
+  if(NOT SHD_BUILD_SHARED)
     # A static archive carries no dependencies of its own: name them for every link.
     string(JOIN " " PC_REQUIRES ${requires} ${private_requires})
-    set(PC_LIBS_EXTRA " ${PC_LIBS_PRIVATE}")
+    set(PC_LIBS_EXTRA " -lstdc++ -lm -pthread")
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -57,3 +56,12 @@ endif()
 if(SHD_WITH_ASSIMP)
   shd_pkg_config(shd_scene "Model files for shd through assimp" "assimp" "shd_io shd")
 endif()
+
+# Licence, manual and examples. The links between them are those of the source tree.
+set(doc_dir ${CMAKE_INSTALL_DATAROOTDIR}/doc/shd)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+        DESTINATION ${doc_dir})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${doc_dir}
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "cheatsheet.html")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc_dir}
+        FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "*.png")

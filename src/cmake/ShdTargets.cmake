@@ -52,7 +52,11 @@ endfunction()
 
 # A library: `name` from the objects of `objects`, exporting what `map` lists.
 function(shd_library name objects map export_name)
-  add_library(${name} $<TARGET_OBJECTS:${objects}>)
+  if(SHD_BUILD_SHARED)
+    add_library(${name} SHARED $<TARGET_OBJECTS:${objects}>)
+  else()
+    add_library(${name} STATIC $<TARGET_OBJECTS:${objects}>)
+  endif()
   add_library(shd::${export_name} ALIAS ${name})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${ARGN})
   target_compile_features(${name} INTERFACE c_std_99)

@@ -126,6 +126,13 @@ void run(const Mesh& mesh, const VertexProgram& program, size_t first, uint32_t 
   in.px = &mesh.px[first], in.py = &mesh.py[first], in.pz = &mesh.pz[first];
   in.nx = &mesh.nx[first], in.ny = &mesh.ny[first], in.nz = &mesh.nz[first];
   in.u = &mesh.u[first], in.v = &mesh.v[first];
+  if (mesh.u1.size()) in.u1 = &mesh.u1[first], in.v1 = &mesh.v1[first];
+  const float* attribute[SHD_MAX_ATTRIBUTES] = {};
+  for (uint32_t k = 0; k < SHD_MAX_ATTRIBUTES; ++k) {
+    if (mesh.attribute[k].size()) attribute[k] = &mesh.attribute[k][first];
+  }
+  in.attribute_count = SHD_MAX_ATTRIBUTES;
+  in.attribute = attribute;
   if (mesh.tx.size()) {
     in.tx = &mesh.tx[first], in.ty = &mesh.ty[first], in.tz = &mesh.tz[first], in.tw = &mesh.tw[first];
   }

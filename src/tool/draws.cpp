@@ -71,6 +71,11 @@ Draws make_draws(shd_context* context, const Options& options, const Model& mode
     }
     draw.material = paint.materials[instance.surface].get();
     draw.frequency = options.frequency;
+    if (options.sample_shading) draw.flags |= SHD_DRAW_SAMPLE_SHADING;
+    if (options.wire_width > 0.0f) {
+      draw.fill = SHD_FILL_WIREFRAME;
+      draw.fill_width = options.wire_width;
+    }
     std::copy(instance.object_to_world.begin(), instance.object_to_world.end(), draw.object_to_world);
     out.draws.push_back(draw);
   }

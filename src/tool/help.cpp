@@ -14,6 +14,7 @@ Picture
   -o, --output FILE     .png, .tif: through the display transform; .exr: scene-linear (default out.png)
   --size WxH            pixels (default 960x640)
   --samples N           per pixel: 1, 2, 4, 8 or 16 (default 1)
+  --sample-shading      shade every sample, instead of every pixel once
   --supersampling N     each pixel the average of N x N, 1..16 (default 1)
   --visibility V        depth, painter, newell (default depth)
   --background R,G,B    scene-linear, or one number for grey, or none = transparent (default none)
@@ -75,6 +76,7 @@ Shape
   --displace D          move the surface itself by the height times D, in world units, finely tessellated
   --edge-length PX      of the triangles that are moved, pixels (default 4)
   --lines WIDTH         draw silhouettes, creases and borders so many pixels wide (default none)
+  --wireframe WIDTH     the edges of all triangles so many pixels wide, instead of surfaces
   --crease DEGREES      how sharp an edge is a crease (default 60)
 
 Machine
@@ -82,9 +84,11 @@ Machine
   --simd T              best, baseline, scalar, sse2, ssse3, sse4, avx2, avx512, neon, wasm; neither on this
   --progress            report progress and the time left even when stderr is no terminal
   --stats               what was drawn and how long each stage took, on stderr
+  --help, --version     this text; the version
 
-Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model or --texture cannot be read, 4 the picture cannot be
-written. A texture of the model that cannot be read is reported and its colour used instead.
+Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model or
+--texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is reported and
+its colour used instead. Lights and cameras of the file that are not used are reported, too.
 Some damaged models make assimp end the whole process: run models you do not trust in a sandbox of your own.
 )";
 }

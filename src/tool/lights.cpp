@@ -50,7 +50,7 @@ constexpr PresetLight kStudio[] = {{{-0.6f, 0.8f, 0.7f}, {1.5f, 1.42f, 1.3f}},
                                    {{0.4f, 0.7f, -0.8f}, {0.5f, 0.5f, 0.5f}}};
 constexpr PresetLight kHeadlight[] = {{{0.0f, 0.0f, 1.0f}, {1.5f, 1.5f, 1.5f}}};
 
-/// The two point lights of ../course/shading.h, which are placed for a model of radius 3.
+/// The two points of `examples/course --lights notes`, which are placed around a model of radius 3.
 constexpr float kCourseLights[2][3] = {{30.0f, 50.0f, 20.0f}, {-30.0f, 50.0f, 0.0f}};
 constexpr float kCourseIntensity = 500.0f;
 

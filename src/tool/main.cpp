@@ -92,10 +92,23 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   print_stats(stage.context, stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
+/// Reports the lights and cameras of the file that the options leave out.
+void report_unused(const Options& options, const Model& model) {
+  shd_scene_info info = shd_scene_info_default();
+  if (!model.scene.get() || shd_scene_get_info(model.scene.get(), &info) != SHD_OK) return;
+  if (info.light_count > 0 && options.preset != LightPreset::kFile) {
+    std::fprintf(stderr, "shd-render: lights of the model that are not used: %u (--lights file)\n", info.light_count);
+  }
+  if (info.camera_count > 0 && !options.camera) {
+    std::fprintf(stderr, "shd-render: cameras of the model that are not used: %u (--camera 0)\n", info.camera_count);
+  }
+}
+
 void run(const Options& options) {
   check_output_name(options);
   const Context context = make_context(options);
   Model model = make_model(context.get(), options);
+  report_unused(options, model);
   const Bounds bounds = bounds_of(model);
   make_camera(options, model, bounds, 0.0f);  // throws before textures are read
   if (options.floor) add_floor(context.get(), options, bounds, model);
@@ -107,7 +120,9 @@ void run(const Options& options) {
   for (uint32_t i = 0; i < pictures; ++i) {
     const float turn = 360.0f * static_cast<float>(i) / static_cast<float>(pictures);
     render(stage, turn, progress.of_picture(i), framebuffer.get());
-    save_picture(context.get(), framebuffer.get(), options, picture_name(options, i));
+    const std::string name = picture_name(options, i);
+    save_picture(context.get(), framebuffer.get(), options, name);
+    std::printf("%s: %u x %u\n", name.c_str(), options.width, options.height);
   }
   progress.finish();
 }
@@ -119,6 +134,8 @@ int main(int argc, char** argv) {
     const Options options = parse_options(argc, argv);
     if (options.help) {
       std::fputs(help_text(), stdout);
+    } else if (options.version) {
+      std::printf("shd-render %d.%d.%d\n", SHD_VERSION_MAJOR, SHD_VERSION_MINOR, SHD_VERSION_PATCH);
     } else {
       run(options);
     }

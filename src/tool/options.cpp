@@ -193,6 +193,8 @@ std::array<float, 3> read_color(const std::string& option, const std::string& va
 /// Handles options without a value. Returns false if `name` is not one.
 bool set_switch(const std::string& name, Options& out) {
   if (name == "--help" || name == "-h") return out.help = true;
+  if (name == "--version") return out.version = true;
+  if (name == "--sample-shading") return out.sample_shading = true;
   if (name == "--teapot") return out.model.clear(), true;
   if (name == "--floor") return out.floor = true;
   if (name == "--no-color") return out.color = false, true;
@@ -308,6 +310,9 @@ bool set_shape_value(const std::string& name, const std::string& value, Options&
   }
   if (name == "--edge-length") return out.edge_length = read_number(name, value, 0.5f, 1e4f, "pixels 0.5..1e4"), true;
   if (name == "--lines") return out.line_width = read_number(name, value, 0, 64, "a width 0..64 in pixels"), true;
+  if (name == "--wireframe") {
+    return out.wire_width = read_number(name, value, 0.0625f, 64, "a width 1/16..64 in pixels"), true;
+  }
   if (name == "--crease") return out.crease = read_number(name, value, 0, 180, "an angle 0..180 degrees"), true;
   if (name == "--tessellation") {
     return out.tessellation = static_cast<int>(read_number(name, value, 1, 256, "a number 1..256")), true;

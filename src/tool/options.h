@@ -23,11 +23,12 @@ enum class KeepRoughness { kNone, kToksvig, kLean };
 
 /// The command line, checked.
 struct Options {
-  bool help = false;
+  bool help = false, version = false;
   std::string model;  // empty = `shape`
   shd_shape shape = SHD_SHAPE_TEAPOT;
   std::string output = "out.png";
   uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
+  bool sample_shading = false;  // every sample at its own position
   shd_visibility visibility = SHD_VISIBILITY_DEPTH;
   float azimuth = 30.0f, elevation = 20.0f;  // [deg]
   float distance = 0.0f;                     // [radii of the model]; 0 = the whole model fits
@@ -59,6 +60,7 @@ struct Options {
   float displacement = 0.0f, edge_length = 4.0f;  // [world units]; edges of displaced triangles [pixels]
   float uv_scale = 1.0f;                          // factor for all textures
   float line_width = 0.0f, crease = 60.0f;        // drawn edges [pixels], 0 = none; crease angle [deg]
+  float wire_width = 0.0f;                        // edges of all triangles instead of surfaces [pixels], 0 = surfaces
   int tessellation = 16;
   bool color = true;
   std::string display = "sRGB", view = "ACES 1.0 SDR-video";

@@ -2,6 +2,7 @@
 /* Edges of meshes by kind: against an oracle that compares every pair of edges, on shapes with known drawings; columns;
  * refusals.
  */
+#include "support/noise.h"
 #include "support/shapes.h"
 
 #include <stdlib.h>
@@ -139,7 +140,7 @@ static const struct shape_case k_shapes[] = {
 
 static float next_random(uint32_t *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    shd_noise(seed);
     return 2 * (float)(*seed >> 8) / 16777216.0f - 1;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Explanations: a replay gives exactly the bits of shd_texture_sample; refusals. */
 #include "support/check.h"
+#include "support/noise.h"
 
 #include <stdlib.h>
 
@@ -42,7 +43,7 @@ static const shd_format k_formats[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8,  SHD_FO
                                        SHD_FORMAT_RGB16, SHD_FORMAT_R16F, SHD_FORMAT_RGBA32F};
 enum { FORMATS = sizeof k_formats / sizeof k_formats[0] };
 
-static uint32_t random_bits(uint32_t *state) { return *state = *state * 1664525u + 1013904223u; }
+static uint32_t random_bits(uint32_t *state) { return shd_noise(state); }
 static float random_in(uint32_t *state, float low, float high)
 {
     return low + (high - low) * (float)(random_bits(state) >> 8) * (1.0f / 16777216.0f);

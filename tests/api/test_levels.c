@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* shd_texture_query_levels against log2 of the longer axis, with bias, clamps and strides. */
 #include "support/check.h"
+#include "support/noise.h"
 
 #include <shd/shd.h>
 
@@ -20,7 +21,7 @@ static int setup(void **state)
     (void)state;
     for (i = 0; i < POINTS; ++i) {
         for (c = 0; c < 6; ++c) {
-            bits = bits * 1664525u + 1013904223u;
+            shd_noise(&bits);
             g_columns[c][i] = ldexpf((float)(bits >> 8) / 8388608.0f - 1.0f, -(i % 9));
         }
     }

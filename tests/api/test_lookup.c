@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* shd_texture_sample: arguments, strides, batch splits, workers and SIMD targets. */
 #include "support/check.h"
+#include "support/noise.h"
 
 #include <stdlib.h>
 
@@ -18,13 +19,13 @@ static void fill_inputs(void)
     uint32_t state = 1;
     size_t c, i;
     for (i = 0; i < sizeof g_texels; ++i) {
-        state = state * 1664525u + 1013904223u;
+        shd_noise(&state);
         g_texels[i] = (unsigned char)(state >> 24);
     }
     for (c = 0; c < 7; ++c) {
         for (i = 0; i < POINTS; ++i) {
             float value;
-            state = state * 1664525u + 1013904223u;
+            shd_noise(&state);
             value = (float)(state >> 8) * (4.0f / 16777216.0f) - 2.0f;
             if (c >= 2) value = ldexpf(value, -(int)(i % 12));
             g_in[c][i] = value;

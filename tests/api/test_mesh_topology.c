@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Strips, fans and 16-bit indices: the frame has the same bits as with separate triangles. */
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { VERTICES = 12, MOST = 24 };
 
@@ -48,7 +49,7 @@ static shd_mesh_desc make_desc(float vertices[VERTICES][5])
     int i, c;
     for (i = 0; i < VERTICES; ++i) {
         for (c = 0; c < 5; ++c) {
-            state = state * 1664525u + 1013904223u;
+            shd_noise(&state);
             vertices[i][c] = (float)(state >> 8) * 0x1p-24f * (c < 2 ? 2.0f : 1.0f) - (c < 2 ? 1.0f : 0.0f);
         }
     }

@@ -2,6 +2,7 @@
 /* Moments of normal maps: every format against the oracle, lookups of moments and of lengths of mean normals, and
  * refusals. */
 #include "support/check.h"
+#include "support/noise.h"
 
 #include <stdlib.h>
 
@@ -15,7 +16,7 @@ static const float k_nan = (float)NAN, k_inf = (float)INFINITY;
 
 static float next_random(uint32_t *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    shd_noise(seed);
     return 2 * (float)(*seed >> 8) / 16777216.0f - 1;
 }
 

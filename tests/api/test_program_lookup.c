@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { k_width = 96, k_height = 64, k_side = 32 };
 
@@ -53,7 +54,7 @@ static shd_texture *create_texture(shd_context *context)
     shd_texture *texture = NULL;
     uint32_t seed = 5, i;
     for (i = 0; i < sizeof texels; ++i) {
-        seed = seed * 1664525u + 1013904223u;
+        shd_noise(&seed);
         (&texels[0][0][0])[i] = (uint8_t)(seed >> 24);
     }
     desc.format = SHD_FORMAT_RGBA8_SRGB;

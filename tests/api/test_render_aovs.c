@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { WIDTH = 90, HEIGHT = 70, TRIANGLES = 9, ALL_AOVS = 2 * SHD_AOV_OVERDRAW - 1 };
 
@@ -25,7 +26,7 @@ static const struct frame_case k_frames[] = {
 /* In [low, high): Knuth's generator (TAOCP 2, 3.3.4). */
 static float random_in(uint32_t *state, float low, float high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    shd_noise(state);
     return low + (high - low) * (float)(*state >> 8) * 0x1p-24f;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { SIZE = 67, PIXELS = SIZE * SIZE };
 
@@ -164,7 +165,7 @@ static void test_deep(void **state)
     (void)state;
     for (i = 0; i < DEEP; ++i) {
         const float corner[3][2] = {{-1, -1}, {7, -1}, {-1, 7}};
-        random = random * 1664525u + 1013904223u;
+        shd_noise(&random);
         for (k = 0; k < 3; ++k) {
             const float vertex[8] = {corner[k][0], corner[k][1], (float)(random >> 20) / 4096, 0, 0, 1, 0, 0};
             memcpy(vertices + 24 * i + 8 * k, vertex, sizeof vertex);

@@ -5,6 +5,7 @@
 
 #include "support/fault_allocator.h"
 #include "support/frame.h"
+#include "support/noise.h"
 #include "support/pool.h"
 #include "support/scene.h"
 
@@ -36,7 +37,7 @@ static void add_triangle(struct triangles *t, double corner[3][3])
 /* In [low, high): Knuth's generator (TAOCP 2, 3.3.4). */
 static double random_in(uint32_t *state, double low, double high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    shd_noise(state);
     return low + (high - low) * (double)(*state >> 8) * 0x1p-24;
 }
 

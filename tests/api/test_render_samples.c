@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { EDGE = 70, SPOKES = 24 };
 
@@ -34,7 +35,7 @@ static const int k_places[5][16][2] = {{{8, 8}},
 /* In [low, high): Knuth's generator (TAOCP 2, 3.3.4). */
 static float random_in(uint32_t *state, float low, float high)
 {
-    *state = *state * 1664525u + 1013904223u;
+    shd_noise(state);
     return low + (high - low) * (float)(*state >> 8) * 0x1p-24f;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Shadows: every field of the descs, refusals, and the state after a failed call. */
+#include "support/noise.h"
 #include "support/shadow_scene.h"
 
 #define BAD SHD_ERROR_INVALID_ARGUMENT
@@ -302,7 +303,7 @@ static void test_strides(void **state)
     shadow = shd_boxes_shadow(&g.boxes, g.context, &desc, g.light);
     for (i = 0; i < k_count; ++i) {
         for (k = 0; k < 6; ++k) {
-            seed = seed * 1664525u + 1013904223u;
+            shd_noise(&seed);
             points[i][k] = packed[k][i] = (float)(seed >> 8) / 8388608.0f - 1.0f;
         }
     }

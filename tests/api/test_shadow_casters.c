@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws that cast shadows, and maps that do not change while their bounds move. */
+#include "support/noise.h"
 #include "support/shadow_scene.h"
 
 static shd_context *g_context;
@@ -19,7 +20,7 @@ static int tear_down(void **state)
 
 static double unit_random(uint32_t *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    shd_noise(seed);
     return (*seed >> 8) / 16777216.0;
 }
 

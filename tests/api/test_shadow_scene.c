@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Shadows of boxes against rays: every filter with every kind of light. Points are lit if no box lies between them
  * and the light, else dark. Widths of penumbras; Chebyshev's bound. */
+#include "support/noise.h"
 #include "support/shadow_scene.h"
 
 static shd_context *g_context;
@@ -110,7 +111,7 @@ static int truth_around(const struct truth_case *c, const double p[3], int axis,
 
 static double unit_random(uint32_t *seed)
 {
-    *seed = *seed * 1664525u + 1013904223u;
+    shd_noise(seed);
     return (*seed >> 8) / 16777216.0;
 }
 

@@ -3,6 +3,7 @@
  * interpolation. */
 #include "ref/varying_ref.h"
 #include "support/frame.h"
+#include "support/noise.h"
 
 enum { k_width = 96, k_height = 80, k_triangles = 24, k_max = SHD_MAX_VARYINGS };
 
@@ -22,7 +23,7 @@ typedef struct scene {
 static uint32_t g_seed;
 static float uniform(float low, float high)
 {
-    g_seed = g_seed * 1664525u + 1013904223u;
+    shd_noise(&g_seed);
     return low + (high - low) * (float)(g_seed >> 8) * (1.0f / 16777216.0f);
 }
 

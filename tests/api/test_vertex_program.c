@@ -276,7 +276,7 @@ struct heard {
     int largest, mistakes;
     const shd_render_desc *desc;
     const float *instances;
-    int tangents;
+    int tangents; /* and a second uv set and an attribute */
 };
 static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
 {
@@ -293,6 +293,10 @@ static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
     h->mistakes += memcmp(in->view_to_clip, h->desc->view.view_to_clip, 16 * sizeof(float)) != 0;
     h->mistakes += memcmp(in->eye, h->desc->view.eye, 3 * sizeof(float)) != 0;
     h->mistakes += h->tangents ? !in->tx || !in->ty || !in->tz || !in->tw : in->tx || in->ty || in->tz || in->tw;
+    h->mistakes += in->attribute_count != SHD_MAX_ATTRIBUTES || !in->attribute;
+    if (h->mistakes) return;
+    h->mistakes += h->tangents ? !in->u1 || !in->v1 || !in->attribute[1] : in->u1 || in->v1 || in->attribute[1];
+    h->mistakes += in->attribute[0] || in->attribute[2] || in->attribute[SHD_MAX_ATTRIBUTES - 1];
     if ((int)in->count > h->largest) h->largest = (int)in->count;
     for (i = 0; i < in->count; ++i) {
         const float id = (float)(in->first + i);
@@ -300,6 +304,8 @@ static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
         h->mistakes += in->px[i] != id || in->py[i] != 2 * id || in->pz[i] != 1 || in->u[i] != -id || in->v[i] != 0.5f;
         h->mistakes += in->nx[i] != 0 || in->ny[i] != 0 || in->nz[i] != 1;
         h->mistakes += in->tx && (in->tx[i] != 1 || in->ty[i] != id || in->tz[i] != 0 || in->tw[i] != -1);
+        h->mistakes += in->u1 && (in->u1[i] != 3 * id || in->v1[i] != 4);
+        h->mistakes += in->attribute[1] && in->attribute[1][i] != 5 * id;
         h->mistakes += out->varying[0][i] != 0 || out->varying[1][i] != 0;
         h->mistakes += out->px[i] != world[0] * id + world[12] || out->u[i] != -id;
         out->varying[0][i] = out->varying[1][i] = 5; /* must not appear in the next call */
@@ -308,19 +314,22 @@ static void listen(const shd_vertices *in, shd_vertex_outputs *out, void *user_d
 
 static shd_mesh *make_points(shd_context *context, int tangents)
 {
-    static float columns[12][k_vertices];
+    static float columns[15][k_vertices];
     shd_mesh_desc desc = shd_mesh_desc_default();
+    shd_f32_in attributes[2] = {{NULL, 0}, {columns[14], 0}};
     shd_mesh *mesh = NULL;
     size_t c, i;
     for (i = 0; i < k_vertices; ++i) {
-        const float id = (float)i, record[12] = {id, 2 * id, 1, 0, 0, 7, -id, 0.5f, 1, id, 0, -1};
-        for (c = 0; c < 12; ++c) columns[c][i] = record[c];
+        const float id = (float)i, record[15] = {id, 2 * id, 1, 0, 0, 7, -id, 0.5f, 1, id, 0, -1, 3 * id, 4, 5 * id};
+        for (c = 0; c < 15; ++c) columns[c][i] = record[c];
     }
     desc.vertex_count = k_vertices;
     for (c = 0; c < 3; ++c) desc.position[c].data = columns[c];
     for (c = 0; c < 3; ++c) desc.normal[c].data = columns[3 + c];
     for (c = 0; c < 2; ++c) desc.uv[c].data = columns[6 + c];
     for (c = 0; c < 4 && tangents; ++c) desc.tangent[c].data = columns[8 + c];
+    for (c = 0; c < 2 && tangents; ++c) desc.uv1[c].data = columns[12 + c];
+    if (tangents) desc.attributes = attributes, desc.attribute_count = 2;
     desc.index_count = k_vertices / 3 * 3;
     shd_assert_ok(shd_mesh_create(context, &desc, &mesh));
     return mesh;

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds and runs the examples as a user of shd would. Usage: run.sh find_package | pkg_config | add_subdirectory,
-# with the settings of the build in the environment (see CMakeLists.txt). Exit code 77: not for this build.
+# Builds and runs the examples as a user of shd would.
+# Usage: run.sh find_package | pkg_config | add_subdirectory | host | preset, with the settings of the build in the
+# environment (see CMakeLists.txt). Exit code 77: not for this build.
 set -euo pipefail
 kind=$1
 course=(normal phong texture bump displacement)  # these without assimp: they draw a sphere
-examples=(hello lookup levels program custom_allocator own_threads frame "${course[@]}")
+examples=(hello lookup levels program custom_allocator own_threads frame shadows "${course[@]}")
+[ "$HAS_IO" = 0 ] || [ "$kind" = add_subdirectory ] || examples+=(triangle)
 warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
 
 if [ -n "$SANITIZE" ]; then
@@ -39,26 +41,45 @@ build() {
 }
 
 with_find_package() {
-  local components=()
+  local components=() file
   [ "$HAS_COLOR" = 0 ] || components+=(color)
   [ "$HAS_IO" = 0 ] || components+=(io)
   [ "$HAS_SCENE" = 0 ] || components+=(scene)
   install_shd
+  for file in LICENSE README.md docs/index.md docs/pictures/pipeline.svg examples/hello.c; do
+    [ -s "$WORK/prefix/share/doc/shd/$file" ] || { echo "$file is not installed" && exit 1; }
+  done
   build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
     "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
   run "$WORK/build"
 }
 
+# The .pc files of shared libraries work on a machine that has no other .pc file.
+check_shared_pc() {
+  local path module flags
+  for path in "$WORK/prefix/$LIBDIR"/pkgconfig/*.pc; do
+    module=$(basename "$path" .pc)
+    flags=$(PKG_CONFIG_PATH='' PKG_CONFIG_LIBDIR="$WORK/prefix/$LIBDIR/pkgconfig" pkg-config --cflags --libs "$module")
+    if grep -qE -- '-D|-pthread|hwy|tbb|Open|assimp' <<<"${flags//$WORK/}"; then
+      echo "$module.pc asks for what is private: $flags"
+      exit 1
+    fi
+  done
+}
+
 with_pkg_config() {
   local example modules sources defines flags
   install_shd
+  [ "$SHARED" = 0 ] || check_shared_pc
   export PKG_CONFIG_PATH="$WORK/prefix/$LIBDIR/pkgconfig" LD_LIBRARY_PATH="$WORK/prefix/$LIBDIR"
   for example in "${examples[@]}"; do
     modules=(shd) sources=("$SOURCE/examples/$example.c") defines=()
     if [[ " ${course[*]} " == *" $example "* ]]; then
-      sources=("$SOURCE/examples/course/"{"$example",course,course_model}.c)
+      sources=("$SOURCE/examples/course/"{"$example",course,course_model,course_options}.c)
       [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
-    elif [ "$example" = frame ]; then
+    elif [ "$example" = triangle ]; then
+      modules+=(shd_io)
+    elif [ "$example" = frame ] || [ "$example" = shadows ]; then
       sources+=("$SOURCE/examples/frame_scene.c")
       [ "$HAS_COLOR" = 0 ] || { modules+=(shd_color) && defines+=(-DEXAMPLE_HAS_COLOR); }
       [ "$HAS_IO" = 0 ] || { modules+=(shd_io) && defines+=(-DEXAMPLE_HAS_IO); }
@@ -75,6 +96,26 @@ with_add_subdirectory() {
   build "$SOURCE/tests/consumer/add_subdirectory" -DSHD_SOURCE_DIR="$SOURCE" -DBUILD_SHARED_LIBS="$SHARED" \
     -DSHD_WITH_TBB="$HAS_TBB" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER"
   run "$WORK/build"
+}
+
+# A host that sets nothing, not even a build type: it keeps its settings, and installs its own file alone.
+with_host() {
+  "$CMAKE" -S "$SOURCE/tests/consumer/host" -B "$WORK/build" -G "$GENERATOR" -DCMAKE_C_COMPILER="$CC" \
+    -DCMAKE_CXX_COMPILER="$CXX" -DSHD_SOURCE_DIR="$SOURCE" -DSHD_WITH_TBB="$HAS_TBB"
+  "$CMAKE" --install "$WORK/build" --prefix "$WORK/prefix"
+  diff <(cd "$WORK/prefix" && find . -type f) <(echo ./host.txt)
+}
+
+# The commands of README for the libraries alone configure without the packages of the tests.
+with_preset() {
+  grep -qF 'cmake --preset library' "$SOURCE/README.md"
+  command -v ninja >/dev/null || exit 77
+  cd "$SOURCE"
+  "$CMAKE" --preset library -B "$WORK/build" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
+    -DSHD_WITH_OIIO="$HAS_IO" -DSHD_WITH_OCIO="$HAS_COLOR" -DSHD_WITH_TBB="$HAS_TBB" -DSHD_WITH_ASSIMP="$HAS_SCENE" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_cmocka=ON -DCMAKE_DISABLE_FIND_PACKAGE_Python3=ON \
+    -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON
+  grep -qx 'SHD_WERROR:BOOL=OFF' "$WORK/build/CMakeCache.txt"
 }
 
 "with_$kind"

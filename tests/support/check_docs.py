@@ -2,23 +2,42 @@
 # SPDX-License-Identifier: MIT
 """What README.md and docs/ claim about the tree.
 
-    check_docs.py [--root DIR]
+    check_docs.py [--root DIR] [--compiler cc]
 
 - README's first program is examples/hello.c.
 - Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
 - Every relative link and picture is there.
+- README, CMakeLists.txt and CMakePresets.json name the same version of CMake.
+- The C examples of the pages compile as C99, without warnings. An example without functions is the body of one, with the
+  usual handles at hand.
 
 Prints file:line and what is wrong, and exits 1 if anything is.
 """
 import argparse
+import json
 import pathlib
 import re
+import subprocess
 import sys
 
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 # Names of CMake options and of the environment, and of files and folders, are no names of the interface.
 NAME = re.compile(r"(?<![\w./-])(?:shd_[a-z0-9_]+|SHD_[A-Z0-9_]+[A-Z0-9])(?![\w-]|\.\w)")
-OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|NO_INSTALL)|shd_(?:color|io)")
+OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|INSTALL|NO_INSTALL)|shd_(?:color|io)")
+
+
+EXAMPLE = re.compile(r"^```c\n(.*?)^```$", re.S | re.M)
+# Headers, handles and a result for examples without functions.
+HANDLES = """#include <shd/color.h>
+#include <shd/io.h>
+#include <shd/scene.h>
+#include <shd/shd.h>
+void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material);
+void example(shd_context *context, shd_texture *texture, shd_sampler *sampler, shd_material *material)
+{
+shd_result result = SHD_OK;
+"""
+WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Werror"]
 
 
 def pages(root):
@@ -42,19 +61,44 @@ def check_links(root, path, text):
                 yield f"{path.relative_to(root)}:{number}: {link} is not there"
 
 
-def check(root):
+def check_examples(root, compiler, path, text):
+    for match in EXAMPLE.finditer(text):
+        code = match.group(1)
+        if not re.search(r"^#include", code, re.M):
+            code = f"{HANDLES}{code}(void)context, (void)texture, (void)sampler, (void)material, (void)result;\n}}\n"
+        command = [compiler, *WARNINGS, "-fsyntax-only", f"-I{root / 'include'}", "-x", "c", "-"]
+        run = subprocess.run(command, input=code, capture_output=True, text=True, check=False)
+        if run.returncode:
+            line = text.count("\n", 0, match.start()) + 1
+            yield f"{path.relative_to(root)}:{line}: the example does not compile\n{run.stderr}"
+
+
+def check_cmake_version(root, readme):
+    """The version in CMakeLists.txt, which FILE_SET needs, and what else names one."""
+    text = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"cmake_minimum_required\(VERSION (\d+\.\d+)\)", text).group(1)
+    presets = json.loads((root / "CMakePresets.json").read_text(encoding="utf-8"))["cmakeMinimumRequired"]
+    if f"CMake {version}" not in readme or re.findall(r"CMake (\d+\.\d+)", readme) != [version]:
+        yield f"README.md: CMake is not {version}"
+    if f"{presets['major']}.{presets['minor']}" != version:
+        yield f"CMakePresets.json: CMake is not {version}"
+
+
+def check(root, compiler):
     headers = "\n".join(p.read_text(encoding="utf-8") for p in sorted((root / "include/shd").glob("*.h")))
     names = set(re.findall(r"\b(?:shd|SHD)_\w+", headers))
     readme = (root / "README.md").read_text(encoding="utf-8")
     hello = (root / "examples/hello.c").read_text(encoding="utf-8").split("\n", 1)[1]
     if f"```c\n{hello}```" not in readme:
         yield "README.md: its first program is not examples/hello.c"
+    yield from check_cmake_version(root, readme)
     for path in pages(root):
         if not path.exists():
             continue
         text = path.read_text(encoding="utf-8")
         yield from check_names(path, text, names)
         yield from check_links(root, path, text)
+        yield from check_examples(root, compiler, path, text)
     for filter_name in re.findall(r"SHD_FILTER_(\w+) = \d+,", headers):
         page = root / f"docs/filter-{filter_name.lower().replace('_', '-')}.md"
         if not page.exists():
@@ -64,7 +108,9 @@ def check(root):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
-    problems = list(check(parser.parse_args().root))
+    parser.add_argument("--compiler", default="cc")
+    arguments = parser.parse_args()
+    problems = list(check(arguments.root, arguments.compiler))
     print("\n".join(problems) if problems else "style.docs: 0 problems")
     return 1 if problems else 0
 

@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <stdlib.h>
+#include "support/noise.h"
 
 #include <shd/context.h>
 
@@ -58,7 +59,7 @@ static inline void shd_pool_shuffle(const shd_pool *pool, uint32_t count, uint32
     if (pool->order != SHD_POOL_RANDOM) return;
     for (i = count; i > 1; --i) {
         uint32_t j, swapped;
-        seed = seed * 1664525u + 1013904223u;
+        shd_noise(&seed);
         j = (uint32_t)(((uint64_t)seed * i) >> 32);
         swapped = order[i - 1];
         order[i - 1] = order[j];

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "support/check.h"
+#include "support/noise.h"
 #include "support/slots.h"
 
 #include <shd/extension.h>
@@ -56,7 +57,7 @@ typedef struct shd_scene {
 /** Next number of a linear congruential sequence (Knuth), in [0, 1). */
 static inline float shd_scene_random(uint32_t *state)
 {
-    *state = *state * 1664525u + 1013904223u;
+    shd_noise(state);
     return (float)(*state >> 8) * (1.0f / 16777216.0f);
 }
 

@@ -3,6 +3,7 @@
 #ifndef SHD_TESTS_SUPPORT_SHADOW_HASH_H
 #define SHD_TESTS_SUPPORT_SHADOW_HASH_H
 
+#include "support/noise.h"
 #include "support/shadow_scene.h"
 
 /** Visibility of points in a crossing of boxes: every filter, every kind of light, with and without normals. */
@@ -25,7 +26,7 @@ static inline uint64_t shd_shadow_hash(const shd_context_desc *desc)
     boxes.draws[1].object_to_world[4] = 0.3f; /* sheared */
     for (i = 0; i < k_points; ++i) {
         for (k = 0; k < 6; ++k) {
-            seed = seed * 1664525u + 1013904223u;
+            shd_noise(&seed);
             points[k][i] = ((float)(seed >> 8) / 8388608.0f - 1.0f) * (k < 3 ? 3.0f : 0.57f);
         }
         if (i % 3 == 0) points[1][i] = 0.0f;

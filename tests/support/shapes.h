@@ -4,6 +4,7 @@
 #define SHD_TESTS_SUPPORT_SHAPES_H
 
 #include "support/check.h"
+#include "support/noise.h"
 
 #include <shd/mesh.h>
 
@@ -126,7 +127,7 @@ static inline void shd_test_shape_lattice(shd_test_shape *s, uint32_t triangles,
     for (i = 0; i < 3 * triangles; ++i) {
         float p[3];
         for (c = 0; c < 3; ++c) {
-            seed = seed * 1664525u + 1013904223u;
+            shd_noise(&seed);
             p[c] = (float)(seed >> 28) / 4 - 2;
             if (p[c] == 0 && (seed >> 27 & 1)) p[c] = -0.0f;
             if (triangles > 100) p[c] = floorf(p[c]);

@@ -49,7 +49,8 @@ same() { compare same "$@"; }
 other() { compare other "$@"; }
 
 expect 0 "Exit codes" --help
-expect 0 "" --size 96x64 --tessellation 4 -o teapot.png
+expect 0 "shd-render 0." --version
+expect 0 "teapot.png: 96 x 64" --size 96x64 --tessellation 4 -o teapot.png
 written teapot.png 89504e47
 expect 0 "triangles" --stats --size 96x64 --aov --texture checker --model lambert --frequency flat -o teapot.exr
 written teapot.exr 762f3101
@@ -110,6 +111,11 @@ for filter in hard pcf variance summed-area pcss; do
 done
 other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
 other -- --lines 1
+other -- --wireframe 1
+other --wireframe 1 -- --wireframe 3
+other --samples 4 --shape plane --texture checker --uv-scale 9 -- \
+  --samples 4 --shape plane --texture checker --uv-scale 9 --sample-shading
+same -- --sample-shading
 other --lines 1 -- --lines 3
 same --show normal -- --show normal --height checker --displace 0
 other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
@@ -137,6 +143,7 @@ cmp turn-0001.png still.png || failed=1
 
 expect 2 "a whole number 1..9999" --turntable 2.5
 expect 2 "1..16" --supersampling 17
+expect 2 "1/16..64" --wireframe 0
 expect 2 "one of depth" --visibility scanline
 expect 2 "one of uv" --aovs uv,albedo
 expect 2 "--turntable turns no --camera" --turntable 4 --camera 0
@@ -177,7 +184,7 @@ mkdir -p Textures
 cp teapot.png Textures/Skin.PNG
 printf 'newmtl m\nKd 1 1 1\nmap_Kd TEXTURES\\skin.png\n' >tri.mtl
 expect 0 "" --size 8x8 tri.obj
-[ ! -s said.txt ] || { cat said.txt; failed=1; }
+diff said.txt <(echo "out.png: 8 x 8") || { cat said.txt; failed=1; }
 
 for model in Collada/duck.dae OBJ/spider.obj glTF2/BoxTextured-glTF-Binary/BoxTextured.glb \
   glTF/CesiumMilkTruck/CesiumMilkTruck.gltf glTF2/ClearCoat-glTF/ClearCoatTest.gltf \
@@ -189,7 +196,7 @@ done
 room=$assets/glTF2/cameras/Cameras.gltf
 if [ -f "$room" ]; then
   expect 0 "" --size 48x32 --no-color --camera 0 -o camera.png "$room"
-  expect 0 "" --size 48x32 --no-color -o orbit.png "$room"
+  expect 0 "not used: 1 (--camera 0)" --size 48x32 --no-color -o orbit.png "$room"
   cmp -s camera.png orbit.png && { echo "--camera changes nothing" && failed=1; }
   expect 3 "no such camera" --camera 77 "$room"
 fi
@@ -200,6 +207,6 @@ printf '%s' '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"]
 "bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
 "min":[0,0,0],"max":[1,1,0]}]}' >lit.gltf
 expect 0 "" --size 48x32 --no-color --lights file -o lit.png lit.gltf
-expect 0 "" --size 48x32 --no-color --lights none -o dark.png lit.gltf
+expect 0 "not used: 1 (--lights file)" --size 48x32 --no-color --lights none -o dark.png lit.gltf
 cmp -s lit.png dark.png && { echo "--lights file changes nothing" && failed=1; }
 exit $failed
