@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# One picture for each way of shading, from models and textures that Debian 12 packages, into out/gallery/; and all of
-# them on one sheet with headings and labels, examples/gallery.png. Run it as root, or as a user who may use sudo; without either it works if the
-# packages are there. Usage: gallery.sh [--build FOLDER], a tree that is built already.
+# Renders one picture for each way of shading, from models and textures that Debian 12 packages, into out/gallery/, and
+# puts all of them on one sheet with headings and labels, examples/gallery.png. Run it as root, or as a user who may use
+# sudo. Without either it works if the packages are there.
+# Usage: gallery.sh [--build FOLDER]; FOLDER holds a finished build.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -119,15 +120,15 @@ picture displacement "Displacement" "${slab[@]}" --height "$stones" --displace 0
 group "Lights"
 picture course-lights "Two points of a course" --lights course --exposure 2 --orbit 0,10 --specular 0.7937 \
   --exponent 150 "$duck"
-stage=(--floor --orbit 25,25 --tessellation 32 --ambient 0.12)
-picture spot "Spot" "${stage[@]}" --spot -1.5,2.5,1.5:16,15,13 --cone 12,26 --shadows pcf
-picture cookie "Light cookie" "${stage[@]}" --spot -1.5,2.5,1.5:20,20,20 --cone 26,28 --cookie window --shadows pcf
+stage=(--floor --orbit 25,25,3.4 --tessellation 32 --ambient 0.2)
+picture spot "Spot" "${stage[@]}" --spot -1.5,2.5,1.5:16,15,13 --cone 16,30 --shadows pcf
+picture cookie "Light cookie" "${stage[@]}" --spot -1.5,2.5,1.5:20,20,20 --cone 28,30 --cookie window --shadows pcf
 picture lamps-256 "256 lamps with a range" --floor --orbit 25,35,3.2 --tessellation 32 --diffuse 0.8 --ambient 0.06 \
   --exposure 0.8 --lamps 256
 
 group "Shadows"
 for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area Summed-area variance" "pcss PCSS"; do
-  picture "shadow-${filter%% *}" "${filter#* }" --floor --orbit 30,35 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 \
+  picture "shadow-${filter%% *}" "${filter#* }" --floor --orbit 30,35,3.2 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 \
     --shadow-size 1024 --shadows "${filter%% *}" "$spider"
 done
 
@@ -140,7 +141,8 @@ group "Fragment programs of a course"
 for program in "normal Normals" "phong Blinn-Phong" "texture Texture" "bump Bump mapping" "displacement Displacement"; do
   name=${program%% *}
   model=()
-  if [ "$name" = bump ] || [ "$name" = displacement ]; then model=(-); fi
+  if [ "$name" = bump ]; then model=(-); fi
+  if [ "$name" = displacement ]; then model=(--move small --light 3,4,6:40 --light -4,2,6:25 -); fi
   echo "   ${program#* }"
   "$build/examples/course/$name" -o "$out/program.png" "${model[@]}"
   oiiotool "$out/program.png" --create 512x512 4 --fill:color=.5,.5,.5,1 512x512 --over --cut 512x384+0+64 \
