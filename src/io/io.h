@@ -23,6 +23,7 @@
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
+/// | silence.h        | no messages of libtiff on stderr                                     |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
 /// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |
 #pragma once

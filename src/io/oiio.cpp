@@ -13,6 +13,7 @@
 #include "io/channels.h"
 #include "io/memory_file.h"
 #include "io/printable.h"
+#include "io/silence.h"
 #include "io/sniff.h"
 #include "io/transfer.h"
 
@@ -79,6 +80,7 @@ struct Decoder {
 }
 
 void open_input(Decoder& d, const MemoryFile& file) {
+  silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   if (d.format == SHD_FILE_FORMAT_ANY) {
