@@ -208,6 +208,14 @@ static void edit_slot_texture_of_constant(shd_material_desc *d)
 {
     add_slot(d, shd_slot_default(SHD_SLOT_AMBIENT))->texture = g_texture;
 }
+static void edit_slot_sampler_of_constant(shd_material_desc *d)
+{
+    add_slot(d, shd_slot_default(SHD_SLOT_AMBIENT))->sampler = g_ripmap;
+}
+static void edit_slot_sampler_of_vertex(shd_material_desc *d)
+{
+    add_slot(d, shd_slot_vertex(SHD_SLOT_DIFFUSE, 0))->sampler = g_ripmap;
+}
 static void edit_slot_procedure_missing(shd_material_desc *d)
 {
     add_slot(d, shd_slot_procedure(SHD_SLOT_SPECULAR, NULL, NULL));
@@ -353,6 +361,10 @@ static const struct create_case k_create[] = {
      "material.slots[1].texture: NULL, but the source is a texture"},
     {"create/slot_texture_of_constant", edit_slot_texture_of_constant, BAD,
      "material.slots[0].source: 0, but a texture or sampler is set"},
+    {"create/slot_sampler_of_constant", edit_slot_sampler_of_constant, BAD,
+     "material.slots[0].source: 0, but a texture or sampler is set"},
+    {"create/slot_sampler_of_vertex", edit_slot_sampler_of_vertex, BAD,
+     "material.slots[0].source: 2, but a texture or sampler is set"},
     {"create/slot_procedure_missing", edit_slot_procedure_missing, BAD, "material.slots[0].procedure: NULL"},
     {"create/slot_attribute_7", edit_slot_attribute_7, SHD_OK, ""},
     {"create/slot_attribute_8", edit_slot_attribute_8, BAD, "material.slots[0].attribute: 8 is not in 0..7"},

@@ -150,6 +150,65 @@ static void test_weighted(void **state)
     shd_frame_close(&f);
 }
 
+/* Expected colour of weighted layers, from the formula of SHD_BLEND_WEIGHTED. */
+static void weigh_by_hand(const layer *layers, size_t count, double color[4])
+{
+    double sum[4] = {0, 0, 0, 0}, rest = 1;
+    size_t i;
+    int c;
+    for (i = 0; i < count; ++i) {
+        const double a = (double)layers[i].opacity, weight = fmax(0.01, 3000 * pow(1 - (double)layers[i].depth, 3));
+        for (c = 0; c < 3; ++c) sum[c] += weight * a * (double)layers[i].color[c];
+        sum[3] += weight * a;
+        rest *= 1 - a;
+    }
+    for (c = 0; c < 3; ++c) color[c] = sum[c] / sum[3] * (1 - rest) + rest * color[c];
+    color[3] = 1 - rest + rest * color[3];
+}
+
+/* Weighted layers of different colours: near layers count more, down to the smallest weight. */
+static void test_weights(void **state)
+{
+    static const float k_depths[][3] = {{0.375f, 0.75f, 0.5f},
+                                        {0.75f, 0.375f, 0.0f},
+                                        {0.96875f, 0.9990234375f, 0.984375f},
+                                        {0.998046875f, 0.9375f, 0.25f}};
+    size_t i, k;
+    (void)state;
+    for (i = 0; i < sizeof k_depths / sizeof k_depths[0]; ++i) {
+        layer layers[3] = {{{1, 0, 0.5f}, 0.5f, 0, SHD_BLEND_WEIGHTED},
+                           {{0, 1, 0.25f}, 0.75f, 0, SHD_BLEND_WEIGHTED},
+                           {{0.5f, 0.5f, 1}, 0.25f, 0, SHD_BLEND_WEIGHTED}};
+        double want[4] = {0.1, 0.2, 0.3, 0.4};
+        shd_frame f;
+        for (k = 0; k < 3; ++k) layers[k].depth = k_depths[i][k];
+        weigh_by_hand(layers, 3, want);
+        render_layers(&f, layers, 3, i % 2 ? 4 : 1);
+        check_color("weights", &f, want);
+        shd_frame_close(&f);
+    }
+}
+
+/* Sorted layers of equal depth take effect in the order of draws. */
+static void test_sorted_ties(void **state)
+{
+    const layer layers[4] = {{{1, 0, 0}, 0.5f, 0.5f, SHD_BLEND_SORTED},
+                             {{0, 1, 0}, 0.25f, 0.5f, SHD_BLEND_SORTED},
+                             {{0, 0, 1}, 0.5f, 0.5f, SHD_BLEND_SORTED},
+                             {{1, 1, 0}, 0.25f, 0.75f, SHD_BLEND_SORTED}};
+    const int order[4] = {3, 0, 1, 2};
+    double want[4] = {0.1, 0.2, 0.3, 0.4};
+    shd_frame f;
+    int i;
+    (void)state;
+    for (i = 0; i < 4; ++i) blend_by_hand(&layers[order[i]], want);
+    for (i = 1; i <= 16; i *= 4) {
+        render_layers(&f, layers, 4, (uint32_t)i);
+        check_color("sorted/ties", &f, want);
+        shd_frame_close(&f);
+    }
+}
+
 enum { DEEP = 600 };
 
 /* 600 sorted layers at random depths in one draw: more than a worker's table can hold for a tile. */
@@ -233,6 +292,29 @@ static void test_cutoff(void **state)
             assert_true(f.plane[SHD_PLANE_DEPTH][i] == (kept ? 0.5f : 1.0f));
             assert_int_equal(f.triangle[i] != 0xffffffffu, kept);
         }
+        shd_frame_close(&f);
+    }
+}
+
+/* An alpha equal to the cutoff is kept. */
+static void test_cutoff_tie(void **state)
+{
+    static const float k_opacities[3] = {0.49999997f, 0.5f, 0.50000006f};
+    size_t i;
+    int k;
+    (void)state;
+    for (k = 0; k < 3; ++k) {
+        shd_material_desc red = shd_frame_plain(1, 0, 0);
+        float quad[48];
+        shd_frame f;
+        red.opacity = k_opacities[k];
+        red.alpha_cutoff = 0.5f;
+        shd_frame_open(&f, SIZE, SIZE);
+        shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
+        shd_frame_draw(&f, quad, 6, &red);
+        shd_frame_ambient(&f);
+        shd_frame_render(&f);
+        for (i = 0; i < PIXELS; ++i) assert_true(f.plane[SHD_PLANE_R][i] == (k >= 1 ? 1.0f : 0.0f));
         shd_frame_close(&f);
     }
 }
@@ -323,6 +405,17 @@ static void test_compare(void **state)
         {"equal/biased_away", 1.0f, 0.5f, 0.5f, 0.125f, SHD_COMPARE_LESS_EQUAL, 0, 0, 0.5},
         {"equal/biased_near", 1.0f, 0.5f, 0.5f, -0.125f, SHD_COMPARE_LESS, 0, 1, 0.375},
         {"always", 1.0f, 0.25f, 0.5f, 0, SHD_COMPARE_ALWAYS, 0, 1, 0.5},
+        {"never/nearer", 1.0f, 0.5f, 0.25f, 0, SHD_COMPARE_NEVER, 0, 0, 0.5},
+        {"never/equal", 1.0f, 0.5f, 0.5f, 0, SHD_COMPARE_NEVER, 0, 0, 0.5},
+        {"not_equal/equal", 1.0f, 0.5f, 0.5f, 0, SHD_COMPARE_NOT_EQUAL, 0, 0, 0.5},
+        {"not_equal/nearer", 1.0f, 0.5f, 0.25f, 0, SHD_COMPARE_NOT_EQUAL, 0, 1, 0.25},
+        {"not_equal/farther", 1.0f, 0.5f, 0.75f, 0, SHD_COMPARE_NOT_EQUAL, 0, 1, 0.75},
+        {"equal/equal", 1.0f, 0.5f, 0.5f, 0, SHD_COMPARE_EQUAL, 0, 1, 0.5},
+        {"equal/nearer", 1.0f, 0.5f, 0.25f, 0, SHD_COMPARE_EQUAL, 0, 0, 0.5},
+        {"equal/farther", 1.0f, 0.5f, 0.75f, 0, SHD_COMPARE_EQUAL, 0, 0, 0.5},
+        {"greater_equal/equal", 1.0f, 0.5f, 0.5f, 0, SHD_COMPARE_GREATER_EQUAL, 0, 1, 0.5},
+        {"greater_equal/nearer", 1.0f, 0.5f, 0.25f, 0, SHD_COMPARE_GREATER_EQUAL, 0, 0, 0.5},
+        {"greater_equal/farther", 1.0f, 0.5f, 0.75f, 0, SHD_COMPARE_GREATER_EQUAL, 0, 1, 0.75},
     };
     size_t i, k;
     int blended;
@@ -354,9 +447,32 @@ static void test_compare(void **state)
     }
 }
 
+/* One draw of two quads, each of which changes the depth that the next is compared with. */
+static void test_compare_own_depth(void **state)
+{
+    shd_material_desc quarter = shd_frame_plain(0.25f, 0, 0);
+    float quads[96];
+    size_t i;
+    shd_frame f;
+    (void)state;
+    quarter.blend = SHD_BLEND_ADD;
+    shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quads);
+    shd_frame_quad(-1, -1, 1, 1, 0.75f, 0.75f, quads + 48);
+    shd_frame_open(&f, SIZE, SIZE);
+    shd_frame_draw(&f, quads, 12, &quarter)->compare = SHD_COMPARE_NOT_EQUAL;
+    shd_frame_ambient(&f);
+    f.desc.clear_depth = 0.75f;
+    shd_frame_render(&f);
+    for (i = 0; i < PIXELS; ++i) {
+        assert_true(f.plane[SHD_PLANE_R][i] == 0.5f);
+        assert_true(f.plane[SHD_PLANE_DEPTH][i] == 0.75f);
+    }
+    shd_frame_close(&f);
+}
+
 int main(void)
 {
-    static struct CMUnitTest tests[20];
+    static struct CMUnitTest tests[24];
     size_t n = 0;
     for (; n < sizeof k_blends / sizeof k_blends[0]; ++n) {
         tests[n] = (struct CMUnitTest){k_blends[n].name, test_blend, NULL, NULL, (void *)&k_blends[n]};
@@ -364,11 +480,15 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"order", test_order, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"sorted/hidden", test_hidden, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"sorted/deep", test_deep, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"sorted/ties", test_sorted_ties, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"weighted", test_weighted, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"weighted/weights", test_weights, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"cutoff", test_cutoff, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"cutoff/tie", test_cutoff_tie, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"cutoff/order", test_cutoff_order, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"alpha_to_coverage", test_alpha_to_coverage, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"depth_only", test_depth_only, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"compare", test_compare, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"compare/own_depth", test_compare_own_depth, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.render_blend", tests, n, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Progress increases to 1, and calls are never concurrent; a cancel at any point, and the render after it. */
+/* Progress increases to 1, and calls are never concurrent; a cancel at any point by any value but 0, and the render
+ * after it. */
 #define _POSIX_C_SOURCE 200809L
 #include "support/pool.h"
 #include "support/scene.h"
@@ -7,6 +8,7 @@
 struct watcher {
     pthread_mutex_t inside;
     int reports, mistakes, cancel_at; /* 0 = never */
+    int32_t cancel;                   /* value that cancels */
     float latest;
 };
 
@@ -18,7 +20,7 @@ static int32_t report(void *user_data, float fraction)
     w->latest = fraction;
     ++w->reports;
     if (alone) pthread_mutex_unlock(&w->inside);
-    return w->reports == w->cancel_at ? 5 : 0;
+    return w->reports == w->cancel_at ? w->cancel : 0;
 }
 
 struct worker_case {
@@ -31,6 +33,8 @@ static const struct worker_case k_cases[] = {
 
 static void start(struct watcher *w, int cancel_at)
 {
+    static const int32_t k_cancels[] = {1, -1, 5, INT32_MIN, INT32_MAX};
+    w->cancel = k_cancels[cancel_at % 5];
     w->reports = w->mistakes = 0;
     w->latest = 0.0f;
     w->cancel_at = cancel_at;

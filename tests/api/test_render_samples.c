@@ -118,6 +118,35 @@ static void test_edge(void **state)
     }
 }
 
+/* Samples that differ in one channel alone, alpha among them, are averaged in it. */
+static void test_one_channel(void **state)
+{
+    const uint32_t samples = *(const uint32_t *)*state;
+    int channel, c;
+    for (channel = 0; channel < 4; ++channel) {
+        const shd_material_desc grey = shd_frame_plain(0.5f, 0.5f, 0.5f);
+        float quad[48];
+        uint32_t x;
+        shd_frame f;
+        shd_frame_open_samples(&f, 16, 8, samples);
+        shd_frame_quad(-1, -1, 5.5f / 8 - 1, 1, 0.5f, 0.5f, quad);
+        shd_frame_draw(&f, quad, 6, &grey);
+        shd_frame_ambient(&f);
+        for (c = 0; c < 3; ++c) f.desc.clear_color[c] = 0.5f;
+        f.desc.clear_color[3] = 1.0f;
+        f.desc.clear_color[channel] = 0.25f;
+        shd_frame_render(&f);
+        for (x = 0; x < 16; ++x) {
+            const double share = samples_left_of(samples, x, 5.5) / (double)samples;
+            for (c = 0; c < 4; ++c) {
+                const double full = c == 3 ? 1.0 : 0.5, want = c == channel ? full * share + 0.25 * (1 - share) : full;
+                shd_assert_close("mean", x, (double)f.plane[c][3 * 16 + x], want, 1e-6, 0.0);
+            }
+        }
+        shd_frame_close(&f);
+    }
+}
+
 /* Rows that a program was called with. */
 struct rows {
     size_t count;
@@ -244,13 +273,11 @@ int main(void)
     static const struct {
         const char *name;
         CMUnitTestFunction test;
-    } k_tests[] = {{"each_sample_once", test_each_sample_once},
-                   {"edge", test_edge},
-                   {"places", test_places},
-                   {"sample_shading", test_sample_shading},
-                   {"against_supersampling", test_against_supersampling}};
-    static struct CMUnitTest tests[25];
-    static char names[25][48];
+    } k_tests[] = {{"each_sample_once", test_each_sample_once}, {"edge", test_edge},
+                   {"one_channel", test_one_channel},           {"places", test_places},
+                   {"sample_shading", test_sample_shading},     {"against_supersampling", test_against_supersampling}};
+    static struct CMUnitTest tests[30];
+    static char names[30][48];
     size_t n = 0, i, k;
     for (i = 0; i < sizeof k_tests / sizeof k_tests[0]; ++i) {
         for (k = 0; k < 5; ++k, ++n) {

@@ -4,6 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 #include "support/fault_allocator.h"
+#include "support/frame.h"
 #include "support/pool.h"
 #include "support/scene.h"
 #include "support/watcher.h"
@@ -120,7 +121,7 @@ static void draw(shd_scene *s, const struct frame_case *c, shd_framebuffer *fram
     s->desc.crop_y = c->crop_y * size;
     s->desc.viewport = c->viewport.width ? &viewport : NULL;
     s->desc.scissor = c->scissor.width ? &scissor : NULL;
-    s->desc.flags = c->load ? SHD_RENDER_LOAD : SHD_RENDER_NONE;
+    s->desc.flags = SHD_RENDER_COUNT_HIDDEN | (uint32_t)(c->load ? SHD_RENDER_LOAD : SHD_RENDER_NONE);
     s->desc.supersampling = n;
     outline_scene(s, (float)size);
     scale_lines(s, (float)size);
@@ -168,6 +169,7 @@ static void test_truth(void **state)
     const struct frame_case *c = (const struct frame_case *)*state;
     shd_context *context = NULL;
     shd_framebuffer *large, *small;
+    shd_render_stats stats;
     shd_scene s;
     uint32_t x, y;
     int plane;
@@ -177,7 +179,13 @@ static void test_truth(void **state)
     large = make_framebuffer(context, c->width * c->n, c->height * c->n, c->samples);
     small = make_framebuffer(context, c->width, c->height, c->samples);
     draw(&s, c, large, c->n, 0);
+    stats = s.stats;
     draw(&s, c, small, 1, c->n);
+    if (!c->scissor.width) { /* a scissor moves the tiles, and blended draws are tested against stale depth by tile */
+        assert_true(s.stats.fragments == stats.fragments);
+        assert_true(s.stats.nonfinite_fragments == stats.nonfinite_fragments);
+        assert_true(s.stats.hidden_samples == stats.hidden_samples);
+    }
     for (plane = 0; plane < PLANES; ++plane) {
         for (y = 0; y < c->height; ++y) {
             for (x = 0; x < c->width; ++x) {
@@ -260,6 +268,7 @@ static uint64_t hash_on(const shd_context_desc *desc)
     shd_assert_ok(shd_context_create(desc, &context));
     shd_scene_open(&s, SHD_SCENE_GLASS, context);
     s.desc.supersampling = 6;
+    s.desc.flags = SHD_RENDER_COUNT_HIDDEN;
     hash = shd_scene_render(&s);
     shd_scene_close(&s);
     shd_context_release(context);
@@ -282,6 +291,31 @@ static void test_workers_and_targets(void **state)
         if (shd_context_create(&desc, &context) != SHD_OK) continue;
         shd_context_release(context);
         assert_true(hash_on(&desc) == want);
+    }
+}
+
+/* The counts of the blocks of a frame add up: the second of two quads fails at every sample. */
+static void test_hidden(void **state)
+{
+    static const uint32_t k_sizes[2][3] = {{64, 64, 2}, {530, 40, 2}}; /* width, height, n: one block, two blocks */
+    size_t i;
+    (void)state;
+    for (i = 0; i < 2; ++i) {
+        const uint32_t width = k_sizes[i][0], height = k_sizes[i][1], n = k_sizes[i][2];
+        const shd_material_desc grey = shd_frame_plain(0.5f, 0.5f, 0.5f);
+        float quad[48];
+        shd_frame f;
+        shd_frame_open(&f, width, height);
+        shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.25f, quad);
+        shd_frame_draw(&f, quad, 6, &grey);
+        shd_frame_quad(-1, -1, 1, 1, 0.75f, 0.75f, quad);
+        shd_frame_draw(&f, quad, 6, &grey);
+        f.desc.supersampling = n;
+        f.desc.flags = SHD_RENDER_COUNT_HIDDEN;
+        shd_frame_render(&f);
+        assert_int_equal(f.stats.hidden_samples, (uint64_t)width * height * n * n);
+        assert_int_equal(f.stats.fragments, (uint64_t)width * height * n * n);
+        shd_frame_close(&f);
     }
 }
 
@@ -397,6 +431,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"outlines", test_outlines, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"windows", test_windows, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"workers_and_targets", test_workers_and_targets, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"hidden", test_hidden, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"footprints", test_footprints, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"progress", test_progress, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"memory", test_memory, NULL, NULL, NULL};

@@ -658,6 +658,46 @@ static void test_nonfinite(void **state)
     shd_texture_release(heights);
 }
 
+/* Vertices on an edge between different handedness have either, and no value between. */
+static void test_handedness(void **state)
+{
+    static const float k_rows[4][12] = {{0, 0, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1},
+                                        {1, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, -1},
+                                        {1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 0, -1},
+                                        {0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1}};
+    static const uint32_t k_indices[6] = {0, 1, 2, 0, 2, 3};
+    shd_mesh_desc mesh_desc = shd_mesh_desc_default();
+    const shd_tessellation_desc desc = uniform(5);
+    shd_mesh *mesh = NULL, *out;
+    struct readback r;
+    uint32_t i, negative = 0;
+    int c;
+    (void)state;
+    mesh_desc.vertex_count = 4;
+    for (c = 0; c < 12; ++c) {
+        shd_f32_in *column = c < 3   ? &mesh_desc.position[c]
+                             : c < 6 ? &mesh_desc.normal[c - 3]
+                             : c < 8 ? &mesh_desc.uv[c - 6]
+                                     : &mesh_desc.tangent[c - 8];
+        *column = shd_f32_column(&k_rows[0][c], sizeof k_rows[0]);
+    }
+    mesh_desc.indices.data = k_indices;
+    mesh_desc.index_count = 6;
+    shd_assert_ok(shd_mesh_create(g_context, &mesh_desc, &mesh));
+    out = tessellated(g_context, mesh, &desc);
+    r = read_mesh(out);
+    assert_int_equal(r.vertex_count, 36);
+    for (i = 0; i < r.vertex_count; ++i) {
+        const float tw = r.column[11][i];
+        if (tw != 1.0f && tw != -1.0f) fail_msg("vertex %u: tw %g", i, (double)tw);
+        negative += tw < 0;
+    }
+    assert_int_equal(negative, 18); /* the half with x > 0.5 */
+    drop(&r);
+    shd_mesh_release(out);
+    shd_mesh_release(mesh);
+}
+
 /* Results have the same bits for every worker count and SIMD target. */
 static void test_bits(void **state)
 {
@@ -757,6 +797,7 @@ int main(void)
     tests[n++] = (struct CMUnitTest){"normals_of_a_ramp", test_normals_of_a_ramp, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"normals_of_options", test_normals_of_options, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"nonfinite", test_nonfinite, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"handedness", test_handedness, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bits", test_bits, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"out_of_memory", test_out_of_memory, NULL, NULL, NULL};
     failed = _cmocka_run_group_tests("api.tessellate", tests, n, NULL, NULL);

@@ -162,17 +162,20 @@ static void test_handles(void **state)
 static void test_faults(void **state)
 {
     enum { EDGE = 64 };
-    static unsigned char texels[EDGE * EDGE * 4], before[EDGE * EDGE * 8], after[EDGE * EDGE * 8];
+    static unsigned char texels[EDGE * EDGE * 4], changed[EDGE * EDGE * 4];
+    static unsigned char before[EDGE * EDGE * 8], after[EDGE * EDGE * 8], want[EDGE * EDGE * 8];
     size_t n, size, points = 0;
     (void)state;
     for (n = 0; n < sizeof texels; ++n) texels[n] = (unsigned char)(n * 31);
+    memcpy(changed, texels, sizeof texels);
+    for (n = 0; n < 3; ++n) memcpy(changed + 4 * ((20 + n) * EDGE + 40), g_patch + 5 * n, 5 * 4);
     for (n = 1; n < 100; ++n) {
         shd_fault_allocator memory;
         shd_context_desc cd = shd_context_desc_default();
         shd_texture_desc desc = base_desc();
         shd_image image = patch_image(5, 3);
         shd_context *context = NULL;
-        shd_texture *texture = NULL;
+        shd_texture *texture = NULL, *other = NULL;
         shd_result result;
         memset(&memory, 0, sizeof memory);
         cd.worker_count = 1;
@@ -195,8 +198,13 @@ static void test_faults(void **state)
             assert_memory_equal(after, before, size);
             shd_assert_ok(shd_texture_update(texture, 0, 40, 20, &image));
         }
-        read_all(texture, after);
-        assert_memory_not_equal(after, before, size);
+        desc.texels = changed;
+        shd_assert_ok(shd_texture_create(context, &desc, &other));
+        assert_int_equal(read_all(other, want), size);
+        assert_memory_not_equal(want, before, size);
+        assert_int_equal(read_all(texture, after), size);
+        assert_memory_equal(after, want, size);
+        shd_texture_release(other);
         shd_texture_release(texture);
         shd_context_release(context);
         shd_assert_all_freed("update", &memory);

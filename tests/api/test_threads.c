@@ -128,8 +128,15 @@ static void open_stage(struct stage *stage, int use_pool, uint32_t workers)
     shd_scene_open(&stage->scene, SHD_SCENE_SMALL, stage->context);
     stage->want_frame = shd_scene_render(&stage->scene);
     assert_true(stage->want_frame == shd_scene_reference(SHD_SCENE_SMALL));
+    stage->scene.desc.flags |= SHD_RENDER_COUNT_HIDDEN; /* one more count to compare */
+    stage->want_frame = shd_scene_render(&stage->scene);
+    assert_true(stage->scene.stats.hidden_samples > 0);
     stage->want_lookups = sample(stage->scene.texture[0], stage->scene.sampler[0]);
-    for (i = 0; i < k_variants; ++i) stage->want_variant[i] = render_variant(&stage->scene, stage->context, i);
+    assert_true(stage->want_lookups != 0); /* 0 = a call failed */
+    for (i = 0; i < k_variants; ++i) {
+        stage->want_variant[i] = render_variant(&stage->scene, stage->context, i);
+        assert_true(stage->want_variant[i] != 0);
+    }
 }
 
 static void close_stage(struct stage *stage)

@@ -102,6 +102,41 @@ static void test_full_screen(void **state)
     shd_frame_close(&f);
 }
 
+/* Halves clip-space x and y. */
+static void halve(const shd_vertices *in, shd_vertex_outputs *out, void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) {
+        out->x[i] *= 0.5f;
+        out->y[i] *= 0.5f;
+    }
+}
+
+/* Positions that a program moves stay relative to the viewport: half of it, around its middle, is covered. */
+static void test_viewport(void **state)
+{
+    static const shd_region k_viewport = {8, 16, 32, 24};
+    shd_material_desc m = shd_frame_plain(1, 1, 1);
+    float quad[48];
+    shd_frame f;
+    uint32_t i;
+    (void)state;
+    m.program.vertex = halve;
+    shd_frame_open(&f, 64, 64);
+    f.desc.viewport = &k_viewport;
+    shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, quad);
+    shd_frame_draw(&f, quad, 6, &m);
+    shd_frame_ambient(&f);
+    shd_frame_render(&f);
+    assert_int_equal(f.stats.fragments, 16 * 12);
+    for (i = 0; i < 64 * 64; ++i) {
+        const uint32_t x = i % 64, y = i / 64;
+        assert_int_equal(f.triangle[i] != 0xffffffffu, x >= 16 && x < 32 && y >= 22 && y < 34);
+    }
+    shd_frame_close(&f);
+}
+
 /* A curved patch of k_cells x k_cells cells, in records of eight floats; three records are a triangle. */
 enum { k_cells = 20, k_patch = k_cells * k_cells * 6 };
 static float patch_height(float x, float y) { return 0.2f * (x * x - 0.5f * x * y + 0.25f * y); }
@@ -464,6 +499,7 @@ int main(void)
     for (i = 0; i < sizeof k_w / sizeof k_w[0]; ++i) {
         tests[n++] = (struct CMUnitTest){"full_screen", test_full_screen, NULL, NULL, (void *)&k_w[i]};
     }
+    tests[n++] = (struct CMUnitTest){"viewport", test_viewport, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"displacement", test_displacement, NULL, NULL, NULL};
     for (i = 0; i < sizeof k_spoils / sizeof k_spoils[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_spoils[i].name, test_nonfinite, NULL, NULL, (void *)&k_spoils[i]};

@@ -204,6 +204,28 @@ static shd_result create_textured_material(shd_context *context, void **out)
     return result;
 }
 
+/* A light that holds the only references to a texture and a sampler. */
+static shd_result create_textured_light(shd_context *context, void **out)
+{
+    shd_light_desc desc = shd_light_desc_default();
+    shd_light *light = NULL;
+    void *texture = NULL, *sampler = NULL;
+    shd_result result = create_texture(context, &texture);
+    if (result == SHD_OK) result = create_sampler(context, &sampler);
+    if (result == SHD_OK) {
+        desc.kind = SHD_LIGHT_KIND_SPOT;
+        desc.texture = (shd_texture *)texture;
+        desc.sampler = (shd_sampler *)sampler;
+        result = shd_light_create(context, &desc, &light);
+    } else {
+        assert_null(sampler);
+    }
+    release_sampler(sampler);
+    release_texture(texture);
+    *out = light;
+    return result;
+}
+
 static const struct type_row k_types[] = {
     {"mesh", "mesh", create_mesh, retain_mesh, release_mesh, use_mesh, "mesh: not a live handle of its type"},
     {"light", "light", create_light, retain_light, release_light, use_light,
@@ -220,6 +242,8 @@ static const struct type_row k_types[] = {
      "shadow: not a live handle of its type"},
     {"textured_material", "material", create_textured_material, retain_material, release_material, use_material,
      "render.draws[0]: draw.material: not a live handle of its type"},
+    {"textured_light", "light", create_textured_light, retain_light, release_light, use_light,
+     "render.lights[0]: light: not a live handle of its type"},
 };
 enum { k_type_count = sizeof k_types / sizeof k_types[0] };
 

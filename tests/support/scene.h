@@ -586,11 +586,14 @@ static inline uint64_t shd_hash_framebuffer(const shd_framebuffer *framebuffer)
     return hash;
 }
 
-/** Hash of the counts of the statistics, without time and memory. */
+/** Hash of the counts of the statistics, without time and memory. The counts that only some frames ask for change it if
+    one of them is not 0. */
 static inline uint64_t shd_hash_stats(uint64_t hash, const shd_render_stats *stats)
 {
     const size_t begin = offsetof(shd_render_stats, triangles), end = offsetof(shd_render_stats, hidden_samples);
-    return shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
+    const uint64_t rare[3] = {stats->hidden_samples, stats->order_conflicts, stats->splits};
+    hash = shd_hash(hash, (const unsigned char *)stats + begin, end - begin);
+    return rare[0] | rare[1] | rare[2] ? shd_hash(hash, rare, sizeof rare) : hash;
 }
 
 /** Renders, and returns the hash of the planes and the statistics. */

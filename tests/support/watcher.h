@@ -16,7 +16,7 @@ static inline int32_t shd_watch(void *user_data, float fraction)
     shd_watcher *w = (shd_watcher *)user_data;
     w->mistakes += !(fraction > w->latest) || !(fraction <= 1.0f);
     w->latest = fraction;
-    return ++w->reports == w->cancel_at;
+    return ++w->reports == w->cancel_at ? -1 : 0; /* anything but 0 cancels */
 }
 
 #endif /* SHD_TESTS_SUPPORT_WATCHER_H */

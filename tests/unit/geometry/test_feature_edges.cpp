@@ -70,7 +70,7 @@ void test_camera(void**) {
       camera.up[c] = random.real(-1, 1);
     }
     shd_view view;
-    if (shd_view_from_camera(&camera, &view) != SHD_OK) continue;
+    shd_assert_ok(shd_view_from_camera(&camera, &view));
     float model[16];
     set_identity(model);
     for (int c = 0; c < 3; ++c) {

@@ -338,6 +338,21 @@ void test_triangle(void**) {
   }
 }
 
+/// A triangle that names a vertex twice draws its point once.
+void test_repeated_point(void**) {
+  const float v[2][4] = {{10, 10, 0, 1}, {80, 15, 0.5f, 1}};
+  for (uint32_t i = 0; i < 2; ++i) set_vertex(i, v[i]);
+  const uint32_t rows[][3] = {{0, 1, 1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
+  for (const uint32_t(&row)[3] : rows) {
+    set_triangle(0, row[0], row[1], row[2]);
+    assert_int_equal(assemble(SHD_FILL_POINTS, 4.0f, SHD_CULL_NONE, 1).rasterised, 1);
+    assert_int_equal(g->out.size(), 4);  // two squares of two triangles
+  }
+  set_triangle(0, 1, 1, 1);
+  assemble(SHD_FILL_POINTS, 4.0f, SHD_CULL_NONE, 1);
+  assert_int_equal(g->out.size(), 2);
+}
+
 }  // namespace
 }  // namespace shd::tests
 
@@ -353,6 +368,7 @@ int main() {
   }
   tests[n++] = {"line/clipped", test_clipped_line, nullptr, nullptr, nullptr};
   tests[n++] = {"points", test_points, nullptr, nullptr, nullptr};
+  tests[n++] = {"points/repeated", test_repeated_point, nullptr, nullptr, nullptr};
   tests[n++] = {"soup", test_soup, nullptr, nullptr, nullptr};
   tests[n++] = {"shared_edge", test_shared, nullptr, nullptr, nullptr};
   tests[n++] = {"triangle", test_triangle, nullptr, nullptr, nullptr};

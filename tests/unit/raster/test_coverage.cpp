@@ -450,7 +450,7 @@ void test_bounds(void**) {
         if (!turn(&t)) continue;
         if (n % 40 == 0) kind = random.whole(SHD_COMPARE_LESS, SHD_COMPARE_ALWAYS);
         const raster::DepthState state = {static_cast<shd_compare>(n % 40 < 39 ? kind : SHD_COMPARE_ALWAYS), n % 7 != 0,
-                                          0.0f, 0.0f};
+                                          n % 5 ? 0.0f : random.real(-0.5, 0.5), n % 10 ? 0.0f : random.real(-4, 4)};
         raster::cover_mask(target, area_at(0, 0, samples), state, t, g_tile, &mask);
         raster::cover(target, area_at(0, 0, samples), state, &t, &entry, 1, n, &g_tile);
         bool drawn = false;
@@ -522,24 +522,34 @@ void test_box(void**) {
 /// Bias moves depth by a constant and by the steeper slope, clamped to 0..1.
 void test_bias(void**) {
   const uint32_t entry = 0;
-  ScreenTriangle t = {{0, 128 * 256, 0}, {0, 0, 128 * 256}, {0.25f, 0.75f, 0.375f}, 0, 0, 0};  // 1/256 and 1/1024
+  // Depth per pixel along x and y, each of which is the steeper one, rising and falling.
+  const struct {
+    float start, dx, dy;
+  } planes[] = {{0.25f, 0x1p-8f, 0x1p-10f},  {0.25f, 0x1p-10f, 0x1p-8f},   {0.75f, -0x1p-8f, 0x1p-10f},
+                {0.75f, 0x1p-10f, -0x1p-8f}, {0.75f, -0x1p-10f, -0x1p-8f}, {0.75f, -0x1p-8f, -0x1p-10f}};
   const struct {
     float bias, slope;
     double want;
   } cases[] = {{0.125f, 0, 0.125}, {-0.0625f, 0, -0.0625},
                {0, 2, 2.0 / 256},  {0.125f, -4, 0.125 - 4.0 / 256},
                {1, 0, 1},          {-1, 0, -1}};
-  for (const auto& c : cases) {
-    for_each_target([&](const core::SimdTarget& target, bool) {
-      clear(&g_tile);
-      const raster::DepthState state = {SHD_COMPARE_LESS_EQUAL, true, c.bias, c.slope};
-      raster::cover(target, area_at(0, 0), state, &t, &entry, 1, 0, &g_tile);
-      for (size_t i = 0; i < kTilePixels; ++i) {
-        const double x = static_cast<double>(i % kTile) + 0.5, y = static_cast<double>(i / kTile) + 0.5;
-        const double want = std::clamp(0.25 + x / 256 + y / 1024 + c.want, 0.0, 1.0);
-        shd_assert_close("bias", i, static_cast<double>(g_tile.depth[i]), want, 1e-6, 0.0);
-      }
-    });
+  for (const auto& p : planes) {
+    const ScreenTriangle t = {
+        {0, 128 * 256, 0}, {0, 0, 128 * 256}, {p.start, p.start + 128 * p.dx, p.start + 128 * p.dy}, 0, 0, 0};
+    for (const auto& c : cases) {
+      for_each_target([&](const core::SimdTarget& target, bool) {
+        clear(&g_tile);
+        const raster::DepthState state = {SHD_COMPARE_LESS_EQUAL, true, c.bias, c.slope};
+        raster::cover(target, area_at(0, 0), state, &t, &entry, 1, 0, &g_tile);
+        for (size_t i = 0; i < kTilePixels; ++i) {
+          const double x = static_cast<double>(i % kTile) + 0.5, y = static_cast<double>(i / kTile) + 0.5;
+          const double plane =
+              static_cast<double>(p.start) + x * static_cast<double>(p.dx) + y * static_cast<double>(p.dy);
+          const double want = std::clamp(plane + c.want, 0.0, 1.0);
+          shd_assert_close("bias", i, static_cast<double>(g_tile.depth[i]), want, 1e-6, 0.0);
+        }
+      });
+    }
   }
 }
 

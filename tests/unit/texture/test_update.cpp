@@ -24,12 +24,13 @@ const size_case k_large[] = {{"large/1024x2048", 1024, 2048, 6}, {"large/1000x10
 constexpr uint32_t kAll = SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA;
 constexpr uint32_t kLayers = 2;
 
-Texture* build_texture(shd_format format, uint32_t width, uint32_t height, uint32_t tables, const uint8_t* texels) {
+Texture* build_texture(shd_format format, uint32_t width, uint32_t height, uint32_t tables, const uint8_t* texels,
+                       uint32_t layers = kLayers) {
   shd_texture_desc desc = shd_texture_desc_default();
   desc.format = format;
   desc.width = width;
   desc.height = height;
-  desc.layers = kLayers;
+  desc.layers = layers;
   desc.texels = texels;
   desc.tables = tables;
   auto* texture = shd::core::create<Texture>(context()->allocator);
@@ -129,6 +130,24 @@ void test_large(void** state) {
   for (const shd_format format : {SHD_FORMAT_R8_SRGB, SHD_FORMAT_RGBA8, SHD_FORMAT_R32F}) {
     check_updates(c, format, SHD_TABLE_MIPMAP);
   }
+}
+
+/// Updates of layers whose numbers differ by multiples of 32, each once before any is updated again.
+void test_many_layers(void**) {
+  constexpr uint32_t kMany = 73, kEdge = 64;
+  constexpr size_t kCount = size_t{kMany} * kEdge * kEdge;
+  auto* base = static_cast<uint8_t*>(malloc(kCount));
+  random_texels(SHD_FORMAT_R8, kCount, 3, base);
+  Texture* texture = build_texture(SHD_FORMAT_R8, kEdge, kEdge, SHD_TABLE_MIPMAP, base, kMany);
+  uint32_t index = 0;
+  for (const uint32_t layer : {8u, 40u, 72u, 40u, 8u, 31u, 32u, 0u}) {
+    change(SHD_FORMAT_R8, {layer, 7 * index, 5, 2, 3}, 50 + index, kEdge, kEdge, base, texture);
+    Texture* want = build_texture(SHD_FORMAT_R8, kEdge, kEdge, SHD_TABLE_MIPMAP, base, kMany);
+    check_same("many_layers", index++, *texture, *want);
+    free_texture(want);
+  }
+  free_texture(texture);
+  free(base);
 }
 
 /// The caller's levels are kept; ripmap levels are rebuilt unless the caller gave them.
@@ -231,6 +250,7 @@ int main() {
   size_t n = 0;
   for (const size_case& c : k_sizes) tests[n++] = {c.name, test_size, nullptr, nullptr, const_cast<size_case*>(&c)};
   for (const size_case& c : k_large) tests[n++] = {c.name, test_large, nullptr, nullptr, const_cast<size_case*>(&c)};
+  tests[n++] = {"many_layers", test_many_layers, nullptr, nullptr, nullptr};
   tests[n++] = {"given_levels", test_given_levels, nullptr, nullptr, nullptr};
   tests[n++] = {"nonfinite", test_nonfinite, nullptr, nullptr, nullptr};
   tests[n++] = {"four_channels_for_three", test_four_for_three, nullptr, nullptr, nullptr};

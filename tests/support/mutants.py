@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Plants known bugs into a copy of the tree, one by one, and checks that a test fails for each.
+
+usage: mutants.py [--work DIR] [NAME ...]      NAME: rows of MUTANTS; none = all
+
+A row fails if its text is not found exactly once, if its test does not pass before the bug is planted, if the bug does
+not compile, or if the test still passes with it. --work keeps the copy and its build in DIR for the next run.
+"""
+import argparse
+import collections
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DSHD_SIMD=scalar", "-DSHD_WITH_OIIO=OFF", "-DSHD_WITH_OCIO=OFF",
+           "-DSHD_WITH_TBB=OFF", "-DSHD_BUILD_EXAMPLES=OFF"]
+BUILD = "build/mutants"
+
+# Source file, text that occurs once in it, replacement, CTest test that must fail.
+Mutant = collections.namedtuple("Mutant", "path text bug test")
+MUTANTS = {
+    "weighted_power": Mutant("src/film/unordered.cpp", "3000.0f * (near * near * near)", "3000.0f * (near * near)",
+                             "api.render_blend"),
+    "sorted_ties": Mutant("src/film/unordered.cpp", "return a.order < b.order;", "return a.order > b.order;",
+                          "api.render_blend"),
+    "early_not_equal": Mutant("src/frame/blended_pass.cpp",
+                              "compare == SHD_COMPARE_NOT_EQUAL ? SHD_COMPARE_ALWAYS : compare", "compare",
+                              "api.render_blend"),
+    "cutoff_tie": Mutant("src/frame/blended_pass.cpp", "color->channel[3] < material.alpha_cutoff",
+                         "color->channel[3] <= material.alpha_cutoff", "api.render_blend"),
+    "snapped_rows": Mutant("src/light/shadow_fit.cpp", "std::floor(middle[1] / texel + 0.5) * texel", "middle[1]",
+                           "api.shadow_casters"),
+    "same_blue": Mutant("src/film/tile_color.cpp", "(other[0] ^ first[0]) | (other[1] ^ first[1])",
+                        "other[0] ^ first[0]", "api.render_samples"),
+    "viewport_top": Mutant("src/geometry/vertex.cpp", "static_cast<float>(top + half_height)",
+                           "static_cast<float>(half_height)", "api.vertex_program"),
+    "cancel_negative": Mutant("src/frame/frame.cpp", "static_cast<double>(total_))) != 0",
+                              "static_cast<double>(total_))) > 0", "api.render_progress"),
+    "hidden_blocks": Mutant("src/frame/stats.h", "  frame->hidden_samples += piece.hidden_samples;\n", "",
+                            "api.render_supersampling"),
+    "cookie_sampler": Mutant(
+        "src/light/light.cpp",
+        "  core::release(sampler_object, static_cast<uint32_t>(core::ObjectType::kSampler));\n", "", "api.lifecycle"),
+    "repeated_point": Mutant("src/geometry/outline.cpp", " || (k > 1 && row[k] == row[1])", "",
+                             "unit.geometry.outline"),
+    "sums_of_layers": Mutant("src/texture/store/update.cpp", "texture->mip_sums_ready[layer / 32]",
+                             "texture->mip_sums_ready[0]", "unit.texture.update"),
+    "slot_sampler": Mutant("src/abi/material.cpp", "(desc.texture || desc.sampler)", "desc.texture", "api.material"),
+    "tangent_sign": Mutant("src/geometry/tessellate.cpp",
+                           "      mesh->tw[i] = mesh->tw[i] < 0.0f ? -1.0f : 1.0f;\n", "", "api.tessellate"),
+}
+
+
+def copy_tree(work):
+    """Copies the files of the working tree whose content differs, so that a kept build rebuilds little."""
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
+                            check=True, stdout=subprocess.PIPE).stdout.decode().split("\0")
+    for name in filter(None, listed):
+        source, copy = ROOT / name, work / name
+        if not source.is_file() or (copy.is_file() and copy.read_bytes() == source.read_bytes()):
+            continue
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(source, copy)
+        copy.touch()
+
+
+def run(command, work):
+    # ccache finds the objects of unchanged files again, although the directory differs from run to run.
+    environment = dict(os.environ, CCACHE_BASEDIR=str(work), CCACHE_NOHASHDIR="1")
+    done = subprocess.run(command, cwd=work, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode and command[0] == "cmake":
+        print(done.stdout[-4000:])
+    return done
+
+
+def configure(work):
+    command = ["cmake", "-S", ".", "-B", BUILD, "-G", "Ninja"] + OPTIONS
+    if shutil.which("ccache"):
+        command += ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
+    return run(command, work).returncode == 0
+
+
+def build(work, test):
+    return run(["cmake", "--build", BUILD, "--target", "test_" + test.replace(".", "_")], work).returncode == 0
+
+
+def passes(work, test):
+    return run(["ctest", "--test-dir", BUILD, "--no-tests=error", "-R", "^" + test.replace(".", "\\.") + "$"],
+               work).returncode == 0
+
+
+def failure_of(work, mutant, passing):
+    """Why a row is wrong, or an empty string. `passing` holds the tests that passed without a bug."""
+    path = work / mutant.path
+    original = path.read_text() if path.is_file() else ""
+    if original.count(mutant.text) != 1:
+        return f"{mutant.path} has the text {original.count(mutant.text)} times, not once"
+    if mutant.test not in passing:
+        if not build(work, mutant.test) or not passes(work, mutant.test):
+            return f"{mutant.test} does not pass without the bug"
+        passing.add(mutant.test)
+    path.write_text(original.replace(mutant.text, mutant.bug))
+    try:
+        if not build(work, mutant.test):
+            return "the bug does not compile"
+        return f"{mutant.test} passes" if passes(work, mutant.test) else ""
+    finally:
+        path.write_text(original)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--work", type=pathlib.Path)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    options = parser.parse_args()
+    unknown = [name for name in options.names if name not in MUTANTS]
+    if unknown:
+        parser.error(f"no such bug: {', '.join(unknown)}; known: {', '.join(MUTANTS)}")
+    work = (options.work or pathlib.Path(tempfile.mkdtemp(prefix="shd_mutants_"))).resolve()
+    if (work / ".git").exists():
+        parser.error(f"{work} is a checkout, not a copy")
+    failures, passing = 0, set()
+    try:
+        copy_tree(work)
+        if not configure(work):
+            return 1
+        for name in options.names or MUTANTS:
+            failure = failure_of(work, MUTANTS[name], passing)
+            print(f"{name}: {failure or 'found by ' + MUTANTS[name].test}", flush=True)
+            failures += bool(failure)
+    finally:
+        if not options.work:
+            shutil.rmtree(work)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
