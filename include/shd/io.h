@@ -43,7 +43,8 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_EXR = 1 << 2,
     SHD_FILE_FORMAT_TIFF = 1 << 3,
     SHD_FILE_FORMAT_HDR = 1 << 4, /**< Radiance RGBE */
-    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature */
+    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature; no
+                                       palettes whose first index is not 0 */
     SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
     SHD_FILE_FORMAT_DDS = 1 << 7, /**< BC1 to BC7 and plain pixels; no cube maps or volumes */
     SHD_FILE_FORMAT_WEBP = 1 << 8,

@@ -6,6 +6,7 @@
 #include "io/byte_reader.h"
 #include "io/dds_header.h"
 #include "io/exr_header.h"
+#include "io/tga_header.h"
 
 namespace shd::io {
 
@@ -169,6 +170,7 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
   }
   if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
   if (format == SHD_FILE_FORMAT_BMP) check_bmp_header(bytes, size);
+  if (format == SHD_FILE_FORMAT_TGA) check_tga_header(bytes, size);
 }
 
 bool jpeg_is_complete(const unsigned char* bytes, size_t size) {
