@@ -19,6 +19,7 @@
 /// | exr_header.h     | checks of an OpenEXR header                                          |
 /// | dds_header.h     | checks of a DDS header                                               |
 /// | bmp_header.h     | checks of a BMP header and its palette                               |
+/// | jpeg_header.h    | checks of a JPEG frame header and the number of scans                |
 /// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
