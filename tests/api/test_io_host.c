@@ -105,6 +105,30 @@ static void test_no_standard_streams(void **state)
     }
 }
 
+/* The worker's memory is limited by max_bytes; the smallest max_bytes that a file needs leaves enough. */
+static void test_exact_budgets(void **state)
+{
+    int i;
+    (void)state;
+    for (i = 0; i < IO_SAMPLE_COUNT; ++i) {
+        const io_bytes *bytes = &g_corpus[i].bytes;
+        shd_load_desc desc = shd_load_desc_default();
+        shd_image image = shd_image_default();
+        shd_bitmap *bitmap = NULL;
+        shd_assert_ok(shd_bitmap_load_memory(g_context, bytes->data, bytes->size, &desc, &bitmap));
+        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        desc.flags = SHD_LOAD_ISOLATE;
+        desc.worker_path = k_worker;
+        desc.max_file_bytes = bytes->size;
+        desc.max_pixels = (uint64_t)image.width * image.height;
+        desc.max_bytes = image.row_stride * image.height;
+        shd_bitmap_release(bitmap);
+        bitmap = NULL;
+        shd_assert_ok(shd_bitmap_load_memory(g_context, bytes->data, bytes->size, &desc, &bitmap));
+        shd_bitmap_release(bitmap);
+    }
+}
+
 /* Loads the first sample with a shell script as the worker. */
 static void load_by_script(const char *script, double time_limit, shd_result expected, const char *message)
 {
@@ -237,6 +261,7 @@ int main(void)
         {"hygiene", test_hygiene, NULL, NULL, NULL},
         {"sigchld_ignored", test_sigchld_ignored, NULL, NULL, NULL},
         {"no_standard_streams", test_no_standard_streams, NULL, NULL, NULL},
+        {"exact_budgets", test_exact_budgets, NULL, NULL, NULL},
         {"worker_stays", test_worker_stays, NULL, NULL, NULL},
         {"allocation_faults", test_allocation_faults, NULL, NULL, NULL},
         {"threads", test_threads, NULL, NULL, NULL},
