@@ -13,6 +13,10 @@
  *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
  *    memory of the decoder: isolate such loads.
  *
+ * A shared libshd_io opens OpenImageIO at the first load or save in the process, by the module libshd_io_oiio in the
+ * folder shd beside it. A host that only isolates its loads never opens it. Libraries under OpenImageIO start threads
+ * and keep them; on Debian 12, exit() of a child that is forked afterwards does not return (_exit() does).
+ *
  * libpng writes a line to stderr about damaged compressed data whose checksums are right, and about any damage with
  * SHD_LOAD_PARTIAL; an isolated load is silent. OpenEXR keeps decoding threads after its first file: after a fork the
  * child must not load or save .exr itself.

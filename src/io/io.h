@@ -25,6 +25,7 @@
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
+/// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
 /// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |
 #pragma once
