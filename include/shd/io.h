@@ -5,12 +5,17 @@
  *
  * Files are untrusted:
  *  - The content decides the format, never the name. The format must be on an allow list.
- *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated.
+ *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated. A progressive JPEG is
+ *    decoded in one step, during which only an isolated load checks the time; it may have 256 scans.
  *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before
  *    decoding.
  *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and
  *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
  *    memory of the decoder: isolate such loads.
+ *
+ * A shared libshd_io opens OpenImageIO at the first load or save in the process, by the module libshd_io_oiio in the
+ * folder shd beside it. A host that only isolates its loads never opens it. Libraries under OpenImageIO start threads
+ * and keep them; on Debian 12, exit() of a child that is forked afterwards does not return (_exit() does).
  *
  * libpng writes a line to stderr about damaged compressed data whose checksums are right, and about any damage with
  * SHD_LOAD_PARTIAL; an isolated load is silent. OpenEXR keeps decoding threads after its first file: after a fork the
@@ -43,7 +48,8 @@ typedef enum shd_file_format {
     SHD_FILE_FORMAT_EXR = 1 << 2,
     SHD_FILE_FORMAT_TIFF = 1 << 3,
     SHD_FILE_FORMAT_HDR = 1 << 4, /**< Radiance RGBE */
-    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature */
+    SHD_FILE_FORMAT_TGA = 1 << 5, /**< recognised by a plausible header, after all others: it has no signature; no
+                                       palettes whose first index is not 0 */
     SHD_FILE_FORMAT_BMP = 1 << 6, /**< uncompressed */
     SHD_FILE_FORMAT_DDS = 1 << 7, /**< BC1 to BC7 and plain pixels; no cube maps or volumes */
     SHD_FILE_FORMAT_WEBP = 1 << 8,

@@ -66,6 +66,10 @@ function(shd_library name objects map export_name)
     EXPORT_NAME ${export_name}
     LINKER_LANGUAGE CXX
     LINK_DEPENDS ${map})
+  if(NOT name STREQUAL "shd" AND NOT CMAKE_INSTALL_RPATH)
+    # A component finds libshd beside it, also for a program whose own search path the loader does not pass on.
+    set_target_properties(${name} PROPERTIES INSTALL_RPATH "$<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>")
+  endif()
   if(SHD_SANITIZE)
     target_link_options(${name} PUBLIC -fsanitize=${SHD_SANITIZE})
   endif()

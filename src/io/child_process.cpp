@@ -2,11 +2,13 @@
 #include "io/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 #include "io/file_descriptor.h"
@@ -67,21 +69,36 @@ ChildProcess::ChildProcess(const std::string& program, int socket) {
 }
 
 ChildProcess::~ChildProcess() {
-  if (pid_ > 0) {
+  kill();
+}
+
+void ChildProcess::kill() {
+  if (pid_ <= 0) return;
+  // Only a process that still runs is killed: the number of one that the host has reaped can belong to another process.
+  if (::waitpid(pid_, nullptr, WNOHANG) == 0) {
     ::kill(pid_, SIGKILL);
     while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
+  pid_ = -1;
 }
 
-std::string ChildProcess::finish(bool kill_first) {
+// A process can close its socket and still run, so that waiting without a limit could last forever. waitpid() has no
+// timeout; the pauses between two calls grow from 1 to 16 ms.
+std::string ChildProcess::finish(const Deadline& deadline) {
   if (pid_ <= 0) return "ended before";
-  if (kill_first) ::kill(pid_, SIGKILL);
   int status = 0;
+  int pause = 1;
   pid_t got;
-  do {
-    got = ::waitpid(pid_, &status, 0);
-  } while (got < 0 && errno == EINTR);
+  while ((got = ::waitpid(pid_, &status, WNOHANG)) == 0 || (got < 0 && errno == EINTR)) {
+    const int left = deadline.milliseconds_left();
+    if (left == 0) {
+      kill();
+      return "killed at the deadline";
+    }
+    (void)::poll(nullptr, 0, std::min(left, pause));
+    pause = std::min(2 * pause, 16);
+  }
   pid_ = -1;
   if (got < 0) return "reaped by the host";  // SIGCHLD is ignored, or waitpid(-1) was called elsewhere
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));

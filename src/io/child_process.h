@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "io/limits.h"
+
 namespace shd::io {
 
 /// A child process with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask
@@ -17,8 +19,10 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for the end of the process, after killing it if `kill_first`. Returns a description of how it ended.
-  std::string finish(bool kill_first);
+  /// Waits for the end of the process, and kills it at the deadline. Returns a description of how it ended.
+  std::string finish(const Deadline& deadline);
+  /// Kills and reaps the process if it still runs.
+  void kill();
 
  private:
   pid_t pid_ = -1;

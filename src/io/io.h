@@ -19,10 +19,13 @@
 /// | exr_header.h     | checks of an OpenEXR header                                          |
 /// | dds_header.h     | checks of a DDS header                                               |
 /// | bmp_header.h     | checks of a BMP header and its palette                               |
+/// | jpeg_header.h    | checks of a JPEG frame header and the number of scans                |
+/// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
+/// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
 /// | silence.h        | no messages of libtiff on stderr                                     |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
 /// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |

@@ -68,8 +68,8 @@ Stream receive_all(int fd, void* bytes, size_t size, const Deadline& deadline) {
 /// Throws Failure unless a transfer is complete.
 void require_done(Stream stream, ChildProcess& child, const Deadline& deadline) {
   if (stream == Stream::kDone) return;
-  const std::string end = child.finish(stream == Stream::kLate);
-  if (stream == Stream::kLate) deadline.check();
+  const std::string end = child.finish(deadline);
+  deadline.check();
   core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
@@ -132,7 +132,7 @@ Bitmap load_isolated(const char* worker_path, const unsigned char* bytes, size_t
   std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
   out.pixels = Buffer(memory, pixels);
   require_done(receive_all(ours.fd, out.pixels.data(), pixels, deadline), child, deadline);
-  child.finish(false);
+  child.kill();  // the result is complete, and nothing waits for an orderly end
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "io/load.h"
 
 #include "core/failure.h"
+#include "io/jpeg_header.h"
 #include "io/oiio.h"
 #include "io/scrub.h"
 #include "io/sniff.h"
@@ -30,6 +31,11 @@ Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const
   const bool strict = (options.flags & SHD_LOAD_PARTIAL) == 0;
   if (!complete && strict) core::refuse(SHD_ERROR_CORRUPT, "JPEG: the end is missing");
   const size_t scrubbed = scrub(format, bytes, size, strict);
+  // Checked again as the decoder will see it: removed segments could have hidden another frame header.
+  if (format == SHD_FILE_FORMAT_JPEG) {
+    check_jpeg_header(bytes, scrubbed, size, options.limits);
+    check_jpeg_scans(bytes, scrubbed);
+  }
   return decode(format, bytes, scrubbed, size, complete, options, memory, deadline);
 }
 

@@ -6,6 +6,8 @@
 #include "io/byte_reader.h"
 #include "io/dds_header.h"
 #include "io/exr_header.h"
+#include "io/jpeg_header.h"
+#include "io/tga_header.h"
 
 namespace shd::io {
 
@@ -66,12 +68,14 @@ struct Extent {
   uint64_t height = 0;
 };
 
+/// The first chunk decides. Any other first chunk is refused, because the decoder might find its size elsewhere.
 Extent webp_extent(ByteReader in) {
   if (in.is(12, "VP8X", 4)) return {1 + in.number(24, 3), 1 + in.number(27, 3)};
   if (in.is(12, "VP8L", 4)) {
     const uint32_t packed = in.u32(21);
     return {1 + (packed & 0x3fff), 1 + ((packed >> 14) & 0x3fff)};
   }
+  if (in.has(12, 4) && !in.is(12, "VP8 ", 4)) core::refuse(SHD_ERROR_CORRUPT, "WebP: unknown first chunk");
   return {in.u16(26) & 0x3fffu, in.u16(28) & 0x3fffu};
 }
 
@@ -158,17 +162,22 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
     check_exr_header(bytes, size, limits);
     return;
   }
+  if (format == SHD_FILE_FORMAT_JPEG) {
+    check_jpeg_header(bytes, size, size, limits);
+    return;
+  }
   bool truncated = false;
   const Extent extent = declared_extent(format, bytes, size, &truncated);
   if (truncated) core::refuse(SHD_ERROR_CORRUPT, "%s header is cut off", format_name(format));
   const bool fixed = extent.width != 0 || extent.height != 0;
-  if (fixed || (format != SHD_FILE_FORMAT_JPEG && format != SHD_FILE_FORMAT_TIFF && format != SHD_FILE_FORMAT_HDR &&
-                format != SHD_FILE_FORMAT_PNM && format != SHD_FILE_FORMAT_NONE)) {
+  if (fixed || (format != SHD_FILE_FORMAT_TIFF && format != SHD_FILE_FORMAT_HDR && format != SHD_FILE_FORMAT_PNM &&
+                format != SHD_FILE_FORMAT_NONE)) {
     check_extent(limits, "image", extent.width, extent.height);
     check_bytes(limits, extent.width, extent.height, 4, size);
   }
   if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
   if (format == SHD_FILE_FORMAT_BMP) check_bmp_header(bytes, size);
+  if (format == SHD_FILE_FORMAT_TGA) check_tga_header(bytes, size);
 }
 
 bool jpeg_is_complete(const unsigned char* bytes, size_t size) {

@@ -80,11 +80,12 @@ uint64_t address_space() {
   return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Decoders hold up to two copies of a picture in addition to the result; the constant covers their other memory.
+/// Decoders hold up to two copies of a picture in addition to the result. The constant covers three copies of the
+/// largest row or tile that any max_bytes allows, 64 MiB, and tables.
 void limit_memory(const WorkerRequest& request) {
   const uint64_t decoded = decoded_bytes(request);
   const uint64_t used = address_space();
-  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{512} << 20));
+  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{256} << 20));
 }
 #endif
 

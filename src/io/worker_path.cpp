@@ -6,12 +6,17 @@
 
 namespace shd::io {
 
-std::string default_worker_path() {
+std::string library_folder() {
   Dl_info info = {};
-  if (::dladdr(reinterpret_cast<const void*>(&default_worker_path), &info) != 0 && info.dli_fname) {
-    const std::string file(info.dli_fname);
-    const size_t slash = file.rfind('/');
-    const std::string folder = slash == std::string::npos ? "." : file.substr(0, slash);
+  if (::dladdr(reinterpret_cast<const void*>(&library_folder), &info) == 0 || !info.dli_fname) return "";
+  const std::string file(info.dli_fname);
+  const size_t slash = file.rfind('/');
+  return slash == std::string::npos ? "." : file.substr(0, slash);
+}
+
+std::string default_worker_path() {
+  const std::string folder = library_folder();
+  if (!folder.empty()) {
     for (const char* relative : {"/shd-io-worker", "/" SHD_WORKER_FROM_LIBRARY}) {
       const std::string path = folder + relative;
       if (::access(path.c_str(), X_OK) == 0) return path;

@@ -105,6 +105,64 @@ static void test_no_standard_streams(void **state)
     }
 }
 
+/* The worker's memory is limited by max_bytes; the smallest max_bytes that a file needs leaves enough. */
+static void test_exact_budgets(void **state)
+{
+    int i;
+    (void)state;
+    for (i = 0; i < IO_SAMPLE_COUNT; ++i) {
+        const io_bytes *bytes = &g_corpus[i].bytes;
+        shd_load_desc desc = shd_load_desc_default();
+        shd_image image = shd_image_default();
+        shd_bitmap *bitmap = NULL;
+        shd_assert_ok(shd_bitmap_load_memory(g_context, bytes->data, bytes->size, &desc, &bitmap));
+        shd_assert_ok(shd_bitmap_image(bitmap, &image));
+        desc.flags = SHD_LOAD_ISOLATE;
+        desc.worker_path = k_worker;
+        desc.max_file_bytes = bytes->size;
+        desc.max_pixels = (uint64_t)image.width * image.height;
+        desc.max_bytes = image.row_stride * image.height;
+        shd_bitmap_release(bitmap);
+        bitmap = NULL;
+        shd_assert_ok(shd_bitmap_load_memory(g_context, bytes->data, bytes->size, &desc, &bitmap));
+        shd_bitmap_release(bitmap);
+    }
+}
+
+/* Loads the first sample with a shell script as the worker. */
+static void load_by_script(const char *script, double time_limit, shd_result expected, const char *message)
+{
+    const io_bytes *png = &g_corpus[0].bytes;
+    const char *path = io_path("worker.sh");
+    shd_load_desc desc = shd_load_desc_default();
+    shd_bitmap *bitmap = NULL;
+    io_write(path, script, strlen(script));
+    assert_int_equal(chmod(path, 0700), 0);
+    desc.flags = SHD_LOAD_ISOLATE;
+    desc.worker_path = path;
+    desc.time_limit = time_limit;
+    shd_assert_result(script, shd_bitmap_load_memory(g_context, png->data, png->size, &desc, &bitmap), expected,
+                      message);
+    assert_true((bitmap != NULL) == (expected == SHD_OK));
+    shd_bitmap_release(bitmap);
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* the worker is killed and reaped */
+}
+
+/* Workers that close their socket, or complete their reply, and then run for longer than this test may. */
+static void test_worker_stays(void **state)
+{
+    char script[1024];
+    (void)state;
+    load_by_script("#!/bin/sh\nexec 0<&-\nexec sleep 3600\n", 0.3, SHD_ERROR_LIMIT, "load.time_limit 0.3 s");
+    load_by_script("#!/bin/sh\nhead -c 8 > /dev/null\nexec 0<&-\nexec sleep 3600\n", 0.3, SHD_ERROR_LIMIT,
+                   "load.time_limit 0.3 s");
+    load_by_script("#!/bin/sh\nexec 0<&-\nexit 7\n", 60, SHD_ERROR_CORRUPT, "exit status 7");
+    load_by_script("#!/bin/sh\nkill -9 $$\n", 60, SHD_ERROR_CORRUPT, "signal 9");
+    if (!k_worker) return;
+    snprintf(script, sizeof script, "#!/bin/sh\n'%s'\nexec sleep 3600\n", k_worker);
+    load_by_script(script, 3600, SHD_OK, "");
+}
+
 struct fault {
     long countdown; /* number of allocations before one fails; negative = never */
     size_t live;
@@ -203,6 +261,8 @@ int main(void)
         {"hygiene", test_hygiene, NULL, NULL, NULL},
         {"sigchld_ignored", test_sigchld_ignored, NULL, NULL, NULL},
         {"no_standard_streams", test_no_standard_streams, NULL, NULL, NULL},
+        {"exact_budgets", test_exact_budgets, NULL, NULL, NULL},
+        {"worker_stays", test_worker_stays, NULL, NULL, NULL},
         {"allocation_faults", test_allocation_faults, NULL, NULL, NULL},
         {"threads", test_threads, NULL, NULL, NULL},
     };

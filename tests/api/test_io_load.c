@@ -258,6 +258,8 @@ static const struct bomb_case k_bombs[] = {
     {"bomb/dds", BOMB("DDS \x7c\0\0\0\7\x10\0\0\0\0\1\0\0\0\1\0"), SHD_ERROR_LIMIT, "65536 x 65536 pixels is above"},
     {"bomb/webp", BOMB("RIFF\x40\0\0\0WEBPVP8X\x0a\0\0\0\0\0\0\0\xff\xff\0\xff\xff\0"), SHD_ERROR_LIMIT,
      "65536 x 65536 pixels is above"},
+    {"bomb/webp_first_chunk", BOMB("RIFF\x40\0\0\0WEBPALPH\x0a\0\0\0\0\0\0\0\1\0\1\0\1\0\1\0\1\0"), SHD_ERROR_CORRUPT,
+     "WebP: unknown first chunk"},
     {"bomb/exr",
      BOMB("\x76\x2f\x31\1\2\0\0\0dataWindow\0box2i\0\x10\0\0\0\0\0\0\x80\0\0\0\x80\xff\xff\xff\x7f\xff\xff\xff\x7f\0"),
      SHD_ERROR_CORRUPT, "data window of 4294967296 x 4294967296"},

@@ -67,10 +67,25 @@ check_shared_pc() {
   done
 }
 
+# A program that links one component, and has a search path for it alone: the component finds libshd beside it.
+check_siblings() {
+  local lib=$WORK/prefix/$LIBDIR
+  find_sibling() {
+    printf '#include <shd/%s.h>\nint main(void) { %s return 0; }\n' "$1" "$2" >"$WORK/sibling.c"
+    "$CC" -std=c99 -Wall -Wextra -Werror -I"$WORK/prefix/include" "$WORK/sibling.c" -o "$WORK/sibling" "$lib/libshd_$1.so" \
+      -Wl,-rpath,"$lib" -Wl,--enable-new-dtags
+    env -u LD_LIBRARY_PATH "$WORK/sibling"
+  }
+  [ "$HAS_COLOR" = 0 ] || find_sibling color 'shd_color_release(NULL);'
+  [ "$HAS_IO" = 0 ] || find_sibling io 'shd_bitmap_release(NULL);'
+  [ "$HAS_SCENE" = 0 ] || find_sibling scene 'shd_scene_release(NULL);'
+}
+
 with_pkg_config() {
   local example modules sources defines flags
   install_shd
   [ "$SHARED" = 0 ] || check_shared_pc
+  [ "$SHARED" = 0 ] || check_siblings
   export PKG_CONFIG_PATH="$WORK/prefix/$LIBDIR/pkgconfig" LD_LIBRARY_PATH="$WORK/prefix/$LIBDIR"
   for example in "${examples[@]}"; do
     modules=(shd) sources=("$SOURCE/examples/$example.c") defines=()

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The exported variable of the module libshd_io_oiio.
+#include <cstdio>
+
+#include "core/guard.h"
+#include "io/oiio_module.h"
+
+namespace shd::io {
+
+namespace {
+
+template <class Body>
+shd_result contain(char* text, Body&& body) noexcept {
+  const auto report = [text](shd_result code, const char* what) {
+    std::snprintf(text, core::kErrorTextSize, "%s", what);
+    return code;
+  };
+  return core::guard(report, [&] {
+    body();
+    return SHD_OK;
+  });
+}
+
+shd_result module_decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
+                         const Deadline& deadline, Bitmap* out, char* text) {
+  return contain(text, [&] {
+    *out = decode(input.format, input.bytes, input.size, input.file_size, input.complete, options, memory, deadline);
+  });
+}
+
+shd_result module_encode(const EncodeJob& job, std::vector<unsigned char>* out, char* text) {
+  return contain(text, [&] { *out = encode(job); });
+}
+
+}  // namespace
+
+}  // namespace shd::io
+
+extern "C" {
+extern __attribute__((visibility("default"))) const shd::io::OiioModule shd_io_oiio;
+const shd::io::OiioModule shd_io_oiio = {SHD_MODULE_VERSION, shd::io::module_decode, shd::io::module_encode};
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "io/oiio.h"
+
+namespace shd::io {
+
+/// The arguments of decode() except its options.
+struct DecodeInput {
+  shd_file_format format;
+  const unsigned char* bytes;
+  size_t size;
+  size_t file_size;
+  bool complete;
+};
+
+/// The functions of the module libshd_io_oiio. Both ends must be of one build. No exception leaves them: a failure is a
+/// result and a text of at most core::kErrorTextSize bytes.
+struct OiioModule {
+  const char* version;
+  shd_result (*decode)(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
+                       const Deadline& deadline, Bitmap* out, char* text);
+  shd_result (*encode)(const EncodeJob& job, std::vector<unsigned char>* out, char* text);
+};
+
+/// Name of the module's only exported variable, of type OiioModule.
+constexpr const char* kOiioSymbol = "shd_io_oiio";
+
+}  // namespace shd::io
