@@ -322,7 +322,8 @@ typedef struct shd_render_desc {
      * triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass.
      */
     uint32_t pass_triangles;
-    shd_render_stats *stats; /**< statistics, all zero on failure; its struct_size is read; NULL = not wanted */
+    shd_render_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted. All zero on failure, except
+                                  where the struct_size or the unknown end of this desc is refused */
     shd_progress progress;   /**< default none */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
