@@ -223,7 +223,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_frameb
  * Copy colour as interleaved RGBA.
  *
  * Colour stays linear, except that SHD_FORMAT_RGBA8_SRGB is encoded. Integer formats clamp to 0..1 (NaN to 0) and round
- * to nearest.
+ * to nearest; sRGB codes are the correctly rounded ones of IEC 61966-2-1.
  * @param out  RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
  * @since 0.1
  */
