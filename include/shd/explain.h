@@ -8,7 +8,8 @@
  *
  *     node i < tap_count              v[i] = taps[i].value[c]
  *     node tap_count + k              v = s == 0 ? v[a] : v[a] + s * (v[b] - v[a]), with a, b, s of blends[k];
- *                                     (1 - s) * v[a] + s * v[b] where the difference overflows
+ *                                     (1 - s) * v[a] + s * v[b] where that is not finite, clamped to the largest
+ *                                     floats if v[a] and v[b] are finite
  *     stored channel c                v * scale_high[c] + v * scale_low[c] of the last node; v where scale_low is 0
  *
  * Thread safety: concurrent reads.

@@ -107,7 +107,7 @@ typedef struct shd_framebuffer_desc {
     uint32_t struct_size; /**< set by shd_framebuffer_desc_default() */
     uint32_t width;       /**< pixels, 1..16384 */
     uint32_t height;      /**< pixels, 1..16384 */
-    uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16; default 1 */
+    uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16, at shd_sample_position(); default 1 */
     shd_aov_flags aovs;   /**< optional planes; default none */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_desc;
@@ -164,6 +164,17 @@ static inline shd_framebuffer_info shd_framebuffer_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_framebuffer_get_info(const shd_framebuffer *framebuffer,
                                                           shd_framebuffer_info *out_info);
 
+/**
+ * Get the position of a sample in its pixel. Positions and order are the standard sample locations of the Vulkan 1.3
+ * specification ("Multisampling"), which are those of Direct3D 11's standard pattern. They are multiples of 1/16 pixel.
+ * @param samples  samples of a pixel: 1, 2, 4, 8 or 16
+ * @param index    number of the sample, 0..samples - 1
+ * @param out_x    pixels from the left edge of the pixel; 0 on failure
+ * @param out_y    pixels from the top edge of the pixel; 0 on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_sample_position(uint32_t samples, uint32_t index, float *out_x, float *out_y);
+
 /** A plane in place: no copy. */
 typedef struct shd_plane_view {
     uint32_t struct_size; /**< set by shd_plane_view_default() */
@@ -212,7 +223,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_frameb
  * Copy colour as interleaved RGBA.
  *
  * Colour stays linear, except that SHD_FORMAT_RGBA8_SRGB is encoded. Integer formats clamp to 0..1 (NaN to 0) and round
- * to nearest.
+ * to nearest; sRGB codes are the correctly rounded ones of IEC 61966-2-1.
  * @param out  RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size
  * @since 0.1
  */

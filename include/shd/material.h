@@ -34,6 +34,9 @@ typedef struct shd_material shd_material;
  * constants of the material times their slots. "Specular" terms are 0 where n.l <= 0 (except with
  * SHD_MATERIAL_SPECULAR_UNGATED) and where v + l = 0; 0^0 = 1. Every model adds the emission, and multiplies I_a by the
  * occlusion.
+ *
+ * BLINN_PHONG_NORMALIZED and METALLIC_ROUGHNESS divide the diffuse term by pi, the other models do not: with lights
+ * whose intensity is pi times as large, their diffuse surfaces are as bright as those of LAMBERT (shd/light.h).
  */
 typedef enum shd_model {
     /** k_a I_a + sum of k_d E max(0, n.l) */

@@ -4,9 +4,11 @@
  * @brief Whole frames: one call takes everything that a frame needs.
  *
  * Triangles cover the samples that they contain, with 8 subpixel bits and the top-left rule: the centre of a pixel, or
- * the standard positions of 2, 4, 8 or 16 samples. Before that, raster positions, computed in binary32, are rounded to
- * the nearest multiple of 1/256 pixel. Ties go to the even multiple. Vertices that clipping makes or moves are an
- * exception: their ties go to the larger multiple. The top left corner of the picture is (0, 0), y grows downwards.
+ * 2, 4, 8 or 16 samples at the standard sample locations of the Vulkan 1.3 specification ("Multisampling") and of
+ * Direct3D 11, in their order; shd_sample_position() returns them. Before that, raster positions, computed in binary32,
+ * are rounded to the nearest multiple of 1/256 pixel. Ties go to the even multiple. Vertices that clipping makes or
+ * moves are an exception: their ties go to the larger multiple. The top left corner of the picture is (0, 0), y grows
+ * downwards.
  *
  * The depth of a vertex is z / w, rounded to binary32. The depth z of a sample at (x, y) is linear in x and y between
  * the depths of the rounded vertices. It is computed in binary32 from the first vertex (x0, y0, z0), with an error of
@@ -320,7 +322,8 @@ typedef struct shd_render_desc {
      * triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass.
      */
     uint32_t pass_triangles;
-    shd_render_stats *stats; /**< statistics, all zero on failure; its struct_size is read; NULL = not wanted */
+    shd_render_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted. All zero on failure, except
+                                  where the struct_size or the unknown end of this desc is refused */
     shd_progress progress;   /**< default none */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;

@@ -7,6 +7,7 @@
 #include "film/framebuffer.h"
 #include "film/planes.h"
 #include "film/readback.h"
+#include "raster/sample_pattern.h"
 
 namespace {
 
@@ -16,21 +17,21 @@ using film::Framebuffer;
 
 constexpr core::ObjectType kType = core::ObjectType::kFramebuffer;
 
-shd_result check_samples(uint32_t samples) {
+shd_result check_samples(const char* field, uint32_t samples) {
   switch (samples) {
     case 1:
     case 2:
     case 4:
     case 8:
     case 16: return SHD_OK;
-    default: return core::fail(SHD_ERROR_INVALID_ARGUMENT, "framebuffer.samples: %u is not 1, 2, 4, 8 or 16", samples);
+    default: return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u is not 1, 2, 4, 8 or 16", field, samples);
   }
 }
 
 shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
-  SHD_TRY(check_samples(desc.samples));
+  SHD_TRY(check_samples("framebuffer.samples", desc.samples));
   return check_flags("framebuffer.aovs", desc.aovs, film::all_aovs());
 }
 
@@ -100,6 +101,21 @@ shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_fram
     info.aovs = body->aovs;
     info.byte_size = film::byte_size(*body);
     write_desc(info, out_info);
+    return SHD_OK;
+  });
+}
+
+shd_result shd_sample_position(uint32_t samples, uint32_t index, float* out_x, float* out_y) {
+  return guard([&]() -> shd_result {
+    if (out_x) *out_x = 0.0f;
+    if (out_y) *out_y = 0.0f;
+    SHD_TRY(check_samples("samples", samples));
+    SHD_TRY(check_count("index", index, 0, samples - 1));
+    SHD_TRY(check_not_null("out_x", out_x));
+    SHD_TRY(check_not_null("out_y", out_y));
+    const raster::SamplePoint& point = raster::sample_pattern(samples).point[index];
+    *out_x = static_cast<float>(point.x) / geometry::kSubpixels;
+    *out_y = static_cast<float>(point.y) / geometry::kSubpixels;
     return SHD_OK;
   });
 }

@@ -166,11 +166,11 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
   shd_render_stats* wanted = nullptr;
   shd_render_stats stats = {};
   const shd_result result = guard([&]() -> shd_result {
-    SHD_TRY(check_context(context));
     shd_render_desc read = shd_render_desc_default();
     SHD_TRY(read_desc("render", desc, false, &read));
     if (read.stats) SHD_TRY(begin_output("render.stats", read.stats));
     wanted = read.stats;
+    SHD_TRY(check_context(context));
     frame::FrameMemory memory(context_of(context));
     SHD_TRY(render(memory.context, read, &stats));
     stats.scratch_bytes = memory.peak();

@@ -40,8 +40,8 @@ constexpr int32_t kOne[1][2] = {{8, 8}};
 constexpr int32_t kTwo[2][2] = {{12, 12}, {4, 4}};
 constexpr int32_t kFour[4][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
 constexpr int32_t kEight[8][2] = {{9, 5}, {7, 11}, {13, 9}, {5, 3}, {3, 13}, {1, 7}, {11, 15}, {15, 1}};
-constexpr int32_t kSixteen[16][2] = {{9, 9},  {7, 5}, {5, 12}, {12, 7}, {3, 6}, {10, 13}, {13, 11}, {11, 3},
-                                     {6, 14}, {8, 1}, {4, 2},  {2, 10}, {0, 8}, {15, 4},  {14, 15}, {1, 0}};
+constexpr int32_t kSixteen[16][2] = {{9, 9},  {7, 5}, {5, 10}, {12, 7}, {3, 6}, {10, 13}, {13, 11}, {11, 3},
+                                     {6, 14}, {8, 1}, {4, 2},  {2, 12}, {0, 8}, {15, 4},  {14, 15}, {1, 0}};
 constexpr SamplePattern kPatterns[] = {make_pattern(kOne), make_pattern(kTwo), make_pattern(kFour),
                                        make_pattern(kEight), make_pattern(kSixteen)};
 

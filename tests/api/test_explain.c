@@ -3,6 +3,8 @@
 #include "support/check.h"
 #include "support/noise.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include <shd/shd.h>
@@ -138,6 +140,15 @@ static shd_sampler *make_sampler(shd_filter filter, shd_filter stochastic_filter
 
 static uint32_t level_size(uint32_t size, uint32_t level) { return size >> level > 0 ? size >> level : 1; }
 
+/** A blend as shd/explain.h defines it, for finite a and b. */
+static float blend_nodes(float a, float b, float s)
+{
+    float mixed = a + s * (b - a);
+    if (s == 0) return a;
+    if (!isfinite(mixed)) mixed = (1 - s) * a + s * b;
+    return mixed > FLT_MAX ? FLT_MAX : mixed < -FLT_MAX ? -FLT_MAX : mixed;
+}
+
 /** Stored channel c of the result, computed from the tree. */
 static float replay(const shd_explanation *e, uint32_t c)
 {
@@ -149,7 +160,7 @@ static float replay(const shd_explanation *e, uint32_t c)
     for (i = 0; i < e->blend_count; ++i) {
         const shd_blend_step *blend = &e->blends[i];
         assert_true(blend->a < e->tap_count + i && blend->b < e->tap_count + i);
-        v[e->tap_count + i] = blend->s == 0 ? v[blend->a] : v[blend->a] + blend->s * (v[blend->b] - v[blend->a]);
+        v[e->tap_count + i] = blend_nodes(v[blend->a], v[blend->b], blend->s);
     }
     last = v[nodes - 1];
     return e->scale_low[c] == 0 ? last : last * e->scale_high[c] + last * e->scale_low[c];
@@ -297,6 +308,36 @@ static void test_axes(void **state)
     shd_texture_release(texture);
 }
 
+/** Texels near the largest float: bicubic blends overflow, and the replay still has the bits of the lookup. */
+static void test_largest_texels(void **state)
+{
+    static float texels[WIDTH * HEIGHT * LAYERS * 4];
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_lookups lookups = make_lookups();
+    shd_texels out = shd_texels_default();
+    shd_sampler *sampler = make_sampler(SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PROFILE_EXACT);
+    shd_texture *texture = NULL;
+    uint32_t seed = 5;
+    size_t i;
+    (void)state;
+    for (i = 0; i < sizeof texels / sizeof texels[0]; ++i) {
+        texels[i] = (random_bits(&seed) >> 31 ? FLT_MAX : -FLT_MAX) * random_in(&seed, 0.8f, 1.0f);
+    }
+    desc.format = SHD_FORMAT_RGBA32F;
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    desc.layers = LAYERS;
+    desc.texels = texels;
+    desc.swizzle[0] = SHD_CHANNEL_A;
+    desc.swizzle[2] = SHD_CHANNEL_R;
+    shd_assert_ok(shd_texture_create(g_context, &desc, &texture));
+    for (i = 0; i < 4; ++i) out.channel[i].data = g_out[i];
+    shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &out));
+    for (i = 0; i < POINTS; ++i) check_point(texture, sampler, &lookups, i);
+    shd_sampler_release(sampler);
+    shd_texture_release(texture);
+}
+
 static void test_arguments(void **state)
 {
     shd_texture *texture = make_texture(SHD_FORMAT_RGBA8);
@@ -335,7 +376,7 @@ static void test_arguments(void **state)
 int main(void)
 {
     static struct replay_case cases[FILTERS * FORMATS * 5 + FILTERS * PROFILES];
-    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + FILTERS * PROFILES + 3];
+    static struct CMUnitTest tests[FILTERS * FORMATS * 5 + FILTERS * PROFILES + 4];
     size_t n = 0, k;
     for (; n < FILTERS * FORMATS * 5; ++n) {
         struct replay_case *c = &cases[n];
@@ -359,6 +400,7 @@ int main(void)
     }
     tests[n++] = (struct CMUnitTest){"bilinear_by_hand", test_bilinear_by_hand, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"axes", test_axes, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"largest_texels", test_largest_texels, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"arguments", test_arguments, NULL, NULL, NULL};
     return _cmocka_run_group_tests("api.explain", tests, n, setup, teardown);
 }

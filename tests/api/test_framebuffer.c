@@ -303,6 +303,67 @@ static void test_color_null(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
+/* Every position lies on the standard's grid and is that of one sample; samples of a pixel share no row or column. The
+ * values themselves are checked by unit.raster.sample_pattern and, in frames, by api.render_samples. */
+static void test_sample_positions(void **state)
+{
+    uint32_t samples, s;
+    (void)state;
+    for (samples = 1; samples <= 16; samples *= 2) {
+        unsigned columns = 0, rows = 0;
+        for (s = 0; s < samples; ++s) {
+            float x = -1, y = -1;
+            shd_assert_ok(shd_sample_position(samples, s, &x, &y));
+            assert_true(x >= 0 && x < 1 && y >= 0 && y < 1);
+            assert_true(x * 16 == (float)(int)(x * 16) && y * 16 == (float)(int)(y * 16));
+            assert_false(columns >> (int)(x * 16) & 1 || rows >> (int)(y * 16) & 1);
+            columns |= 1u << (int)(x * 16);
+            rows |= 1u << (int)(y * 16);
+        }
+    }
+}
+
+struct position_case {
+    const char *name;
+    uint32_t samples, index;
+    float x, y; /* 0 on failure */
+    shd_result expected;
+    const char *message;
+};
+static const struct position_case k_positions[] = {
+    {"position/1", 1, 0, 0.5f, 0.5f, SHD_OK, ""},
+    {"position/4_last", 4, 3, 0.625f, 0.875f, SHD_OK, ""},
+    {"position/16_second", 16, 2, 0.3125f, 0.625f, SHD_OK, ""},
+    {"position/16_eleventh", 16, 11, 0.125f, 0.75f, SHD_OK, ""},
+    {"position/samples_0", 0, 0, 0, 0, BAD, "samples: 0 is not 1, 2, 4, 8 or 16"},
+    {"position/samples_3", 3, 0, 0, 0, BAD, "samples: 3 is not 1, 2, 4, 8 or 16"},
+    {"position/samples_32", 32, 0, 0, 0, BAD, "samples: 32 is not"},
+    {"position/samples_max", 0xffffffffu, 0, 0, 0, BAD, "samples: 4294967295 is not"},
+    {"position/index_1_of_1", 1, 1, 0, 0, BAD, "index: 1 is not in 0..0"},
+    {"position/index_8_of_8", 8, 8, 0, 0, BAD, "index: 8 is not in 0..7"},
+    {"position/index_max", 16, 0xffffffffu, 0, 0, BAD, "index: 4294967295 is not in 0..15"},
+};
+
+static void test_position(void **state)
+{
+    const struct position_case *c = (const struct position_case *)*state;
+    float x = -1, y = -1;
+    shd_assert_result(c->name, shd_sample_position(c->samples, c->index, &x, &y), c->expected, c->message);
+    assert_true(x == c->x && y == c->y);
+}
+
+static void test_position_null(void **state)
+{
+    float value = -1;
+    (void)state;
+    shd_assert_result("x", shd_sample_position(4, 0, NULL, &value), BAD, "out_x: NULL");
+    assert_true(value == 0);
+    value = -1;
+    shd_assert_result("y", shd_sample_position(4, 0, &value, NULL), BAD, "out_y: NULL");
+    assert_true(value == 0);
+    shd_assert_result("both", shd_sample_position(3, 0, NULL, NULL), BAD, "samples: 3");
+}
+
 static void test_null_desc(void **state)
 {
     shd_framebuffer *framebuffer = (shd_framebuffer *)&g_context;
@@ -319,7 +380,7 @@ static void test_null_desc(void **state)
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_create) + COUNT(k_color) + COUNT(k_planes) + 8];
+    static struct CMUnitTest tests[COUNT(k_create) + COUNT(k_color) + COUNT(k_planes) + COUNT(k_positions) + 8];
     size_t n = 0, i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -333,6 +394,11 @@ int main(void)
     for (i = 0; i < COUNT(k_planes); ++i) {
         tests[n++] = (struct CMUnitTest){k_planes[i].name, test_plane, NULL, NULL, (void *)&k_planes[i]};
     }
+    for (i = 0; i < COUNT(k_positions); ++i) {
+        tests[n++] = (struct CMUnitTest){k_positions[i].name, test_position, NULL, NULL, (void *)&k_positions[i]};
+    }
+    tests[n++] = (struct CMUnitTest){"position/all", test_sample_positions, NULL, NULL, NULL};
+    tests[n++] = (struct CMUnitTest){"position/null", test_position_null, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bad_u32_reads", test_bad_u32_reads, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"bad_reads", test_bad_reads, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"color/null", test_color_null, NULL, NULL, NULL};

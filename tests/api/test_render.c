@@ -298,6 +298,13 @@ static int is_zero(const shd_render_stats *stats)
     return memcmp(stats, &zero, sizeof zero) == 0;
 }
 
+/* Statistics as the caller may have left them: every byte behind struct_size is set. */
+static void spoil(shd_render_stats *stats)
+{
+    memset(stats, 0xee, sizeof *stats);
+    stats->struct_size = sizeof *stats;
+}
+
 static void test_edit(void **state)
 {
     const struct edit_case *c = (const struct edit_case *)*state;
@@ -306,9 +313,7 @@ static void test_edit(void **state)
     open_frame(&f);
     before = shd_hash_framebuffer(f.scene.framebuffer);
     c->edit(&f);
-    memset(&f.stats, 0, sizeof f.stats);
-    memset(&f.stats.triangles, 0xee, sizeof f.stats - offsetof(shd_render_stats, triangles));
-    f.stats.struct_size = sizeof f.stats;
+    spoil(&f.stats);
     shd_assert_result(c->name, shd_render(f.context, &f.desc), c->expected, c->message);
     if (c->expected != SHD_OK) {
         assert_true(shd_hash_framebuffer(f.scene.framebuffer) == before);
@@ -325,9 +330,13 @@ static void test_null_desc(void **state)
     (void)state;
     open_frame(&f);
     shd_assert_result("desc", shd_render(f.context, NULL), REFUSED, "render: NULL");
+    spoil(&f.stats);
     shd_assert_result("context", shd_render(NULL, &f.desc), REFUSED, "context: NULL");
+    assert_true(is_zero(&f.stats));
+    spoil(&f.stats);
     shd_assert_result("context", shd_render((shd_context *)f.scene.mesh[0], &f.desc), REFUSED,
                       "context: not a live handle");
+    assert_true(is_zero(&f.stats));
     f.desc.stats = NULL;
     shd_assert_ok(shd_render(f.context, &f.desc));
     close_frame(&f);

@@ -248,12 +248,64 @@ static void test_shade(void **state)
     shd_frame_close(&f);
 }
 
+/* The factor pi of shd/light.h: the radiance of a white surface that faces the light and the eye. */
+struct factor_case {
+    const char *name;
+    shd_model model;
+    float ior;
+    double intensity, want, tolerance;
+};
+static const struct factor_case k_factors[] = {
+    {"factor/lambert", SHD_MODEL_LAMBERT, 1.5f, 1, 1, 1e-6},
+    {"factor/phong", SHD_MODEL_PHONG, 1.5f, 1, 1, 1e-6},
+    {"factor/blinn_phong", SHD_MODEL_BLINN_PHONG, 1.5f, 1, 1, 1e-6},
+    {"factor/combined", SHD_MODEL_COMBINED, 1.5f, 1, 1, 1e-6},
+    {"factor/toon", SHD_MODEL_TOON, 1.5f, 1, 1, 1e-6},
+    {"factor/normalized", SHD_MODEL_BLINN_PHONG_NORMALIZED, 1.5f, 1, 0.318309886, 1e-6},
+    {"factor/normalized_times_pi", SHD_MODEL_BLINN_PHONG_NORMALIZED, 1.5f, 3.14159265, 1, 1e-6},
+    {"factor/metallic", SHD_MODEL_METALLIC_ROUGHNESS, 1, 1, 0.318309886, 1e-5},
+    {"factor/metallic_times_pi", SHD_MODEL_METALLIC_ROUGHNESS, 1, 3.14159265, 1, 1e-5},
+    {"factor/dielectric", SHD_MODEL_METALLIC_ROUGHNESS, 1.5f, 1, 0.3, 0.02},
+    {"factor/dielectric_times_pi", SHD_MODEL_METALLIC_ROUGHNESS, 1.5f, 3.14159265, 1, 0.05},
+};
+
+static void test_factor(void **state)
+{
+    const struct factor_case *c = (const struct factor_case *)*state;
+    shd_material_desc material = shd_material_desc_default();
+    shd_light_desc light = shd_light_desc_default();
+    float vertices[48];
+    shd_frame f;
+    int i;
+    shd_frame_open(&f, 1, 1);
+    shd_frame_quad(-1, -1, 1, 1, 0.5f, 0.5f, vertices);
+    material.model = c->model;
+    material.ior = c->ior;
+    material.roughness = 1;
+    material.metallic = 0;
+    for (i = 0; i < 3; ++i) material.diffuse[i] = 1, material.specular[i] = 0, material.ambient[i] = 0;
+    shd_frame_draw(&f, vertices, 6, &material);
+    light.kind = SHD_LIGHT_KIND_DIRECTIONAL;
+    light.direction[1] = 0;
+    light.direction[2] = -1;
+    for (i = 0; i < 3; ++i) light.intensity[i] = (float)c->intensity;
+    shd_frame_light(&f, &light);
+    f.desc.view.eye[2] = 1e4f;
+    shd_frame_render(&f);
+    shd_assert_close(c->name, 0, (double)f.plane[SHD_PLANE_G][0], c->want, c->tolerance, 0);
+    shd_frame_close(&f);
+}
+
 int main(void)
 {
-    static struct CMUnitTest tests[sizeof k_shades / sizeof k_shades[0]];
+    enum { SHADES = sizeof k_shades / sizeof k_shades[0], FACTORS = sizeof k_factors / sizeof k_factors[0] };
+    static struct CMUnitTest tests[SHADES + FACTORS];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_shades / sizeof k_shades[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_shades[i].name, test_shade, NULL, NULL, (void *)&k_shades[i]};
+    }
+    for (i = 0; i < FACTORS; ++i) {
+        tests[n++] = (struct CMUnitTest){k_factors[i].name, test_factor, NULL, NULL, (void *)&k_factors[i]};
     }
     return _cmocka_run_group_tests("api.render_models", tests, n, NULL, NULL);
 }

@@ -10,7 +10,7 @@
 //   fetch_row(...)            four consecutive texels from each index
 //   decode<C>(d, texel)       channel C as a float in the format's lerp domain; unorm channels stay codes
 //   finish<C>(d, value)       result of a value in the lerp domain
-//   kFloat                    texels may be infinite or NaN, and their differences may overflow
+//   kFloat                    texels may be infinite or NaN, and their blends may overflow
 //
 // A Blend computes with the texels of a format. Every filter is a tree of blends, so equal texels give exactly their
 // value. It has these members:
@@ -50,17 +50,35 @@ HWY_INLINE V Lerp(D, V a, V b, V s) {
   return a + s * (b - a);
 }
 
+/// Returns a mask of the lanes that are neither infinite nor NaN.
+template <class D, class V>
+HWY_INLINE MaskOf<D> IsFinite(D d, V value) {
+  return hn::Eq(value - value, hn::Zero(d));
+}
+
+/// Returns `value`, except that infinities become the largest float of their sign in the lanes `clamped`. The value is
+/// not NaN there.
+template <class D, class V>
+HWY_INLINE V ClampWhere(D d, MaskOf<D> clamped, V value) {
+  const V largest = hn::Set(d, 0x1.fffffep127f);
+  return hn::IfThenElse(clamped, hn::Min(hn::Max(value, hn::Neg(largest)), largest), value);
+}
+
+/// Returns (1 - s) a + s b in the lanes whose a + s (b - a), which is `mixed`, is not finite. Where finite values overflow
+/// again, which takes an s outside [0, 1], the result is the largest float of its sign.
+template <class D, class V>
+HWY_NOINLINE V MixOverflowed(D d, V a, V b, V s, V mixed) {
+  const V weighted = (hn::Set(d, 1.0f) - s) * a + s * b;
+  const auto clamped = hn::And(IsFinite(d, a), IsFinite(d, b));
+  return hn::IfThenElse(IsFinite(d, mixed), mixed, ClampWhere(d, clamped, weighted));
+}
+
 /// Returns a + s (b - a) for any floats. If s == 0 the result is a, even if b is infinite or NaN; with other weights
-/// infinities and NaN propagate. Finite values give finite results: (1 - s) a + s b is used if b - a overflows.
+/// infinities and NaN propagate. Finite values give finite results, see MixOverflowed().
 template <class D, class V>
 HWY_INLINE V Mix(D d, V a, V b, V s) {
-  const V difference = b - a;
-  const auto finite = hn::Eq(difference - difference, hn::Zero(d));
-  V mixed = a + s * difference;
-  if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
-    const V weighted = (hn::Set(d, 1.0f) - s) * a + s * b;
-    mixed = hn::IfThenElse(finite, mixed, weighted);
-  }
+  V mixed = a + s * (b - a);
+  if (HWY_UNLIKELY(!hn::AllTrue(d, IsFinite(d, mixed)))) mixed = MixOverflowed(d, a, b, s, mixed);
   return hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a, mixed);
 }
 

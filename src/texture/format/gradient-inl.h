@@ -41,20 +41,19 @@ struct GradientBlend {
   }
   template <class D>
   HWY_INLINE Value<D> blend_s(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate) const {
-    Value<D> blended = blend(d, a, b, s);
-    blended.du = blended.du + Slope(d, a.value, b.value, hn::Load(d, rate));
-    return blended;
+    return {Mix(d, a.value, b.value, s), MixSlopes(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate)),
+            Mix(d, a.dv, b.dv, s)};
   }
   template <class D>
   HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> t, const float* rate) const {
-    Value<D> blended = blend(d, a, b, t);
-    blended.dv = blended.dv + Slope(d, a.value, b.value, hn::Load(d, rate));
-    return blended;
+    return {Mix(d, a.value, b.value, t), Mix(d, a.du, b.du, t),
+            MixSlopes(d, a.dv, b.dv, t, a.value, b.value, hn::Load(d, rate))};
   }
   template <class D>
   HWY_INLINE Value<D> blend_by(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate_u,
                                const float* rate_v) const {
-    return blend_t(d, a, b, s, rate_v, blend_s(d, a, b, s, rate_u));
+    return {Mix(d, a.value, b.value, s), MixSlopes(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate_u)),
+            MixSlopes(d, a.dv, b.dv, s, a.value, b.value, hn::Load(d, rate_v))};
   }
   template <class D>
   HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, const Value<D>& a, const Value<D>& b) const {
@@ -72,17 +71,32 @@ struct GradientBlend {
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.du[channel] || out.dv[channel]; }
 
  private:
-  /// Adds the derivative of the weight in v to a blend that has its derivative in u.
-  template <class D>
-  HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D>, const float* rate,
-                              Value<D> blended) const {
-    blended.dv = blended.dv + Slope(d, a.value, b.value, hn::Load(d, rate));
-    return blended;
-  }
   /// Returns rate (b - a). A rate of 0 gives 0 even if the values are infinite or NaN.
   template <class D, class V>
   static HWY_INLINE V Slope(D d, V a, V b, V rate) {
     return hn::IfThenZeroElse(hn::Eq(rate, hn::Zero(d)), rate * (b - a));
+  }
+
+  /// Returns the derivative of a + s (b - a) from those of a and b and the rate of s. Finite floats give finite results
+  /// in float formats. In the others only a border above 1e30 overflows.
+  template <class D, class V>
+  static HWY_INLINE V MixSlopes(D d, V a_slope, V b_slope, V s, V a, V b, V rate) {
+    if constexpr (!F::kFloat) return Mix(d, a_slope, b_slope, s) + Slope(d, a, b, rate);
+    const V mixed = hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a_slope, a_slope + s * (b_slope - a_slope));
+    const V sum = mixed + Slope(d, a, b, rate);
+    if (HWY_LIKELY(hn::AllTrue(d, IsFinite(d, sum)))) return sum;
+    return MixSlopesOverflowed(d, Mix(d, a_slope, b_slope, s), a, b, rate);
+  }
+
+  /// Returns mixed + rate (b - a). Where finite arguments overflow, the product and the sum become the largest float of
+  /// their sign.
+  template <class D, class V>
+  static HWY_NOINLINE V MixSlopesOverflowed(D d, V mixed, V a, V b, V rate) {
+    const V sum = mixed + Slope(d, a, b, rate);
+    const V half = hn::Set(d, 0.5f), halved = Slope(d, half * a, half * b, rate);
+    const auto clamped = hn::And(IsFinite(d, mixed), hn::And(IsFinite(d, a), IsFinite(d, b)));
+    const V safe = ClampWhere(d, clamped, mixed + ClampWhere(d, clamped, halved + halved));
+    return hn::IfThenElse(hn::Or(IsFinite(d, sum), hn::Not(clamped)), sum, safe);
   }
 };
 

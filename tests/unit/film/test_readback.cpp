@@ -186,12 +186,81 @@ void test_planes(void**) {
   shd::core::destroy(g_context->allocator, framebuffer);
 }
 
+/// Code of a linear value in long double, correctly rounded (IEC 61966-2-1).
+int srgb8_code(float value) {
+  if (!(value > 0)) return 0;
+  if (value >= 1) return 255;
+  const auto linear = static_cast<long double>(value);
+  const long double encoded = linear <= 0.0031308L ? linear * 12.92L : 1.055L * powl(linear, 1 / 2.4L) - 0.055L;
+  return static_cast<int>(floorl(255 * encoded + 0.5L));
+}
+
+/// Linear value at which the code changes from k - 1 to k.
+long double srgb8_threshold(int k) {
+  const long double encoded = (k - 0.5L) / 255;
+  return encoded <= 0.04045L ? encoded / 12.92L : powl((encoded + 0.055L) / 1.055L, 2.4L);
+}
+
+constexpr uint32_t kSide = 512;  // 2^18 pixels
+
+/// Values of three channels: uniform ones, ones of every exponent, and the floats around each threshold.
+float srgb_input(uint32_t c, uint32_t i, uint32_t random) {
+  if (c == 0) return static_cast<float>(random >> 8) * 0x1p-24f;
+  if (c == 1) {
+    const uint32_t bits = random % 0x3f800000u;  // below 1
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+  auto value = static_cast<float>(srgb8_threshold(static_cast<int>(i % 255) + 1));
+  for (uint32_t step = 0; step < i / 255 % 9; ++step) value = nextafterf(value, step % 2 ? 2.0f : 0.0f);
+  for (uint32_t step = 0; step < i / (255 * 9) % 9; ++step) value = nextafterf(value, 2.0f);
+  return value;
+}
+
+/// Read-outs in sRGB are the correctly rounded codes, for 2^18 random values and the floats around all thresholds.
+void test_srgb_rounding(void**) {
+  shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+  desc.width = desc.height = kSide;
+  Framebuffer* framebuffer = shd::core::create<Framebuffer>(g_context->allocator);
+  shd::film::build(*g_context, desc, framebuffer);
+  static float values[3][kSide * kSide];
+  static uint8_t pixels[kSide * kSide][4];
+  uint32_t random = 1;
+  for (uint32_t i = 0; i < kSide * kSide; ++i) {
+    for (uint32_t c = 0; c < 3; ++c) {
+      random = random * 1664525u + 1013904223u;  // Numerical Recipes
+      values[c][i] = srgb_input(c, i, random ^ random >> 16);
+      framebuffer->plane[c][i / kSide * framebuffer->stride + i % kSide] = values[c][i];
+    }
+  }
+  shd_image image = shd_image_default();
+  image.format = SHD_FORMAT_RGBA8_SRGB;
+  image.width = image.height = kSide;
+  image.pixels = pixels;
+  image.row_stride = sizeof pixels[0] * kSide;
+  shd::film::read_color(*framebuffer, image);
+  bool below[256] = {}, at[256] = {};  // codes seen on either side of their threshold
+  for (uint32_t i = 0; i < kSide * kSide; ++i) {
+    for (uint32_t c = 0; c < 3; ++c) {
+      const int want = srgb8_code(values[c][i]);
+      if (pixels[i][c] != want) {
+        fail_msg("%.9g is %d, want %d", static_cast<double>(values[c][i]), pixels[i][c], want);
+      }
+      if (c == 2) (pixels[i][2] == i % 255 ? below : at)[i % 255 + 1] = true;
+    }
+  }
+  for (int k = 1; k < 256; ++k) assert_true(below[k] && at[k]);
+  shd::core::destroy(g_context->allocator, framebuffer);
+}
+
 }  // namespace
 
 int main() {
-  static CMUnitTest tests[sizeof kCases / sizeof kCases[0] + 1];
+  static CMUnitTest tests[sizeof kCases / sizeof kCases[0] + 2];
   size_t n = 0;
   for (const Case& c : kCases) tests[n++] = {c.name, test_color, nullptr, nullptr, const_cast<Case*>(&c)};
+  tests[n++] = {"srgb_rounding", test_srgb_rounding, nullptr, nullptr, nullptr};
   tests[n++] = {"planes", test_planes, nullptr, nullptr, nullptr};
   g_context = shd::core::create_context(shd_context_desc_default());
   const int failed = _cmocka_run_group_tests("unit.film.readback", tests, n, nullptr, nullptr);

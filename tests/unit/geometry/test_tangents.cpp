@@ -197,6 +197,17 @@ void cancelling() {  // two triangles with opposite directions
   add_triangle(0, add_vertex(1, 0, 0, 1, 0), add_vertex(0, 1, 0, 0, -1));
   add_triangle(0, add_vertex(-1, 0, 0, 1, 0), add_vertex(0, -1, 0, 0, -1));
 }
+/// Two triangles of one fan with exactly opposite directions of u. The sum at a vertex is that of the larger angle: 90
+/// against 45 degrees at vertex 0, 45 against 90 at vertex 2.
+void folded() {
+  clear();
+  add_vertex(0, 0, 0, 0, 0);
+  add_vertex(1, 0, 0, 1, 0);
+  add_vertex(0, 1, 0, 0, 1);
+  add_vertex(1, 1, 0, -1, 1);
+  add_triangle(0, 1, 2);
+  add_triangle(0, 2, 3);
+}
 void normal_along_u() {  // dP/du is parallel to the normal
   grid(2, 2);
   for_each_vertex([](float* row, uint32_t) { set_normal(row, 1, 0, 0); });
@@ -272,6 +283,7 @@ const Case kCases[] = {
     {"two_sided", two_sided, 9, 0},
     {"bow_tie", bow_tie, 1, 0},
     {"cancelling", cancelling, 1, 0},
+    {"folded", folded, 0, 0},
     {"normal_along_u", normal_along_u, 0, 9},
     {"position_2e37_uv_1e37", huge, 0, 0},
     {"position_1e-37_uv_1e-37", tiny, 0, 0},
@@ -357,6 +369,21 @@ void test_invariants(void**) {
   }
 }
 
+/// Opposite triangles of a fan are one group: no vertex is split, and both corners of an edge share its tangents.
+void test_folded(void**) {
+  folded();
+  Mesh* mesh = build_shape();
+  assert_int_equal(mesh->vertex_count, 4);
+  const double want[3] = {1, 0, -1};  // x at vertices 0 and 2
+  for (size_t i = 0; i < 3; i += 2) {
+    shd_assert_close("x", i, static_cast<double>(mesh->tx[i]), want[i], 1e-7, 0);
+    shd_assert_close("y", i, static_cast<double>(mesh->ty[i]), 0, 1e-7, 0);
+    assert_true(mesh->tz[i] == 0);
+  }
+  assert_true(mesh->tw[0] == mesh->tw[2]);
+  shd::core::destroy(g_context->allocator, mesh);
+}
+
 /// In a mesh with separate vertices for every corner, each corner has the tangent of the indexed mesh.
 void test_duplicates_change_nothing(void**) {
   bumpy();
@@ -397,6 +424,7 @@ void test_bits(void**) {
   uint64_t hash = SHD_HASH_START;
   for (const Case& c : kCases) {
     if (c.make == sphere || c.make == missing_uv) continue;  // made with sin and cos of libm
+    if (c.make == folded) continue;                          // test_folded() has its values
     c.make();
     Mesh* mesh = build_shape();
     const shd::core::Array<float>* const columns[] = {&mesh->tx, &mesh->ty, &mesh->tz, &mesh->tw};
@@ -411,9 +439,10 @@ void test_bits(void**) {
 
 int main() {
   constexpr size_t kCaseCount = sizeof kCases / sizeof kCases[0];
-  static CMUnitTest tests[kCaseCount + 4];
+  static CMUnitTest tests[kCaseCount + 5];
   size_t n = 0;
   for (const Case& c : kCases) tests[n++] = {c.name, test_against_oracle, nullptr, nullptr, const_cast<Case*>(&c)};
+  tests[n++] = {"opposite_directions", test_folded, nullptr, nullptr, nullptr};
   tests[n++] = {"invariants", test_invariants, nullptr, nullptr, nullptr};
   tests[n++] = {"duplicates_change_nothing", test_duplicates_change_nothing, nullptr, nullptr, nullptr};
   tests[n++] = {"weld", test_weld, nullptr, nullptr, nullptr};
