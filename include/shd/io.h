@@ -7,8 +7,8 @@
  *  - The content decides the format, never the name. The format must be on an allow list.
  *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated. A progressive JPEG is
  *    decoded in one step, during which only an isolated load checks the time; it may have 256 scans.
- *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF and WebP before
- *    decoding.
+ *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF, WebP and TGA
+ *    before decoding.
  *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and
  *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
  *    memory of the decoder: isolate such loads.

@@ -6,6 +6,7 @@
 
 #include "core/failure.h"
 #include "io/byte_reader.h"
+#include "io/tga_header.h"
 
 namespace shd::io {
 
@@ -191,6 +192,16 @@ void scrub_webp(unsigned char* bytes, size_t size) {
   }
 }
 
+/// TGA 2.0: everything in the extension area except gamma and kind of alpha becomes zero, because the decoder reads texts
+/// without an end.
+void scrub_tga(unsigned char* bytes, size_t size) {
+  const size_t at = find_tga_extension(bytes, size);
+  if (at == size) return;
+  constexpr size_t kTexts = 2, kGamma = 478, kOffsets = 482, kAlpha = 494;
+  std::memset(bytes + at + kTexts, 0, kGamma - kTexts);
+  std::memset(bytes + at + kOffsets, 0, kAlpha - kOffsets);
+}
+
 }  // namespace
 
 size_t scrub(shd_file_format format, unsigned char* bytes, size_t size, bool strict) {
@@ -199,6 +210,7 @@ size_t scrub(shd_file_format format, unsigned char* bytes, size_t size, bool str
     case SHD_FILE_FORMAT_JPEG: return scrub_jpeg(bytes, size);
     case SHD_FILE_FORMAT_TIFF: scrub_tiff(bytes, size, strict); return size;
     case SHD_FILE_FORMAT_WEBP: scrub_webp(bytes, size); return size;
+    case SHD_FILE_FORMAT_TGA: scrub_tga(bytes, size); return size;
     default: return size;
   }
 }

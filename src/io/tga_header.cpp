@@ -62,8 +62,8 @@ void check_pixels(const ByteReader& in, const TgaLayout& layout, uint64_t at, ui
 }
 
 /// A packet is a byte with the number of pixels less one and, for a run, the top bit; then one pixel or all of them. The
-/// last packet may be longer than the image.
-void check_packets(ByteReader& in, const TgaLayout& layout) {
+/// last packet may be longer than the image. Returns the offset behind the last one.
+uint64_t check_packets(ByteReader& in, const TgaLayout& layout) {
   uint64_t at = layout.pixels;
   for (uint64_t left = layout.count; left > 0;) {
     const uint32_t packet = in.u8(at);
@@ -72,6 +72,15 @@ void check_packets(ByteReader& in, const TgaLayout& layout) {
     check_pixels(in, layout, at + 1, stored);
     at += 1 + stored * layout.pixel_size;
     left -= pixels;
+  }
+  return at;
+}
+
+void check_extension(const ByteReader& in, uint64_t pixels_end) {
+  const size_t extension = find_tga_extension(in.bytes, in.size);
+  if (extension == in.size) return;
+  if (extension < pixels_end || !in.has(extension, kTgaExtension)) {
+    core::refuse(SHD_ERROR_CORRUPT, "TGA: bad extension area");
   }
 }
 
@@ -87,11 +96,21 @@ void check_tga_header(const unsigned char* bytes, size_t size) {
   if (!in.ok || !in.has(layout.palette, layout.colors * layout.color_size)) {
     core::refuse(SHD_ERROR_CORRUPT, "TGA: bad palette");
   }
+  uint64_t end = layout.pixels + layout.count * layout.pixel_size;
   if (layout.packed) {
-    check_packets(in, layout);
+    end = check_packets(in, layout);
   } else {
     check_pixels(in, layout, layout.pixels, layout.count);
   }
+  check_extension(in, end);
+}
+
+size_t find_tga_extension(const unsigned char* bytes, size_t size) {
+  constexpr size_t kFooter = 26;
+  ByteReader in{bytes, size, false};
+  if (size < kFooter || !in.is(size - kFooter + 8, "TRUEVISION-XFILE.", 17)) return size;
+  const size_t at = in.u32(size - kFooter);
+  return in.has(at, 2) && in.u16(at) >= kTgaExtension ? at : size;
 }
 
 }  // namespace shd::io

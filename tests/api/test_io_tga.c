@@ -171,6 +171,58 @@ static void test_palette_of_one(void **state)
     shd_assert_result("palette_of_one", result, SHD_ERROR_CORRUPT, "TGA: a pixel is outside the palette");
 }
 
+enum { EXTENSION = 495, FOOTER = 26, EXTENDED = 24 + EXTENSION + FOOTER };
+
+/* Two pixels, an extension area at `area` with the 16-bit size 495 and `fill` elsewhere, and a footer. */
+static void extended_file(unsigned char file[EXTENDED], unsigned area, unsigned char fill)
+{
+    static const unsigned char pixels[24] = {TGA(2, 0, 0, 0, 2, 1, 24), PALETTE2};
+    unsigned char *footer = file + EXTENDED - FOOTER;
+    memset(file, fill, EXTENDED);
+    memcpy(file, pixels, sizeof pixels);
+    file[24] = EXTENSION & 255;
+    file[25] = EXTENSION >> 8;
+    memset(file + 24 + 478, 0, 4); /* no gamma */
+    file[24 + 494] = 0;            /* no alpha */
+    memset(footer, 0, FOOTER);
+    footer[0] = (unsigned char)area;
+    footer[1] = (unsigned char)(area >> 8);
+    memcpy(footer + 8, "TRUEVISION-XFILE.", 18);
+}
+
+/* Texts without an end, dates and offsets that are no numbers of the format: none changes the pixels. */
+static void test_extension(void **state)
+{
+    static const unsigned char fills[] = {0, 1, 'x', 0xff};
+    unsigned char file[EXTENDED];
+    uint64_t first = 0;
+    shd_bitmap *bitmap = NULL;
+    shd_result result;
+    size_t i;
+    (void)state;
+    for (i = 0; i < sizeof fills; ++i) {
+        uint64_t hash;
+        extended_file(file, 24, fills[i]);
+        hash = load_twice("extension", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+        shd_assert_ok(result);
+        if (i == 0) first = hash;
+        assert_true(hash == first);
+    }
+    extended_file(file, 24, 0);
+    file[24 + 478] = 22; /* gamma 2.2 = 22 / 10 */
+    file[24 + 480] = 10;
+    shd_assert_ok(shd_bitmap_load_memory(g_context, file, sizeof file, NULL, &bitmap));
+    assert_string_not_equal(shd_bitmap_color_space(bitmap), "sRGB");
+    shd_bitmap_release(bitmap);
+    extended_file(file, 22, 0);
+    file[22] = file[23] = 0xff; /* the last pixel is the size of the area */
+    load_twice("over_pixels", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    shd_assert_result("over_pixels", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
+    extended_file(file, 60, 0xff);
+    load_twice("cut", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    shd_assert_result("cut", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
+}
+
 /* Small files with plausible headers and random contents: none ends this process, and reloads are equal. */
 static void test_random(void **state)
 {
@@ -207,7 +259,7 @@ static void test_random(void **state)
 int main(void)
 {
     enum { CASES = sizeof k_cases / sizeof k_cases[0] };
-    struct CMUnitTest tests[CASES + 2];
+    struct CMUnitTest tests[CASES + 3];
     size_t i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -215,7 +267,8 @@ int main(void)
         tests[i] = (struct CMUnitTest){k_cases[i].name, test_case, NULL, NULL, (void *)&k_cases[i]};
     tests[CASES] = (struct CMUnitTest){"palette_of_one", test_palette_of_one, NULL, NULL, NULL};
     tests[CASES + 1] = (struct CMUnitTest){"random", test_random, NULL, NULL, NULL};
-    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 2, NULL, NULL);
+    tests[CASES + 2] = (struct CMUnitTest){"extension", test_extension, NULL, NULL, NULL};
+    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 3, NULL, NULL);
     shd_context_release(g_context);
     return failed;
 }
