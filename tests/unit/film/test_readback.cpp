@@ -247,8 +247,9 @@ void test_srgb_rounding(void**) {
       if (pixels[i][c] != want) {
         fail_msg("%.9g is %d, want %d", static_cast<double>(values[c][i]), pixels[i][c], want);
       }
-      if (c == 2) (pixels[i][2] == i % 255 ? below : at)[i % 255 + 1] = true;
     }
+    const uint32_t code = i % 255;
+    (pixels[i][2] == code ? below : at)[code + 1] = true;
   }
   for (int k = 1; k < 256; ++k) assert_true(below[k] && at[k]);
   shd::core::destroy(g_context->allocator, framebuffer);
