@@ -776,7 +776,7 @@ static void test_out_of_memory(void **state)
 
 int main(void)
 {
-    static struct CMUnitTest tests[COUNT(k_refusals) + COUNT(k_closed) + COUNT(k_heights) + 10];
+    static struct CMUnitTest tests[COUNT(k_refusals) + COUNT(k_closed) + COUNT(k_heights) + 11];
     size_t n = 0, i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
