@@ -51,10 +51,10 @@ def stubs(include, library):
 
 def dump(arguments, folder):
     """Path of a fresh dump."""
-    source, library, out = folder / "stubs.c", folder / f"lib{arguments.library}.so", folder / "abi.xml"
-    source.write_text(stubs(arguments.include, arguments.library), encoding="utf-8")
+    source, library, out = folder / "stubs.c", folder / f"lib{arguments.name}.so", folder / "abi.xml"
+    source.write_text(stubs(arguments.include, arguments.name), encoding="utf-8")
     subprocess.run([arguments.compiler, "-std=c99", "-g", "-O0", "-fPIC", "-shared", "-w", "-DSHD_BUILDING",
-                    "-I", arguments.include.resolve(), f"-Wl,-soname,lib{arguments.library}.so", "-o", library.name,
+                    "-I", arguments.include.resolve(), f"-Wl,-soname,lib{arguments.name}.so", "-o", library.name,
                     source.name], check=True, cwd=folder)
     subprocess.run(["abidw", "--no-corpus-path", "--no-comp-dir-path", "--no-show-locs", "--no-architecture",
                     "--no-elf-needed", "--no-parameter-names", "--no-write-default-sizes", "--type-id-style", "hash",
@@ -65,7 +65,7 @@ def dump(arguments, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--include", type=pathlib.Path, required=True)
-    parser.add_argument("--library", required=True)
+    parser.add_argument("--library", dest="name", required=True)
     parser.add_argument("--dumps", type=pathlib.Path, required=True)
     parser.add_argument("--compiler", default="cc")
     parser.add_argument("--update", action="store_true")
@@ -75,7 +75,7 @@ def main():
         print(f"skipped: {' and '.join(missing) or platform.machine()} "
               + ("not installed (Debian: abigail-tools)" if missing else f"is not {MACHINE}"))
         return SKIPPED
-    kept = arguments.dumps / f"abi_{arguments.library}.xml"
+    kept = arguments.dumps / f"abi_{arguments.name}.xml"
     with tempfile.TemporaryDirectory() as name:
         fresh = dump(arguments, pathlib.Path(name))
         if arguments.update:
@@ -85,10 +85,10 @@ def main():
         run = subprocess.run(["abidiff", "--no-show-locs", kept, fresh], capture_output=True, text=True)
     print(run.stdout + run.stderr)
     if run.returncode == 0:
-        print(f"lib{arguments.library}: the interface is that of {kept.name}")
+        print(f"lib{arguments.name}: the interface is that of {kept.name}")
         return 0
-    print(f"lib{arguments.library}: the interface changed. If it was meant to, say so in CHANGELOG.md and run\n"
-          f"    tests/abi/dump.py --include include --library {arguments.library} --dumps tests/abi --update")
+    print(f"lib{arguments.name}: the interface changed. If it was meant to, say so in CHANGELOG.md and run\n"
+          f"    tests/abi/dump.py --include include --library {arguments.name} --dumps tests/abi --update")
     return 1
 
 

@@ -11,20 +11,8 @@
 
 static shd_context *g_context;
 
-static int set_up(void **state)
-{
-    if (io_make_folder(state)) return -1;
-    shd_assert_ok(shd_context_create(NULL, &g_context));
-    scene_write_triangle();
-    scene_write_room();
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    shd_context_release(g_context);
-    return io_remove_folder(state);
-}
+static int set_up(void **state) { return scene_set_up(state, &g_context); }
+static int tear_down(void **state) { return scene_tear_down(state, g_context); }
 
 /* Loads any file: a loaded scene is complete, and an error names the file. Returns the result. */
 static shd_result survive(const char *name)

@@ -79,4 +79,20 @@ static inline void scene_write_room(void)
     scene_write_text("room.gltf", k_room_gltf);
 }
 
+/* The fixture of a test: a folder with these files, and a context. */
+static inline int scene_set_up(void **state, shd_context **out_context)
+{
+    if (io_make_folder(state)) return -1;
+    shd_assert_ok(shd_context_create(NULL, out_context));
+    scene_write_triangle();
+    scene_write_room();
+    return 0;
+}
+
+static inline int scene_tear_down(void **state, shd_context *context)
+{
+    shd_context_release(context);
+    return io_remove_folder(state);
+}
+
 #endif /* SHD_TESTS_SUPPORT_SCENE_FILES_H */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Blocks: the shapes of a few hundred lookups, computed before any of these lookups is filtered. The dependent
-/// operations of one lookup then overlap with those of other lookups, and the kernel of each shape is compiled once for
-/// all filters. Copies of the last lookup fill the last vector of a block.
+/// operations of one lookup then overlap with those of other lookups, and all filters share one kernel for each shape.
+/// Copies of the last lookup fill the last vector of a block.
 #pragma once
 
 #include <cstddef>
