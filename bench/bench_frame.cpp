@@ -3,6 +3,8 @@
 // lookups, two point lights, Blinn-Phong per fragment, back faces culled. Items are triangles.
 // frame/<variant>/<triangles>/<target>: the same frame with several samples, depth alone, or half-transparent spheres;
 // over_spheres is its time divided by the time of the plain frame.
+// frame/draws/{one,10648}/<target>: 10,648 spheres of 18 triangles as one draw of one mesh, and as a draw each; over_one
+// is the time divided by that of one draw.
 #include <algorithm>
 #include <memory>
 
@@ -40,6 +42,28 @@ void run_shd(benchmark::State& state, const Spheres& spheres, const Target& targ
   if (variant.name != kPlain.name && plain > 0.0) state.counters["over_spheres"] = plain / rate;
   const double other = recorded_rate(row_name(spheres, "llvmpipe", variant));
   if (other > 0.0) state.counters["ratio_llvmpipe"] = rate / other;
+}
+
+const Spheres& small_spheres() {
+  static const Spheres all = make_spheres("10648", 3, 4, 22);
+  return all;
+}
+const Spheres& small_spheres_in_one() {
+  static const Spheres all = merge("one", small_spheres());
+  return all;
+}
+
+void run_draws(benchmark::State& state, const Spheres& spheres, const Target& target) {
+  const std::string name = "frame/draws/" + spheres.name + "/" + target.name;
+  FrameScene scene(spheres, target.simd, kPlain);
+  scene.render();
+  const Stopwatch watch;
+  for (auto _ : state) scene.render();
+  const double rate = watch.items_per_second(static_cast<double>(state.iterations()));
+  finish(state, spheres);
+  record_rate(name, rate);
+  const double one = recorded_rate("frame/draws/one/" + std::string(target.name));
+  if (one > 0.0) state.counters["over_one"] = one / rate;
 }
 
 #ifdef SHD_BENCH_OSMESA
@@ -87,6 +111,13 @@ void register_frame() {
         add(row_name(spheres, target.name, variant),
             [&spheres, target, &variant](benchmark::State& state) { run_shd(state, spheres, target, variant); });
       }
+    }
+  }
+  for (const auto spheres : {small_spheres_in_one, small_spheres}) {
+    for (const Target& target : targets()) {
+      const std::string name = spheres == small_spheres ? "10648" : "one";
+      add("frame/draws/" + name + "/" + target.name,
+          [spheres, target](benchmark::State& state) { run_draws(state, spheres(), target); });
     }
   }
 }

@@ -160,6 +160,24 @@ Spheres make_spheres(const std::string& name, uint32_t slices, uint32_t stacks, 
   return s;
 }
 
+Spheres merge(const std::string& name, const Spheres& spheres) {
+  Spheres out = make_spheres(name, spheres.slices, spheres.stacks, 1);
+  out.indices.clear();
+  for (int k = 0; k < 3; ++k) out.position[k].clear();
+  for (auto& uv : out.uv) uv.clear();
+  out.object_to_world = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  for (size_t i = 0; i < spheres.sphere_count(); ++i) {
+    const float* matrix = &spheres.object_to_world[16 * i];
+    const auto first = static_cast<uint32_t>(out.position[0].size());
+    for (int k = 0; k < 3; ++k) {
+      for (const float x : spheres.position[k]) out.position[k].push_back(matrix[5 * k] * x + matrix[12 + k]);
+    }
+    for (int k = 0; k < 2; ++k) out.uv[k].insert(out.uv[k].end(), spheres.uv[k].begin(), spheres.uv[k].end());
+    for (const uint32_t index : spheres.indices) out.indices.push_back(first + index);
+  }
+  return out;
+}
+
 Difference compare(const std::vector<float>& a, const std::vector<float>& b) {
   Difference d;
   size_t count = 0;

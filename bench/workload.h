@@ -71,6 +71,9 @@ struct Spheres {
 
 Spheres make_spheres(const std::string& name, uint32_t slices, uint32_t stacks, uint32_t per_axis);
 
+/// The same triangles in one mesh, whose matrix is the identity. Normals are the positions here too.
+Spheres merge(const std::string& name, const Spheres& spheres);
+
 /// The two point lights and the one material of every frame.
 struct PointLight {
   float position[3];

@@ -102,9 +102,22 @@ typedef enum shd_simd {
     SHD_SIMD_MAX_ENUM = 0x7fffffff
 } shd_simd;
 
+/** Options of a context; combine with |. */
+typedef enum shd_context_flag {
+    SHD_CONTEXT_DEFAULT = 0,
+    /**
+     * Working memory of a call is allocated and freed block by block. Without this flag the context keeps it for the
+     * next call, so that a loop of equal frames allocates nothing after its first frame; see shd_context_trim().
+     */
+    SHD_CONTEXT_RETURN_MEMORY = 1,
+    SHD_CONTEXT_MAX_ENUM = 0x7fffffff
+} shd_context_flag;
+typedef uint32_t shd_context_flags; /**< shd_context_flag bits */
+
 /** Options of a context. Zero is the default of each. */
 typedef struct shd_context_desc {
     uint32_t struct_size;    /**< set by shd_context_desc_default() */
+    shd_context_flags flags; /**< default 0 */
     uint32_t worker_count;   /**< threads of the built-in executor, 0..1024, at most one per core; 1 = calling thread;
                                   default 0 = one per core */
     shd_simd simd;           /**< default SHD_SIMD_BEST; SHD_ERROR_UNSUPPORTED if it cannot run here */
@@ -138,6 +151,13 @@ SHD_API void shd_context_retain(shd_context *context);
  * @since 0.1
  */
 SHD_API void shd_context_release(shd_context *context);
+
+/**
+ * Return the working memory that the context keeps between calls to the allocator. Calls that run at the same time
+ * keep theirs. NULL is ignored. Any thread.
+ * @since 0.1
+ */
+SHD_API void shd_context_trim(shd_context *context);
 
 /** Name of the SIMD target of the context's kernels, such as "AVX2"; "" for a bad handle. Static. @since 0.1 */
 SHD_API const char *shd_context_simd_target(const shd_context *context);

@@ -228,7 +228,8 @@ typedef struct shd_render_stats {
      */
     uint64_t order_conflicts;
     uint64_t splits;         /**< cuts of NEWELL */
-    uint64_t scratch_bytes;  /**< peak of working memory; depends on the number of workers */
+    uint64_t scratch_bytes;  /**< peak of working memory, with what the context keeps from earlier calls; depends on
+                                  the number of workers */
     double vertex_seconds;   /**< wall-clock time of transforming vertices */
     double assembly_seconds; /**< wall-clock time of finding visible triangles and clipping them */
     double binning_seconds;  /**< wall-clock time of sorting triangles by distance (if at all) and into tiles */

@@ -4,7 +4,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
-#include "core/context.h"
+#include "core/scratch.h"
 
 namespace {
 
@@ -12,6 +12,7 @@ using namespace shd;
 using namespace shd::abi;
 
 shd_result check_context_desc(const shd_context_desc& desc) {
+  SHD_TRY(check_flags("context.flags", desc.flags, SHD_CONTEXT_RETURN_MEMORY));
   SHD_TRY(check_count("context.worker_count", desc.worker_count, 0, 1024));
   SHD_TRY(check_enum("context.simd", desc.simd, SHD_SIMD_BEST, SHD_SIMD_WASM));
   if (!desc.allocator.allocate != !desc.allocator.free) {
@@ -48,6 +49,12 @@ void shd_context_retain(shd_context* context) {
 
 void shd_context_release(shd_context* context) {
   if (context && context_of(context).tag == core::kContextTag) core::release(context_of(context));
+}
+
+void shd_context_trim(shd_context* context) {
+  if (context && context_of(context).tag == core::kContextTag) {
+    context_of(context).scratch->trim(context_of(context).allocator);
+  }
 }
 
 const char* shd_context_simd_target(const shd_context* context) {

@@ -12,8 +12,8 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "core/scratch.h"
 #include "frame/frame.h"
-#include "frame/frame_memory.h"
 #include "frame/supersample.h"
 
 namespace {
@@ -171,9 +171,9 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
     if (read.stats) SHD_TRY(begin_output("render.stats", read.stats));
     wanted = read.stats;
     SHD_TRY(check_context(context));
-    frame::FrameMemory memory(context_of(context));
-    SHD_TRY(render(memory.context, read, &stats));
-    stats.scratch_bytes = memory.peak();
+    core::ScratchScope scratch(context_of(context));
+    SHD_TRY(render(scratch.context, read, &stats));
+    stats.scratch_bytes = scratch.peak();
     return SHD_OK;
   });
   if (result == SHD_OK && wanted) write_desc(stats, wanted);

@@ -6,6 +6,7 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "core/scratch.h"
 #include "frame/shadow_map.h"
 #include "light/shadow.h"
 
@@ -161,7 +162,8 @@ shd_result shd_shadow_render(shd_context* context, shd_shadow* shadow, const shd
     SHD_TRY(read_handle("shadow", shadow, kType, &body));
     shd_shadow_render_desc read = shd_shadow_render_desc_default();
     SHD_TRY(read_desc("shadow_render", desc, false, &read));
-    return render_shadow(context_of(context), *object_of(shadow)->context, read, body);
+    core::ScratchScope scratch(context_of(context));
+    return render_shadow(scratch.context, *object_of(shadow)->context, read, body);
   });
 }
 

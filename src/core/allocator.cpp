@@ -36,11 +36,13 @@ void default_free(void*, void* memory, size_t, size_t) {
 
 }  // namespace
 
+void* Allocator::try_allocate(size_t size) const noexcept {
+  return size && size <= PTRDIFF_MAX ? callbacks.allocate(callbacks.user_data, size, kAlignment) : nullptr;
+}
+
 void* Allocator::allocate(size_t size) const {
-  if (size == 0) return nullptr;
-  if (size > PTRDIFF_MAX) throw std::bad_alloc();
-  void* memory = callbacks.allocate(callbacks.user_data, size, kAlignment);
-  if (!memory) throw std::bad_alloc();
+  void* memory = try_allocate(size);
+  if (size && !memory) throw std::bad_alloc();
   return memory;
 }
 

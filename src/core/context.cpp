@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/executor.h"
+#include "core/scratch.h"
 
 namespace shd::core {
 
@@ -13,20 +14,23 @@ Context* create_context(const shd_context_desc& desc) {
   const Allocator allocator{desc.allocator.allocate ? desc.allocator : default_allocator()};
 
   Context* context = create<Context>(allocator);
+  context->scratch = nullptr;
+  context->built_in_executor = nullptr;
   context->tag = kContextTag;
   context->references.store(1, std::memory_order_relaxed);
   context->allocator = allocator;
   context->log = desc.log;
   context->simd = simd;
   context->executor = desc.executor;
-  context->built_in_executor = nullptr;
-  if (!desc.executor.parallel_for) {
-    try {
+  try {
+    context->scratch = create<ScratchPool>(allocator, !(desc.flags & SHD_CONTEXT_RETURN_MEMORY));
+    if (!desc.executor.parallel_for) {
       context->built_in_executor = create_executor(context->allocator, desc.worker_count, &context->executor);
-    } catch (...) {
-      destroy(allocator, context);
-      throw;
     }
+  } catch (...) {
+    destroy(allocator, context->scratch);
+    destroy(allocator, context);
+    throw;
   }
   return context;
 }
@@ -40,6 +44,8 @@ void release(Context& context) noexcept {
   context.tag = 0;
   const Allocator allocator = context.allocator;
   if (context.built_in_executor) destroy_executor(context.allocator, context.built_in_executor);
+  context.scratch->trim(allocator);
+  destroy(allocator, context.scratch);
   context.objects.free_all(allocator);
   destroy(allocator, &context);
 }

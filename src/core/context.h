@@ -11,6 +11,8 @@
 
 namespace shd::core {
 
+class ScratchPool;
+
 /// The body of a shd_context: the host's callbacks and the handles made with them.
 struct Context {
   uint32_t tag;  // kContextTag while alive
@@ -21,6 +23,7 @@ struct Context {
   shd_log log;
   SimdTarget simd;
   ObjectPool objects;
+  ScratchPool* scratch;  // working memory between calls
 };
 
 constexpr uint32_t kContextTag = 0x43646873;  // "shdC"

@@ -18,8 +18,9 @@
 /// | desc_size.h   | smallest sizes of the structs that carry their size               |
 /// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
+/// | scratch.h     | working memory that is kept from call to call                     |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
-/// | context.h     | Context: allocator, executor, log, target, handle slabs           |
+/// | context.h     | Context: allocator, executor, log, target, handles, scratch       |
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |
 ///

@@ -28,7 +28,6 @@
 /// | unordered_pass.h | draws whose blend is order-independent                                |
 /// | supersample.h    | frames averaged from a picture n times as large                       |
 /// | shadow_map.h     | depth maps of lights, drawn as frames                                 |
-/// | frame_memory.h   | allocator of a frame, which counts its bytes                          |
 /// | stopwatch.h      | time spent in each stage                                              |
 /// | stats.h          | sum of shd_render_stats                                               |
 #pragma once

@@ -96,6 +96,7 @@ static int run_with_fault(const struct fault_case *c, size_t n, uint64_t want, s
     desc.allocator.allocate = locked_allocate;
     desc.allocator.free = locked_free;
     desc.allocator.user_data = &locked;
+    desc.flags = SHD_CONTEXT_RETURN_MEMORY; /* so that every allocation can fail, and is freed by its call */
     c->use(&desc);
     shd_fault_arm(&locked.memory, n, c->persistent);
 

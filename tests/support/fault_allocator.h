@@ -84,6 +84,7 @@ static inline void shd_fault_arm(shd_fault_allocator *self, size_t n, int persis
 static inline shd_context_desc shd_fault_context_desc(shd_fault_allocator *self)
 {
     shd_context_desc desc = shd_context_desc_default();
+    desc.flags = SHD_CONTEXT_RETURN_MEMORY; /* so that every allocation can fail, and is freed by its call */
     desc.worker_count = 1;
     desc.allocator.allocate = shd_fault_allocate;
     desc.allocator.free = shd_fault_free;
