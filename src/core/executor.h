@@ -93,13 +93,12 @@ struct Job {
 template <class Body>
 void parallel_for(const Context& context, uint32_t count, Body&& body) {
   if (count == 0) return;
-  detail::Job<std::remove_reference_t<Body>> job(context, count, body);
-  shd_result result = SHD_OK;
   if (count == 1) {
-    job.run(&job, 0, 0);
-  } else {
-    result = context.executor.parallel_for(context.executor.user_data, count, &job.run, &job);
+    body(uint32_t{0}, uint32_t{0});
+    return;
   }
+  detail::Job<std::remove_reference_t<Body>> job(context, count, body);
+  const shd_result result = context.executor.parallel_for(context.executor.user_data, count, &job.run, &job);
   if (job.failure.failed.load(std::memory_order_acquire)) throw Failure(job.failure.code, job.failure.text);
   if (result != SHD_OK) refuse(SHD_ERROR_CALLBACK, "executor.parallel_for returned %s", shd_result_name(result));
   if (job.done.load(std::memory_order_acquire) != count) {

@@ -29,8 +29,7 @@ class FusedSink : public Emitter<FusedSink<F>> {
   using D = BatchTag;
   using B = Blend<F, false>;
 
-  explicit FusedSink(const FilterCall& call)
-      : to_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}}, consumer_(to_) {}
+  explicit FusedSink(const FilterCall& call) : to_(call, nullptr), consumer_(to_) {}
 
   HWY_INLINE const Sampler& sampler() const { return to_.sampler; }
   HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }

@@ -88,15 +88,19 @@ struct TexelSource {
   }
 };
 
+struct FilterCall;
+
 /// State of a consumer over the lookups of one batch: inputs, outputs and progress.
 struct Consumption {
+  Consumption(const FilterCall& call, Recording* record);
+
   TexelSource texels;
   const Sampler& sampler;
   Recording* recording;  // tree of blends, for the consumer that records; else null
   Texels out;            // unwanted columns are null; nothing is written past `count`
   size_t count;
-  size_t done;  // lookups written so far
-  bool open;    // the stream ended within a vector of lookups, whose averages are in `state`
+  size_t done = 0;    // lookups written so far
+  bool open = false;  // the stream ended within a vector of lookups, whose averages are in `state`
   alignas(64) uint8_t state[2 * 4 * 3 * 64];
 };
 
@@ -120,6 +124,9 @@ struct FilterCall {
   Consume record;        // null, or the consumer that replaces those of the format
   Recording* recording;  // output of `record`, or null
 };
+
+inline Consumption::Consumption(const FilterCall& call, Recording* record)
+    : texels(call.texture), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
 
 /// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);

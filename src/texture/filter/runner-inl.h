@@ -174,8 +174,8 @@ class StreamSink : public Emitter<StreamSink> {
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
         bordered_(has_border(call.sampler)),
-        first_{TexelSource(call.texture), call.sampler, call.recording, call.out, call.in.count, 0, false, {}},
-        second_{TexelSource(call.texture), call.sampler, nullptr, call.out, call.in.count, 0, false, {}} {
+        first_(call, call.recording),
+        second_(call, nullptr) {
     consume_first_ = call.record ? call.record : bordered_ ? call.format.bordered : call.format.values;
     if (!call.record && call.out.wants_gradient()) consume_second_ = call.format.gradient;
     if (!call.record && !call.out.wants_values()) consume_first_ = nullptr;

@@ -9,6 +9,8 @@
 #define SHD_TEXTURE_SHAPES_INL_H_
 #endif
 
+#include <cstring>
+
 #include <hwy/highway.h>
 
 #include "simd/finite-inl.h"
@@ -95,7 +97,9 @@ struct Tail {
   template <class T>
   static const T* fill(const T* from, size_t first, size_t count, T* to) {
     if (!from) return nullptr;
-    for (size_t i = 0; i < kMaxLanes; ++i) to[i] = from[first + (i < count ? i : count - 1)];
+    const T last = from[first + count - 1];
+    for (size_t i = 0; i < kMaxLanes; ++i) to[i] = last;
+    std::memcpy(to, from + first, count * sizeof *to);
     return to;
   }
 };
