@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A plug-in that is loaded and unloaded: libshd is loaded, used with threads and unloaded, 200 times. This program
+/* A plug-in that is loaded and unloaded: libshd is loaded, used with threads and unloaded, 1000 times. This program
  * does not link libshd (the build uses --as-needed), so the last dlclose can unload it with its dependencies. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -10,7 +10,7 @@
 #include <shd/context.h>
 #include <shd/extension.h>
 
-enum { k_loads = 200, k_warm_up = 20 };
+enum { k_loads = 1000, k_warm_up = 20 };
 
 struct library {
     shd_result (*create)(const shd_context_desc *, shd_context **);
