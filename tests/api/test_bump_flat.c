@@ -9,7 +9,7 @@ enum { EDGE = 12 };
 struct flat_case {
     const char *name;
     uint32_t size;
-    float height, step; /* of the first texel; from one texel to the next */
+    float height, step; /* height of the first texel; step from one texel to the next */
 };
 static const struct flat_case k_flat[] = {
     {"flat/1x1", 1, 0.5f, 0},      {"flat/constant", 4, 0.25f, 0}, {"flat/zero", 4, 0, 0},

@@ -11,12 +11,12 @@ struct stage {
     shd_context *context;
     shd_scene scene;
     shd_texture *heights;
-    shd_sampler *sampler[SHD_FILTER_EXACT + 1]; /* of each filter */
+    shd_sampler *sampler[SHD_FILTER_EXACT + 1]; /* one for each filter */
     shd_light *light;
     shd_mesh *mesh; /* with adjacency and tangents */
     unsigned char texels[4 * 64 * 64 * 4];
     float columns[4][20000];
-    uint64_t hash; /* of the result of the last call that succeeded */
+    uint64_t hash; /* hash of the result of the last call that succeeded */
 };
 
 static uint64_t hash_mesh(const shd_mesh *mesh)
@@ -393,7 +393,8 @@ static void open_stage(struct stage *s, int workers)
         desc.executor.parallel_for = turns_parallel_for;
         desc.executor.worker_count = (uint32_t)workers;
     }
-    for (i = 0; i < sizeof s->texels; ++i) s->texels[i] = (unsigned char)(shd_noise(&bits) >> 26); /* finite as floats */
+    for (i = 0; i < sizeof s->texels; ++i)
+        s->texels[i] = (unsigned char)(shd_noise(&bits) >> 26); /* finite as floats */
     for (i = 0; i < 20000; ++i) s->columns[3][i] = (float)(shd_noise(&bits) >> 8) / 16777216.0f;
     shd_assert_ok(shd_context_create(&desc, &s->context));
     shd_scene_open(&s->scene, SHD_SCENE_SMALL, s->context);

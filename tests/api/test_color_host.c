@@ -38,7 +38,7 @@ static struct process look_at_process(void)
 static unsigned g_control;
 static size_t g_calls;
 
-/* What the host has before a call, and what it must find after it. */
+/* State of the host before a call, which must be equal after it. */
 static void enter(void)
 {
     errno = 1234;

@@ -18,7 +18,7 @@ struct table_case {
     enum outcome outcome;
 };
 
-#define CLF(body)                                                                                      \
+#define CLF(body)                                                                                    \
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ProcessList id=\"a\" compCLFversion=\"3\">\n" body \
     "\n</ProcessList>\n"
 #define ARRAY(dim, values) "<Array dim=\"" dim "\">\n" values "\n</Array>"
@@ -51,7 +51,8 @@ static const struct table_case k_tables[] = {
     {"lut1d_few_values.clf", LUT1("", ARRAY("4 1", "0\n1")), REFUSED},
     {"lut1d_many_values.clf", LUT1("", ARRAY("2 1", "0\n1\n2\n3")), REFUSED},
     {"lut1d_text_value.clf", LUT1("", ARRAY("2 1", "0\nlight")), REFUSED},
-    {"lut1d_bad_depth.clf", CLF("<LUT1D inBitDepth=\"7i\" outBitDepth=\"32f\">" ARRAY("2 1", "0\n1") "</LUT1D>"), REFUSED},
+    {"lut1d_bad_depth.clf", CLF("<LUT1D inBitDepth=\"7i\" outBitDepth=\"32f\">" ARRAY("2 1", "0\n1") "</LUT1D>"),
+     REFUSED},
     {"lut1d_bad_interpolation.clf", LUT1(" interpolation=\"magic\"", ARRAY("2 1", "0\n1")), REFUSED},
     {"lut1d_two_arrays.clf", LUT1("", ARRAY("2 1", "0\n1") ARRAY("2 1", "0\n1")), ACCEPTED},
     {"lut3d_uneven.clf", LUT3("", ARRAY("2 3 2 3", CORNERS)), REFUSED},
@@ -65,10 +66,12 @@ static const struct table_case k_tables[] = {
      CLF("<Range inBitDepth=\"32f\" outBitDepth=\"32f\"><minInValue>1</minInValue><maxInValue>0</maxInValue>"
          "<minOutValue>0</minOutValue><maxOutValue>1</maxOutValue></Range>"),
      REFUSED},
-    {"range_half.clf", CLF("<Range inBitDepth=\"32f\" outBitDepth=\"32f\"><minInValue>0</minInValue></Range>"), REFUSED},
+    {"range_half.clf", CLF("<Range inBitDepth=\"32f\" outBitDepth=\"32f\"><minInValue>0</minInValue></Range>"),
+     REFUSED},
     {"log_bad_style.clf", CLF("<Log inBitDepth=\"32f\" outBitDepth=\"32f\" style=\"log7\"></Log>"), REFUSED},
     {"exponent_bad_style.clf",
-     CLF("<Exponent inBitDepth=\"32f\" outBitDepth=\"32f\" style=\"x\"><ExponentParams exponent=\"2\"/></Exponent>"), REFUSED},
+     CLF("<Exponent inBitDepth=\"32f\" outBitDepth=\"32f\" style=\"x\"><ExponentParams exponent=\"2\"/></Exponent>"),
+     REFUSED},
     {"cdl_bad_style.clf", CLF("<ASC_CDL inBitDepth=\"32f\" outBitDepth=\"32f\" style=\"x\"></ASC_CDL>"), REFUSED},
     {"no_size.cube", "0 0 0\n1 1 1\n", REFUSED},
     {"size_0.cube", "LUT_3D_SIZE 0\n", REFUSED},

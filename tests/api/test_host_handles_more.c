@@ -51,12 +51,12 @@ static void make_columns(struct fixture *f, shd_f32_out out[4])
     memset(out, 0, 4 * sizeof *out);
     out[0].data = f->column;
 }
-#define READER(what)                                                  \
-    static shd_result mesh_##what(struct fixture *f, void *handle)    \
-    {                                                                 \
-        shd_f32_out out[4];                                           \
-        make_columns(f, out);                                         \
-        return shd_mesh_read_##what((const shd_mesh *)handle, out);   \
+#define READER(what)                                                \
+    static shd_result mesh_##what(struct fixture *f, void *handle)  \
+    {                                                               \
+        shd_f32_out out[4];                                         \
+        make_columns(f, out);                                       \
+        return shd_mesh_read_##what((const shd_mesh *)handle, out); \
     }
 READER(positions)
 READER(tangents)
@@ -75,7 +75,7 @@ static shd_result mesh_indices(struct fixture *f, void *handle)
     (void)f;
     return shd_mesh_read_indices((const shd_mesh *)handle, &out);
 }
-/* The mesh of the scene has no adjacency, so a mesh with it stands for the right handle. */
+/* The mesh of the scene has no adjacency, so another mesh replaces it as the right handle. */
 static shd_result mesh_edges(struct fixture *f, void *handle)
 {
     const shd_edges_desc desc = shd_edges_desc_default();

@@ -80,7 +80,8 @@ static uint64_t sample(int second)
     for (c = 0; c < 4; ++c) texels.channel[c].data = columns + (1 + c) * COUNT;
     result = second ? g_copy.context_create(&context_desc, &context) : shd_context_create(&context_desc, &context);
     if (result == SHD_OK) {
-        result = second ? g_copy.texture_create(context, &desc, &texture) : shd_texture_create(context, &desc, &texture);
+        result =
+            second ? g_copy.texture_create(context, &desc, &texture) : shd_texture_create(context, &desc, &texture);
     }
     if (result == SHD_OK) {
         result = second ? g_copy.sampler_create(context, NULL, &sampler) : shd_sampler_create(context, NULL, &sampler);

@@ -314,9 +314,10 @@ static uint64_t visit(unsigned control)
         shd_assert_result(g_corpus[i].name, result, SHD_OK, "");
         shd_assert_ok(shd_bitmap_image(bitmap, &image));
         shd_write_control(control);
-        saved = shd_image_save(&image, io_path(image.format == SHD_FORMAT_RGBA16F   ? "c.exr"
-                                               : image.format == SHD_FORMAT_RGBA32F ? "c.hdr"
-                                                                                    : "c.png"),
+        saved = shd_image_save(&image,
+                               io_path(image.format == SHD_FORMAT_RGBA16F   ? "c.exr"
+                                       : image.format == SHD_FORMAT_RGBA32F ? "c.hdr"
+                                                                            : "c.png"),
                                NULL);
         after_save = shd_read_control();
         shd_write_control(0x1f80);

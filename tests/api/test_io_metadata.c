@@ -60,7 +60,7 @@ static void exif_own_child(unsigned char *to)
     put_entry(to + 22, 34853, 4, 1, 8); /* GPS */
     io_put32(to + 34, 8);
 }
-/* Two hundred directories, each of which is the EXIF directory of the one before; the last one refers to the first. */
+/* Two hundred directories, each the EXIF directory of its predecessor; the last one refers to the first. */
 static void exif_chain(unsigned char *to)
 {
     uint32_t i;
@@ -103,8 +103,12 @@ struct payload_case {
     void (*make)(unsigned char *to);
 };
 static const struct payload_case k_payloads[] = {
-    {"exif_own_child", exif_own_child}, {"exif_chain_of_200", exif_chain}, {"exif_sizes_2^32-1", exif_sizes},
-    {"icc_sizes_2^32-1", icc_sizes},    {"xmp_nested_1300", xmp_nested},   {"all_ff", all_ff},
+    {"exif_own_child", exif_own_child},
+    {"exif_chain_of_200", exif_chain},
+    {"exif_sizes_2^32-1", exif_sizes},
+    {"icc_sizes_2^32-1", icc_sizes},
+    {"xmp_nested_1300", xmp_nested},
+    {"all_ff", all_ff},
     {"all_zero", all_zero},
 };
 
@@ -216,12 +220,14 @@ static void test_payload(void **state)
 /* ---- TIFF ---- */
 
 /* A 1 x 1 grey TIFF whose directory at 8 has eight entries and `extra`, followed by `next`. */
-static size_t make_tiff(unsigned char *to, unsigned extra_tag, uint32_t extra_count, uint32_t extra_value, uint32_t next)
+static size_t make_tiff(unsigned char *to, unsigned extra_tag, uint32_t extra_count, uint32_t extra_value,
+                        uint32_t next)
 {
     static const struct {
         unsigned tag, type;
         uint32_t value;
-    } k_entries[8] = {{256, 3, 1}, {257, 3, 1}, {258, 3, 8}, {259, 3, 1}, {262, 3, 1}, {273, 4, 130}, {278, 3, 1}, {279, 4, 1}};
+    } k_entries[8] = {{256, 3, 1}, {257, 3, 1},   {258, 3, 8}, {259, 3, 1},
+                      {262, 3, 1}, {273, 4, 130}, {278, 3, 1}, {279, 4, 1}};
     size_t i, n = 0;
     memset(to, 0, 200);
     memcpy(to, "II*\0", 4);

@@ -35,8 +35,8 @@ struct nonfinite_case {
     float bad;
 };
 static const struct nonfinite_case k_nonfinite[] = {
-    {"u/nan", 0, NAN},       {"u/-nan", 0, -NAN},           {"u/inf", 0, INFINITY},   {"u/-inf", 0, -INFINITY},
-    {"v/nan", 1, NAN},       {"v/-nan", 1, -NAN},           {"v/inf", 1, INFINITY},   {"v/-inf", 1, -INFINITY},
+    {"u/nan", 0, NAN},       {"u/-nan", 0, -NAN},          {"u/inf", 0, INFINITY}, {"u/-inf", 0, -INFINITY},
+    {"v/nan", 1, NAN},       {"v/-nan", 1, -NAN},          {"v/inf", 1, INFINITY}, {"v/-inf", 1, -INFINITY},
     {"u_and_v/nan", 2, NAN}, {"u_and_v/inf", 2, INFINITY},
 };
 

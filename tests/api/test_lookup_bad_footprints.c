@@ -142,8 +142,7 @@ static void test_footprint(void **state)
             char what[80];
             snprintf(what, sizeof what, "%s, %s", k_filters[filter].name, k_wraps[wrap]);
             make_batch(&b, c->j);
-            assert_int_equal(look_up(what, &k_filters[filter], sampler, &b, got),
-                             has_nan || has_infinity ? COUNT : 0);
+            assert_int_equal(look_up(what, &k_filters[filter], sampler, &b, got), has_nan || has_infinity ? COUNT : 0);
             count_taps(what, filter, sampler, &b);
             make_batch(&b, without_nan); /* NaN counts as 0 */
             (void)look_up(what, &k_filters[filter], sampler, &b, want);
@@ -160,9 +159,16 @@ struct level_case {
     float lod, like; /* levels of the same lookup */
 };
 static const struct level_case k_levels[] = {
-    {"lod/nan", NAN, 0},        {"lod/-nan", -NAN, 0},          {"lod/inf", INF, 32},          {"lod/-inf", -INF, 0},
-    {"lod/1e30", 1e30f, 32},    {"lod/flt_max", FLT_MAX, 32},   {"lod/-flt_max", -FLT_MAX, 0}, {"lod/-1e-45", -1e-45f, 0},
-    {"lod/33", 33, 32},         {"lod/-7", -7, 0},
+    {"lod/nan", NAN, 0},
+    {"lod/-nan", -NAN, 0},
+    {"lod/inf", INF, 32},
+    {"lod/-inf", -INF, 0},
+    {"lod/1e30", 1e30f, 32},
+    {"lod/flt_max", FLT_MAX, 32},
+    {"lod/-flt_max", -FLT_MAX, 0},
+    {"lod/-1e-45", -1e-45f, 0},
+    {"lod/33", 33, 32},
+    {"lod/-7", -7, 0},
 };
 
 static void test_level(void **state)

@@ -28,7 +28,7 @@ struct stage {
     shd_scene scene;
     uint64_t want_frame, want_lookups, want_variant[k_variants];
     uint32_t threads;
-    int rounds; /* of each thread; more threads have fewer */
+    int rounds; /* rounds of each thread; more threads have fewer */
     pthread_barrier_t start;
 };
 
@@ -319,7 +319,12 @@ static const struct cast_case k_casts[] = {
     {"errors", {act_fail}, 1, 0, 1, k_threads},
     {"own_contexts", {act_own_context}, 1, 0, 1, k_threads},
     {"everything/calling_thread", {act_sample, act_render, act_create, act_references, act_fail}, 5, 0, 1, k_threads},
-    {"everything/executor_of_the_host", {act_render, act_sample, act_own_context, act_create, act_references}, 5, 1, 2, k_threads},
+    {"everything/executor_of_the_host",
+     {act_render, act_sample, act_own_context, act_create, act_references},
+     5,
+     1,
+     2,
+     k_threads},
     {"built_in/render", {act_render, act_render_variants}, 2, 0, 2, k_threads},
     {"built_in/everything", {act_render, act_sample, act_create, act_references, act_own_context}, 5, 0, 2, k_threads},
     {"64_threads/sample", {act_sample}, 1, 0, 1, 64},

@@ -151,7 +151,7 @@ const FirstCase k_firsts[] = {
     {"first_texel/1e-30_of_0.001", 2048, 1e-30f, 0.001f, 1e-6},
 };
 
-/// A texture of one value but for its first texel: boxes beyond that texel have this value.
+/// A texture of one value, except its first texel: boxes beyond that texel have this value.
 void test_first_texel(void** state) {
   const auto& c = *static_cast<const FirstCase*>(*state);
   const size_t count = size_t{c.edge} * c.edge;
