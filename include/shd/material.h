@@ -77,7 +77,8 @@ typedef enum shd_model {
      * grazing angles (1.2 at 75 degrees from n, 1.6 at 85)
      */
     SHD_MODEL_METALLIC_ROUGHNESS = 9,
-    /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space */
+    /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space; a normal
+     * without a direction reads the middle */
     SHD_MODEL_MATCAP = 10,
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;

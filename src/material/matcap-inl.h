@@ -19,7 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space; 1 without a texture.
+/// k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the unit normal in view space, the middle for a
+/// normal without a direction; 1 without a texture.
 struct Matcap : ModelBase {
   static constexpr uint32_t kSlots = kColorSlots | kNormalSlots | 1u << SHD_SLOT_MATCAP;
 
@@ -35,9 +36,10 @@ struct Matcap : ModelBase {
       const float y = m[1] * f.nx[i] + m[5] * f.ny[i] + m[9] * f.nz[i];
       const float z = m[2] * f.nx[i] + m[6] * f.ny[i] + m[10] * f.nz[i];
       const float squared = x * x + y * y + z * z;
-      const float scale = squared > 0.0f && squared < 1e30f ? 0.5f / std::sqrt(squared) : 0.0f;
-      u[i] = 0.5f + x * scale;
-      v[i] = 0.5f - y * scale;
+      const bool has_direction = squared > 0.0f && squared < 1e30f;
+      const float scale = 0.5f / std::sqrt(squared);
+      u[i] = has_direction ? 0.5f + x * scale : 0.5f;
+      v[i] = has_direction ? 0.5f - y * scale : 0.5f;
     }
     texture::Lookups lookups = {};
     lookups.count = f.count;

@@ -81,6 +81,11 @@ struct TexelSource {
   uint32_t texel_size;       // [bytes]
 
   explicit TexelSource(const Texture& texture);
+
+  /// Returns the first byte of a texel.
+  const uint8_t* texel(uint32_t index) const {
+    return (index < borrowed_texels ? borrowed : origin) + size_t{index} * texel_size;
+  }
 };
 
 /// State of a consumer over the lookups of one batch: inputs, outputs and progress.

@@ -30,9 +30,7 @@ void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* ind
     // gcc 12 treats a function that only prefetches as free of effects and removes its calls. This prevents it.
     __asm__ volatile("");
     for (size_t k = 0; k < lanes; ++k) {
-      const auto i = static_cast<uint32_t>(index[k] < 0 ? ~index[k] : index[k]);
-      __builtin_prefetch((i < source.borrowed_texels ? source.borrowed : source.origin) +
-                         size_t{i} * source.texel_size);
+      __builtin_prefetch(source.texel(static_cast<uint32_t>(index[k] < 0 ? ~index[k] : index[k])));
     }
   };
   if (op & (kQuad | kNewLine)) ask(index0);

@@ -53,10 +53,7 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
   alignas(64) int32_t word[hn::MaxLanes(di)];
   hn::Store(index, di, word);
   for (size_t k = 0; k < hn::Lanes(di); ++k) {
-    const auto i = static_cast<uint32_t>(word[k]);
-    const uint8_t* texel =
-        (i < source.borrowed_texels ? source.borrowed : source.origin) + size_t{i} * source.texel_size + byte;
-    std::memcpy(&word[k], texel, sizeof word[k]);
+    std::memcpy(&word[k], source.texel(static_cast<uint32_t>(word[k])) + byte, sizeof word[k]);
   }
   return hn::Load(di, word);
 }

@@ -96,14 +96,15 @@ double half_value(uint16_t half) {
   return half & 0x8000 ? -magnitude : magnitude;
 }
 
-/// Whether `half` is a binary16 nearest to the value.
+/// Whether `half` is the binary16 nearest to the value, the even one of two.
 bool is_nearest_half(uint16_t half, float value) {
   const double got = half_value(half);
   if (isnan(value)) return isnan(got);
   if (fabsf(value) >= 65520.0f) return isinf(got) && signbit(got) == signbit(value);
   const double error = fabs(got - static_cast<double>(value));
   const double spacing = ldexp(1.0, fabs(got) < 6.103515625e-05 ? -24 : ilogb(got) - 10);
-  return error <= 0.5 * spacing && signbit(got) == signbit(value);
+  const bool tie = error == 0.5 * spacing;
+  return (error < 0.5 * spacing || (tie && half % 2 == 0)) && signbit(got) == signbit(value);
 }
 
 bool matches(shd_format format, const unsigned char* channel, uint32_t c, float value) {

@@ -174,6 +174,9 @@ constexpr float kQuarter = 0.785398163f;
 const ConeCase k_cones[] = {
     {"axis", 0, kQuarter, 0, 1},
     {"inside_inner", 0.5f, kQuarter, 0.4, 1},
+    {"between/quarter", 0.5f, kQuarter, 0.72314883, 0.15625},
+    {"between/middle", 0.5f, kQuarter, 0.65615362, 0.5},
+    {"between/three_quarters", 0.5f, kQuarter, 0.58272967, 0.84375},
     {"outside", 0.5f, kQuarter, 0.8, 0},
     {"hard/inside", kQuarter, kQuarter, 0.78, 1},
     {"hard/outside", kQuarter, kQuarter, 0.79, 0},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Borrowed base levels against copied ones: equal bits for every filter, format and target, with texels that end as
 // close before unreadable memory as allowed.
+#include "texture/stream.h"
+
 #include "points.h"
 
 #include <sys/mman.h>
@@ -167,6 +169,30 @@ void test_update(void** state) {
   }
 }
 
+/// Every texel has its address in the caller's memory if it is borrowed, and otherwise in the texture's memory. Kernels
+/// and prefetches take addresses from TexelSource.
+void test_addresses(void**) {
+  for (const shd_format format : kFormats) {
+    const size_t size = shd_format_size(format) * 5 * 3;
+    const Guarded guarded = make_guarded(size);
+    random_texels(format, 15, 7, guarded.texels);
+    for (uint32_t borrow : {0u, 1u}) {
+      Texture* texture = build_texture(format, 5, 3, guarded.texels, borrow);
+      const shd::texture::TexelSource source(*texture);
+      const size_t own = texture->texels.size() / source.texel_size;
+      const uint32_t base = borrow ? 15 : 0;
+      assert_int_equal(source.borrowed_texels, base);
+      for (uint32_t i = 0; i < base + own; ++i) {
+        const uint8_t* first = i < base ? guarded.texels : texture->texels.data();
+        assert_ptr_equal(source.texel(i), first + size_t{i < base ? i : i - base} * source.texel_size);
+        assert_ptr_equal(source.texel(i), shd::texture::texel_at(*texture, i));
+      }
+      free_texture(texture);
+    }
+    free_guarded(guarded);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -179,5 +205,6 @@ int main() {
     tests[n++] = {names[0][i], test_filters, nullptr, nullptr, const_cast<size_case*>(&c)};
     tests[n++] = {names[1][i++], test_update, nullptr, nullptr, const_cast<size_case*>(&c)};
   }
+  tests[n++] = {"addresses", test_addresses, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.borrowed", tests, n, nullptr, nullptr);
 }
