@@ -12,14 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#define HAS_MXCSR 1
-#else
-#define HAS_MXCSR 0
-#endif
-
-#include "support/check.h"
+#include "support/control.h"
 
 #include <shd/extension.h>
 #include <shd/shd.h>
@@ -32,38 +25,21 @@ static struct host {
     size_t calls;
 } g_host;
 
-static unsigned read_mxcsr(void)
-{
-#if HAS_MXCSR
-    return _mm_getcsr();
-#else
-    return 0;
-#endif
-}
-static void write_mxcsr(unsigned value)
-{
-#if HAS_MXCSR
-    _mm_setcsr(value);
-#else
-    (void)value;
-#endif
-}
-
 static __attribute__((noinline)) void host_enter(void)
 {
     errno = 1234;
-    write_mxcsr(g_host.mxcsr);
+    shd_write_control(g_host.mxcsr);
 }
 
 static __attribute__((noinline)) void host_left(void)
 {
     const int found_errno = errno;
-    const unsigned mxcsr = read_mxcsr();
+    const unsigned mxcsr = shd_read_control();
     sigset_t signals;
     char directory[4096];
     int s;
-    write_mxcsr(0x1f80);
-    if (mxcsr != g_host.mxcsr && HAS_MXCSR) fail_msg("MXCSR 0x%x became 0x%x", g_host.mxcsr, mxcsr);
+    shd_write_control(0x1f80);
+    if (mxcsr != g_host.mxcsr && SHD_HAS_MXCSR) fail_msg("MXCSR 0x%x became 0x%x", g_host.mxcsr, mxcsr);
     assert_int_equal(found_errno, 1234);
     sigemptyset(&signals);
     pthread_sigmask(SIG_SETMASK, NULL, &signals);
@@ -122,7 +98,7 @@ static void check_control(void *data, uint32_t index, uint32_t worker)
 {
     (void)index;
     (void)worker;
-    if (HAS_MXCSR && (read_mxcsr() & ~0x3fu) != 0x1f80) __atomic_fetch_add((int *)data, 1, __ATOMIC_RELAXED);
+    if (SHD_HAS_MXCSR && (shd_read_control() & ~0x3fu) != 0x1f80) __atomic_fetch_add((int *)data, 1, __ATOMIC_RELAXED);
 }
 
 /* Builds, renders, looks up, reads back and provokes errors with `workers` threads. */
@@ -224,17 +200,6 @@ static void test_silent(void **state)
     assert_string_equal(text, "");
     assert_int_equal(answer, 0);
 }
-
-struct control_case {
-    const char *name;
-    unsigned mxcsr;
-};
-static const struct control_case k_controls[] = {
-    {"control/default", 0x1f80},      {"control/flush_to_zero", 0x9f80},       {"control/denormals_are_zero", 0x1fc0},
-    {"control/both", 0x9fc0},         {"control/round_down", 0x3f80},          {"control/round_up", 0x5f80},
-    {"control/truncate", 0x7f80},     {"control/exceptions_unmasked", 0x0000}, {"control/everything", 0xe040},
-    {"control/flags_raised", 0x1fbf},
-};
 
 static void test_control(void **state)
 {

@@ -1,19 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every entry point with every wrong handle: NULL, a released handle, handles of each other type, a context, plain
- * memory. Each call is refused with the name of the argument, and the object of the wrong type does not change. */
-#include "support/scene.h"
-
-/* Handles to try; the last one of each type in `live` is correct. */
-enum { k_texture, k_sampler, k_mesh, k_material, k_light, k_framebuffer, k_object, k_types };
-struct fixture {
-    shd_context *context;
-    shd_scene scene;
-    shd_object *object;
-    void *live[k_types], *dead[k_types];
-    uint64_t zeros[16];
-    float column[4096];
-    int ends;
-};
+/* Wrong handles for textures, materials, framebuffers and frames; references of wrong types. */
+#include "support/handles.h"
 
 static shd_result texture_info(struct fixture *f, void *handle)
 {
@@ -152,13 +139,6 @@ static shd_result framebuffer_context(struct fixture *f, void *handle)
     return shd_framebuffer_context((const shd_framebuffer *)handle) == f->context ? SHD_OK : SHD_ERROR_INVALID_ARGUMENT;
 }
 
-struct entry {
-    const char *name;
-    int type;
-    shd_result (*call)(struct fixture *f, void *handle);
-    const char *message; /* "" = the call sets no error text */
-    int optional;        /* NULL is allowed */
-};
 static const struct entry k_entries[] = {
     {"shd_texture_get_info", k_texture, texture_info, "texture: ", 0},
     {"shd_texture_read_level", k_texture, texture_level, "texture: ", 0},
@@ -181,69 +161,6 @@ static const struct entry k_entries[] = {
     {"shd_framebuffer_context", k_framebuffer, framebuffer_context, "", 0},
 };
 
-static void count_end(void *body) { ++*(int *)body; }
-
-static void open_fixture(struct fixture *f)
-{
-    shd_scene doomed;
-    int i;
-    memset(f, 0, sizeof *f);
-    shd_assert_ok(shd_context_create(NULL, &f->context));
-    shd_scene_open(&f->scene, SHD_SCENE_SMALL, f->context);
-    shd_scene_open(&doomed, SHD_SCENE_SMALL, f->context);
-    shd_assert_ok(shd_object_create(f->context, 0x54455354, &f->ends, count_end, &f->object));
-    for (i = 0; i < 2; ++i) {
-        const shd_scene *s = i ? &doomed : &f->scene;
-        void **to = i ? f->dead : f->live;
-        to[k_texture] = s->texture[0];
-        to[k_sampler] = s->sampler[0];
-        to[k_mesh] = s->mesh[0];
-        to[k_material] = s->material[0];
-        to[k_light] = s->light[1];
-        to[k_framebuffer] = s->framebuffer;
-    }
-    f->live[k_object] = f->object;
-    shd_scene_close(&doomed);
-    f->dead[k_object] = f->dead[k_light];
-}
-
-static void expect_refusal(const struct entry *e, struct fixture *f, void *handle)
-{
-    shd_assert_result(e->name, e->call(f, handle), SHD_ERROR_INVALID_ARGUMENT, e->message);
-}
-
-static void test_entry(void **state)
-{
-    const struct entry *e = (const struct entry *)*state;
-    struct fixture f;
-    uint64_t want;
-    int type, refused = 0;
-    open_fixture(&f);
-    want = shd_scene_render(&f.scene);
-    shd_assert_ok(e->call(&f, f.live[e->type]));
-    if (e->optional) {
-        shd_assert_ok(e->call(&f, NULL));
-    } else {
-        expect_refusal(e, &f, NULL);
-    }
-    for (type = 0; type < k_types; ++type) {
-        expect_refusal(e, &f, f.dead[type]);
-        ++refused;
-        if (type == e->type) continue;
-        expect_refusal(e, &f, f.live[type]);
-        ++refused;
-    }
-    expect_refusal(e, &f, f.context);
-    expect_refusal(e, &f, f.zeros);
-    assert_int_equal(refused, 2 * k_types - 1);
-    shd_assert_ok(e->call(&f, f.live[e->type]));
-    assert_true(shd_scene_render(&f.scene) == want);
-    shd_object_release(f.object, 0x54455354);
-    assert_int_equal(f.ends, 1);
-    shd_scene_close(&f.scene);
-    shd_context_release(f.context);
-}
-
 /* Retain and release of every type do nothing for handles of other types. */
 static void test_references(void **state)
 {
@@ -255,28 +172,28 @@ static void test_references(void **state)
     want = shd_scene_render(&f.scene);
     for (round = 0; round < 3; ++round) {
         for (type = 0; type < k_types + 3; ++type) {
-            void *handle = type < k_types ? f.live[type] : type == k_types ? (void *)f.context : f.zeros;
+            void *handle = type < k_types ? f.live[type] : type == k_context ? (void *)f.context : f.zeros;
             if (type != k_texture) shd_texture_release((shd_texture *)handle);
             if (type != k_sampler) shd_sampler_release((shd_sampler *)handle);
             if (type != k_mesh) shd_mesh_release((shd_mesh *)handle);
             if (type != k_material) shd_material_release((shd_material *)handle);
             if (type != k_light) shd_light_release((shd_light *)handle);
             if (type != k_framebuffer) shd_framebuffer_release((shd_framebuffer *)handle);
+            if (type != k_shadow) shd_shadow_release((shd_shadow *)handle);
             if (type != k_object) shd_object_release((shd_object *)handle, 0x54455354);
-            if (type != k_types) shd_context_release((shd_context *)handle);
+            if (type != k_context) shd_context_release((shd_context *)handle);
             if (type < k_types) {
                 shd_texture_retain((shd_texture *)f.dead[type]);
                 shd_mesh_release((shd_mesh *)f.dead[type]);
                 shd_light_release((shd_light *)f.dead[type]);
                 shd_framebuffer_retain((shd_framebuffer *)f.dead[type]);
+                shd_shadow_release((shd_shadow *)f.dead[type]);
             }
         }
     }
     assert_true(shd_scene_render(&f.scene) == want);
     assert_int_equal(f.ends, 0);
-    shd_object_release(f.object, 0x54455354);
-    shd_scene_close(&f.scene);
-    shd_context_release(f.context);
+    close_fixture(&f);
 }
 
 int main(void)

@@ -202,6 +202,12 @@ static void edit_count_overflow(shd_lookups *l, shd_texels *t)
     (void)t;
     l->count = SIZE_MAX;
 }
+static void edit_count_2_31(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->count = (size_t)1 << 31;
+    l->u.stride = (size_t)1 << 33; /* 2^64 bytes */
+}
 static void edit_stride_overflow(shd_lookups *l, shd_texels *t)
 {
     (void)t;
@@ -278,6 +284,7 @@ static const struct argument_case k_arguments[] = {
     {"sample/channel_misaligned", edit_channel_misaligned, SHD_ERROR_INVALID_ARGUMENT,
      "texels.channel[2].data: not aligned"},
     {"sample/count_overflow", edit_count_overflow, SHD_ERROR_INVALID_ARGUMENT, "exceed the address space"},
+    {"sample/count_2^31_stride_2^33", edit_count_2_31, SHD_ERROR_INVALID_ARGUMENT, "exceed the address space"},
     {"sample/stride_overflow", edit_stride_overflow, SHD_ERROR_INVALID_ARGUMENT, "lookups.dvdy: 100 elements"},
     {"sample/out_stride_overflow", edit_out_stride_overflow, SHD_ERROR_INVALID_ARGUMENT,
      "texels.channel[1]: 100 elements"},

@@ -18,7 +18,7 @@
 #define HAS_TSAN 0
 #endif
 
-enum { k_threads = 8, k_rounds = HAS_TSAN ? 6 : 25, k_lookups = 3001, k_variants = 3 };
+enum { k_threads = 8, k_most_threads = 64, k_lookups = 3001, k_variants = 3 };
 
 /* Data that the threads of a test share. */
 struct stage {
@@ -27,6 +27,8 @@ struct stage {
     shd_context *context;
     shd_scene scene;
     uint64_t want_frame, want_lookups, want_variant[k_variants];
+    uint32_t threads;
+    int rounds; /* rounds of each thread; more threads have fewer */
     pthread_barrier_t start;
 };
 
@@ -108,11 +110,14 @@ static uint64_t render_variant(const shd_scene *scene, shd_context *context, uin
     return render_as(scene, frame, context);
 }
 
-static void open_stage(struct stage *stage, int use_pool, uint32_t workers)
+static void open_stage(struct stage *stage, uint32_t threads, int use_pool, uint32_t workers)
 {
     shd_context_desc desc = shd_context_desc_default();
     uint32_t i;
     memset(stage, 0, sizeof *stage);
+    stage->threads = threads;
+    stage->rounds = (HAS_TSAN ? 48 : 200) / (int)threads;
+    if (stage->rounds == 0) stage->rounds = 1;
     stage->pool.worker_count = workers;
     stage->pool.order = SHD_POOL_RANDOM;
     if (use_pool) {
@@ -159,10 +164,10 @@ static void *run_actor(void *argument)
 static void play(struct stage *stage, void (*const *acts)(struct actor *self), size_t count,
                  void (*between)(struct stage *stage))
 {
-    struct actor actors[k_threads];
+    struct actor actors[k_most_threads];
     uint32_t i;
-    assert_int_equal(pthread_barrier_init(&stage->start, NULL, k_threads + 1), 0);
-    for (i = 0; i < k_threads; ++i) {
+    assert_int_equal(pthread_barrier_init(&stage->start, NULL, stage->threads + 1), 0);
+    for (i = 0; i < stage->threads; ++i) {
         actors[i].stage = stage;
         actors[i].act = acts[i % count];
         actors[i].index = i;
@@ -171,9 +176,9 @@ static void play(struct stage *stage, void (*const *acts)(struct actor *self), s
     }
     pthread_barrier_wait(&stage->start);
     if (between) between(stage);
-    for (i = 0; i < k_threads; ++i) pthread_join(actors[i].thread, NULL);
+    for (i = 0; i < stage->threads; ++i) pthread_join(actors[i].thread, NULL);
     pthread_barrier_destroy(&stage->start);
-    for (i = 0; i < k_threads; ++i) {
+    for (i = 0; i < stage->threads; ++i) {
         if (actors[i].mistakes) fail_msg("thread %u: %d mistakes", i, actors[i].mistakes);
     }
 }
@@ -181,7 +186,7 @@ static void play(struct stage *stage, void (*const *acts)(struct actor *self), s
 static void act_sample(struct actor *self)
 {
     int round;
-    for (round = 0; round < 4 * k_rounds; ++round) {
+    for (round = 0; round < 4 * self->stage->rounds; ++round) {
         const shd_scene *scene = &self->stage->scene;
         self->mistakes += sample(scene->texture[0], scene->sampler[0]) != self->stage->want_lookups;
     }
@@ -190,7 +195,7 @@ static void act_sample(struct actor *self)
 static void act_render(struct actor *self)
 {
     int round;
-    for (round = 0; round < k_rounds; ++round) {
+    for (round = 0; round < self->stage->rounds; ++round) {
         self->mistakes += render(&self->stage->scene, self->stage->context) != self->stage->want_frame;
     }
 }
@@ -199,7 +204,7 @@ static void act_render(struct actor *self)
 static void act_create(struct actor *self)
 {
     int round;
-    for (round = 0; round < k_rounds; ++round) {
+    for (round = 0; round < self->stage->rounds; ++round) {
         shd_scene own;
         size_t step;
         memset(&own, 0, sizeof own);
@@ -210,11 +215,41 @@ static void act_create(struct actor *self)
     }
 }
 
+/* Updates texels of a texture of its own, and looks it up after each update. */
+static void act_edit(struct actor *self)
+{
+    static const unsigned char k_texels[2][4] = {{1, 2, 3, 255}, {250, 130, 7, 8}};
+    const shd_scene *s = &self->stage->scene;
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_image image = shd_image_default();
+    shd_texture *texture = NULL;
+    unsigned char texels[32 * 32 * 4];
+    uint64_t want[2] = {0, 0};
+    int round;
+    memset(texels, 77, sizeof texels);
+    desc.format = image.format = SHD_FORMAT_RGBA8;
+    desc.width = desc.height = 32;
+    desc.texels = texels;
+    desc.tables = SHD_TABLE_MIPMAP;
+    image.width = image.height = 1;
+    self->mistakes += shd_texture_create(self->stage->context, &desc, &texture) != SHD_OK;
+    for (round = 0; round < 4 * self->stage->rounds + 4; ++round) {
+        uint64_t got;
+        image.pixels = (void *)(uintptr_t)k_texels[round % 2];
+        self->mistakes += shd_texture_update(texture, 0, 9, 9, &image) != SHD_OK;
+        got = sample(texture, s->sampler[0]);
+        if (round < 2) want[round] = got;
+        self->mistakes += got == 0 || got != want[round % 2];
+    }
+    self->mistakes += want[0] == want[1];
+    shd_texture_release(texture);
+}
+
 static void act_references(struct actor *self)
 {
     const shd_scene *s = &self->stage->scene;
     int round;
-    for (round = 0; round < 200 * k_rounds; ++round) {
+    for (round = 0; round < 200 * self->stage->rounds; ++round) {
         shd_texture_retain(s->texture[0]);
         shd_mesh_retain(s->mesh[1]);
         shd_material_retain(s->material[0]);
@@ -230,7 +265,7 @@ static void act_references(struct actor *self)
 static void act_fail(struct actor *self)
 {
     int round;
-    for (round = 0; round < 50 * k_rounds; ++round) {
+    for (round = 0; round < 50 * self->stage->rounds; ++round) {
         shd_framebuffer_desc desc = shd_framebuffer_desc_default();
         shd_framebuffer *framebuffer = NULL;
         char want[64];
@@ -245,7 +280,7 @@ static void act_fail(struct actor *self)
 static void act_own_context(struct actor *self)
 {
     int round;
-    for (round = 0; round < k_rounds; ++round) {
+    for (round = 0; round < self->stage->rounds; ++round) {
         shd_context_desc desc = shd_context_desc_default();
         shd_context *context = NULL;
         desc.worker_count = 1;
@@ -257,9 +292,9 @@ static void act_own_context(struct actor *self)
 
 static void act_render_variants(struct actor *self)
 {
-    uint32_t round;
-    for (round = 0; round < k_rounds; ++round) {
-        const uint32_t variant = (round + self->index) % k_variants;
+    int round;
+    for (round = 0; round < self->stage->rounds; ++round) {
+        const uint32_t variant = ((uint32_t)round + self->index) % k_variants;
         const uint64_t got = render_variant(&self->stage->scene, self->stage->context, variant);
         self->mistakes += got != self->stage->want_variant[variant];
     }
@@ -271,22 +306,30 @@ struct cast_case {
     act_fn acts[5];
     size_t count;
     int use_pool;
-    uint32_t workers;
+    uint32_t workers, threads;
 };
 static const struct cast_case k_casts[] = {
-    {"sample", {act_sample}, 1, 0, 1},
-    {"render/calling_thread", {act_render}, 1, 0, 1},
-    {"render/executor_of_the_host", {act_render}, 1, 1, 3},
-    {"variants/calling_thread", {act_render_variants}, 1, 0, 1},
-    {"variants/executor_of_the_host", {act_render_variants}, 1, 1, 3},
-    {"create", {act_create}, 1, 0, 1},
-    {"references", {act_references}, 1, 0, 1},
-    {"errors", {act_fail}, 1, 0, 1},
-    {"own_contexts", {act_own_context}, 1, 0, 1},
-    {"everything/calling_thread", {act_sample, act_render, act_create, act_references, act_fail}, 5, 0, 1},
-    {"everything/executor_of_the_host", {act_render, act_sample, act_own_context, act_create, act_references}, 5, 1, 2},
-    {"built_in/render", {act_render, act_render_variants}, 2, 0, 2},
-    {"built_in/everything", {act_render, act_sample, act_create, act_references, act_own_context}, 5, 0, 2},
+    {"sample", {act_sample}, 1, 0, 1, k_threads},
+    {"render/calling_thread", {act_render}, 1, 0, 1, k_threads},
+    {"render/executor_of_the_host", {act_render}, 1, 1, 3, k_threads},
+    {"variants/calling_thread", {act_render_variants}, 1, 0, 1, k_threads},
+    {"variants/executor_of_the_host", {act_render_variants}, 1, 1, 3, k_threads},
+    {"create", {act_create}, 1, 0, 1, k_threads},
+    {"references", {act_references}, 1, 0, 1, k_threads},
+    {"errors", {act_fail}, 1, 0, 1, k_threads},
+    {"own_contexts", {act_own_context}, 1, 0, 1, k_threads},
+    {"everything/calling_thread", {act_sample, act_render, act_create, act_references, act_fail}, 5, 0, 1, k_threads},
+    {"everything/executor_of_the_host",
+     {act_render, act_sample, act_own_context, act_create, act_references},
+     5,
+     1,
+     2,
+     k_threads},
+    {"built_in/render", {act_render, act_render_variants}, 2, 0, 2, k_threads},
+    {"built_in/everything", {act_render, act_sample, act_create, act_references, act_own_context}, 5, 0, 2, k_threads},
+    {"64_threads/sample", {act_sample}, 1, 0, 1, 64},
+    {"64_threads/sample_while_others_edit", {act_sample, act_edit}, 2, 0, 1, 64},
+    {"64_threads/everything", {act_sample, act_edit, act_create, act_references, act_render}, 5, 0, 1, 64},
 };
 
 static void test_cast(void **state)
@@ -294,7 +337,7 @@ static void test_cast(void **state)
     const struct cast_case *c = (const struct cast_case *)*state;
     static struct stage stage;
     if (HAS_TSAN && strncmp(c->name, "built_in", 8) == 0) skip();
-    open_stage(&stage, c->use_pool, c->workers);
+    open_stage(&stage, c->threads, c->use_pool, c->workers);
     play(&stage, c->acts, c->count, NULL);
     close_stage(&stage);
 }
@@ -339,8 +382,8 @@ static void test_context_dropped(void **state)
     static struct stage stage;
     int round, i;
     (void)state;
-    for (round = 0; round < k_rounds; ++round) {
-        open_stage(&stage, 0, 1);
+    for (round = 0; round < (HAS_TSAN ? 6 : 25); ++round) {
+        open_stage(&stage, k_threads, 0, 1);
         g_dropped = stage.scene;
         for (i = 0; i < k_threads; ++i) retain_scene(&stage.scene);
         play(&stage, k_acts, 1, drop_everything);

@@ -7,6 +7,7 @@
 - README's first program is examples/hello.c.
 - Every name shd_* or SHD_* is in the public headers, and every constant of shd_filter has a page.
 - Every relative link and picture is there.
+- Every test that a page names in backticks is in CTest, and its source contains the case that follows the name.
 - README, CMakeLists.txt and CMakePresets.json name the same version of CMake.
 - The C examples of the pages compile as C99, without warnings. An example without functions is the body of one, with the
   usual handles at hand.
@@ -25,7 +26,11 @@ LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 NAME = re.compile(r"(?<![\w./-])(?:shd_[a-z0-9_]+|SHD_[A-Z0-9_]+[A-Z0-9])(?![\w-]|\.\w)")
 OTHER = re.compile(r"SHD_(?:WITH|BUILD|DOCS|BENCH)_\w+|SHD_(?:SIMD|WERROR|SANITIZE|INSTALL|NO_INSTALL)|shd_(?:color|io)")
 
-
+# A test, and a case of it up to a `*`.
+TEST = re.compile(r"`((?:abi|api|consumer|fuzz|tool|unit)\.[\w.-]*\w)(?: ([^`]+))?`")
+# Names of tests in CMake files; `${...}` in a name is any word.
+CMAKE_TEST = re.compile(r"(?:add_test\(NAME|shd_script_test\(|shd_test\() *([\w.${}-]+)")
+FUZZ_TEST = re.compile(r"shd_fuzz_target\((\w+) \d+\)")
 EXAMPLE = re.compile(r"^```c\n(.*?)^```$", re.S | re.M)
 # Headers, handles and a result for examples without functions.
 HANDLES = """#include <shd/color.h>
@@ -61,6 +66,42 @@ def check_links(root, path, text):
                 yield f"{path.relative_to(root)}:{number}: {link} is not there"
 
 
+def find_tests(root):
+    """Sources by the names of their tests, and patterns for the names in CMake files; as tests/CMakeLists.txt."""
+    sources = {}
+    for path in sorted((root / "tests").glob("api/test_*.c*")):
+        sources["api." + path.stem.removeprefix("test_")] = path
+    for path in sorted((root / "tests").glob("unit/*/test_*.cpp")):
+        sources[f"unit.{path.parent.name}.{path.stem.removeprefix('test_')}"] = path
+    patterns = []
+    for path in [*root.glob("tests/CMakeLists.txt"), *root.glob("tests/*/CMakeLists.txt")]:
+        text = path.read_text(encoding="utf-8")
+        names = [name for name in CMAKE_TEST.findall(text) if "${name}" not in name]  # in functions
+        patterns += [re.escape(re.sub(r"\$\{\w+\}", "@", n)).replace("@", r"\w+") for n in names]
+        patterns += [f"fuzz\\.{name}" for name in FUZZ_TEST.findall(text)]
+    return sources, patterns
+
+
+def is_case_of(root, case, source):
+    """Whether a source may have this case: it or a header of tests/support has a string that begins with the name, with
+    the part before a `*`, or with a part before or after a `/`."""
+    text = source.read_text(encoding="utf-8")
+    for header in re.findall(r'#include "(support/[^"]+)"', text):
+        text += (root / "tests" / header).read_text(encoding="utf-8")
+    parts = {case.rstrip("*"), case.split("*")[0].rstrip("/"), case.rsplit("/", 1)[0], case.rsplit("/", 1)[-1]}
+    return any(part and f'"{part}' in text for part in parts)
+
+
+def check_tests(root, tests, path, text):
+    sources, patterns = tests
+    for number, line in enumerate(text.splitlines(), start=1):
+        for name, case in TEST.findall(line):
+            if name not in sources and not any(re.fullmatch(pattern, name) for pattern in patterns):
+                yield f"{path.name}:{number}: no test {name}"
+            elif case and not (name in sources and is_case_of(root, case, sources[name])):
+                yield f"{path.name}:{number}: test {name} has no case {case}"
+
+
 def check_examples(root, compiler, path, text):
     for match in EXAMPLE.finditer(text):
         code = match.group(1)
@@ -92,12 +133,14 @@ def check(root, compiler):
     if f"```c\n{hello}```" not in readme:
         yield "README.md: its first program is not examples/hello.c"
     yield from check_cmake_version(root, readme)
+    tests = find_tests(root)
     for path in pages(root):
         if not path.exists():
             continue
         text = path.read_text(encoding="utf-8")
         yield from check_names(path, text, names)
         yield from check_links(root, path, text)
+        yield from check_tests(root, tests, path, text)
         yield from check_examples(root, compiler, path, text)
     for filter_name in re.findall(r"SHD_FILTER_(\w+) = \d+,", headers):
         page = root / f"docs/filter-{filter_name.lower().replace('_', '-')}.md"

@@ -53,6 +53,18 @@ MUTANTS = {
     "slot_sampler": Mutant("src/abi/material.cpp", "(desc.texture || desc.sampler)", "desc.texture", "api.material"),
     "tangent_sign": Mutant("src/geometry/tessellate.cpp",
                            "      mesh->tw[i] = mesh->tw[i] < 0.0f ? -1.0f : 1.0f;\n", "", "api.tessellate"),
+    "nan_picks": Mutant("src/texture/filter/stochastic.cpp", "FiniteOrZero(d, hn::LoadU(d, from.v + i))",
+                        "hn::LoadU(d, from.v + i)", "api.lookup_bad_coordinates"),
+    "endless_ellipse": Mutant("src/texture/footprint/ellipses.cpp",
+                              "one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy))",
+                              "one / hn::Max(f.roundness, hn::Set(d, 1e-4f))", "api.lookup_bad_footprints"),
+    "many_levels": Mutant("src/abi/texture.cpp", "texture::full_level_count(desc.width, desc.height) - 1", "63",
+                          "api.bad_sizes"),
+    "any_displacement": Mutant(
+        "src/abi/tessellate.cpp",
+        "  SHD_TRY(read_handle(\"tessellation.displacement\", desc.displacement, core::ObjectType::kTexture, "
+        "&out->texture));\n",
+        "", "api.host_handles_more"),
 }
 
 

@@ -34,7 +34,11 @@ void destroy_bitmap(void* memory) {
 }
 
 const BitmapBody* body_of(const shd_bitmap* bitmap) {
-  return static_cast<const BitmapBody*>(shd_object_body(reinterpret_cast<const shd_object*>(bitmap), kBitmapType));
+  const void* body = shd_object_body(reinterpret_cast<const shd_object*>(bitmap), kBitmapType);
+  if (!body) {
+    (void)fail(SHD_ERROR_INVALID_ARGUMENT, "bitmap: %s", bitmap ? "not a live handle of its type" : "NULL");
+  }
+  return static_cast<const BitmapBody*>(body);
 }
 
 shd_bitmap* make_bitmap(shd_context* context, io::Bitmap&& bitmap) {

@@ -135,25 +135,43 @@ void test_large_constants(void**) {
   }
 }
 
-/// If the first texel is very bright, sums are relative to it; the other results are still accurate to 1e-3.
-void test_bright_texel(void**) {
-  constexpr uint32_t kEdge = 2048;
-  auto* texels = static_cast<float*>(malloc(size_t{kEdge} * kEdge * sizeof(float)));
-  for (size_t i = 0; i < size_t{kEdge} * kEdge; ++i) texels[i] = 1.1f;
-  texels[0] = 65504;
-  Texture* texture = build_summed(*context(), SHD_FORMAT_R32F, kEdge, kEdge, 1, texels);
+struct FirstCase {
+  const char* name;
+  uint32_t edge;
+  float first, others;
+  double bound;  // relative error
+};
+// Sums are relative to the first texel, so a constant texture of any size has sums of 0. Another first texel makes the
+// sums as large as they can be: the last row of the third case has the sums of 2^24 texels of 65504, 2^40.
+const FirstCase k_firsts[] = {
+    {"first_texel/65504_of_1.1", 2048, 65504, 1.1f, 1e-4},
+    {"first_texel/0_of_1", 4096, 0, 1, 1e-6},
+    {"first_texel/0_of_65504", 4096, 0, 65504, 1e-6},
+    {"first_texel/-65504_of_65504", 4096, -65504, 65504, 1e-6},
+    {"first_texel/1e-30_of_0.001", 2048, 1e-30f, 0.001f, 1e-6},
+};
+
+/// A texture of one value, except its first texel: boxes beyond that texel have this value.
+void test_first_texel(void** state) {
+  const auto& c = *static_cast<const FirstCase*>(*state);
+  const size_t count = size_t{c.edge} * c.edge;
+  auto* texels = static_cast<float*>(malloc(count * sizeof(float)));
+  for (size_t i = 0; i < count; ++i) texels[i] = c.others;
+  texels[0] = c.first;
+  Texture* texture = build_summed(*context(), SHD_FORMAT_R32F, c.edge, c.edge, 1, texels);
   t_batch.count = 64;
   double worst = 0;
   for (size_t i = 0; i < 64; ++i) {
     t_batch.u[i] = t_batch.v[i] = 0.97f;
-    t_batch.dudx[i] = t_batch.dvdy[i] = static_cast<float>(i) / kEdge;
+    t_batch.dudx[i] = t_batch.dvdy[i] = static_cast<float>(i) / static_cast<float>(c.edge);
     t_batch.dvdx[i] = t_batch.dudy[i] = 0;
   }
   run(*texture, make_sampler(summed_desc(0, SHD_BOX_BOUNDING)), hwy::SupportedAndGeneratedTargets().front(),
       t_batch.lookups(true, false), &t_batch);
-  for (size_t i = 0; i < 64; ++i) worst = fmax(worst, fabs(static_cast<double>(t_batch.out[0][i]) / 1.1 - 1));
-  print_message("bright texel: relative error %.2g\n", worst);
-  assert_true(worst <= 1e-4);
+  const auto others = static_cast<double>(c.others);
+  for (size_t i = 0; i < 64; ++i) worst = fmax(worst, fabs(static_cast<double>(t_batch.out[0][i]) / others - 1));
+  print_message("%s: relative error %.2g\n", c.name, worst);
+  assert_true(worst <= c.bound);
   free_texture(texture);
   free(texels);
 }
@@ -161,7 +179,7 @@ void test_bright_texel(void**) {
 }  // namespace
 
 int main() {
-  CMUnitTest tests[16];
+  CMUnitTest tests[24];
   size_t n = 0;
   for (const SizeCase& c : kSizes) {
     tests[n++] = {c.name, test_entries, nullptr, nullptr, const_cast<SizeCase*>(&c)};
@@ -169,6 +187,8 @@ int main() {
   tests[n++] = {"memory", test_memory, nullptr, nullptr, nullptr};
   tests[n++] = {"task_order", test_task_order, nullptr, nullptr, nullptr};
   tests[n++] = {"large_constants", test_large_constants, nullptr, nullptr, nullptr};
-  tests[n++] = {"bright_texel", test_bright_texel, nullptr, nullptr, nullptr};
+  for (const FirstCase& c : k_firsts) {
+    tests[n++] = {c.name, test_first_texel, nullptr, nullptr, const_cast<FirstCase*>(&c)};
+  }
   return _cmocka_run_group_tests("unit.texture.summed_area_table", tests, n, nullptr, nullptr);
 }
