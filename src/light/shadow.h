@@ -76,11 +76,18 @@ struct Shadow {
 
 /// Filters read texels at most size / kMaxRadiusPart from a point; PCF and VARIANCE at most size / kMaxPcfRadiusPart.
 constexpr uint32_t kMaxRadiusPart = 8, kMaxPcfRadiusPart = 4;
+/// Largest shd_shadow_desc.taps.
+constexpr uint32_t kMaxTaps = 15;
 /// Bound to which slopes of surfaces against a face are clamped.
 constexpr float kMaxSlope = 64.0f;
 
-/// Slack for the difference of geometric and shading normals, added to |slope| across and along the map.
-constexpr float kSteepnessSlack = 0.25f;
+/// Depth bias of surfaces with a normal, in texels: kSteepnessSlack + kSteepnessPart (|slope| across + along the map),
+/// the product at most kMaxSteepness. Comparisons use the plane of the surface at each texel (receiver-plane depth bias:
+/// Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), so the bias covers only what differs from this
+/// plane: curvature, interpolated normals and rounding. The bound is the clamp of slope-scaled biases in Direct3D and
+/// OpenGL. Rejected: part 1 without a bound moves light by 1/4 texel + the whole footprint of a texel into a contact,
+/// and up to 64 texels near the terminator: on the lid of a teapot 113 instead of 64 of 109,000 pixels were lit wrongly.
+constexpr float kSteepnessSlack = 0.25f, kSteepnessPart = 0.5f, kMaxSteepness = 4.0f;
 
 /// Sum of |slope| across and along the map that is assumed for surfaces without a normal: 1 each, over the width of a
 /// fixed filter.
