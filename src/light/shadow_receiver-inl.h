@@ -124,7 +124,7 @@ HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVecto
   at.dy = at.texel * slope_y;
   const ShadowOptions& options = shadow.options;
   const V unknown = hn::Set(d, unknown_steepness(options));
-  const V slopes = hn::Set(d, kSteepnessPart) * (hn::Abs(slope_x) + hn::Abs(slope_y));
+  const V slopes = hn::Abs(slope_x) + hn::Abs(slope_y);
   const V known = hn::Min(slopes, hn::Set(d, kMaxSteepness)) + hn::Set(d, kSteepnessSlack);
   const V steepness = hn::IfThenElse(has_normal, known, unknown);
   const V guard =

@@ -5,15 +5,19 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace shd::ref {
 
-using Vec3 = std::array<double, 3>;
+struct Vec3 {
+  double c[3];
+  double operator[](size_t k) const { return c[k]; }
+  double& operator[](size_t k) { return c[k]; }
+};
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -38,6 +42,11 @@ inline Vec3 unit(const Vec3& a) {
 struct RayTriangle {
   Vec3 corner[3], normal[3];
 };
+
+/// Mean of three vectors with barycentric coordinates 1 - u - v, u, v.
+inline Vec3 mix(const Vec3 (&a)[3], double u, double v) {
+  return (1 - u - v) * a[0] + u * a[1] + v * a[2];
+}
 
 /// A point that a ray meets: t along the ray, barycentric coordinates of corners 1 and 2.
 struct RayHit {
@@ -89,7 +98,7 @@ class RayScene {
     nodes_.push_back(node);
     if (end - begin <= 4) return index;
     const Vec3 size = node.high - node.low;
-    const size_t axis = static_cast<size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    const size_t axis = static_cast<size_t>(std::max_element(size.c, size.c + 3) - size.c);
     const auto middle_of = [&](uint32_t t) {
       const RayTriangle& triangle = triangles_[t];
       return triangle.corner[0][axis] + triangle.corner[1][axis] + triangle.corner[2][axis];

@@ -79,7 +79,7 @@ struct ShadowRef {
     const double sx = has_normal ? slope(dot(axes.right, m)) : 0, sy = has_normal ? slope(dot(axes.down, m)) : 0;
     out.dx = sx * out.texel;
     out.dy = sy * out.texel;
-    const double steepness = has_normal ? std::min(0.5 * (std::fabs(sx) + std::fabs(sy)), 4.0) + 0.25
+    const double steepness = has_normal ? std::min(std::fabs(sx) + std::fabs(sy), 8.0) + 0.25
                              : options.filter == SHD_SHADOW_FILTER_PCF ? options.taps + 1.0
                                                                        : 2.0;
     out.z = z - (static_cast<double>(options.bias) + static_cast<double>(placement.guard) +
