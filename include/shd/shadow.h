@@ -8,9 +8,11 @@
  * directional light has one orthographic map; a point light has six maps, the faces of a cube.
  *
  * A point is lit if the plane of its surface is not behind the depth of the texels that the filter compares, at the
- * centre of each texel. Planes with normals therefore have no shadow acne at any filter size. The biases below prevent
- * it for curved surfaces, interpolated normals and the rounding to the pixel grid. Depths are lengths in world space,
- * so a bias has the same effect for any fitted range.
+ * centre of each texel (Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006). Planes with normals
+ * therefore have no shadow acne at any filter size. The biases below prevent it for curved surfaces, interpolated
+ * normals and the rounding to the pixel grid. Depths are lengths in world space, so a bias has the same effect for any
+ * fitted range. The defaults suit most scenes: a larger bias, normal offset or filter lets light into contacts, and a
+ * larger map keeps it out.
  *
  * A point is lit if its position is not finite, if it is outside the map, or if it is behind a spot. A normal that is
  * not finite is ignored.
@@ -59,7 +61,11 @@ typedef enum shd_shadow_filter {
     /**
      * Penumbras that widen with the distance to the blockers (Fernando, "Percentage-Closer Soft Shadows", 2005): the
      * mean depth of blockers from n x n texels, then the mean of n x n bilinear comparisons over the width of the
-     * penumbra, n = taps. Reads 5 n^2 texels for any width; in wide penumbras they are not adjacent.
+     * penumbra, n = taps. Only blockers that a ray from the point to the light meets determine the width, if there are
+     * any (Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006). Reads 5 n^2 texels
+     * for any width; in wide penumbras they are not adjacent. The pattern of the texels is shifted at each point
+     * (Cranley and Patterson, 1976) by a hash of the bits of its position, so penumbras have fine noise, less with more
+     * taps. Equal positions have equal patterns in every frame, tile and batch.
      */
     SHD_SHADOW_FILTER_PCSS = 4,
     SHD_SHADOW_FILTER_MAX_ENUM = 0x7fffffff
@@ -84,15 +90,18 @@ typedef struct shd_shadow_desc {
     float light_size;
     float bias; /**< points are moved towards the light by this depth, world length, 0..1e9; default 0 */
     /**
-     * Factor of another bias: the edge length of a texel at the point times (1/4 + |slope| of the surface across the
-     * map + |slope| along the map), each slope at most 64. Without a normal the sum in brackets is replaced by 2, or by
-     * n + 1 for PCF. 0..1000; default 1.
+     * Factor of another bias: the edge length of a texel at the point times 1/4 + s. s is the sum of the |slopes| of the
+     * surface across and along the map, at most 8. A slope is depth over length. The plane of the surface is exact at
+     * each texel, so this bias covers only the difference of the surface from its plane. Without a normal, 1/4 + s is
+     * replaced by 2, or by n + 1 for PCF. 0..1000; default 1.
      */
     float bias_slope;
     float normal_offset;  /**< before the lookup, points are moved along their normal by this world length, 0..1e9;
-                               default 0 */
+                               default 0. For coarse meshes with smooth normals: about the edge length of a texel */
     shd_cull caster_cull; /**< faces that cast no shadow: BACK faces are turned away from the light, FRONT faces
-                               towards it. Replaces the culling of the draws. Default SHD_CULL_NONE */
+                               towards it. Replaces the culling of the draws. Default SHD_CULL_NONE, for open surfaces.
+                               FRONT avoids acne on closed objects without a bias, but light leaks where they touch
+                               other surfaces */
     float bleed;          /**< VARIANCE, SUMMED_AREA_VARIANCE: visibilities below this value become 0, 0..0.99;
                                default 0 */
     float min_variance;   /**< VARIANCE, SUMMED_AREA_VARIANCE: world length squared, 0..1e9; default 0 */

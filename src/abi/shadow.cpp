@@ -25,7 +25,7 @@ shd_result check_length(const char* field, float value) {
 shd_result check_shadow_desc(const shd_shadow_desc& desc) {
   SHD_TRY(check_count("shadow.size", desc.size, 16, 8192));
   SHD_TRY(check_enum("shadow.filter", desc.filter, 0, SHD_SHADOW_FILTER_PCSS));
-  SHD_TRY(check_count("shadow.taps", desc.taps, 1, 15));
+  SHD_TRY(check_count("shadow.taps", desc.taps, 1, light::kMaxTaps));
   SHD_TRY(check_length("shadow.filter_size", desc.filter_size));
   SHD_TRY(check_length("shadow.light_size", desc.light_size));
   SHD_TRY(check_length("shadow.bias", desc.bias));

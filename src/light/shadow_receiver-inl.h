@@ -15,6 +15,7 @@
 #include "light/shadow.h"
 #include "simd/finite-inl.h"
 #include "simd/gather-inl.h"
+#include "simd/hash-inl.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,23 +25,28 @@ using simd::HWY_NAMESPACE::Dot;
 using simd::HWY_NAMESPACE::FiniteOrZero;
 using simd::HWY_NAMESPACE::GatherPairs;
 using simd::HWY_NAMESPACE::IsFinite;
+using simd::HWY_NAMESPACE::kWeylStep;
+using simd::HWY_NAMESPACE::MixBits;
 using simd::HWY_NAMESPACE::Set3;
 using simd::HWY_NAMESPACE::Vec3V;
 
 constexpr size_t kMaxReceiverLanes = 16;
 template <class D>
 using ShadowInts = hn::Vec<hn::RebindToSigned<D>>;
+template <class D>
+using ShadowBits = hn::Vec<hn::RebindToUnsigned<D>>;
 
 /// Points projected onto a map. The plane of the surface has the depth z + dx i + dy j at i texels to the right of the
 /// point and j texels below it.
 template <class D>
 struct Receiver {
-  hn::Vec<D> x, y;     // texel coordinates, 0..size; 0 where not inside
-  hn::Vec<D> z;        // depth, biased; finite where inside
-  hn::Vec<D> texel;    // world length of a texel's side at z, > 0
-  hn::Vec<D> dx, dy;   // slope of the surface per texel; 0 without normals
-  hn::Mask<D> inside;  // all other lanes are lit
-  ShadowInts<D> face;  // number of the face
+  hn::Vec<D> x, y;       // texel coordinates, 0..size; 0 where not inside
+  hn::Vec<D> z;          // depth, biased; finite where inside
+  hn::Vec<D> texel;      // world length of a texel's side at z, > 0
+  hn::Vec<D> dx, dy;     // slope of the surface per texel; 0 without normals
+  hn::Mask<D> inside;    // all other lanes are lit
+  ShadowInts<D> face;    // number of the face
+  ShadowBits<D> random;  // a hash of the position
 };
 
 /// A vector in the axes of a face.
@@ -118,7 +124,8 @@ HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVecto
   at.dy = at.texel * slope_y;
   const ShadowOptions& options = shadow.options;
   const V unknown = hn::Set(d, unknown_steepness(options));
-  const V known = hn::Abs(slope_x) + hn::Abs(slope_y) + hn::Set(d, kSteepnessSlack);
+  const V slopes = hn::Abs(slope_x) + hn::Abs(slope_y);
+  const V known = hn::Min(slopes, hn::Set(d, kMaxSteepness)) + hn::Set(d, kSteepnessSlack);
   const V steepness = hn::IfThenElse(has_normal, known, unknown);
   const V guard =
       hn::Set(d, options.bias + placement.guard) + hn::Set(d, placement.guard_square) * (q.forward * q.forward);
@@ -156,6 +163,16 @@ HWY_INLINE Receiver<D> MakeReceiver(D d, const Shadow& shadow, const Vec3V<V>& p
   return at;
 }
 
+/// A hash of the bits of a position in world space, which depends on nothing else: neither on tiles and batches nor on
+/// the pixel grid. Hashes of words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020,
+/// 4.2).
+template <class D, class V>
+HWY_INLINE ShadowBits<D> HashPosition(D, const Vec3V<V>& p) {
+  const hn::RebindToUnsigned<D> du;
+  const auto z = MixBits(du, hn::BitCast(du, p.z) + hn::Set(du, kWeylStep));
+  return MixBits(du, hn::BitCast(du, p.x) + MixBits(du, hn::BitCast(du, p.y) + z));
+}
+
 /// Calls filter(d, receiver) for every point, in vectors of D.
 template <class D, class Filter>
 HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, float* visibility,
@@ -180,7 +197,8 @@ HWY_INLINE void ForEachReceiver(const Shadow& shadow, const ShadowLookups& in, f
     const Vec3V<V> p = {hn::LoadU(d, column[0]), hn::LoadU(d, column[1]), hn::LoadU(d, column[2])};
     Vec3V<V> n = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     if (has_normals) n = {hn::LoadU(d, column[3]), hn::LoadU(d, column[4]), hn::LoadU(d, column[5])};
-    const Receiver<D> at = MakeReceiver(d, shadow, p, n, has_normals);
+    Receiver<D> at = MakeReceiver(d, shadow, p, n, has_normals);
+    at.random = HashPosition(d, p);
     const V lit = hn::Set(d, 1.0f);
     const V value = hn::AllFalse(d, at.inside) ? lit : hn::IfThenElse(at.inside, filter(d, at), lit);
     if (left >= lanes) {

@@ -12,5 +12,6 @@
 /// | math-inl.h     | Log2, Exp2, Pow, UnitPow; kInvPi                     | stated at each function, tested  |
 /// | vec3-inl.h     | 3-vectors: load, store, sum, dot, cross, unit        | rounding of the operations       |
 /// | finite-inl.h   | tests for finite values                              | exact                            |
+/// | hash-inl.h     | hashes of 32-bit words                               | exact                            |
 /// | gather-inl.h   | pairs of adjacent 32-bit words at an index           | exact                            |
 #pragma once

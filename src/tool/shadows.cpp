@@ -10,13 +10,12 @@ shd_shadow_desc desc_of(const Options& options, const Bounds& bounds, shd_light_
   const float soft = options.softness * bounds.radius;
   desc.size = options.shadow_size;
   desc.filter = *options.shadows;
-  desc.taps = desc.filter == SHD_SHADOW_FILTER_PCSS ? 11 : 5;
+  desc.taps = desc.filter == SHD_SHADOW_FILTER_PCSS ? 11 : desc.filter == SHD_SHADOW_FILTER_PCF ? 3 : 5;
   desc.filter_size = soft;
   // For directional lights: the width of a penumbra at the distance of one radius. For other lights: the size of the
   // light.
   desc.light_size = kind == SHD_LIGHT_KIND_DIRECTIONAL ? 4.0f * options.softness : 4.0f * soft;
   desc.bleed = 0.2f;
-  desc.normal_offset = 0.002f * bounds.radius;
   return desc;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "light/shadow.h"
@@ -15,7 +17,15 @@ struct ShadowPoint {
   bool inside;
   uint32_t face;
   double x, y, z, texel, dx, dy;
+  double shift[2];  // of the taps of PCSS, 0..1 along x and y
 };
+
+/// Hash of a word (Wellons, "Prospecting for Hash Functions", 2018, lowbias32).
+inline uint32_t shadow_hash(uint32_t x) {
+  x = (x ^ x >> 16) * 0x7feb352du;
+  x = (x ^ x >> 15) * 0x846ca68bu;
+  return x ^ x >> 16;
+}
 
 struct ShadowRef {
   const light::ShadowOptions& options;
@@ -39,6 +49,11 @@ struct ShadowRef {
       if (!std::isfinite(q[k])) return {};
     }
     ShadowPoint out = {};
+    uint32_t bits[3], hash = 0x9e3779b9u;
+    std::memcpy(bits, p, sizeof bits);
+    for (int k = 2; k >= 0; --k) hash = shadow_hash(hash + bits[k]);
+    out.shift[0] = (hash >> 16) / 65536.0;
+    out.shift[1] = (hash & 0xffff) / 65536.0;
     light::ShadowAxes axes = placement.axes;
     if (placement.projection == light::ShadowProjection::kCube) {
       int axis = std::fabs(q[0]) > std::fabs(q[1]) ? 0 : 1;
@@ -64,7 +79,7 @@ struct ShadowRef {
     const double sx = has_normal ? slope(dot(axes.right, m)) : 0, sy = has_normal ? slope(dot(axes.down, m)) : 0;
     out.dx = sx * out.texel;
     out.dy = sy * out.texel;
-    const double steepness = has_normal                                ? std::fabs(sx) + std::fabs(sy) + 0.25
+    const double steepness = has_normal ? std::min(std::fabs(sx) + std::fabs(sy), 8.0) + 0.25
                              : options.filter == SHD_SHADOW_FILTER_PCF ? options.taps + 1.0
                                                                        : 2.0;
     out.z = z - (static_cast<double>(options.bias) + static_cast<double>(placement.guard) +
@@ -156,28 +171,51 @@ struct ShadowRef {
     }
     return std::min(width / p.texel, static_cast<double>(options.size) / light::kMaxRadiusPart);
   }
-  double pcss(const ShadowPoint& p) const {
+  /// Tap (column, row) of n x n in the square -1..1: one in each cell, in the canonical arrangement of multi-jittered
+  /// samples, shifted and wrapped within its cell.
+  void tap(const ShadowPoint& p, uint32_t column, uint32_t row, double (&out)[2]) const {
+    const double n = options.taps;
+    out[0] = 2.0 * (column + std::fmod((row + 0.5) / n + p.shift[0], 1.0)) / n - 1.0;
+    out[1] = 2.0 * (row + std::fmod((column + 0.5) / n + p.shift[1], 1.0)) / n - 1.0;
+  }
+  /// Mean depth of the blockers; infinity if there is none. A blocker that a ray to the light cannot meet counts only
+  /// if there is no other.
+  double mean_blocker(const ShadowPoint& p) const {
     const uint32_t n = options.taps;
     const double search = std::max(half_width(p, static_cast<double>(placement.near)), 1.0);
-    const auto offset = [&](double half, uint32_t i, uint32_t j) {
-      return half * (2.0 * (i + (j + 0.5) / n) / n - 1.0);
-    };
-    double sum = 0, count = 0;
+    const bool is_perspective = placement.projection != light::ShadowProjection::kOrthographic;
+    double sum[2] = {0, 0}, count[2] = {0, 0};  // all blockers, and those that a ray to the light meets
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < n; ++j) {
-        const int column = static_cast<int>(std::floor(p.x + offset(search, j, i)));
-        const int row = static_cast<int>(std::floor(p.y + offset(search, i, j)));
+        double t[2];
+        tap(p, j, i, t);
+        const double x = search * t[0] * t[0] * t[0], y = search * t[1] * t[1] * t[1];
+        const int column = static_cast<int>(std::floor(p.x + x)), row = static_cast<int>(std::floor(p.y + y));
         const double depth = at(p.face, column, row);
         if (!(depth < plane(p, column, row))) continue;
-        sum += depth;
-        count += 1;
+        const double width = 0.5 * static_cast<double>(options.light_size) * (p.z - depth) / p.texel;
+        const bool meets = std::max(std::fabs(x), std::fabs(y)) - 2.0 <= (is_perspective ? width / depth : width);
+        for (int k = 0; k <= (meets ? 1 : 0); ++k) {
+          sum[k] += depth;
+          count[k] += 1;
+        }
       }
     }
-    if (count == 0) return 1;
-    const double half = half_width(p, sum / count);
+    const int k = count[1] > 0 ? 1 : 0;
+    return count[k] > 0 ? sum[k] / count[k] : INFINITY;
+  }
+  double pcss(const ShadowPoint& p) const {
+    const uint32_t n = options.taps;
+    const double blocker = mean_blocker(p);
+    if (std::isinf(blocker)) return 1;
+    const double half = half_width(p, blocker);
     double lit_sum = 0;
     for (uint32_t i = 0; i < n; ++i) {
-      for (uint32_t j = 0; j < n; ++j) lit_sum += blend(p, p.x + offset(half, j, i), p.y + offset(half, i, j));
+      for (uint32_t j = 0; j < n; ++j) {
+        double t[2];
+        tap(p, j, i, t);
+        lit_sum += blend(p, p.x + half * t[0], p.y + half * t[1]);
+      }
     }
     return lit_sum / (n * n);
   }

@@ -11,26 +11,16 @@
 
 #include <hwy/highway.h>
 
+#include "simd/hash-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::kWeylStep;
+using simd::HWY_NAMESPACE::MixBits;
 
 template <class D>
 using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
-
-/// Step of a Weyl sequence: 2^32 divided by the golden ratio.
-constexpr uint32_t kWeylStep = 0x9e3779b9u;
-
-/// Hashes 32-bit words by a bijection of xor-shifts and multiplications. Wellons found its constants by search
-/// ("Prospecting for Hash Functions", 2018, lowbias32).
-template <class DU, class VU>
-HWY_INLINE VU MixBits(DU du, VU x) {
-  x = x ^ hn::ShiftRight<16>(x);
-  x = x * hn::Set(du, 0x7feb352du);
-  x = x ^ hn::ShiftRight<15>(x);
-  x = x * hn::Set(du, 0x846ca68bu);
-  return x ^ hn::ShiftRight<16>(x);
-}
 
 /// Combines the bits of a point into one word.
 template <class D, class V>
