@@ -358,7 +358,7 @@ Pattern pattern_of(const Scene &scene)
     return out;
 }
 
-/// Wide penumbras show noise, not copies of an edge: the errors of neighbours are independent, and their mean is near 0.
+/// Wide penumbras show noise, not copies of an edge: errors of neighbours are independent, and their mean is near 0.
 void test_pattern(void **)
 {
     Triangles triangles;
