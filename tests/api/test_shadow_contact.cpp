@@ -159,7 +159,7 @@ class Scene
         shd_assert_ok(shd_shadow_sample(shadow_, &lookups, &out));
         return value;
     }
-    /// Fraction of n x n points of the light that a point on a surface with this geometric normal sees.
+    /// Fraction of n x n points of the light that are visible from a point on a surface with this geometric normal.
     double truth(const Vec3 &p, const Vec3 &normal, int n) const
     {
         const Vec3 right = ref::unit(ref::cross(light_.direction, {0, 1, 0})), up = ref::cross(right, light_.direction);
@@ -253,8 +253,8 @@ void expect_score(const char *name, const Score &score, size_t max_leaks, size_t
     }
 }
 
-/// The teapot of the pictures "spot" and "light cookie": contacts of spout, lid and knob. What is left at the spout is
-/// the size of a texel.
+/// The teapot of the pictures "spot" and "light cookie": contacts of spout, lid and knob. The leaks that remain at the
+/// spout are about a texel wide.
 void test_teapot(void **)
 {
     const Vec3 centre = {0.217, 1.575, 0}, eye = {5.56, 7.47, 11.46};
@@ -358,7 +358,7 @@ Pattern pattern_of(const Scene &scene)
     return out;
 }
 
-/// Wide penumbras show noise, not copies of an edge: the errors of neighbours are independent, and their mean is near 0.
+/// Wide penumbras show noise, not copies of an edge: errors of neighbours are independent, and their mean is near 0.
 void test_pattern(void **)
 {
     Triangles triangles;

@@ -17,7 +17,7 @@ struct ShadowPoint {
   bool inside;
   uint32_t face;
   double x, y, z, texel, dx, dy;
-  double shift[2];  // of the taps of PCSS, 0..1 along x and y
+  double shift[2];  // shift of the taps of PCSS along x and y, 0..1
 };
 
 /// Hash of a word (Wellons, "Prospecting for Hash Functions", 2018, lowbias32).
