@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shade/<model>/lights:<n>/<target>: only the kernels of a model, lobes and coefficients, over batches of fragments in
 // cache; point lights that reach all fragments, random normals and directions. Items are fragments.
+// shade_over_normals/...: the same with lobes averaged over the normals of a filtered map.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -82,11 +83,25 @@ std::unique_ptr<Batch> make_batch(shd_model model, size_t light_count) {
   return batch;
 }
 
-void run(benchmark::State& state, shd_model model, size_t light_count, const core::SimdTarget& target) {
+/// Slopes with deviations of 0.1 to 0.5 across every normal.
+shade::LobeShape make_spread(Batch* batch) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> deviation(0.1f, 0.5f);
+  shade::LobeShape shape = {};
+  for (int k = 0; k < 6; ++k) {
+    shape.spread[k] = batch->columns.spread[k];
+    for (size_t i = 0; i < raster::kBatch; ++i) batch->columns.spread[k][i] = deviation(random);
+  }
+  return shape;
+}
+
+void run(benchmark::State& state, shd_model model, size_t light_count, bool over_normals,
+         const core::SimdTarget& target) {
   const std::unique_ptr<Batch> batch = make_batch(model, light_count);
   const material::Parameters parameters = {};
+  const shade::LobeShape shape = over_normals ? make_spread(batch.get()) : shade::LobeShape();
   for (auto _ : state) {
-    shade::illuminate(target, batch->material, {}, batch->active, light_count, batch->rows, {false, true},
+    shade::illuminate(target, batch->material, shape, batch->active, light_count, batch->rows, {false, true},
                       &batch->columns.lobes);
     shade::combine(target, batch->material, batch->lights, batch->columns.lobes, parameters, batch->rows.count,
                    &batch->columns.radiance);
@@ -101,10 +116,12 @@ void register_all() {
     const core::SimdTarget target = core::simd_target_from_bit(bit);
     for (const Model& model : kModels) {
       for (const size_t lights : {1, 2, 8}) {
-        const std::string name =
-            std::string("shade/") + model.name + "/lights:" + std::to_string(lights) + "/" + target.name;
-        benchmark::RegisterBenchmark(name.c_str(),
-                                     [=](benchmark::State& state) { run(state, model.model, lights, target); });
+        for (const bool over_normals : {false, true}) {
+          const std::string name = std::string(over_normals ? "shade_over_normals/" : "shade/") + model.name +
+                                   "/lights:" + std::to_string(lights) + "/" + target.name;
+          benchmark::RegisterBenchmark(
+              name.c_str(), [=](benchmark::State& state) { run(state, model.model, lights, over_normals, target); });
+        }
       }
     }
   }

@@ -110,7 +110,7 @@ picture bump-gradient "Bumps: gradient of heights" "${ball[@]}" --height "$bark"
 picture bump-texel "Bumps: texel differences" "${ball[@]}" --height "$bark" --bump texel --bump-scale 8
 picture normal-map "Normal map" "${ball[@]}" --specular 0.6 --exponent 60 --normal-map "$coat/PlasticWrap_normals.jpg"
 for keep in "none Minified normal map" "toksvig with roughness: Toksvig" "lean with roughness: LEAN"; do
-  picture "minified-${keep%% *}" "${keep#* }" "${ball[@]}" --uv-scale 40 --specular 0.8 --exponent 200 \
+  picture "minified-${keep%% *}" "${keep#* }" "${ball[@]}" --uv-scale 40 --filter ewa --specular 0.8 --exponent 200 \
     --diffuse 0.2,0.2,0.25 --normal-map "$coat/PlasticWrap_normals.jpg" --keep-roughness "${keep%% *}"
 done
 slab=(--shape plane --orbit 30,35 --texture "$stones" --specular 0 --exposure 0.7)

@@ -105,20 +105,21 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
 /**
  * Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals.
  *
- * A texel is (bx, by, bx^2, by^2) with (bx, by) = (nx / nz, ny / nz) (Olano and Baker, "LEAN Mapping", 2010; without
- * the mixed moment as in Baker, "Spectacular Specular: LEAN and CLEAN Specular Highlights", 2011). Build the levels of
- * the result as SHD_TEXEL_CONTENT_DATA; any filter may read them. A filtered texel (bx, by, Mx, My) gives the mean
- * normal normalise(bx, by, 1) and the variance of a slope, max(0, Mx + My - bx^2 - by^2) / 2, which widens a lobe.
+ * A texel is (bx, by, bx^2, by^2) with (bx, by) = (nx / nz, ny / nz), and bx by in an image of its own (Olano and Baker,
+ * "LEAN Mapping", 2010, section 3). Build the levels of the results as SHD_TEXEL_CONTENT_DATA; any filter may read them.
+ * A filtered texel (bx, by, Mxx, Myy) and Mxy give the mean normal normalise(bx, by, 1) and the covariance of slopes
+ * (Mxx - bx^2, Mxy - bx by; Mxy - bx by, Myy - by^2), over which lobes are averaged (shd_normal_encoding).
  *
  * nz is raised to at least 1/32 of the normal's length, so |bx| and |by| are at most 32. Normals that point backwards
  * are limited in the same way. A texel that is 0 or not finite becomes flat: four zeros.
  * @param normals  three or four channels, as for SHD_TEXEL_CONTENT_NORMAL, of any length; borrowed for the call
  * @param out      an image of that width and height, SHD_FORMAT_RGBA16F or SHD_FORMAT_RGBA32F. Pixels are written; they
  *                 are unspecified if the executor fails. They must not overlap `normals` (checked)
+ * @param mixed    bx by, for SHD_SLOT_NORMAL_MIXED: as `out`, but SHD_FORMAT_R16F or SHD_FORMAT_R32F. NULL = not wanted
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_normal_moments(shd_context *context, const shd_image *normals,
-                                                    const shd_image *out);
+                                                    const shd_image *out, const shd_image *mixed);
 
 SHD_END_DECLS
 

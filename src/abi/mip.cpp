@@ -50,6 +50,27 @@ shd_result check_levels_apart(const shd_image& base, uint32_t count, const shd_i
   return SHD_OK;
 }
 
+/// The formats of an image of moments.
+struct MomentFormats {
+  shd_format half, full;
+};
+
+/// Reads an image for moments of the normals in `from`.
+shd_result read_moments(const char* name, const shd_image* image, const char* channels, MomentFormats formats,
+                        const shd_image& from, shd_image* to) {
+  SHD_TRY(read_image(name, image, to));
+  if (to->format != formats.half && to->format != formats.full) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is neither %s16F nor %s32F", name,
+                      static_cast<int>(to->format), channels, channels);
+  }
+  char field[32];
+  std::snprintf(field, sizeof field, "%s.width", name);
+  SHD_TRY(check_count(field, to->width, from.width, from.width));
+  std::snprintf(field, sizeof field, "%s.height", name);
+  SHD_TRY(check_count(field, to->height, from.height, from.height));
+  return check_apart(name, *to, "normals", from);
+}
+
 }  // namespace
 
 extern "C" {
@@ -73,24 +94,22 @@ shd_result shd_mip_build(shd_context* context, const shd_image* base, const shd_
   });
 }
 
-shd_result shd_normal_moments(shd_context* context, const shd_image* normals, const shd_image* out) {
+shd_result shd_normal_moments(shd_context* context, const shd_image* normals, const shd_image* out,
+                              const shd_image* mixed) {
   return guard([&]() -> shd_result {
     SHD_TRY(check_context(context));
-    shd_image from, to;
+    shd_image from, to, product;
     SHD_TRY(read_image("normals", normals, &from));
-    SHD_TRY(read_image("out", out, &to));
     const size_t channels = image::format_info(from.format).channels;
     if (channels < 3) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "normals.format: normals need 3 or 4 channels, not %zu", channels);
     }
-    if (to.format != SHD_FORMAT_RGBA16F && to.format != SHD_FORMAT_RGBA32F) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is neither RGBA16F nor RGBA32F",
-                        static_cast<int>(to.format));
+    SHD_TRY(read_moments("out", out, "RGBA", {SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F}, from, &to));
+    if (mixed) {
+      SHD_TRY(read_moments("mixed", mixed, "R", {SHD_FORMAT_R16F, SHD_FORMAT_R32F}, from, &product));
+      SHD_TRY(check_apart("mixed", product, "out", to));
     }
-    SHD_TRY(check_count("out.width", to.width, from.width, from.width));
-    SHD_TRY(check_count("out.height", to.height, from.height, from.height));
-    SHD_TRY(check_apart("out", to, "normals", from));
-    texture::write_moments(context_of(context), from, to);
+    texture::write_moments(context_of(context), from, to, mixed ? &product : nullptr);
     return SHD_OK;
   });
 }

@@ -34,7 +34,7 @@ struct BlinnPhong : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
                                     V* lobe) {
-      lobe[0] = Cosine(d, in);
+      lobe[0] = in.cosine;
       lobe[1] = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
     }
   };

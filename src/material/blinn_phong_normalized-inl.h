@@ -29,8 +29,8 @@ struct BlinnPhongNormalized : SpecularBase {
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,
                                     V* lobe) {
-      lobe[0] = Cosine(d, in);
-      lobe[1] = lobe[0] * BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+      lobe[0] = in.cosine;
+      lobe[1] = hn::Max(in.n_dot_l, hn::Zero(d)) * BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
     }
 
     template <class D, class V>

@@ -22,6 +22,7 @@ struct Gooch : ModelBase {
   struct Lighting : LightingBase {
     static constexpr uint32_t kLobes = 1;
     static constexpr bool kIgnoresIrradiance = true;
+    static constexpr bool kAveragesNormals = false;
 
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {

@@ -22,8 +22,8 @@ struct Lambert : ModelBase {
     static constexpr uint32_t kLobes = 1;
 
     template <class D, class V>
-    static HWY_INLINE void AddLight(D d, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
-      lobe[0] = Cosine(d, in);
+    static HWY_INLINE void AddLight(D, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
+      lobe[0] = in.cosine;
     }
   };
 

@@ -99,6 +99,8 @@ void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Mat
     out->slot[i] = build_slot(slots[i], out->default_sampler);
     if (is_set(out->slot[i])) out->slots |= 1u << i & info_of(out->model).slots;
   }
+  if (desc.normal_encoding != SHD_NORMAL_ENCODING_MOMENTS || !has_slot(*out, SHD_SLOT_NORMAL))
+    out->slots &= ~(1u << SHD_SLOT_NORMAL_MIXED);
 }
 
 }  // namespace shd::material

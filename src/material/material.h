@@ -19,6 +19,7 @@
 /// | debug_view-inl.h             | base of the models that show an attribute of fragments                |
 /// | exponent-inl.h               | shape of a lobe: exponent, and its gain                               |
 /// | roughness-inl.h              | shape of a lobe: alpha^2                                              |
+/// | slope_spread-inl.h           | lobes averaged over the normals of a filtered normal map              |
 /// | lambert-inl.h                | model                                                                 |
 /// | phong-inl.h                  | model                                                                 |
 /// | blinn_phong-inl.h            | model                                                                 |

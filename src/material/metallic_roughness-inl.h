@@ -23,6 +23,14 @@ struct MetallicRoughnessLobes {
   V specular_f90;  // n.l D V f, with coefficient F90 = 1
 };
 
+/// (n.sum)^2 (a^2 - 1) + |sum|^2 = (n.sum)^2 a^2 + |n x sum|^2, without cancellation near the centre of the highlight.
+template <class D, class V>
+HWY_INLINE V TrowbridgeReitzSpread(D d, const Vec3V<V>& n, const Vec3V<V>& sum, V alpha_squared) {
+  const V n_dot_sum = hn::Max(Dot(n, sum), hn::Zero(d));
+  const auto across = simd::HWY_NAMESPACE::Cross(n, sum);
+  return n_dot_sum * n_dot_sum * alpha_squared + Dot(across, across);
+}
+
 /// D of Trowbridge and Reitz (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007) and the
 /// masking and shadowing V of Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs" (2014).
 /// n.v is clamped to at least 1e-4; the result is 0 where wo + l = 0. Callers use the result only where n.l > 0.
@@ -34,13 +42,10 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
   const V squared = Dot(sum, sum);
   const auto usable = hn::Gt(squared, zero);
   const V inverse = one / hn::IfThenElse(usable, squared, one);
-  const V cosine = Cosine(d, in);
+  const V cosine = hn::Max(in.n_dot_l, zero);
   const V n_dot_v = hn::Max(Dot(point.n, point.wo), hn::Set(d, 1e-4f));
 
-  // (n.h)^2 (a^2 - 1) + 1 = (n.h)^2 a^2 + |n x h|^2, without cancellation near the centre of the highlight.
-  const V n_dot_sum = hn::Max(Dot(point.n, sum), zero);
-  const auto across = simd::HWY_NAMESPACE::Cross(point.n, sum);
-  const V spread = (n_dot_sum * n_dot_sum * alpha_squared + Dot(across, across)) * inverse;
+  const V spread = TrowbridgeReitzSpread(d, point.n, sum, alpha_squared) * inverse;
   const V floor = hn::Max(spread, hn::Set(d, 1e-12f));
   const V distribution = alpha_squared * hn::Set(d, simd::HWY_NAMESPACE::kInvPi) / (floor * floor);
 
@@ -53,7 +58,7 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
   const V m = one - v_dot_h, m2 = m * m;
   const V f = m2 * m2 * m;
   const V lobe = hn::IfThenElseZero(usable, cosine * distribution * visibility);
-  return {cosine * (one - f), lobe * (one - f), lobe * f};
+  return {in.cosine * (one - f), lobe * (one - f), lobe * f};
 }
 
 /// k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f0) (1 - f) / pi + (F0 (1 - f) + f) D V) with base
@@ -66,6 +71,25 @@ struct MetallicRoughness : ModelBase {
     static constexpr uint32_t kLobes = 3;
     static constexpr bool kNeedsEye = true;
     using Shape = RoughnessShape;
+
+    /// A Beckmann surface of equal width has the slope variance alpha^2 / 2.
+    template <class D, class V>
+    static HWY_INLINE V Precision(D d, const V* shape, V) {
+      return hn::Set(d, 2.0f) / shape[Shape::kAlphaSquared];
+    }
+
+    /// D is 1 / (pi sqrt(det A)) (1 + x^T A^-1 x)^-2 in slopes x, with A = alpha^2 + 2 S for the normals with covariance
+    /// S (Tokuyoshi and Kaplanyan, "Improved Geometric Specular Antialiasing", 2019). x^T A^-1 x is the part of the
+    /// reflecting normal, tan^2 / alpha^2, plus distance / 2.
+    template <class D, class V>
+    static HWY_INLINE V Decay(D d, const Point<V>& point, const Incoming<V>& in, const V* shape, V distance) {
+      const auto sum = Sum(point.wo, in.l);
+      const V alpha_squared = shape[Shape::kAlphaSquared];
+      const V own = TrowbridgeReitzSpread(d, point.n, sum, alpha_squared);
+      const V half = hn::Set(d, 0.5f) * (Dot(sum, sum) * alpha_squared);
+      const V ratio = own / hn::Max(own + half * distance, hn::Set(d, 1e-30f));
+      return ratio * ratio;
+    }
 
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material&, const Point<V>& point, const Incoming<V>& in, const V* shape,

@@ -25,11 +25,13 @@ struct Point {
   Vec3V<V> n, wo;
 };
 
-/// One light at a point: unit vector to the light.
+/// One light at a point: unit vector to the light. `cosine` is max(0, n.l), or its mean over the normals of a filtered
+/// normal map, whose normals near the half vector have n_dot_l.
 template <class V>
 struct Incoming {
   Vec3V<V> l;
   V n_dot_l;
+  V cosine;
 };
 
 /// Values of slots at points from i on. No column is null: see complete().
@@ -80,6 +82,8 @@ struct LightingBase {
   static constexpr bool kMayBeUngated = false;
   /// Whether lobe 0 sums every light with weight 1 instead of E, without range, cookie, shadow or side.
   static constexpr bool kIgnoresIrradiance = false;
+  /// Whether the lobes are averaged over the normals of SHD_NORMAL_ENCODING_MOMENTS; otherwise their mean is used.
+  static constexpr bool kAveragesNormals = true;
 
   /// Parameters of the lobes at a point: a struct with
   ///   kSlots    bits of the slots that it reads
@@ -91,7 +95,13 @@ struct LightingBase {
   // Lighting with lobes also has
   //   AddLight(d, material, point, incoming, shape, lobe)
   // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
-  // where n.l <= 0, because lights behind all points of a vector are skipped.
+  // where n.l <= 0, because lights behind all points of a vector are skipped. Lighting with specular lobes that averages
+  // normals also has
+  //   Precision(d, shape, length)
+  // which gives 1 / variance of the slopes of a normal around the half vector (wo + l) / length for which the specular
+  // lobes fall to exp(-1/2), and
+  //   Decay(d, point, incoming, shape, distance)
+  // which gives the factor of lobes of the reflecting normal, by the distance of slope_spread-inl.h.
 
   /// Scales the sums over all lights.
   template <class D, class V, class Sums>
@@ -118,15 +128,9 @@ struct ModelBase {
 
 /// Slots that every model reads, and slots of groups of models.
 constexpr uint32_t kColorSlots = 1u << SHD_SLOT_DIFFUSE | 1u << SHD_SLOT_OPACITY | 1u << SHD_SLOT_EMISSION;
-constexpr uint32_t kNormalSlots = 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
+constexpr uint32_t kNormalSlots = 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_NORMAL_MIXED | 1u << SHD_SLOT_HEIGHT;
 constexpr uint32_t kAmbientSlots = 1u << SHD_SLOT_AMBIENT | 1u << SHD_SLOT_OCCLUSION;
 constexpr uint32_t kLitSlots = kColorSlots | kNormalSlots | kAmbientSlots;
-
-/// max(0, n.l).
-template <class D, class V>
-HWY_INLINE V Cosine(D d, const Incoming<V>& in) {
-  return hn::Max(in.n_dot_l, hn::Zero(d));
-}
 
 }  // namespace shd::material::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -10,7 +10,7 @@
 namespace shd::material {
 
 /// Number of coefficients that slots feed.
-constexpr uint32_t kSlotCount = SHD_SLOT_MATCAP + 1;
+constexpr uint32_t kSlotCount = SHD_SLOT_NORMAL_MIXED + 1;
 
 /// A checked shd_slot.
 struct Slot {
@@ -49,8 +49,8 @@ constexpr uint32_t slot_channels(uint32_t slot) {
 }
 
 /// Slots that are looked up at the points where lobes are computed; the other slots are looked up at every fragment.
-constexpr uint32_t kShapingSlots =
-    1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL | 1u << SHD_SLOT_HEIGHT;
+constexpr uint32_t kShapingSlots = 1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL |
+                                   1u << SHD_SLOT_NORMAL_MIXED | 1u << SHD_SLOT_HEIGHT;
 
 /// Whether two slots make equal lookups in one texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {

@@ -10,17 +10,29 @@
 
 #include "material/exponent-inl.h"
 #include "material/model-inl.h"
+#include "material/slope_spread-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lighting with a specular lobe, which is scaled by the gain of ExponentShape.
+/// Lighting with a specular lobe, which is scaled by the gain of ExponentShape. max(0, n.h)^p is nearly a Gaussian of
+/// slopes with variance 1 / p (LEAN mapping, section 3).
 struct SpecularLighting : LightingBase {
   static constexpr uint32_t kLobes = 2;
   static constexpr bool kNeedsEye = true;
   static constexpr bool kMayBeUngated = true;
   using Shape = ExponentShape;
+
+  template <class D, class V>
+  static HWY_INLINE V Precision(D, const V* shape, V) {
+    return shape[Shape::kExponent];
+  }
+
+  template <class D, class V>
+  static HWY_INLINE V Decay(D d, const Point<V>&, const Incoming<V>&, const V*, V distance) {
+    return simd::HWY_NAMESPACE::Exp2(d, hn::Set(d, -kHalfLog2E) * distance);
+  }
 
   template <class D, class V>
   static HWY_INLINE void Normalize(D, const V* shape, V (&sum)[2][3]) {

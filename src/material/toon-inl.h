@@ -18,11 +18,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// n.h)^p replaced by 1 where it is at least 1/2, otherwise by 0.
 struct Toon : SpecularBase {
   struct Lighting : SpecularLighting {
+    static constexpr bool kAveragesNormals = false;
+
     template <class D, class V>
     static HWY_INLINE void AddLight(D d, const Material& m, const Point<V>& point, const Incoming<V>& in,
                                     const V* shape, V* lobe) {
       const V one = hn::Set(d, 1.0f), steps = hn::Set(d, m.toon_steps);
-      lobe[0] = hn::Min(hn::Ceil(Cosine(d, in) * steps) / steps, one);
+      lobe[0] = hn::Min(hn::Ceil(in.cosine * steps) / steps, one);
       const V highlight = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
       lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
     }

@@ -19,6 +19,9 @@ struct Radiance {
 /// Shape parameters of the lobes at points, in the order of the model's Shape; null = the material's constant.
 struct LobeShape {
   const float* column[material::kMaxShapeColumns];
+  /// Two vectors a, b in world space, perpendicular to the normal: a a^T + b b^T is the covariance of slopes removed by
+  /// filtering a normal map. All null = 0.
+  const float* spread[6];
 };
 
 /// Largest number of lights with a cookie or a shadow in one LightGroup; their factors are stored.
@@ -46,7 +49,8 @@ struct Columns {
   float* shifted;                            // u or v of lookups displaced by one texel
   float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a
                                              // texel
-  float* variance;                           // variance of slopes removed by filtering a normal map
+  float* variance;                           // variance of slopes removed by filtering a normal map; TOKSVIG
+  float* spread[6];                          // as LobeShape::spread; MOMENTS
   MarchColumns march;                        // parallax scratch
   float* shape[material::kMaxShapeColumns];  // shape parameters of the lobes at points
   float* factor[kModulated][3];              // at points: factor of a light's cookie and shadow
@@ -82,6 +86,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
   for (float*& column : columns->uv) visit(&column);
   for (float*& column : columns->tangent_frame) visit(&column);
   for (float*& column : columns->tilt) visit(&column);
+  for (float*& column : columns->spread) visit(&column);
   for (float*& column : columns->shadow_normal) visit(&column);
   for (float*& column : columns->shape) visit(&column);
   for (float** column : {&columns->visibility, &columns->shifted, &columns->variance}) visit(column);

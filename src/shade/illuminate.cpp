@@ -8,6 +8,7 @@
 
 #include "light/incident-inl.h"
 #include "material/models-inl.h"
+#include "material/slope_spread-inl.h"
 #include "material/slot_lookup.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,7 +36,8 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
                          const simd::HWY_NAMESPACE::Vec3V<V>& p, const material::HWY_NAMESPACE::Point<V>& point,
                          const V* shape, bool gated, V (&sum)[Lighting::kLobes][3]) {
   const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
-  const material::HWY_NAMESPACE::Incoming<V> in = {incident.l, Dot(point.n, incident.l)};
+  const V n_dot_l = Dot(point.n, incident.l);
+  const material::HWY_NAMESPACE::Incoming<V> in = {incident.l, n_dot_l, hn::Max(n_dot_l, hn::Zero(d))};
   V lobe[Lighting::kLobes];
   if constexpr (Lighting::kIgnoresIrradiance) {
     Lighting::AddLight(d, material, point, in, shape, lobe);
@@ -52,7 +54,43 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
   }
 }
 
-template <class Lighting>
+/// As AddLight, with the lobes averaged over normals. Lobes with a peak are those of the normal that reflects, which is
+/// the only place where the lobes' own formulas are used.
+template <class Lighting, class D, class V>
+HWY_INLINE void AddLightOverNormals(D d, const material::Material& material, const ActiveLight& active, size_t i,
+                                    const simd::HWY_NAMESPACE::Vec3V<V>& p,
+                                    const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
+                                    const simd::HWY_NAMESPACE::Vec3V<V>& wo, const V* shape, bool gated,
+                                    V (&sum)[Lighting::kLobes][3]) {
+  namespace mat = material::HWY_NAMESPACE;
+  const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
+  const V mean = Dot(spread.n, incident.l);
+  const V cosine = mat::FilteredCosine(d, spread, incident.l, mean);
+  const auto faces = hn::Gt(cosine, hn::Zero(d));
+  if (gated && hn::AllFalse(d, faces)) return;
+  V lobe[Lighting::kLobes], weight = hn::Set(d, 1.0f);
+  auto reflects = faces;
+  if constexpr (Lighting::kLobes == 1) {
+    Lighting::AddLight(d, material, {spread.n, wo}, {incident.l, mean, cosine}, shape, lobe);
+  } else {
+    const auto way = simd::HWY_NAMESPACE::Sum(wo, incident.l);
+    const V squared = Dot(way, way);
+    const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, hn::Zero(d)), squared, hn::Set(d, 1.0f)));
+    const auto r = mat::FindReflector(d, spread, way, length, Lighting::Precision(d, shape, length));
+    const mat::Point<V> point = {r.n, wo};
+    const mat::Incoming<V> in = {incident.l, Dot(r.n, incident.l), cosine};
+    Lighting::AddLight(d, material, point, in, shape, lobe);
+    weight = r.gain * Lighting::Decay(d, point, in, shape, r.distance);
+    reflects = hn::And(faces, hn::Gt(in.n_dot_l, hn::Zero(d)));
+  }
+  for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
+    const V kept = k ? weight * lobe[k] : lobe[k];
+    Accumulate(d, active, i, incident.falloff * (k && gated ? hn::IfThenElseZero(reflects, kept) : kept), sum[k]);
+  }
+}
+
+/// `over_normals`: the lobes are averaged over normals whose slopes have the covariance of shape.spread.
+template <class Lighting, bool over_normals>
 void IlluminatePoints(const material::Material& material, const LobeShape& shape, const ActiveLight* lights,
                       size_t count, const raster::Fragments& f, LightGroup group, material::Lobes& out) {
   using D = hn::ScalableTag<float>;
@@ -74,7 +112,15 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
     for (uint32_t k = 0; k < 3 * kLobes; ++k) {
       sum[k / 3][k % 3] = group.continues ? hn::Load(d, out.lobe[k / 3][k % 3] + i) : zero;
     }
-    for (size_t j = 0; j < count; ++j) AddLight<Lighting>(d, material, lights[j], i, p, point, values, gated, sum);
+    if constexpr (over_normals) {
+      const float* const* s = shape.spread;
+      const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, Load3(d, s[0], s[1], s[2], i),
+                                                                   Load3(d, s[3], s[4], s[5], i));
+      for (size_t j = 0; j < count; ++j)
+        AddLightOverNormals<Lighting>(d, material, lights[j], i, p, spread, point.wo, values, gated, sum);
+    } else {
+      for (size_t j = 0; j < count; ++j) AddLight<Lighting>(d, material, lights[j], i, p, point, values, gated, sum);
+    }
     if (group.finishes) Lighting::Normalize(d, values, sum);
     for (uint32_t k = 0; k < 3 * kLobes; ++k) hn::Store(sum[k / 3][k % 3], d, out.lobe[k / 3][k % 3] + i);
   }
@@ -100,7 +146,11 @@ void Illuminate(const material::Material& material, const LobeShape& shape, cons
   material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
     using Lighting = typename decltype(model)::Lighting;
     if constexpr (Lighting::kLobes != 0) {
-      IlluminatePoints<Lighting>(material, shape, lights, count, points, group, out);
+      if constexpr (Lighting::kAveragesNormals) {
+        if (shape.spread[0])
+          return IlluminatePoints<Lighting, true>(material, shape, lights, count, points, group, out);
+      }
+      IlluminatePoints<Lighting, false>(material, shape, lights, count, points, group, out);
     }
   });
 }

@@ -11,6 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::shade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::AnyTangent;
 using simd::HWY_NAMESPACE::Cross;
 using simd::HWY_NAMESPACE::Dot;
 using simd::HWY_NAMESPACE::Load3;
@@ -29,26 +30,28 @@ HWY_INLINE void StoreNormal(D d, const Vec3V<V>& wanted, const Vec3V<V>& old, si
   Store3(d, Select(usable, n, old), points.nx, points.ny, points.nz, i);
 }
 
-/// A unit vector perpendicular to n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
+/// Tangent space of a point, in world space.
+template <class V>
+struct TangentSpace {
+  Vec3V<V> t, bitangent;
+};
+
 template <class D, class V>
-HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
-  const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-  const V sign = hn::IfThenElse(hn::Lt(n.z, zero), hn::Set(d, -1.0f), one);
-  const V a = hn::Set(d, -1.0f) / (sign + n.z);
-  const V b = n.x * n.y * a;
-  return {one + sign * (n.x * n.x) * a, sign * b, hn::Neg(sign * n.x)};
+HWY_INLINE TangentSpace<V> TangentSpaceAt(D d, const raster::Fragments& points, const Vec3V<V>& n, size_t i) {
+  const Vec3V<V> given = Normalize(d, Load3(d, points.tx, points.ty, points.tz, i));
+  const Vec3V<V> across = Cross(n, given);
+  const auto usable = hn::Gt(Dot(across, across), hn::Set(d, 1e-8f));
+  const Vec3V<V> t = Select(usable, given, AnyTangent(d, n));
+  const V side = hn::IfThenElse(hn::Lt(hn::Load(d, points.tw + i), hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
+  return {t, Scaled(Cross(n, t), side)};
 }
 
 /// Transforms a vector m from the tangent space of point i to world space.
 template <class D, class V>
 HWY_INLINE Vec3V<V> FromTangentSpace(D d, const raster::Fragments& points, const Vec3V<V>& n, const Vec3V<V>& m,
                                      size_t i) {
-  const Vec3V<V> given = Normalize(d, Load3(d, points.tx, points.ty, points.tz, i));
-  const Vec3V<V> across = Cross(n, given);
-  const auto usable = hn::Gt(Dot(across, across), hn::Set(d, 1e-8f));
-  const Vec3V<V> t = Select(usable, given, AnyTangent(d, n));
-  const V side = hn::IfThenElse(hn::Lt(hn::Load(d, points.tw + i), hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f));
-  return Sum(Sum(Scaled(t, m.x), Scaled(Cross(n, t), side * m.y)), Scaled(n, m.z));
+  const TangentSpace<V> space = TangentSpaceAt(d, points, n, i);
+  return Sum(Sum(Scaled(space.t, m.x), Scaled(space.bitangent, m.y)), Scaled(n, m.z));
 }
 
 /// A normal in tangent space, and the variance of slopes removed by filtering its texel.
@@ -64,14 +67,6 @@ HWY_INLINE Mapped<V> Decode(D d, const material::Material& material, const float
   const V scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
   const V squared_scale = scale_x * scale_x;
   const V a = hn::Load(d, map[0] + i), b = hn::Load(d, map[1] + i);
-  if (material.normal_encoding == SHD_NORMAL_ENCODING_MOMENTS) {
-    const V squares = hn::Load(d, map[2] + i) + hn::Load(d, map[3] + i);
-    const V spread = squares - (a * a + b * b);
-    const V half = hn::Set(d, 0.5f) * (squared_scale * spread);
-    const V max = hn::Set(d, 1e30f);  // keeps products with exponents finite
-    const V held = hn::IfThenElse(hn::Lt(half, max), half, max);
-    return {{a * scale_x, b * scale_y, one}, hn::IfThenElseZero(hn::Gt(half, zero), held)};
-  }
   const V x = factor * a + offset, y = factor * b + offset;
   if (material.normal_encoding == SHD_NORMAL_ENCODING_XY) {
     const V rest = one - (x * x + y * y);
@@ -94,6 +89,66 @@ void MapNormals(const material::Material& material, const float* const* map, ras
     const auto mapped = Decode(d, material, map, i);
     hn::Store(mapped.variance, d, variance + i);
     StoreNormal(d, FromTangentSpace(d, points, n, mapped.m, i), n, i, points);
+  }
+}
+
+/// Covariance of slopes as its Cholesky factor, (xx, 0) and (xy, yy).
+template <class V>
+struct SlopeFactor {
+  V xx, xy, yy;
+};
+
+/// max(0, second - first), at most 1e9; 0 for NaN. Products with exponents and roughness stay finite.
+template <class D, class V>
+HWY_INLINE V Spread(D d, V second, V first) {
+  const V max = hn::Set(d, 1e9f), spread = second - first;
+  return hn::IfThenElseZero(hn::Gt(spread, hn::Zero(d)), hn::IfThenElse(hn::Lt(spread, max), spread, max));
+}
+
+/// Covariance of the scaled slopes x, y. `mixed` may be null: the covariance of x and y is 0.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SlopeFactor<V> CovarianceAt(D d, const material::Material& material, const float* const* map,
+                                       const float* mixed, V x, V y, size_t i) {
+  const V zero = hn::Zero(d), scale_x = hn::Set(d, material.normal_scale[0]),
+          scale_y = hn::Set(d, material.normal_scale[1]);
+  const V xx = Spread(d, scale_x * scale_x * hn::Load(d, map[2] + i), x * x);
+  const V yy = Spread(d, scale_y * scale_y * hn::Load(d, map[3] + i), y * y);
+  SlopeFactor<V> factor = {hn::Sqrt(xx), zero, hn::Sqrt(yy)};
+  if (!mixed) return factor;
+  const V xy = scale_x * scale_y * hn::Load(d, mixed + i) - x * y;
+  const auto usable = hn::And(hn::Gt(xx, zero), hn::Eq(xy, xy));
+  const V across = xy / hn::IfThenElse(usable, factor.xx, hn::Set(d, 1.0f));
+  // Rounding may make the covariance larger than the product of the deviations.
+  factor.xy = hn::IfThenElseZero(usable, hn::Min(hn::Max(across, hn::Neg(factor.yy)), factor.yy));
+  factor.yy = hn::Sqrt(hn::Max(yy - factor.xy * factor.xy, zero));
+  return factor;
+}
+
+/// Stores v / length without its component along the unit vector n; 0 where this is not finite.
+template <class D, class V>
+HWY_INLINE void StoreSpread(D d, const Vec3V<V>& v, const Vec3V<V>& n, V length, float* const* out, size_t i) {
+  const Vec3V<V> flat = Scaled(simd::HWY_NAMESPACE::Difference(v, Scaled(n, Dot(v, n))), hn::Set(d, 1.0f) / length);
+  const auto usable = hn::Lt(Dot(flat, flat), hn::Set(d, 1e12f));
+  Store3(d, Select(usable, flat, Scaled(n, hn::Zero(d))), out[0], out[1], out[2], i);
+}
+
+void MapMoments(const material::Material& material, const float* const* map, const float* mixed,
+                raster::Fragments& points, float* const* spread) {
+  const hn::ScalableTag<float> d;
+  const auto scale_x = hn::Set(d, material.normal_scale[0]), scale_y = hn::Set(d, material.normal_scale[1]);
+  for (size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+    const auto n = Load3(d, points.nx, points.ny, points.nz, i);
+    const auto x = scale_x * hn::Load(d, map[0] + i), y = scale_y * hn::Load(d, map[1] + i);
+    const auto space = TangentSpaceAt(d, points, n, i);
+    const auto factor = CovarianceAt(d, material, map, mixed, x, y, i);
+    const auto mapped = Sum(Sum(Scaled(space.t, x), Scaled(space.bitangent, y)), n);
+    StoreNormal(d, mapped, n, i, points);
+    // Slopes (x, y) + e turn the normal by e / |mapped|, without the part along the normal.
+    const auto turned = Load3(d, points.nx, points.ny, points.nz, i);
+    const auto length = hn::Sqrt(Dot(mapped, mapped));
+    const auto a = Sum(Scaled(space.t, factor.xx), Scaled(space.bitangent, factor.xy));
+    StoreSpread(d, a, turned, length, spread, i);
+    StoreSpread(d, Scaled(space.bitangent, factor.yy), turned, length, spread + 3, i);
   }
 }
 
@@ -130,12 +185,18 @@ HWY_AFTER_NAMESPACE();
 namespace shd::shade {
 
 HWY_EXPORT(MapNormals);
+HWY_EXPORT(MapMoments);
 HWY_EXPORT(TiltNormals);
 HWY_EXPORT(BumpNormals);
 
 void map_normals(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
                  raster::Fragments* points, float* variance) {
   SHD_DISPATCH(MapNormals, simd)(material, map, *points, variance);
+}
+
+void map_moments(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
+                 const float* mixed, raster::Fragments* points, float* const spread[6]) {
+  SHD_DISPATCH(MapMoments, simd)(material, map, mixed, *points, spread);
 }
 
 void tilt_normals(const core::SimdTarget& simd, const float* const tilt[2], raster::Fragments* points) {

@@ -97,13 +97,22 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
   const bool maps = material::has_slot(material, SHD_SLOT_NORMAL);
   if (bumps && material.bump == SHD_BUMP_TEXEL) find_texel_tilt(simd, context, columns);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) find_gradient(simd, context, columns);
-  if (maps) map_normals(simd, material, parameters->value[SHD_SLOT_NORMAL], points, columns->variance);
+  const bool has_moments = maps && material.normal_encoding == SHD_NORMAL_ENCODING_MOMENTS;
+  if (has_moments) {
+    map_moments(simd, material, parameters->value[SHD_SLOT_NORMAL], parameters->value[SHD_SLOT_NORMAL_MIXED][0], points,
+                columns->spread);
+  } else if (maps) {
+    map_normals(simd, material, parameters->value[SHD_SLOT_NORMAL], points, columns->variance);
+  }
   if (bumps && material.bump == SHD_BUMP_TEXEL) tilt_normals(simd, columns->tilt, points);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) bump_normals(simd, columns->tilt, columns->tangent_frame, points);
   if (material.flags & SHD_MATERIAL_DOUBLE_SIDED)
     face_normals(*context.shading.vertices, context.shading.orientation, points);
-  const bool has_variance = maps && material.normal_encoding >= SHD_NORMAL_ENCODING_TOKSVIG;
-  return shape_lobes(simd, material, *parameters, has_variance ? columns->variance : nullptr, points->count, columns);
+  const bool has_variance = maps && material.normal_encoding == SHD_NORMAL_ENCODING_TOKSVIG;
+  LobeShape shape =
+      shape_lobes(simd, material, *parameters, has_variance ? columns->variance : nullptr, points->count, columns);
+  for (int k = 0; k < 6 && has_moments; ++k) shape.spread[k] = columns->spread[k];
+  return shape;
 }
 
 }  // namespace shd::shade

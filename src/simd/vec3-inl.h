@@ -81,6 +81,16 @@ HWY_INLINE Vec3V<V> Normalize(D d, const Vec3V<V>& a) {
           hn::IfThenElseZero(usable, a.z * scale)};
 }
 
+/// A unit vector perpendicular to n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
+template <class D, class V>
+HWY_INLINE Vec3V<V> AnyTangent(D d, const Vec3V<V>& n) {
+  const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const V sign = hn::IfThenElse(hn::Lt(n.z, zero), hn::Set(d, -1.0f), one);
+  const V a = hn::Set(d, -1.0f) / (sign + n.z);
+  const V b = n.x * n.y * a;
+  return {one + sign * (n.x * n.x) * a, sign * b, hn::Neg(sign * n.x)};
+}
+
 }  // namespace shd::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

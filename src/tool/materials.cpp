@@ -18,7 +18,7 @@ shd_sampler* make_sampler(shd_context* context, const Options& options, std::vec
   return out.back().get();
 }
 
-constexpr int kTargets = SHD_SLOT_MATCAP + 1;
+constexpr int kTargets = SHD_SLOT_NORMAL_MIXED + 1;
 
 /// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
@@ -59,16 +59,18 @@ Replacements set_extras(shd_material_desc& desc, const Options& options, const E
   Replacements replacements;
   replacements.drops_others = !options.texture.empty();
   replacements.texture[SHD_SLOT_DIFFUSE] = extras.diffuse.get();
-  replacements.texture[SHD_SLOT_NORMAL] = extras.normal.get();
+  replacements.texture[SHD_SLOT_NORMAL] = extras.normal.texture.get();
+  replacements.texture[SHD_SLOT_NORMAL_MIXED] = extras.normal.mixed.get();
   replacements.texture[SHD_SLOT_HEIGHT] = extras.height.get();
   replacements.texture[SHD_SLOT_MATCAP] = extras.matcap.get();
   for (size_t c = 0; c < 3; ++c) {
     if (options.diffuse) desc.diffuse[c] = (*options.diffuse)[c];
     if (extras.diffuse.get()) desc.diffuse[c] = 1.0f;
   }
-  if (extras.normal.get() && options.keep == KeepRoughness::kToksvig)
+  if (extras.normal.texture.get() && options.keep == KeepRoughness::kToksvig)
     desc.normal_encoding = SHD_NORMAL_ENCODING_TOKSVIG;
-  if (extras.normal.get() && options.keep == KeepRoughness::kLean) desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
+  if (extras.normal.texture.get() && options.keep == KeepRoughness::kLean)
+    desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
   if (extras.height.get()) {
     desc.bump = options.bump_form;
     desc.bump_scale = options.bump_scale;

@@ -5,10 +5,12 @@
 #include "tool/handles.h"
 #include "tool/model.h"
 #include "tool/options.h"
+#include "tool/textures.h"
 
 /// Textures of the command line, and objects that all materials share.
 struct Extras {
-  Texture diffuse, normal, height, matcap;
+  Texture diffuse, height, matcap;
+  NormalMap normal;
 };
 
 /// Loads the files that the options name. Throws Failure (kExitInput) for a file that cannot be read.

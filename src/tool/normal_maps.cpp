@@ -64,34 +64,44 @@ bool create_with_lengths(shd_context* context, const shd_image& base, Texture& o
   return shd_texture_create(context, &desc, out.out()) == SHD_OK;
 }
 
-/// Makes a texture of slopes and their squares, as floats (Olano and Baker, "LEAN Mapping", 2010).
-bool create_moments(shd_context* context, const shd_image& base, Texture& out) {
-  std::vector<float> texels(size_t{4} * base.width * base.height);
-  shd_image moments = base;
-  moments.format = SHD_FORMAT_RGBA32F;
-  moments.pixels = texels.data();
-  if (shd_normal_moments(context, &base, &moments) != SHD_OK) return false;
+bool create_data(shd_context* context, const shd_image& image, const Options& options, Texture& out) {
   shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = moments.format;
-  desc.width = base.width;
-  desc.height = base.height;
-  desc.texels = texels.data();
-  desc.tables = SHD_TABLE_MIPMAP;
+  desc.format = image.format;
+  desc.width = image.width;
+  desc.height = image.height;
+  desc.texels = image.pixels;
+  desc.tables = tables_of(options.filter);
   return shd_texture_create(context, &desc, out.out()) == SHD_OK;
+}
+
+/// Makes textures of slopes and their squares and products, as floats (Olano and Baker, "LEAN Mapping", 2010).
+bool create_moments(shd_context* context, const shd_image& base, const Options& options, NormalMap& out) {
+  const size_t count = size_t{base.width} * base.height;
+  std::vector<float> texels(4 * count), products(count);
+  shd_image moments = shd_image_default(), mixed = shd_image_default();
+  moments.format = SHD_FORMAT_RGBA32F;
+  mixed.format = SHD_FORMAT_R32F;
+  moments.width = mixed.width = base.width;
+  moments.height = mixed.height = base.height;
+  moments.pixels = texels.data();
+  mixed.pixels = products.data();
+  return shd_normal_moments(context, &base, &moments, &mixed) == SHD_OK &&
+         create_data(context, moments, options, out.texture) && create_data(context, mixed, options, out.mixed);
 }
 
 }  // namespace
 
-Texture load_normal_map(shd_context* context, const Options& options) {
+NormalMap load_normal_map(shd_context* context, const Options& options) {
+  NormalMap map;
   if (options.keep == KeepRoughness::kNone) {
-    return load_texture(context, options.normal_map, true, tables_of(options.filter));
+    map.texture = load_texture(context, options.normal_map, true, tables_of(options.filter));
+    return map;
   }
   std::vector<uint16_t> texels;
   shd_image base = shd_image_default();
-  Texture texture;
   const bool done = load_wide(context, options.normal_map, texels, base) &&
-                    (options.keep == KeepRoughness::kToksvig ? create_with_lengths(context, base, texture)
-                                                             : create_moments(context, base, texture));
+                    (options.keep == KeepRoughness::kToksvig ? create_with_lengths(context, base, map.texture)
+                                                             : create_moments(context, base, options, map));
   if (!done) throw Failure(kExitInput, options.normal_map + ": " + shd_last_error());
-  return texture;
+  return map;
 }

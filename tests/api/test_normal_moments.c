@@ -95,18 +95,22 @@ static double load_moment(shd_format format, const unsigned char *from, size_t c
 /* Rows have gaps in both images, and the gaps do not change. */
 static void test_format(void **state)
 {
-    static unsigned char in[HEIGHT * 256], out[HEIGHT * 256];
+    static unsigned char in[HEIGHT * 256], out[HEIGHT * 256], product[HEIGHT * 64];
     const struct format_case *c = (const struct format_case *)*state;
     const size_t pixel = shd_format_size(c->format), channel = pixel / c->channels;
     const size_t out_pixel = shd_format_size(c->out);
     const double rounding = c->out == SHD_FORMAT_RGBA16F ? 0x1p-11 : 0x1p-24;
     shd_image normals = make_image(c->format, WIDTH, HEIGHT, in), moments = make_image(c->out, WIDTH, HEIGHT, out);
+    const int is_half = c->out == SHD_FORMAT_RGBA16F;
+    shd_image mixed = make_image(is_half ? SHD_FORMAT_R32F : SHD_FORMAT_R16F, WIDTH, HEIGHT, product);
     static double want[HEIGHT][WIDTH][3];
     shd_context *context = NULL;
     uint32_t seed = 17, x, y, k;
     shd_assert_ok(shd_context_create(NULL, &context));
     normals.row_stride = moments.row_stride = 256;
+    mixed.row_stride = 64;
     memset(out, 0xee, sizeof out);
+    memset(product, 0xee, sizeof product);
     for (y = 0; y < HEIGHT; ++y) {
         for (x = 0; x < WIDTH; ++x) {
             for (k = 0; k < c->channels; ++k) {
@@ -115,13 +119,16 @@ static void test_format(void **state)
             }
         }
     }
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+    shd_assert_ok(shd_normal_moments(context, &normals, &moments, &mixed));
     for (y = 0; y < HEIGHT; ++y) {
-        const unsigned char *row = out + 256 * y;
+        const unsigned char *row = out + 256 * y, *products = product + 64 * y;
         for (x = 0; x < WIDTH; ++x) {
             const double *n = want[y][x];
             double b[2];
             shd_ref_slopes(n[0], n[1], n[2], b);
+            shd_assert_close("product", x, load_moment(is_half ? SHD_FORMAT_RGBA32F : SHD_FORMAT_RGBA16F, products, x),
+                             load_moment(c->out, row + out_pixel * x, 0) * load_moment(c->out, row + out_pixel * x, 1),
+                             0x1p-25, is_half ? 0x1p-24 : 0x1.03p-11);
             for (k = 0; k < 2; ++k) {
                 const double got = load_moment(c->out, row + out_pixel * x, k);
                 shd_assert_close("slope", k, got, b[k], 0x1p-25, rounding * 1.01);
@@ -130,6 +137,7 @@ static void test_format(void **state)
             }
         }
         for (k = (uint32_t)(out_pixel * WIDTH); k < 256; ++k) assert_int_equal(row[k], 0xee);
+        for (k = (is_half ? 4 : 2) * WIDTH; k < 64; ++k) assert_int_equal(products[k], 0xee);
     }
     shd_context_release(context);
 }
@@ -155,7 +163,7 @@ static void test_special(void **state)
     shd_assert_ok(shd_context_create(NULL, &context));
     for (i = 0; i < sizeof k_rows / sizeof k_rows[0]; ++i) {
         memcpy(n, k_rows[i].n, sizeof n);
-        shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+        shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
         for (k = 0; k < 2; ++k) {
             shd_assert_close("slope", i, (double)out[k], (double)k_rows[i].want[k], 0, 1e-6);
             assert_true(out[2 + k] == out[k] * out[k]);
@@ -164,7 +172,7 @@ static void test_special(void **state)
     for (i = 0; i < 3; ++i) {
         for (c = 0; c < 3; ++c) {
             for (k = 0; k < 3; ++k) n[k] = k == c ? bad[i] : 0.5f;
-            shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+            shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
             for (k = 0; k < 4; ++k) assert_true(out[k] == 0);
         }
     }
@@ -254,7 +262,7 @@ static void test_variance(void **state)
     uint32_t level, x, y;
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(height);
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+    shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
     texture = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
     for (level = 0; level <= LEVELS; level += 2) {
         const uint32_t edge = 1u << level, left = 16u % SIZE / edge * edge;
@@ -297,7 +305,7 @@ static void test_length(void **state)
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
     bumpy(0.1f);
-    shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+    shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
     by_moments = with_levels(context, g_moments, SHD_TEXEL_CONTENT_DATA);
     by_length = with_levels(context, g_normals, SHD_TEXEL_CONTENT_NORMAL);
     for (i = 0; i <= 4 * LEVELS; ++i) {
@@ -380,7 +388,7 @@ static void test_workers(void **state)
         uint64_t hash;
         desc.worker_count = workers;
         shd_assert_ok(shd_context_create(&desc, &context));
-        shd_assert_ok(shd_normal_moments(context, &normals, &moments));
+        shd_assert_ok(shd_normal_moments(context, &normals, &moments, NULL));
         hash = shd_hash(SHD_HASH_START, out, sizeof out);
         if (workers > 1) assert_true(hash == want);
         want = hash;
@@ -415,36 +423,59 @@ static void test_bad(void **state)
     shd_context *context = NULL;
     shd_assert_ok(shd_context_create(NULL, &context));
     out[0] = 7;
-    shd_assert_result(c->name, shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT, c->message);
+    shd_assert_result(c->name, shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+                      c->message);
     assert_true(out[0] == 7);
     shd_context_release(context);
 }
 
 static void test_bad_arguments(void **state)
 {
-    static float in[64], out[64];
+    static float in[64], out[64], product[64];
     const shd_image normals = make_image(SHD_FORMAT_RGBA32F, 4, 4, in);
     shd_image moments = make_image(SHD_FORMAT_RGBA32F, 4, 4, out);
     shd_context *context = NULL;
     (void)state;
     shd_assert_ok(shd_context_create(NULL, &context));
-    shd_assert_result("context", shd_normal_moments(NULL, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT, "context: ");
-    shd_assert_result("normals", shd_normal_moments(context, NULL, &moments), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("context", shd_normal_moments(NULL, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
+                      "context: ");
+    shd_assert_result("normals", shd_normal_moments(context, NULL, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "normals: NULL");
-    shd_assert_result("out", shd_normal_moments(context, &normals, NULL), SHD_ERROR_INVALID_ARGUMENT, "out: NULL");
+    shd_assert_result("out", shd_normal_moments(context, &normals, NULL, NULL), SHD_ERROR_INVALID_ARGUMENT,
+                      "out: NULL");
     moments.pixels = NULL;
-    shd_assert_result("pixels", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("pixels", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: NULL");
     moments.pixels = (char *)out + 2;
-    shd_assert_result("aligned", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("aligned", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: ");
     moments.pixels = normals.pixels;
-    shd_assert_result("overlap", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("overlap", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.pixels: overlaps normals.pixels");
     moments.pixels = out;
     moments.row_stride = 60;
-    shd_assert_result("stride", shd_normal_moments(context, &normals, &moments), SHD_ERROR_INVALID_ARGUMENT,
+    shd_assert_result("stride", shd_normal_moments(context, &normals, &moments, NULL), SHD_ERROR_INVALID_ARGUMENT,
                       "out.row_stride: 60 is below 64");
+    moments.row_stride = 0;
+    {
+        shd_image mixed = make_image(SHD_FORMAT_RGBA32F, 4, 4, product);
+        shd_assert_result("mixed.format", shd_normal_moments(context, &normals, &moments, &mixed),
+                          SHD_ERROR_INVALID_ARGUMENT, "mixed.format: 5 is neither R16F nor R32F");
+        mixed.format = SHD_FORMAT_R32F;
+        mixed.width = 3;
+        shd_assert_result("mixed.width", shd_normal_moments(context, &normals, &moments, &mixed),
+                          SHD_ERROR_INVALID_ARGUMENT, "mixed.width: 3 is not in 4..4");
+        mixed.width = 4;
+        mixed.pixels = out;
+        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
+                          "mixed.pixels: overlaps out.pixels");
+        mixed.pixels = in;
+        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
+                          "mixed.pixels: overlaps normals.pixels");
+        mixed.pixels = NULL;
+        shd_assert_result("mixed", shd_normal_moments(context, &normals, &moments, &mixed), SHD_ERROR_INVALID_ARGUMENT,
+                          "mixed.pixels: NULL");
+    }
     shd_context_release(context);
 }
 

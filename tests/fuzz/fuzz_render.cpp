@@ -85,7 +85,7 @@ void fill_draw(Source& source, DrawData& data) {
   fill_mesh(source, data.mesh);
   fill_material(source, data.material);
   data.textured = source.one_in(2) ? source.word() & source.word() : 0;
-  for (int slot = 0; slot <= SHD_SLOT_MATCAP; ++slot) {
+  for (int slot = 0; slot <= SHD_SLOT_NORMAL_MIXED; ++slot) {
     if (data.textured >> slot & 1 || slot >= SHD_SLOT_HEIGHT || !source.one_in(8)) continue;
     data.slots.push_back(
         shd_slot_vertex(static_cast<shd_slot_target>(slot), source.below(source.one_in(32) ? 100 : 4)));
@@ -174,7 +174,7 @@ bool make_objects(shd_context* context, const Case& c, Objects& o) {
   for (size_t i = 0; i < c.draw_count && made; ++i) {
     shd_material_desc material = c.draws[i].material;
     std::vector<shd_slot> slots = c.draws[i].slots;
-    for (int slot = 0; slot <= SHD_SLOT_MATCAP; ++slot) {
+    for (int slot = 0; slot <= SHD_SLOT_NORMAL_MIXED; ++slot) {
       if (!(c.draws[i].textured >> slot & 1)) continue;
       slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(slot), o.texture, nullptr));
     }

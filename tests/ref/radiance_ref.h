@@ -60,7 +60,8 @@ inline Sum radiance(const material::Material& m, const SlotValues& s, long doubl
     case SHD_MODEL_GOOCH: {
       const long double warmth = lights > 0 ? lobe[0] / lights : 0.5L;
       sum.add(warmth * (m.warm[c] + m.warm_mix * diffuse));
-      sum.add((1 - warmth) * (m.cool[c] + m.cool_mix * diffuse));
+      sum.add(m.cool[c] + m.cool_mix * diffuse);  // two terms, because 1 - warmth cancels near 1
+      sum.add(-warmth * (m.cool[c] + m.cool_mix * diffuse));
       break;
     }
     case SHD_MODEL_COMBINED:

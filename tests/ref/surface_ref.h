@@ -25,12 +25,20 @@ inline MappedNormal decode(const material::Material& material, const long double
       const long double length = t[3] < 0.01L ? 0.01L : t[3];
       return {{s * x, r * y, z}, length < 1 ? s * s * (1 - length) / length : 0};
     }
-    case SHD_NORMAL_ENCODING_MOMENTS: {
-      const long double spread = t[2] + t[3] - t[0] * t[0] - t[1] * t[1];
-      return {{s * t[0], r * t[1], 1}, spread > 0 ? 0.5L * s * s * spread : 0};
-    }
+    case SHD_NORMAL_ENCODING_MOMENTS: return {{s * t[0], r * t[1], 1}, 0};
     default: return {{s * x, r * y, z}, 0};
   }
+}
+
+/// Covariance of the scaled slopes of moments t and their mixed moment.
+struct SlopeCovariance {
+  long double xx, xy, yy;
+};
+inline SlopeCovariance slope_covariance(const material::Material& material, const long double t[4], long double mixed) {
+  const long double s = material.normal_scale[0], r = material.normal_scale[1];
+  const long double xx = s * s * (t[2] - t[0] * t[0]), yy = r * r * (t[3] - t[1] * t[1]);
+  const long double largest = sqrtl(xx > 0 && yy > 0 ? xx * yy : 0), xy = s * r * (mixed - t[0] * t[1]);
+  return {xx > 0 ? xx : 0, xy < -largest ? -largest : xy > largest ? largest : xy, yy > 0 ? yy : 0};
 }
 
 /// m in the basis t, w (n x t), n; the length of m is kept.

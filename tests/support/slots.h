@@ -5,7 +5,7 @@
 
 #include <shd/material.h>
 
-enum { SHD_TEST_SLOTS = 12 };
+enum { SHD_TEST_SLOTS = 13 };
 
 /** Slots of one material. Zero is none. */
 typedef struct shd_slot_list {

@@ -48,6 +48,8 @@ void random_texels(Random* random, shd_normal_encoding encoding) {
     if (encoding == SHD_NORMAL_ENCODING_MOMENTS) {
       t[0] = double(m.x / m.z), t[1] = double(m.y / m.z);
       t[2] = t[0] * t[0] + random->in(-0.01, 1.0), t[3] = t[1] * t[1] + random->in(-0.01, 1.0);
+      const double largest = std::sqrt(std::max(0.0, t[2] - t[0] * t[0]) * std::max(0.0, t[3] - t[1] * t[1]));
+      g->given.slot[SHD_SLOT_NORMAL_MIXED][0][i] = static_cast<float>(t[0] * t[1] + largest * random->in(-1.1, 1.1));
     }
     for (int c = 0; c < 4; ++c) map[c][i] = static_cast<float>(t[c]);
   }
@@ -55,9 +57,36 @@ void random_texels(Random* random, shd_normal_encoding encoding) {
 
 void map_everywhere(bool tails) {
   const auto run = [&](const core::SimdTarget& target, raster::Fragments* points) {
-    shade::map_normals(target, g->material, g->given.slot[SHD_SLOT_NORMAL], points, g->columns.variance);
+    float* const* map = g->given.slot[SHD_SLOT_NORMAL];
+    if (g->material.normal_encoding == SHD_NORMAL_ENCODING_MOMENTS) {
+      shade::map_moments(target, g->material, map, g->given.slot[SHD_SLOT_NORMAL_MIXED][0], points, g->columns.spread);
+    } else {
+      shade::map_normals(target, g->material, map, points, g->columns.variance);
+    }
   };
   tails ? turn_tails(run) : turn_everywhere(run);
+}
+
+/// Compares a a^T + b b^T in world space with the covariance of slopes, moved to the mean normal.
+void check_spread(size_t i, const Vector& m, const ref::SlopeCovariance& c) {
+  const Vector n = normal_of(g->before, i), t = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
+  const Vector w = static_cast<long double>(g->before.tw[i]) * ref::cross(n, t);
+  const Vector mean = ref::unit(m.x * t + m.y * w + n);
+  const long double size = ref::length(m.x * t + m.y * w + n);
+  const auto across = [&](const Vector& v) { return 1 / size * (v - ref::dot(v, mean) * mean); };
+  const Vector x = across(t), y = across(w);
+  float* const* s = g->columns.spread;
+  const Vector a = load(s[0], s[1], s[2], i), b = load(s[3], s[4], s[5], i);
+  const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const double tolerance = 2e-6 * static_cast<double>(ref::dot(m, m) + c.xx + c.yy);
+  for (const Vector& p : axes) {
+    for (const Vector& q : axes) {
+      const long double px = ref::dot(p, x), py = ref::dot(p, y), qx = ref::dot(q, x), qy = ref::dot(q, y);
+      const long double want = c.xx * px * qx + c.xy * (px * qy + py * qx) + c.yy * py * qy;
+      const long double got = ref::dot(a, p) * ref::dot(a, q) + ref::dot(b, p) * ref::dot(b, q);
+      shd_assert_close("covariance", i, static_cast<double>(got), static_cast<double>(want), tolerance, 0.0);
+    }
+  }
 }
 
 void test_map(void** state) {
@@ -78,9 +107,33 @@ void test_map(void** state) {
     const long double z = c->encoding == SHD_NORMAL_ENCODING_XY ? std::max(want.m.z, 1e-3L) : 1;
     const long double size = std::max(1.0L, ref::length(want.m));
     check_normal("n", i, ref::unit(turned), static_cast<double>(6e-7L * size / z / ref::length(turned)));
-    // The variance is a difference of squares.
-    shd_assert_close("variance", i, g->columns.variance[i], static_cast<double>(want.variance),
-                     c->encoding == SHD_NORMAL_ENCODING_MOMENTS ? 4e-7 * static_cast<double>(size * size) : 0.0, 1e-6);
+    if (c->encoding == SHD_NORMAL_ENCODING_MOMENTS) {
+      check_spread(i, want.m, ref::slope_covariance(g->material, t, g->given.slot[SHD_SLOT_NORMAL_MIXED][0][i]));
+    } else {
+      shd_assert_close("variance", i, g->columns.variance[i], static_cast<double>(want.variance), 0.0, 1e-6);
+    }
+  }
+}
+
+/// Without mixed moments, slopes have no covariance. Texels that are not finite give no spread.
+void test_moments_alone(void**) {
+  const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f};
+  Random random = {105};
+  set_encoding(SHD_NORMAL_ENCODING_MOMENTS, 1.0f);
+  random_points(&random);
+  random_texels(&random, SHD_NORMAL_ENCODING_MOMENTS);
+  for (size_t i = 0; i < kBatch; ++i) {
+    if (i % 4 == 3) g->given.slot[SHD_SLOT_NORMAL][i / 4 % 4][i] = bad[i / 16 % 4];
+  }
+  turn_everywhere([&](const core::SimdTarget& target, raster::Fragments* points) {
+    shade::map_moments(target, g->material, g->given.slot[SHD_SLOT_NORMAL], nullptr, points, g->columns.spread);
+  });
+  for (size_t i = 0; i < kBatch; ++i) {
+    long double t[4];
+    for (int k = 0; k < 4; ++k) t[k] = g->given.slot[SHD_SLOT_NORMAL][k][i];
+    for (const float* column : g->columns.spread) assert_true(std::fabs(column[i]) <= 1e6f);
+    if (i % 4 == 3) continue;
+    check_spread(i, ref::decode(g->material, t).m, ref::slope_covariance(g->material, t, t[0] * t[1]));
   }
 }
 
@@ -122,8 +175,7 @@ void test_degenerate(void** state) {
 /// Texels that are non-finite or represent no normal do not change the normal; their variance is finite.
 void test_nonfinite_texels(void**) {
   const float bad[] = {NAN, INFINITY, -INFINITY, 3e38f};
-  for (shd_normal_encoding encoding :
-       {SHD_NORMAL_ENCODING_XYZ, SHD_NORMAL_ENCODING_XY, SHD_NORMAL_ENCODING_TOKSVIG, SHD_NORMAL_ENCODING_MOMENTS}) {
+  for (shd_normal_encoding encoding : {SHD_NORMAL_ENCODING_XYZ, SHD_NORMAL_ENCODING_XY, SHD_NORMAL_ENCODING_TOKSVIG}) {
     Random random = {103};
     set_encoding(encoding, 1.0f);
     random_points(&random);
@@ -177,6 +229,7 @@ int main() {
     tests[n++] = {c.name, test_degenerate, nullptr, nullptr, const_cast<DegenerateCase*>(&c)};
   }
   tests[n++] = {"map/nonfinite_texels", test_nonfinite_texels, nullptr, nullptr, nullptr};
+  tests[n++] = {"map/moments/alone", test_moments_alone, nullptr, nullptr, nullptr};
   tests[n++] = {"tilt", test_tilt, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.shade.normal_maps", tests, n, set_up, tear_down);
 }

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Lobes averaged over the normals of a filtered normal map, whose slopes have a mean and a covariance (Olano and Baker,
+// "LEAN Mapping", 2010).
+
+#if defined(SHD_MATERIAL_SLOPE_SPREAD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_MATERIAL_SLOPE_SPREAD_INL_H_
+#undef SHD_MATERIAL_SLOPE_SPREAD_INL_H_
+#else
+#define SHD_MATERIAL_SLOPE_SPREAD_INL_H_
+#endif
+
+#include "simd/math-inl.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::material::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using simd::HWY_NAMESPACE::Dot;
+using simd::HWY_NAMESPACE::Vec3V;
+
+constexpr float kHalfLog2E = 0.721347520f;  // log2(e) / 2
+
+/// Covariance S = a a^T + b b^T of slopes along t and s, which are perpendicular to n and to each other; slopes are
+/// tangents of angles from n, so their mean is 0. A sum of squares keeps det S = |a x b|^2 >= 0 without cancellation.
+template <class V>
+struct SlopeSpread {
+  Vec3V<V> n, t, s;
+  V ax, ay, bx, by;
+  V trace, determinant;
+  V mean_length;  // 1 / sqrt(1 + trace S): mean component along n of the unit normals
+};
+
+/// a, b: world-space vectors whose components perpendicular to n are used.
+template <class D, class V>
+HWY_INLINE SlopeSpread<V> MakeSlopeSpread(D d, const Vec3V<V>& n, const Vec3V<V>& a, const Vec3V<V>& b) {
+  const V one = hn::Set(d, 1.0f);
+  SlopeSpread<V> spread;
+  spread.n = n;
+  spread.t = simd::HWY_NAMESPACE::AnyTangent(d, n);
+  spread.s = simd::HWY_NAMESPACE::Cross(n, spread.t);
+  spread.ax = Dot(a, spread.t), spread.ay = Dot(a, spread.s);
+  spread.bx = Dot(b, spread.t), spread.by = Dot(b, spread.s);
+  spread.trace = (spread.ax * spread.ax + spread.ay * spread.ay) + (spread.bx * spread.bx + spread.by * spread.by);
+  const V area = spread.ax * spread.by - spread.ay * spread.bx;
+  spread.determinant = area * area;
+  spread.mean_length = one / hn::Sqrt(one + spread.trace);
+  return spread;
+}
+
+/// The mean of max(0, n.l) over the normals: the mean m P(m / d) + d p(m / d) of a rectified Gaussian with mean m = n.l
+/// and variance d^2 = l^T S l, times the mean length of (slope, 1) / |(slope, 1)|. P is the cumulative distribution of
+/// the normal distribution, by Abramowitz and Stegun, "Handbook of Mathematical Functions" (1964), 26.2.17, with
+/// |error| < 7.5e-8. The result is max(0, n.l) where S = 0.
+template <class D, class V>
+HWY_INLINE V FilteredCosine(D d, const SlopeSpread<V>& spread, const Vec3V<V>& l, V n_dot_l) {
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V x = Dot(l, spread.t), y = Dot(l, spread.s);
+  const V along_a = x * spread.ax + y * spread.ay, along_b = x * spread.bx + y * spread.by;
+  const V deviation = hn::Sqrt(along_a * along_a + along_b * along_b);
+  const V z = hn::Abs(n_dot_l) / hn::Max(deviation, hn::Set(d, 1e-18f));
+  const V held = hn::Min(z, hn::Set(d, 16.0f));
+  const V density = hn::Set(d, 0.398942280f) * simd::HWY_NAMESPACE::Exp2(d, hn::Set(d, -kHalfLog2E) * (held * held));
+  const V k = one / (one + hn::Set(d, 0.2316419f) * held);
+  V tail = hn::Set(d, 1.330274429f);
+  tail = tail * k + hn::Set(d, -1.821255978f);
+  tail = tail * k + hn::Set(d, 1.781477937f);
+  tail = tail * k + hn::Set(d, -0.356563782f);
+  tail = (tail * k + hn::Set(d, 0.319381530f)) * k;
+  // Both signs of n.l add the mean of the part beyond 0: d p - |n.l| (1 - P(|n.l| / d)).
+  const V beyond = hn::Max(density * (deviation - hn::Abs(n_dot_l) * tail), zero);
+  return (hn::Max(n_dot_l, zero) + beyond) * spread.mean_length;
+}
+
+/// The normals near the half vector h, which reflect wo to l: their mean, and their contribution to a lobe.
+template <class V>
+struct Reflector {
+  Vec3V<V> n;
+  V distance;  // w^T S w: squared distance of n from the mean normal, in standard deviations
+  V gain;      // 1 / sqrt(det(1 + k S G))
+};
+
+/// The integral over normals of a Gaussian of slopes with covariance S, times a lobe around h, which is a Gaussian with
+/// covariance 1 / (k G) near the normal u. Laplace's method takes both at the slopes u = S w, w = (1 / k + S)^-1 h, where
+/// their product is largest if G = 1. G = ((1 + |u|^2) 1 - u u^T) / (1 + |u|^2)^2 is the metric of angles in slopes
+/// (LEAN mapping, section 3, has G = 1 and the lobe at the mean normal; so both agree for gentle slopes).
+/// @param sum     wo + l
+/// @param length  |wo + l|, not 0
+/// @param k       precision of the lobe, 0..2e6: 1 / variance of a slope
+template <class D, class V>
+HWY_INLINE Reflector<V> FindReflector(D d, const SlopeSpread<V>& s, const Vec3V<V>& sum, V length, V k) {
+  const V one = hn::Set(d, 1.0f);
+  const V up = hn::Max(Dot(sum, s.n), hn::Set(d, 1e-3f) * length);
+  const V inverse_up = one / up;
+  const V hx = Dot(sum, s.t) * inverse_up, hy = Dot(sum, s.s) * inverse_up;
+  // w = k (h + k adj(S) h) / det(1 + k S), with adj(S) = a' a'^T + b' b'^T for a', b' turned by 90 degrees.
+  const V turned_a = s.ax * hy - s.ay * hx, turned_b = s.bx * hy - s.by * hx;
+  const V det = one + k * (s.trace + k * s.determinant);
+  const V scale = k / det;
+  const V wx = scale * (hx - k * (s.ay * turned_a + s.by * turned_b));
+  const V wy = scale * (hy + k * (s.ax * turned_a + s.bx * turned_b));
+  const V along_a = s.ax * wx + s.ay * wy, along_b = s.bx * wx + s.by * wy;
+  const V ux = s.ax * along_a + s.bx * along_b, uy = s.ay * along_a + s.by * along_b;
+  const V squared = one + (ux * ux + uy * uy);
+  const V inverse = one / squared;
+  const V across_a = s.ax * uy - s.ay * ux, across_b = s.bx * uy - s.by * ux;
+  const V tilted = (s.trace + (across_a * across_a + across_b * across_b)) * (inverse * inverse);
+  const V full = one + k * (tilted + k * s.determinant * (inverse * inverse * inverse));
+  const V shorten = hn::Sqrt(inverse);
+  using simd::HWY_NAMESPACE::Scaled;
+  using simd::HWY_NAMESPACE::Sum;
+  const Vec3V<V> n = Sum(s.n, Sum(Scaled(s.t, ux), Scaled(s.s, uy)));
+  return {Scaled(n, shorten), along_a * along_a + along_b * along_b, one / hn::Sqrt(full)};
+}
+
+}  // namespace shd::material::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_MATERIAL_SLOPE_SPREAD_INL_H_
