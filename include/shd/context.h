@@ -110,7 +110,7 @@ typedef enum shd_context_flag {
      * next call, so that a loop of equal frames allocates nothing after its first frame; see shd_context_trim().
      */
     SHD_CONTEXT_RETURN_MEMORY = 1,
-    SHD_CONTEXT_MAX_ENUM = 0x7fffffff
+    SHD_CONTEXT_FLAG_MAX_ENUM = 0x7fffffff
 } shd_context_flag;
 typedef uint32_t shd_context_flags; /**< shd_context_flag bits */
 

@@ -28,7 +28,7 @@ struct Allocator {
 
   /// Returns memory aligned to kAlignment, or null for size 0. Throws std::bad_alloc.
   void* allocate(size_t size) const;
-  /// The same; returns null instead of throwing.
+  /// Returns the same memory, or null if the host has none.
   void* try_allocate(size_t size) const noexcept;
   void free(void* memory, size_t size) const noexcept;
 };

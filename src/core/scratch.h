@@ -9,7 +9,7 @@
 
 namespace shd::core {
 
-/// Working memory of one call at a time. Freed blocks are kept and serve later allocations of about their size, so that
+/// Working memory of a call, and then of the next one. Freed blocks are kept and serve later allocations of about their size, so that
 /// a loop of equal calls allocates nothing after its first turn. Sizes are rounded up by less than 1/8. Functions
 /// without a note may be called from any thread.
 class Scratch {

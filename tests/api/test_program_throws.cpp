@@ -115,6 +115,7 @@ void test_throw(void **state)
     shd_frame_quad(-1, -1, 1, 1, 0.25f, 0.25f, quad);
     shd_frame_draw(&f, quad, 6, &m)->frequency = c.frequency;
     shd_context_release(f.context);
+    desc.flags = SHD_CONTEXT_RETURN_MEMORY;
     desc.allocator.allocate = take;
     desc.allocator.free = give_back;
     desc.worker_count = 3;
