@@ -134,7 +134,7 @@ static shd_result moments_0(shd_context *c)
     shd_image image = shd_image_default();
     image.format = SHD_FORMAT_RGBA32F;
     image.pixels = k_memory;
-    return shd_normal_moments(c, &image, &image);
+    return shd_normal_moments(c, &image, &image, NULL);
 }
 
 static shd_result make_shape(shd_context *context, uint32_t across, uint32_t down)
