@@ -94,7 +94,7 @@ inline void choose_material(Source& source, DrawCase& c) {
   m.parallax_steps = source.one_in(16) ? source.below(300) : 2 + source.below(4);
   m.toon_steps = source.one_in(16) ? source.below(300) : 1 + source.below(4);
   if (m.model == SHD_MODEL_PROGRAM) m.program.fragment = write_program;
-  if (m.model != SHD_MODEL_PROGRAM) m.flags &= ~uint32_t{source.one_in(32) ? 0 : SHD_MATERIAL_DISCARDS};
+  if (m.model != SHD_MODEL_PROGRAM && !source.one_in(32)) m.flags &= ~uint32_t{SHD_MATERIAL_DISCARDS};
   if (source.one_in(8)) {
     m.program.vertex = move_vertices;
     m.varying_count = source.below(source.one_in(32) ? 20 : 3);

@@ -41,12 +41,12 @@ void choose_case(Source& source, Case& c) {
   c.budget = choose_budget(source);
   shd_tessellation_desc& desc = c.desc;
   desc.mode = source.constant<shd_tessellation_mode>(2);
-  desc.segments = source.one_in(64) ? source.word() : 1 + source.below(6);
-  desc.max_segments = source.one_in(64) ? source.word() : 1 + source.below(8);
+  desc.segments = source.one_in(64) ? source.word() : 1 + source.below(4);
+  desc.max_segments = source.one_in(64) ? source.word() : 1 + source.below(5);
   desc.edge_length = source.one_in(8) ? source.hostile() : source.real(0.05f, 2.0f);
   desc.width = source.one_in(64) ? source.word() : 1 + source.below(64);
   desc.height = source.one_in(64) ? source.word() : 1 + source.below(64);
-  desc.max_triangles = 200;
+  desc.max_triangles = 80;
   desc.lod = source.real(-2, 4);
   desc.amplitude = source.one_in(8) ? source.hostile() : source.real();
   desc.offset = source.one_in(8) ? source.hostile() : source.real();
@@ -61,9 +61,9 @@ void choose_case(Source& source, Case& c) {
   c.use_sampler = source.one_in(2);
   c.use_shape = source.one_in(8);
   if (c.use_shape) choose_shape(source, c.shape);
-  choose_mesh(source, c.mesh, 9, 18);
+  choose_mesh(source, c.mesh, 7, 12);
   if (!c.use_texture) return;
-  choose_texture(source, c.texture, 5);
+  choose_texture(source, c.texture, 3);
   choose_sampler(source, c.sampler);
 }
 

@@ -44,7 +44,7 @@ void choose_update(Source& source, const shd_texture_desc& texture, Update& u) {
 
 void choose_case(Source& source, Case& c) {
   c.budget = choose_budget(source);
-  choose_texture(source, c.texture, source.one_in(8) ? 36 : 9);
+  choose_texture(source, c.texture, source.one_in(16) ? 36 : 6);
   c.palette.emplace_back(source);
   c.update_count = source.below(kMaxUpdates + 1);
   for (size_t i = 0; i < c.update_count; ++i) choose_update(source, c.texture.desc, c.updates[i]);

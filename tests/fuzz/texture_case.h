@@ -87,7 +87,7 @@ inline void choose_texture(Source& source, TextureCase& c, uint32_t max_edge) {
     case 3: desc.layers = source.one_in(2) ? 0 : 2049; break;
     case 4: desc.texels = nullptr; break;
     case 5: desc.struct_size = source.one_in(2) ? source.below(16) : 0x80000000u | source.word(); break;
-    case 6: desc.row_stride = 1 + source.below(2); break;
+    case 6: desc.row_stride = desc.width * pixel > 2 ? 1 + source.below(2) : desc.row_stride; break;
     default: break;
   }
 }
