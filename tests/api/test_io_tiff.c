@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* TIFF directories with hostile strips: refused at once, before libtiff sees them. Layout: Adobe, "TIFF 6.0". */
+/* TIFF directories with hostile strips: refused at once, before libtiff reads them. Layout: Adobe, "TIFF 6.0". */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 
@@ -36,7 +36,10 @@ struct tiff_case {
     struct entry offsets, sizes; /* tag 0 = unchanged */
     uint32_t next;               /* offset of the next directory */
 };
-#define KEPT {0, 0, 0, 0}
+#define KEPT       \
+    {              \
+        0, 0, 0, 0 \
+    }
 #define BEYOND SHD_ERROR_CORRUPT, "TIFF: strips or tiles beyond the end of the file"
 #define TYPES SHD_ERROR_CORRUPT, "TIFF: offsets or sizes of strips are no SHORT, LONG or LONG8"
 
@@ -49,7 +52,11 @@ static const struct tiff_case k_cases[] = {
     {"offsets/unknown_type", TYPES, {STRIP_OFFSETS, 0, 1, PIXELS}, KEPT, 0},
     {"sizes/unknown_type", TYPES, KEPT, {STRIP_BYTE_COUNTS, 99, 1, 4}, 0},
     /* Without a size of elements nothing is read, so that the end of the file does not end a loop over 2^32 strips. */
-    {"both/unknown_type_huge_count", TYPES, {STRIP_OFFSETS, 0, 0xffffffffu, 0}, {STRIP_BYTE_COUNTS, 7, 4, 0}, DIRECTORY},
+    {"both/unknown_type_huge_count",
+     TYPES,
+     {STRIP_OFFSETS, 0, 0xffffffffu, 0},
+     {STRIP_BYTE_COUNTS, 7, 4, 0},
+     DIRECTORY},
     /* Every directory of a circle lists the strips again. */
     {"circle", BEYOND, KEPT, KEPT, DIRECTORY},
 };

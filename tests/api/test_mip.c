@@ -393,8 +393,7 @@ int main(void)
         tests[n++] = (struct CMUnitTest){k_textures[i].name, test_given_levels, NULL, NULL, (void *)&k_textures[i]};
     }
     for (i = 0; i < sizeof k_extremes / sizeof k_extremes[0]; ++i) {
-        tests[n++] =
-            (struct CMUnitTest){k_extremes[i].name, test_extreme_alpha, NULL, NULL, (void *)&k_extremes[i]};
+        tests[n++] = (struct CMUnitTest){k_extremes[i].name, test_extreme_alpha, NULL, NULL, (void *)&k_extremes[i]};
     }
     tests[n++] = (struct CMUnitTest){"levels_beside", test_beside, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};

@@ -16,23 +16,22 @@
 #define assert_memory_equal(a, b, size) assert_true(memcmp(a, b, size) == 0)
 
 struct CMUnitTest {
-    const char *name;
-    void (*body)(void **state);
-    void *setup, *teardown, *state;
+  const char* name;
+  void (*body)(void** state);
+  void *setup, *teardown, *state;
 };
 
-static inline int _cmocka_run_group_tests(const char *group, const struct CMUnitTest *tests, size_t count, void *setup,
-                                          void *teardown)
-{
-    size_t i;
-    (void)setup;
-    (void)teardown;
-    for (i = 0; i < count; ++i) {
-        void *state = tests[i].state;
-        printf("%s: %s\n", group, tests[i].name);
-        tests[i].body(&state);
-    }
-    return 0;
+static inline int _cmocka_run_group_tests(const char* group, const struct CMUnitTest* tests, size_t count, void* setup,
+                                          void* teardown) {
+  size_t i;
+  (void)setup;
+  (void)teardown;
+  for (i = 0; i < count; ++i) {
+    void* state = tests[i].state;
+    printf("%s: %s\n", group, tests[i].name);
+    tests[i].body(&state);
+  }
+  return 0;
 }
 
 #endif /* SHD_TESTS_ARM_CMOCKA_H */

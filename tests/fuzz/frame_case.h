@@ -112,7 +112,7 @@ inline void choose_draw(Source& source, DrawCase& c) {
   draw.depth_bias_slope = source.one_in(8) ? source.hostile_finite() : 0.0f;
   draw.fill = source.one_in(4) ? source.constant<shd_fill>(4) : SHD_FILL_SOLID;
   draw.fill_width = source.one_in(2) ? source.real(0.0625f, 8) : 0.0f;
-  draw.edges = source.one_in(4) ? source.flags(SHD_EDGE_ALL) : SHD_EDGE_ALL;
+  draw.edges = source.one_in(4) ? source.flags(SHD_EDGE_ALL) : uint32_t{SHD_EDGE_ALL};
   draw.crease_cosine = source.real();
   choose_affine(source, draw.object_to_world);
   draw.instance_count = source.one_in(16) ? source.below(3) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The checks of libshd_io that run on the bytes of a file before OpenImageIO sees them: format, declared size, headers,
+// The checks of libshd_io that run on the bytes of a file before OpenImageIO reads them: format, declared size, headers,
 // removal of metadata. They throw nothing but a Failure with a text, and read and write nothing outside the bytes. The
 // mutator writes numbers of either byte order, and mends the checksums of PNG chunks.
 #include <algorithm>
@@ -17,12 +17,12 @@
 #include "io/sniff.h"
 #include "io/tga_header.h"
 
-#define SHD_FUZZ_CHECK(condition)                                                 \
-  do {                                                                            \
-    if (!(condition)) {                                                           \
-      std::fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition);        \
-      std::abort();                                                               \
-    }                                                                             \
+#define SHD_FUZZ_CHECK(condition)                                          \
+  do {                                                                     \
+    if (!(condition)) {                                                    \
+      std::fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition); \
+      std::abort();                                                        \
+    }                                                                      \
   } while (0)
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
@@ -48,11 +48,10 @@ shd_result refusal(const Check& check) {
 
 /// Every check, also those of other formats: the decoder is chosen by other code.
 void check_headers(const Bytes& bytes, const Limits& limits, std::vector<shd_result>& results) {
-  constexpr shd_file_format kFormats[] = {SHD_FILE_FORMAT_PNG, SHD_FILE_FORMAT_JPEG, SHD_FILE_FORMAT_TIFF,
-                                          SHD_FILE_FORMAT_EXR, SHD_FILE_FORMAT_HDR,  SHD_FILE_FORMAT_WEBP,
-                                          SHD_FILE_FORMAT_BMP, SHD_FILE_FORMAT_TGA,  SHD_FILE_FORMAT_DDS,
-                                          SHD_FILE_FORMAT_PSD, SHD_FILE_FORMAT_DPX,  SHD_FILE_FORMAT_GIF,
-                                          SHD_FILE_FORMAT_PNM};
+  constexpr shd_file_format kFormats[] = {
+      SHD_FILE_FORMAT_PNG,  SHD_FILE_FORMAT_JPEG, SHD_FILE_FORMAT_TIFF, SHD_FILE_FORMAT_EXR, SHD_FILE_FORMAT_HDR,
+      SHD_FILE_FORMAT_WEBP, SHD_FILE_FORMAT_BMP,  SHD_FILE_FORMAT_TGA,  SHD_FILE_FORMAT_DDS, SHD_FILE_FORMAT_PSD,
+      SHD_FILE_FORMAT_DPX,  SHD_FILE_FORMAT_GIF,  SHD_FILE_FORMAT_PNM};
   const unsigned char* const data = bytes.data();
   const size_t size = bytes.size();
   for (const shd_file_format format : kFormats) {
@@ -115,7 +114,9 @@ uint32_t crc32(const uint8_t* bytes, size_t size) {
   return ~crc;
 }
 
-uint32_t big(const uint8_t* p) { return uint32_t{p[0]} << 24 | uint32_t{p[1]} << 16 | uint32_t{p[2]} << 8 | p[3]; }
+uint32_t big(const uint8_t* p) {
+  return uint32_t{p[0]} << 24 | uint32_t{p[1]} << 16 | uint32_t{p[2]} << 8 | p[3];
+}
 
 /// Gives every PNG chunk its checksum.
 void mend_png(uint8_t* data, size_t size) {
@@ -123,15 +124,32 @@ void mend_png(uint8_t* data, size_t size) {
     const uint64_t length = big(data + at);
     if (length > size - at - 12) return;
     const uint32_t crc = crc32(data + at + 4, length + 4);
-    for (int i = 0; i < 4; ++i) data[at + 8 + length + static_cast<size_t>(i)] = static_cast<uint8_t>(crc >> (24 - 8 * i));
+    for (int i = 0; i < 4; ++i)
+      data[at + 8 + length + static_cast<size_t>(i)] = static_cast<uint8_t>(crc >> (24 - 8 * i));
     at += length + 12;
   }
 }
 
 /// Overwrites a number of 1, 2, 4 or 8 bytes by one at the end of a range, or near the size of the file.
 void write_number(uint8_t* data, size_t size, uint32_t random) {
-  const uint64_t kNumbers[] = {0, 1, 2, 8, 0x7f, 0xff, 0x100, 0x7fff, 0xffff, 0x10000, 0x7fffffff, 0x80000000u,
-                               0xffffffffu, size, size - 18, size + 1, uint64_t{1} << 63, ~uint64_t{0}};
+  const uint64_t kNumbers[] = {0,
+                               1,
+                               2,
+                               8,
+                               0x7f,
+                               0xff,
+                               0x100,
+                               0x7fff,
+                               0xffff,
+                               0x10000,
+                               0x7fffffff,
+                               0x80000000u,
+                               0xffffffffu,
+                               size,
+                               size - 18,
+                               size + 1,
+                               uint64_t{1} << 63,
+                               ~uint64_t{0}};
   const uint64_t value = kNumbers[random % (sizeof kNumbers / sizeof kNumbers[0])];
   const size_t count = size_t{1} << (random >> 8 & 3);
   if (size < count) return;

@@ -69,7 +69,7 @@ shd_lookups make_lookups(const Case& c) {
   return lookups;
 }
 
-/// What one run wrote.
+/// Results of one run.
 struct Output {
   bool made = false;
   size_t nonfinite_count = 0;
@@ -160,7 +160,8 @@ void check_taps(const Case& c, const shd_explanation& e) {
     const shd_tap& tap = e.taps[i];
     SHD_FUZZ_CHECK(tap.layer < c.texture.desc.layers && tap.level_u < 32 && tap.level_v < 32);
     const uint32_t width = c.texture.desc.width >> tap.level_u, height = c.texture.desc.height >> tap.level_v;
-    SHD_FUZZ_CHECK(tap.border == 1 || (tap.border == 0 && tap.x < (width ? width : 1) && tap.y < (height ? height : 1)));
+    SHD_FUZZ_CHECK(tap.border == 1 ||
+                   (tap.border == 0 && tap.x < (width ? width : 1) && tap.y < (height ? height : 1)));
   }
 }
 

@@ -117,7 +117,7 @@ struct Objects {
   }
 };
 
-/// Renders one map after the other; a map that was refused leaves the one before.
+/// Renders the maps in order; a refused map leaves the previous map.
 void run_maps(const Host& host, const Case& c, const Objects& o, std::vector<float>& out) {
   bool rendered = false;
   std::vector<float> before;

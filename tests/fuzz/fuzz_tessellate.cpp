@@ -81,7 +81,8 @@ void check_shape(const Host& host, const shd_shape_desc& desc) {
   shd_shape_columns columns = shd_shape_columns_default();
   columns.vertex_count = vertices + 1;
   columns.index_count = corners + 1;
-  for (size_t k = 0; k < 3; ++k) columns.position[k] = to_column(floats[k]), columns.normal[k] = to_column(floats[3 + k]);
+  for (size_t k = 0; k < 3; ++k)
+    columns.position[k] = to_column(floats[k]), columns.normal[k] = to_column(floats[3 + k]);
   for (size_t k = 0; k < 2; ++k) columns.uv[k] = to_column(floats[6 + k]);
   columns.indices = to_column(indices);
   SHD_FUZZ_CHECK(shd_shape_fill(&desc, &columns) == SHD_OK);

@@ -56,8 +56,9 @@ void choose_case(Source& source, Case& c) {
   c.mip.alpha_cutoff = source.real(0, 1);
   c.level_count = source.below(8);
   c.gap = 4 * source.below(3);
-  c.moments = source.one_in(8) ? source.constant<shd_format>(kFormats)
-                               : source.one_in(2) ? SHD_FORMAT_RGBA16F : SHD_FORMAT_RGBA32F;
+  c.moments = source.one_in(8)   ? source.constant<shd_format>(kFormats)
+              : source.one_in(2) ? SHD_FORMAT_RGBA16F
+                                 : SHD_FORMAT_RGBA32F;
 }
 
 /// Pixels with canaries between and behind the rows.
@@ -99,7 +100,7 @@ struct Pixels {
   }
 };
 
-/// What a texture holds.
+/// Levels and lookups of a texture.
 struct Content {
   std::vector<uint8_t> bytes;  // all levels as stored
   std::vector<float> values;   // lookups with the filters that read the other tables
@@ -184,7 +185,7 @@ bool update(const Host& host, const Case& c, const Update& u, shd_texture* textu
   return true;
 }
 
-/// Updates a texture and compares it with a new one. Returns what the texture holds at the end.
+/// Updates a texture and compares it with a new one. Returns the content at the end.
 Content run_updates(const Host& host, const Case& c) {
   std::vector<uint8_t> base = c.texture.texels, scratch;
   shd_texture_desc desc = c.texture.desc;

@@ -90,7 +90,6 @@ class Host {
   shd_context* context = nullptr;
 };
 
-
 constexpr float kCanary = -12345.75f;
 constexpr uint32_t kCanaryWord = 0xc0ffee11u;
 

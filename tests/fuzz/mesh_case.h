@@ -48,7 +48,8 @@ inline void choose_indices(Source& source, MeshCase& c, uint32_t max_indices) {
   if (c.desc.topology == SHD_TOPOLOGY_TRIANGLES && !source.one_in(64)) count -= count % 3;
   if (width == 0) {
     c.desc.index_count = source.one_in(2) ? count : 0;
-    if (c.desc.topology == SHD_TOPOLOGY_TRIANGLES && c.desc.index_count == 0) c.desc.vertex_count -= c.desc.vertex_count % 3;
+    if (c.desc.topology == SHD_TOPOLOGY_TRIANGLES && c.desc.index_count == 0)
+      c.desc.vertex_count -= c.desc.vertex_count % 3;
     return;
   }
   for (uint32_t i = 0; i < count; ++i) {
@@ -131,7 +132,8 @@ inline void read_mesh(const shd_mesh* mesh, MeshData& data) {
     }
     nonfinite += !finite;
     for (int k = 0; finite && k < 3; ++k) {
-      SHD_FUZZ_CHECK(data.positions[k][i] >= data.info.bounds_min[k] && data.positions[k][i] <= data.info.bounds_max[k]);
+      SHD_FUZZ_CHECK(data.positions[k][i] >= data.info.bounds_min[k] &&
+                     data.positions[k][i] <= data.info.bounds_max[k]);
     }
     check_unit(data.normals[0][i], data.normals[1][i], data.normals[2][i]);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Mutations that know the structure of an input. The target's own decoder runs on the input and records its choices;
+/// Mutations by the structure of an input. The target's own decoder runs on the input and records its choices;
 /// the mutator then changes choices instead of blind bytes: enumerations and counts within and at the ends of their
 /// range, floats towards special values, indices and vertices copied and swapped. One mutation in four is libFuzzer's
 /// own, which also uses the values that the library compared.

@@ -30,9 +30,9 @@ uint64_t next_random(uint64_t& state) {
   return z ^ z >> 31;
 }
 
-uint64_t g_state;  // of the iteration that runs, for LLVMFuzzerMutate
+uint64_t g_state;  // random numbers of the current iteration, for LLVMFuzzerMutate
 
-/// Runs in a block of exactly that size, so that an address sanitizer sees every access beyond it.
+/// Runs in a block of exactly that size, so that an address sanitizer catches every access beyond it.
 void run(const Bytes& input) {
   const Bytes exact(input.begin(), input.end());
   LLVMFuzzerTestOneInput(exact.data(), exact.size());

@@ -13,7 +13,7 @@
 
 namespace shd::fuzz {
 
-/// What the bytes of a choice mean.
+/// Meaning of the bytes of a choice.
 enum class Kind : uint8_t {
   kNumber,  // one of `bound` numbers
   kWord,    // 32 bits

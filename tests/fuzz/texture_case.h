@@ -99,8 +99,8 @@ inline void choose_sampler(Source& source, shd_sampler_desc& desc) {
   desc.probe_weights = source.constant<shd_probe_weights>(2);
   desc.cubic = source.constant<shd_cubic>(3);
   desc.box = source.constant<shd_box>(2);
-  constexpr shd_filter kEstimated[] = {SHD_FILTER_TRILINEAR, SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC,
-                                       SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA, SHD_FILTER_NEAREST};
+  constexpr shd_filter kEstimated[] = {SHD_FILTER_TRILINEAR,   SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC,
+                                       SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA,      SHD_FILTER_NEAREST};
   desc.stochastic_filter = kEstimated[source.below(6)];
   if (source.one_in(4)) desc.cubic = SHD_CUBIC_B_SPLINE;
   desc.profile = source.constant<shd_profile>(4);
