@@ -46,7 +46,8 @@ void for_vertices(const core::Context& context, size_t begin, size_t end, const 
   });
 }
 
-/// The vertices of `mesh` are copied: arithmetic would turn -0 into 0 and infinity into NaN.
+/// The vertices of `mesh` are copied, because interpolation would turn infinity into NaN. There is one zero, so that
+/// vertices at one position have the same bits.
 void interpolate(const core::Context& context, const Mesh& mesh, const core::Array<Origin>& origins, Mesh* out) {
   const Column* from[kMaxColumns];
   Column* to[kMaxColumns];
@@ -63,7 +64,7 @@ void interpolate(const core::Context& context, const Mesh& mesh, const core::Arr
       const float* const in = from[c]->data();
       if (!in) continue;
       size_t i = begin;
-      for (; i < end && i < mesh.vertex_count; ++i) (*to[c])[i] = in[i];
+      for (; i < end && i < mesh.vertex_count; ++i) (*to[c])[i] = in[i] + 0.0f;
       for (; i < end; ++i) {
         const Origin& o = origins[i];
         const double a = double{in[o.a]};

@@ -128,8 +128,8 @@ void check_fine(const Case& c, const MeshData& coarse, const MeshData& fine) {
   for (size_t i = 0; i < coarse.info.vertex_count; ++i) {
     for (int k = 0; k < 3; ++k) {
       const float before = coarse.positions[k][i], after = fine.positions[k][i];
-      if (!displaced) SHD_FUZZ_CHECK(same_value(before, after));
-      if (!displaced) SHD_FUZZ_CHECK(same_value(coarse.normals[k][i], fine.normals[k][i]));
+      if (!displaced) SHD_FUZZ_CHECK(same_value(before + 0.0f, after));
+      if (!displaced) SHD_FUZZ_CHECK(same_value(coarse.normals[k][i] + 0.0f, fine.normals[k][i]));
       if (std::isfinite(before)) SHD_FUZZ_CHECK(std::isfinite(after) || coarse.info.nonfinite_count > 0);
     }
   }
