@@ -99,10 +99,10 @@ static inline shd_tessellation_desc shd_tessellation_desc_default(void)
  * Make a mesh of smaller triangles.
  *
  * Triangles follow the order of the original triangles. The vertices of `mesh` come first and keep their numbers and
- * columns; vertices on edges and inside triangles follow. Every column is interpolated linearly, normals and tangents
- * are normalised, and handedness is the sign of the interpolated value. A triangle whose edges have different numbers
- * of parts is cut into rows across its two most finely cut edges. Parts meet at vertices only, so a closed mesh stays
- * closed.
+ * columns, except that -0 becomes 0; vertices on edges and inside triangles follow. Every column is interpolated
+ * linearly, normals and tangents are normalised, and handedness is the sign of the interpolated value. A triangle whose
+ * edges have different numbers of parts is cut into rows across its two most finely cut edges. Parts meet at vertices
+ * only, so a closed mesh stays closed.
  *
  * Displacement moves a vertex along its unit normal by amplitude * (texel - offset), with the texel at its uv. A height
  * that is not finite, or moves a vertex beyond the range of float, counts as 0. Vertices at one position move together

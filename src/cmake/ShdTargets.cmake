@@ -26,8 +26,15 @@ function(shd_compile_options target)
                            -fno-sanitize-recover=all)
     target_link_options(${target} PRIVATE -fsanitize=${SHD_SANITIZE})
   endif()
+  if(SHD_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)  # coverage that guides libFuzzer
+  endif()
   if(SHD_SIMD STREQUAL "scalar")
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_SCALAR)
+  elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+    # One target, NEON, which is in the baseline of 64-bit ARM. With the second macro Highway leaves out the attributes
+    # of targets that are chosen at run time, because gcc does not apply them to lambdas and implicit constructors.
+    target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC TOOLCHAIN_MISS_SYS_AUXV_H)
   else()
     string(JOIN "|" kept ${shd_simd_${SHD_SIMD}})
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(~(${kept}))")

@@ -17,6 +17,12 @@ static_assert(kSse2 == 1LL << 14, "src/cmake/ShdTargets.cmake keeps this bit");
 constexpr int64_t kSse2 = 0;  // Highway up to 1.0.3 has no such target
 #endif
 
+#ifdef HWY_NEON_WITHOUT_AES
+constexpr int64_t kNeon = HWY_NEON | HWY_NEON_WITHOUT_AES;  // the latter is the baseline of 64-bit ARM
+#else
+constexpr int64_t kNeon = HWY_NEON;
+#endif
+
 /// The Highway targets of an instruction set that a caller can choose.
 struct Row {
   shd_simd choice;
@@ -30,7 +36,7 @@ constexpr Row kRows[] = {
     {SHD_SIMD_SSE4, HWY_SSE4},
     {SHD_SIMD_AVX2, HWY_AVX2},
     {SHD_SIMD_AVX512, HWY_AVX3},
-    {SHD_SIMD_NEON, HWY_NEON},
+    {SHD_SIMD_NEON, kNeon},
     {SHD_SIMD_WASM, HWY_WASM},
 };
 
@@ -47,8 +53,12 @@ const char* name_of(int64_t bit) {
 
 /// Targets that are compiled in and can run on this machine. Highway caches hwy::SupportedTargets().
 int64_t available_targets() {
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
+  return HWY_TARGETS;  // nothing to detect, and no function of libhwy is needed
+#else
   int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
   return targets ? targets : HWY_STATIC_TARGET;
+#endif
 }
 
 }  // namespace

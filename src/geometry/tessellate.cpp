@@ -46,6 +46,8 @@ void for_vertices(const core::Context& context, size_t begin, size_t end, const 
   });
 }
 
+/// The vertices of `mesh` are copied, because interpolation would turn infinity into NaN. There is one zero, so that
+/// vertices at one position have the same bits.
 void interpolate(const core::Context& context, const Mesh& mesh, const core::Array<Origin>& origins, Mesh* out) {
   const Column* from[kMaxColumns];
   Column* to[kMaxColumns];
@@ -61,7 +63,9 @@ void interpolate(const core::Context& context, const Mesh& mesh, const core::Arr
     for (size_t c = 0; c < count; ++c) {
       const float* const in = from[c]->data();
       if (!in) continue;
-      for (size_t i = begin; i < end; ++i) {
+      size_t i = begin;
+      for (; i < end && i < mesh.vertex_count; ++i) (*to[c])[i] = in[i] + 0.0f;
+      for (; i < end; ++i) {
         const Origin& o = origins[i];
         const double a = double{in[o.a]};
         (*to[c])[i] = static_cast<float>(a + o.s * (double{in[o.b]} - a) + o.t * (double{in[o.c]} - a));

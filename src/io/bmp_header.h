@@ -5,7 +5,7 @@
 
 namespace shd::io {
 
-/// Checks a BMP file (Microsoft, "Bitmap Storage"). Refuses run-length and embedded compression, files that are too
+/// Checks a BMP file (Microsoft, "Bitmap Storage") whose width and height passed check_extent(). Refuses run-length and embedded compression, files that are too
 /// short for their pixels and palette, and pixels outside the palette. The decoder does not check these.
 void check_bmp_header(const unsigned char* bytes, size_t size);
 

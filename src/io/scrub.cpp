@@ -123,19 +123,23 @@ void put_number(unsigned char* to, uint64_t value, size_t count, bool big_endian
   for (size_t i = 0; i < count; ++i) to[big_endian ? count - 1 - i : i] = static_cast<unsigned char>(value >> (8 * i));
 }
 
-/// Element `index` of a field of 16-, 32- or 64-bit numbers. A field that fits is stored in the entry itself.
-uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, uint64_t index) {
+/// Size of an element of a field in bytes; 0 for the types that strips and tiles cannot have (TIFF 6.0, section 8).
+size_t element_size(ByteReader& in, uint64_t entry) {
   const uint32_t type = in.u16(entry + 2);
-  const size_t size = type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
-  if (size == 0) return 0;
+  return type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
+}
+
+/// Element `index` of a field of 16-, 32- or 64-bit numbers. A field that fits is stored in the entry itself.
+uint64_t field_value(ByteReader& in, uint64_t entry, const IfdLayout& layout, size_t size, uint64_t index) {
   const uint64_t count = in.number(entry + 4, layout.offset_size);
   const uint64_t value = entry + 4 + layout.offset_size;
   const bool inside = count <= layout.offset_size / size;
   return in.number((inside ? value : in.number(value, layout.offset_size)) + index * size, size);
 }
 
-/// Refuses strips and tiles beyond the end of the file, because libtiff would invent the missing pixels.
-void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout) {
+/// Refuses strips and tiles beyond the end of the file, because libtiff would invent the missing pixels. `left` is the
+/// number of strips that the rest of the file can have: directories may be chained in a circle.
+void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLayout& layout, uint64_t* left) {
   uint64_t offsets = 0, sizes = 0;
   for (uint64_t i = 0; i < count; ++i) {
     const uint64_t entry = entries + i * layout.entry_size;
@@ -144,20 +148,27 @@ void check_strips(ByteReader& in, uint64_t entries, uint64_t count, const IfdLay
     if (tag == 279 || tag == 325) sizes = entry;
   }
   if (offsets == 0 || sizes == 0) return;
+  const size_t offset_size = element_size(in, offsets), size_size = element_size(in, sizes);
+  if (offset_size == 0 || size_size == 0) {
+    core::refuse(SHD_ERROR_CORRUPT, "TIFF: offsets or sizes of strips are no SHORT, LONG or LONG8");
+  }
   const uint64_t strips = in.number(offsets + 4, layout.offset_size);
+  in.ok = in.ok && strips <= *left;
   for (uint64_t i = 0; i < strips && in.ok; ++i) {
-    const uint64_t at = field_value(in, offsets, layout, i);
-    if (!in.has(at, field_value(in, sizes, layout, i))) in.ok = false;
+    const uint64_t at = field_value(in, offsets, layout, offset_size, i);
+    if (!in.has(at, field_value(in, sizes, layout, size_size, i))) in.ok = false;
   }
   if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "TIFF: strips or tiles beyond the end of the file");
+  *left -= strips;
 }
 
 /// Removes the metadata entries of the directory at `at`. Returns the offset of the next directory, 0 at the end.
-uint64_t scrub_ifd(ByteReader& in, unsigned char* bytes, uint64_t at, const IfdLayout& layout, bool strict) {
+uint64_t scrub_ifd(ByteReader& in, unsigned char* bytes, uint64_t at, const IfdLayout& layout, bool strict,
+                   uint64_t* strips_left) {
   const uint64_t count = in.number(at, layout.count_size);
   const uint64_t entries = at + layout.count_size;
   if (!in.ok || count > 65535 || !in.has(entries, count * layout.entry_size + layout.offset_size)) return 0;
-  if (strict) check_strips(in, entries, count, layout);
+  if (strict) check_strips(in, entries, count, layout, strips_left);
   uint64_t kept = 0;
   for (uint64_t i = 0; i < count; ++i) {
     const uint64_t entry = entries + i * layout.entry_size;
@@ -177,7 +188,10 @@ void scrub_tiff(unsigned char* bytes, size_t size, bool strict) {
   const IfdLayout layout = big ? IfdLayout{8, 20, 8} : IfdLayout{2, 12, 4};
   uint64_t at = big ? in.u64(8) : in.u32(4);
   constexpr int kMaxPages = 1024;
-  for (int page = 0; in.ok && at != 0 && page < kMaxPages; ++page) at = scrub_ifd(in, bytes, at, layout, strict);
+  uint64_t strips_left = size;  // a strip takes more than one byte of a file
+  for (int page = 0; in.ok && at != 0 && page < kMaxPages; ++page) {
+    at = scrub_ifd(in, bytes, at, layout, strict, &strips_left);
+  }
 }
 
 /// WebP (RFC 9649): metadata chunks are renamed to an unknown kind, which readers skip.

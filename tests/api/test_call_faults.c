@@ -135,7 +135,7 @@ static shd_result normal_moments(struct stage *s)
     normals.width = normals.height = out.width = out.height = 64;
     normals.pixels = s->texels;
     out.pixels = moments;
-    result = shd_normal_moments(s->context, &normals, &out);
+    result = shd_normal_moments(s->context, &normals, &out, NULL);
     if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, moments, sizeof moments);
     return result;
 }

@@ -201,6 +201,47 @@ static void test_allocation_faults(void **state)
     assert_true(n > 8 && n < 64);
 }
 
+struct extreme_case {
+    const char *name;
+    shd_format format;
+    float negative, positive; /* alphas of the two texels of the level */
+    float lowest;             /* finite number of the format */
+};
+static const struct extreme_case k_extremes[] = {
+    {"coverage/lowest_alpha/32", SHD_FORMAT_RGBA32F, -1e38f, 1e-30f, -3.40282347e38f},
+    {"coverage/lowest_alpha/16", SHD_FORMAT_RGBA16F, -32768, 0x1p-14f, -65504},
+};
+
+/** A tiny positive alpha is scaled to the cutoff; a negative one then exceeds the format, and becomes its lowest number. */
+static void test_extreme_alpha(void **state)
+{
+    const struct extreme_case *c = (const struct extreme_case *)*state;
+    const int wide = c->format == SHD_FORMAT_RGBA32F;
+    float texels[4][4] = {{0}}, got[2];
+    uint16_t halves[4][4] = {{0}}, level16[2][4];
+    float level32[2][4];
+    shd_image base = shd_image_default(), level = shd_image_default();
+    shd_mip_desc desc = shd_mip_desc_default();
+    shd_context *context = NULL;
+    int i;
+    for (i = 0; i < 4; ++i) {
+        texels[i][3] = i < 2 ? c->negative : c->positive;
+        halves[i][3] = i < 2 ? 0xf800 : 0x0400; /* -32768 and 2^-14 */
+    }
+    base.format = level.format = c->format;
+    base.width = 4, level.width = 2;
+    base.height = level.height = 1;
+    base.pixels = wide ? (void *)texels : (void *)halves;
+    level.pixels = wide ? (void *)level32 : (void *)level16;
+    desc.content = SHD_TEXEL_CONTENT_ALPHA_COVERAGE;
+    shd_assert_ok(shd_context_create(NULL, &context));
+    shd_assert_ok(shd_mip_build(context, &base, &desc, 1, &level));
+    for (i = 0; i < 2; ++i) got[i] = wide ? level32[i][3] : level16[i][3] == 0xfbff ? -65504 : (float)level16[i][3];
+    assert_true(got[0] == c->lowest);
+    assert_true(wide ? got[1] > 0.49f && got[1] < 0.5f : level16[1][3] == 0x37ff); /* no texel of the base passes */
+    shd_context_release(context);
+}
+
 struct texture_case {
     const char *name;
     shd_format format, stored;
@@ -350,6 +391,9 @@ int main(void)
     }
     for (i = 0; i < sizeof k_textures / sizeof k_textures[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_textures[i].name, test_given_levels, NULL, NULL, (void *)&k_textures[i]};
+    }
+    for (i = 0; i < sizeof k_extremes / sizeof k_extremes[0]; ++i) {
+        tests[n++] = (struct CMUnitTest){k_extremes[i].name, test_extreme_alpha, NULL, NULL, (void *)&k_extremes[i]};
     }
     tests[n++] = (struct CMUnitTest){"levels_beside", test_beside, NULL, NULL, NULL};
     tests[n++] = (struct CMUnitTest){"null_arguments", test_null, NULL, NULL, NULL};

@@ -102,6 +102,7 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
   const auto threshold = static_cast<double>(find_threshold(alpha, size_t{level.width} * level.height, wanted));
   visit_alpha(format.component, [&](auto codec) {
     using Codec = decltype(codec);
+    const double lowest = Codec::kFloat ? -Codec::largest(0) : 0;  // negative alphas over a small threshold exceed it
     core::parallel_for(context, level.height, [&](uint32_t y, uint32_t) {
       auto* texel = static_cast<uint8_t*>(level.pixels) + y * level.row_stride + 3 * format.channel_size;
       for (uint32_t x = 0; x < level.width; ++x, texel += format.pixel_size) {
@@ -111,6 +112,8 @@ void store_covered(const core::Context& context, const float* alpha, double cuto
           scaled = scaled > cut.scale ? cut.scale : scaled < cut.pass ? cut.pass : scaled;
         } else if (scaled > cut.fail) {
           scaled = cut.fail;
+        } else if (scaled < lowest && std::isfinite(value)) {
+          scaled = lowest;
         }
         Codec::store(&scaled, texel);
       }

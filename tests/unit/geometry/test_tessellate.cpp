@@ -482,6 +482,30 @@ void test_bits(void**) {
   assert_int_equal(hash, 0xb12e7dfa58951490ull);
 }
 
+/// The vertices of the mesh keep their bits, infinity included, except that -0 becomes 0.
+void test_copied_vertices(void**) {
+  const double inf = static_cast<double>(INFINITY), small = -0x1p-149;
+  clear();
+  add_vertex(-0.0, 1.0, -0.0, -0.0, -0.0, 1.0, -0.0, 0.0);
+  add_vertex(inf, small, 3e38, 0.0, -1.0, -0.0, small, -0.0);
+  add_vertex(-inf, -0.0, -3e38, 1.0, -0.0, 0.0, 1e38, -1e38);
+  add_triangle(0, 1, 2);
+  for (const bool by_length : {false, true}) {
+    build_mesh(SHD_MESH_KEEP_NONFINITE);
+    run_tessellate(by_length ? adaptive(0.5f) : uniform(3));
+    const shd::core::Array<float>*before[kMaxColumns], *after[kMaxColumns];
+    size_t count = 0, n = 0;
+    for_each_column(&g_work.mesh, [&](const shd::core::Array<float>* column) { before[count++] = column; });
+    for_each_column(&g_work.cut, [&](const shd::core::Array<float>* column) { after[n++] = column; });
+    for (size_t c = 0; c < count; ++c) {
+      for (size_t i = 0; i < 3 && before[c]->size(); ++i) {
+        const float want = (*before[c])[i] + 0.0f;
+        assert_memory_equal(&want, &(*after[c])[i], sizeof want);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -504,6 +528,7 @@ int main() {
   }
   tests[n++] = {"every_mix_of_parts", test_every_mix_of_parts, nullptr, nullptr, nullptr};
   tests[n++] = {"factor", test_factor, nullptr, nullptr, nullptr};
+  tests[n++] = {"copied_vertices", test_copied_vertices, nullptr, nullptr, nullptr};
   tests[n++] = {"bits", test_bits, nullptr, nullptr, nullptr};
   g_context = shd::core::create_context(shd_context_desc_default());
   const int failed = _cmocka_run_group_tests("unit.geometry.tessellate", tests, n, nullptr, nullptr);
