@@ -349,10 +349,17 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
   return bytes;
 }
 
-void limit_process(uint64_t max_bytes) {
+void prepare_process() {
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);
   OIIO::attribute("limits:channels", kMaxChannels);
+  silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
+  for (const Reader& reader : kReaders) {
+    const Quiet<OIIO::ImageInput> input{OIIO::ImageInput::create(reader.name, false, nullptr, nullptr, "")};
+  }
+}
+
+void limit_process(uint64_t max_bytes) {
   const uint64_t megabytes = (max_bytes >> 20) + 1;
   OIIO::attribute("limits:imagesize_MB", static_cast<int>(std::min<uint64_t>(megabytes, 32768)));
 }

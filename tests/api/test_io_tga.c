@@ -137,6 +137,17 @@ static uint64_t load_twice(const char *name, const void *bytes, size_t size, shd
     return hash[0];
 }
 
+/* Loads twice in the default setting and twice in this process: all four are equal. */
+static uint64_t load_all(const char *name, const void *bytes, size_t size, shd_result *result)
+{
+    shd_result in_process;
+    const uint64_t hash = load_twice(name, bytes, size, SHD_LOAD_DEFAULT, result);
+    if (load_twice(name, bytes, size, SHD_LOAD_IN_PROCESS, &in_process) != hash || in_process != *result) {
+        fail_msg("%s: loads by the worker and in process differ", name);
+    }
+    return hash;
+}
+
 static void test_case(void **state)
 {
     const struct tga_case *c = (const struct tga_case *)*state;
@@ -144,7 +155,7 @@ static void test_case(void **state)
     shd_bitmap *bitmap = NULL;
     shd_result result, partial;
     size_t i;
-    load_twice(c->name, c->bytes, c->size, SHD_LOAD_DEFAULT, &result);
+    load_all(c->name, c->bytes, c->size, &result);
     shd_assert_result(c->name, result, c->expected, c->message);
     load_twice(c->name, c->bytes, c->size, SHD_LOAD_PARTIAL, &partial);
     assert_int_equal(partial, result);
@@ -167,7 +178,7 @@ static void test_palette_of_one(void **state)
     size_t i;
     (void)state;
     for (i = 0; i < 256; ++i) file[21 + i] = (unsigned char)i;
-    load_twice("palette_of_one", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("palette_of_one", file, sizeof file, &result);
     shd_assert_result("palette_of_one", result, SHD_ERROR_CORRUPT, "TGA: a pixel is outside the palette");
 }
 
@@ -203,7 +214,7 @@ static void test_extension(void **state)
     for (i = 0; i < sizeof fills; ++i) {
         uint64_t hash;
         extended_file(file, 24, fills[i]);
-        hash = load_twice("extension", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+        hash = load_all("extension", file, sizeof file, &result);
         shd_assert_ok(result);
         if (i == 0) first = hash;
         assert_true(hash == first);
@@ -216,10 +227,10 @@ static void test_extension(void **state)
     shd_bitmap_release(bitmap);
     extended_file(file, 22, 0);
     file[22] = file[23] = 0xff; /* the last pixel is the size of the area */
-    load_twice("over_pixels", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("over_pixels", file, sizeof file, &result);
     shd_assert_result("over_pixels", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
     extended_file(file, 60, 0xff);
-    load_twice("cut", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("cut", file, sizeof file, &result);
     shd_assert_result("cut", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
 }
 
@@ -249,7 +260,8 @@ static void test_random(void **state)
         if (io_random(&random) % 8) file[13] = file[15] = 0;
         file[16] = depths[io_random(&random) % 5];
         file[17] &= 0x3f;
-        load_twice("random", file, size, n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_DEFAULT, &result);
+        load_twice("random", file, size, SHD_LOAD_IN_PROCESS | (n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_DEFAULT), &result);
+        if (n % 16 == 0) load_all("random", file, size, &result);
         loaded += result == SHD_OK;
     }
     print_message("%d random TGA files: %d loaded\n", n, loaded);
