@@ -5,7 +5,7 @@
 
 namespace shd::io {
 
-/// What is decoded: the first `size` bytes of a file, or of memory.
+/// Input of a load: the first `size` bytes of a file, or of memory.
 struct Source {
   int file;                    // if bytes is null
   const unsigned char* bytes;  // or null

@@ -37,7 +37,7 @@ struct Worker {
   pid_t owner = 0;    // process that started the worker
   pid_t starter = 0;  // our child, which forks the worker and ends; 0 once it is reaped
   int socket = -1;
-  int pidfd = -1;  // of the worker
+  int pidfd = -1;  // refers to the worker
   bool ready = false;
   bool silent = false;
   uint64_t generation = 0;

@@ -45,9 +45,9 @@ Threads look_at_threads() {
   return threads;
 }
 
-/// A fork while another thread holds a lock leaves the lock held in every child. OpenImageIO's thread pool starts threads
-/// and ends them later when it is disabled: this waits until no more than `expected` threads are left. Those are threads
-/// that libraries under OpenImageIO start when they are loaded; once they sleep, they wait for work and hold no lock.
+/// Waits until a fork is safe: if another thread holds a lock at the fork, the lock stays held in every child. OpenImageIO
+/// starts a thread for its pool and ends it some time after the pool is disabled; until then the thread takes locks of the
+/// pool. The `expected` other threads belong to libraries under OpenImageIO. They hold no lock while they sleep.
 void await_idle_threads(int expected) {
   for (int quiet = 0, tries = 0; quiet < 3 && tries < 1000; ++tries) {
     const Threads threads = look_at_threads();

@@ -31,7 +31,7 @@ struct WorkerRequest {
   uint32_t subimage;
   uint32_t reserved;
   Limits limits;
-  uint64_t size;  // of the file
+  uint64_t size;  // bytes of the file
 };
 
 struct WorkerStarted {
@@ -39,7 +39,7 @@ struct WorkerStarted {
 };
 
 struct WorkerEnded {
-  int32_t status;  // of waitpid()
+  int32_t status;  // status of waitpid()
 };
 
 /// Followed by `size` bytes of pixels if code is SHD_OK.

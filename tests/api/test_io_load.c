@@ -45,7 +45,7 @@ static void edit_worker_missing(shd_load_desc *d) { d->worker_path = "/nonexiste
 static void edit_worker_dies(shd_load_desc *d) { d->worker_path = "/bin/true"; }
 static void edit_worker_hangs(shd_load_desc *d)
 {
-    d->worker_path = "/bin/cat"; /* never says that it is ready */
+    d->worker_path = "/bin/cat"; /* sends no greeting */
     d->time_limit = 0.2;
 }
 static void edit_worker_folder(shd_load_desc *d) { d->worker_path = "/tmp"; }

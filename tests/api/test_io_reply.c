@@ -12,7 +12,7 @@ static shd_context *g_context;
 static const double k_limit = 0.4;
 
 struct reply_case {
-    const char *mode; /* of tests/support/fake_worker.cpp */
+    const char *mode; /* name of a fault in tests/support/fake_worker.cpp */
     shd_result expected;
     const char *message;
 };

@@ -14,7 +14,7 @@
 
 static shd_context *g_context;
 static const char *g_worker; /* a copy of the worker */
-static uint64_t *g_hash;     /* of the samples, decoded in process */
+static uint64_t *g_hash;     /* hashes of the samples, decoded in process */
 
 static shd_result load(int sample, double time_limit, uint64_t *hash)
 {
@@ -128,7 +128,7 @@ static void test_child_dies(void **state)
     }
 }
 
-/* The spare child dies before it gets a file: no load sees it. */
+/* The spare child dies before it gets a file: the next load succeeds. */
 static void test_spare_dies(void **state)
 {
     io_worker before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A worker that misbehaves in the way that the name of its program says. It sends replies that a decoder under the
+// A worker that misbehaves; the end of its program's name selects the fault. It sends replies that a decoder under the
 // control of a hostile file could send.
 #include <sys/socket.h>
 #include <unistd.h>

@@ -15,7 +15,7 @@ enum { IO_MAX_PROCESSES = 64 };
 typedef struct io_worker {
     pid_t server; /**< 0 if there is none */
     pid_t children[IO_MAX_PROCESSES];
-    int count;   /**< of the children, including zombies */
+    int count;   /**< number of children, including zombies */
     int zombies; /**< among the children */
     int running; /**< processes of the program */
 } io_worker;
