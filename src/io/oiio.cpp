@@ -265,7 +265,7 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
               file_size);
   const size_t bytes = check_bytes(d.options.limits, out.width, out.height, pixel, file_size);
   out.pixels = Buffer(memory, bytes);
-  std::memset(out.pixels.data(), 0, bytes);
+  if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
   read_pixels(d, memory, &out);
   describe(d, &out);
   if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;

@@ -34,21 +34,32 @@ uint64_t decoded_bytes(const WorkerRequest& request) {
   return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
 }
 
-/// Large blocks get huge pages, like those of the default allocator of a context.
-void* plain_allocate(void*, size_t size) {
-  constexpr size_t kHugePage = size_t{1} << 21;
-  const bool huge = size >= kHugePage;
-  void* memory = nullptr;
-  if (::posix_memalign(&memory, huge ? kHugePage : 64, size) != 0) return nullptr;
+constexpr size_t kHugePage = size_t{1} << 21;
+
+/// New memory of the process, with huge pages like those of the default allocator of a context.
+void* map_pages(size_t size) {
+  if (size > PTRDIFF_MAX - kHugePage) return nullptr;
+  void* const mapped =
+      ::mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  const size_t offset = (kHugePage - reinterpret_cast<uintptr_t>(mapped) % kHugePage) % kHugePage;
+  void* const memory = static_cast<unsigned char*>(mapped) + offset;
 #ifdef MADV_HUGEPAGE
-  if (huge) (void)::madvise(memory, size, MADV_HUGEPAGE);
+  (void)::madvise(memory, size, MADV_HUGEPAGE);
 #endif
   return memory;
 }
-void plain_free(void*, void* memory, size_t) {
-  std::free(memory);
+
+void* plain_allocate(void*, size_t size) {
+  if (size >= kHugePage) return map_pages(size);
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, 64, size) != 0) return nullptr;
+  return std::memset(memory, 0, size);
 }
-constexpr Memory kPlain = {nullptr, plain_allocate, plain_free};
+void plain_free(void*, void* memory, size_t size) {
+  if (size < kHugePage) std::free(memory);  // larger blocks live as long as the process, which ends soon
+}
+constexpr Memory kPlain = {nullptr, plain_allocate, plain_free, true};
 
 bool send_all(int pipe, const void* bytes, size_t size) {
   const auto* next = static_cast<const unsigned char*>(bytes);
