@@ -127,7 +127,11 @@ void choose_channels(Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   std::vector<std::string> names(spec.channelnames.begin(), spec.channelnames.end());
   names.resize(static_cast<size_t>(spec.nchannels));
-  const int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
+  int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
+  if (d.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
+    names = {"Y", "A"};
+    alpha = 1;
+  }
   d.map = map_channels(names, alpha);
   d.first = spec.nchannels;
   d.type = OIIO::TypeUInt8;

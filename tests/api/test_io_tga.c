@@ -182,6 +182,25 @@ static void test_palette_of_one(void **state)
     shd_assert_result("palette_of_one", result, SHD_ERROR_CORRUPT, "TGA: a pixel is outside the palette");
 }
 
+/* 16-bit grey is a byte of grey and one of alpha. */
+static void test_grey_alpha(void **state)
+{
+    static const unsigned char file[22] = {TGA(3, 0, 0, 0, 2, 1, 16), 10, 20, 30, 40};
+    static const unsigned char wanted[8] = {10, 10, 10, 20, 30, 30, 30, 40};
+    unsigned char with_alpha[sizeof file];
+    shd_image image = shd_image_default();
+    shd_bitmap *bitmap = NULL;
+    shd_result result;
+    (void)state;
+    memcpy(with_alpha, file, sizeof file);
+    with_alpha[17] |= 8; /* bits of alpha */
+    load_all("grey_alpha", with_alpha, sizeof with_alpha, &result);
+    shd_assert_ok(shd_bitmap_load_memory(g_context, with_alpha, sizeof with_alpha, NULL, &bitmap));
+    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    assert_memory_equal(image.pixels, wanted, sizeof wanted);
+    shd_bitmap_release(bitmap);
+}
+
 enum { EXTENSION = 495, FOOTER = 26, EXTENDED = 24 + EXTENSION + FOOTER };
 
 /* Two pixels, an extension area at `area` with the 16-bit size 495 and `fill` elsewhere, and a footer. */
@@ -271,7 +290,7 @@ static void test_random(void **state)
 int main(void)
 {
     enum { CASES = sizeof k_cases / sizeof k_cases[0] };
-    struct CMUnitTest tests[CASES + 3];
+    struct CMUnitTest tests[CASES + 4];
     size_t i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -280,7 +299,8 @@ int main(void)
     tests[CASES] = (struct CMUnitTest){"palette_of_one", test_palette_of_one, NULL, NULL, NULL};
     tests[CASES + 1] = (struct CMUnitTest){"random", test_random, NULL, NULL, NULL};
     tests[CASES + 2] = (struct CMUnitTest){"extension", test_extension, NULL, NULL, NULL};
-    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 3, NULL, NULL);
+    tests[CASES + 3] = (struct CMUnitTest){"grey_alpha", test_grey_alpha, NULL, NULL, NULL};
+    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 4, NULL, NULL);
     shd_context_release(g_context);
     return failed;
 }
