@@ -6,27 +6,38 @@
  * Files are untrusted:
  *  - The content decides the format, never the name. The format must be on an allow list.
  *  - Pixels, bytes, ratio and time have budgets, which are checked before memory is allocated. A progressive JPEG is
- *    decoded in one step, during which only an isolated load checks the time; it may have 256 scans.
+ *    decoded in one step, during which a load in process does not check the time; it may have 256 scans.
  *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF, WebP and TGA
  *    before decoding.
- *  - OpenImageIO and its codecs can still crash on a hostile file. SHD_LOAD_ISOLATE decodes in a child process and
- *    turns a crash into SHD_ERROR_CORRUPT. Damaged compressed data inside an intact TIFF can decode to leftover heap
- *    memory of the decoder: isolate such loads.
+ *  - OpenImageIO and its codecs can crash on a hostile file, loop, or return leftover memory as pixels. A load therefore
+ *    decodes outside this process, in a fresh child of the program shd-io-worker. A crash is SHD_ERROR_CORRUPT. The child
+ *    is killed at the deadline, its memory is limited by the budgets, and its answer is checked. It holds nothing of this
+ *    process except the file, and nothing of other files, so that a file gives the same pixels each time.
+ *    SHD_LOAD_IN_PROCESS decodes trusted files in this process.
  *
- * A shared libshd_io opens OpenImageIO at the first load or save in the process, by the module libshd_io_oiio in the
- * folder shd beside it. A host that only isolates its loads never opens it. Libraries under OpenImageIO start threads
- * and keep them; on Debian 12, exit() of a child that is forked afterwards does not return (_exit() does).
+ * The worker: the first load of a process starts it (about 0.3 s), later loads use it again, and each thread's load has a
+ * child of its own. A worker that fails is replaced by the next load. It ends when this process ends, when libshd_io is
+ * unloaded, and when a load names another worker_path; until then it keeps two descriptors of this process and uses no
+ * processor time. It is not a child of this process; only while it starts, this process has a child, and SIGCHLD is sent
+ * once. A forked child of this process starts a worker of its own. The worker gets no environment variables except those
+ * of the dynamic linker (LD_...) and of sanitizers. It needs Linux. The environment variable SHD_IO_WORKER, if set, is the
+ * default of shd_load_desc.worker_path. The child has the rights of this process: it contains accidents of decoders, but
+ * is no sandbox for a file that takes over its code.
  *
- * libpng writes a line to stderr about damaged compressed data whose checksums are right, and about any damage with
- * SHD_LOAD_PARTIAL; an isolated load is silent. OpenEXR keeps decoding threads after its first file: after a fork the
- * child must not load or save .exr itself.
+ * OpenImageIO in this process: a shared libshd_io opens it at the first save or load with SHD_LOAD_IN_PROCESS, by the module
+ * libshd_io_oiio in the folder shd beside it. A host that only loads in the default setting never opens it; a static
+ * libshd_io links it. Libraries under OpenImageIO start threads when they are loaded and keep them; on Debian 12, exit() of
+ * a child that is forked afterwards does not return (_exit() does). OpenEXR keeps decoding threads after its first file:
+ * after a fork the child must not save .exr, or load it with SHD_LOAD_IN_PROCESS. libpng writes a line to stderr about
+ * damaged compressed data whose checksums are right, and about any damage with SHD_LOAD_PARTIAL; a load by the worker is
+ * silent.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.
  *
  * @code
  * shd_load_desc desc = shd_load_desc_default();
- * desc.flags = SHD_LOAD_ISOLATE;
+ * desc.max_pixels = 4096 * 4096;
  * result = shd_texture_load(context, "bricks.png", &desc, &texture);
  * result = shd_framebuffer_save(framebuffer, "frame.exr", NULL);
  * @endcode
@@ -77,8 +88,12 @@ typedef enum shd_color_encoding {
 /** Options of a load; combine with |. */
 typedef enum shd_load_flag {
     SHD_LOAD_DEFAULT = 0,
-    SHD_LOAD_ISOLATE = 1, /**< decode in a child process (about 0.3 s to start) and wait for it; the host's SIGCHLD
-                               handler is called for it */
+    /**
+     * Decode in this process, for files that are as trusted as this program. Needs no worker; saves its start, about
+     * 2 ms a file and one copy of the pixels. A hostile file can end or take over this process, and time_limit is checked
+     * between bands of rows only.
+     */
+    SHD_LOAD_IN_PROCESS = 1,
     SHD_LOAD_PARTIAL = 2, /**< a damaged file loads: rows above the damage, zero below, and SHD_BITMAP_PARTIAL is set */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
@@ -97,9 +112,10 @@ typedef struct shd_load_desc {
     uint64_t max_pixels;            /**< width * height, of the data and of the display window; 0 = 2^28 */
     uint64_t max_bytes;             /**< decoded, as RGBA; 0 = 2^32 */
     double max_ratio;               /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
-    double time_limit;              /**< [s], 0 = 60. Checked between bands of rows; an isolated load kills the child */
-    const char *worker_path;        /**< program for SHD_LOAD_ISOLATE; NULL = shd-io-worker beside libshd_io or
-                                         in its installed place; borrowed for the call */
+    double time_limit;              /**< [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
+                                         checked between bands of rows */
+    const char *worker_path;        /**< program that decodes; NULL = shd-io-worker beside libshd_io or in its
+                                         installed place; borrowed for the call */
     /* ---- end of 0.1; append below ---- */
 } shd_load_desc;
 

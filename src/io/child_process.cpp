@@ -8,9 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
+#include <new>
+#include <vector>
 
+#include "core/failure.h"
 #include "io/file_descriptor.h"
 
 extern "C" char** environ;
@@ -55,52 +57,75 @@ int fill_options(SpawnOptions& options, int socket) {
   return error;
 }
 
+bool is_kept(const std::string& variable) {
+  const std::string name = variable.substr(0, variable.find('='));
+  const std::string sanitizer = "SAN_OPTIONS";
+  const bool ends =
+      name.size() > sanitizer.size() && name.compare(name.size() - sanitizer.size(), sanitizer.size(), sanitizer) == 0;
+  return ends || name.compare(0, 3, "LD_") == 0;
+}
+
+/// The variables that the worker needs, and a null pointer. Others could hold secrets of the host, or settings of
+/// OpenImageIO such as folders of plugins.
+std::vector<char*> kept_environment() {
+  std::vector<char*> kept;
+  for (char** variable = environ; variable && *variable; ++variable) {
+    if (is_kept(*variable)) kept.push_back(*variable);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
+[[noreturn]] void refuse_start(const std::string& program, int error) {
+  try {
+    refuse_errno("cannot run", program.c_str(), error);
+  } catch (const core::Failure& failure) {
+    core::refuse(failure.code, "%s; a load with SHD_LOAD_IN_PROCESS needs no worker", failure.what());
+  }
+}
+
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& program, int socket) {
-  if (::access(program.c_str(), X_OK) != 0) refuse_errno("cannot run", program.c_str(), errno);
+pid_t start_process(const std::string& program, int socket) {
+  if (::access(program.c_str(), X_OK) != 0) refuse_start(program, errno);
+  std::vector<char*> environment = kept_environment();
   SpawnOptions options;
   int error = fill_options(options, socket);
   char* arguments[] = {const_cast<char*>(program.c_str()), nullptr};
   pid_t pid = -1;
-  if (!error) error = ::posix_spawn(&pid, program.c_str(), &options.files, &options.attributes, arguments, environ);
-  if (error) refuse_errno("cannot run", program.c_str(), error);
-  pid_ = pid;
-}
-
-ChildProcess::~ChildProcess() {
-  kill();
-}
-
-void ChildProcess::kill() {
-  if (pid_ <= 0) return;
-  // Only a process that still runs is killed: the number of one that the host has reaped can belong to another process.
-  if (::waitpid(pid_, nullptr, WNOHANG) == 0) {
-    ::kill(pid_, SIGKILL);
-    while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+  if (!error) {
+    error = ::posix_spawn(&pid, program.c_str(), &options.files, &options.attributes, arguments, environment.data());
   }
-  pid_ = -1;
+  if (error) refuse_start(program, error);
+  return pid;
+}
+
+void kill_process(pid_t pid) {
+  if (pid <= 0) return;
+  // Only a process that still runs is killed: the number of one that the host has reaped can belong to another process.
+  if (::waitpid(pid, nullptr, WNOHANG) != 0) return;
+  ::kill(pid, SIGKILL);
+  while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 // A process can close its socket and still run, so that waiting without a limit could last forever. waitpid() has no
-// timeout; the pauses between two calls grow from 1 to 16 ms.
-std::string ChildProcess::finish(const Deadline& deadline) {
-  if (pid_ <= 0) return "ended before";
-  int status = 0;
-  int pause = 1;
-  pid_t got;
-  while ((got = ::waitpid(pid_, &status, WNOHANG)) == 0 || (got < 0 && errno == EINTR)) {
-    const int left = deadline.milliseconds_left();
-    if (left == 0) {
-      kill();
-      return "killed at the deadline";
-    }
-    (void)::poll(nullptr, 0, std::min(left, pause));
-    pause = std::min(2 * pause, 16);
+// timeout; the pauses between two calls grow from 1 to 64 ms.
+std::string finish_process(pid_t pid) {
+  if (pid <= 0) return "ended before";
+  for (int pause = 1; pause <= 64; pause *= 2) {
+    int status = 0;
+    const pid_t got = ::waitpid(pid, &status, WNOHANG);
+    if (got > 0) return describe_status(status);
+    if (got < 0 && errno != EINTR)
+      return "reaped by the host";  // SIGCHLD is ignored, or waitpid(-1) was called elsewhere
+    (void)::poll(nullptr, 0, pause);
   }
-  pid_ = -1;
-  if (got < 0) return "reaped by the host";  // SIGCHLD is ignored, or waitpid(-1) was called elsewhere
+  kill_process(pid);
+  return "killed, because it did not end";
+}
+
+std::string describe_status(int status) {
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
   return "exit status " + std::to_string(WEXITSTATUS(status));
 }

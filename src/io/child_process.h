@@ -5,27 +5,20 @@
 
 #include <string>
 
-#include "io/limits.h"
-
 namespace shd::io {
 
-/// A child process with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask
-/// and default signal handlers. The destructor kills and reaps the process if it still runs.
-class ChildProcess {
- public:
-  /// Throws Failure; SHD_ERROR_NOT_FOUND if the program is missing.
-  ChildProcess(const std::string& program, int socket);
-  ~ChildProcess();
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
+/// Starts a program with `socket` as its descriptor 0, /dev/null as 1 and 2, no other descriptor, an empty signal mask,
+/// default signal handlers, and no environment variable except those of the dynamic linker and of sanitizers. Throws
+/// Failure; SHD_ERROR_NOT_FOUND if the program is missing.
+pid_t start_process(const std::string& program, int socket);
 
-  /// Waits for the end of the process, and kills it at the deadline. Returns a description of how it ended.
-  std::string finish(const Deadline& deadline);
-  /// Kills and reaps the process if it still runs.
-  void kill();
+/// Waits a moment for the end of a process that seems to end, then kills it. Returns a description of how it ended.
+std::string finish_process(pid_t pid);
 
- private:
-  pid_t pid_ = -1;
-};
+/// Kills and reaps a process if it still runs. The host may have reaped it.
+void kill_process(pid_t pid);
+
+/// Describes a status of waitpid().
+std::string describe_status(int status);
 
 }  // namespace shd::io

@@ -6,7 +6,7 @@
 /// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
-///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO.
+///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
 ///
 /// | file             | contents                                                             |
 /// |------------------|----------------------------------------------------------------------|
@@ -28,7 +28,13 @@
 /// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
 /// | silence.h        | no messages of libtiff on stderr                                     |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
-/// | isolate.h        | the pipeline in a child process (worker_main.cpp)                    |
+/// | isolate.h        | the pipeline in a child of the worker                                |
+/// | worker_link.h    | the worker of this process: started, connected, replaced             |
+/// | worker_path.h    | where the program shd-io-worker is                                   |
+/// | worker_protocol.h| messages between this process and its worker                         |
+/// | packet.h         | sending and receiving with deadlines                                 |
+/// | child_process.h  | starting and ending a program                                        |
+/// | worker_job.h     | the worker: the server (worker_serve.cpp) and its children           |
 #pragma once
 
 #include <cstddef>

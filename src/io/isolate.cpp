@@ -1,77 +1,73 @@
 // SPDX-License-Identifier: MIT
 #include "io/isolate.h"
 
-#include <poll.h>
+#include <fcntl.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
 
 #include "core/failure.h"
+#include "core/printable.h"
 #include "io/child_process.h"
-#include "io/file_descriptor.h"
+#include "io/packet.h"
+#include "io/printable.h"
+#include "io/worker_link.h"
 #include "io/worker_path.h"
 #include "io/worker_protocol.h"
 
 namespace shd::io {
 
+#ifndef __linux__
+
+Bitmap load_isolated(const char*, const Source&, const LoadOptions&, const Memory&, const Deadline&) {
+  core::refuse(SHD_ERROR_UNSUPPORTED, "the worker needs Linux; trusted files load with SHD_LOAD_IN_PROCESS");
+}
+
+#else
+
 namespace {
 
-/// Outcome of a transfer on the socket.
-enum class Stream { kDone, kClosed, kLate };
+/// Size of the pipe for pixels, if the system grants it [bytes].
+constexpr int kPipeSize = 1 << 20;
 
-/// Waits until the socket is ready for `events`.
-Stream wait_ready(int fd, short events, const Deadline& deadline) {
-  while (true) {
-    const int left = deadline.milliseconds_left();
-    if (left == 0) return Stream::kLate;
-    pollfd item = {fd, events, 0};
-    const int count = ::poll(&item, 1, left);
-    if (count > 0) return Stream::kDone;
-    if (count < 0 && errno != EINTR) return Stream::kClosed;
+/// A pair of connected descriptors, the second of which goes to the worker.
+struct Ends {
+  FileDescriptor ours, theirs;
+};
+
+Ends connect(int type) {
+  int ends[2];
+  if (::socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends) != 0) refuse_errno("cannot make", "socket", errno);
+  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
+}
+
+Ends make_pipe() {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) refuse_errno("cannot make", "pipe", errno);
+  Ends out = {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
+  (void)::fcntl(out.ours.fd, F_SETPIPE_SZ, kPipeSize);
+  if (::fcntl(out.ours.fd, F_SETFL, O_NONBLOCK) != 0) refuse_errno("cannot make", "pipe", errno);
+  return out;
+}
+
+/// The connections of one load. The worker kills the child when `control` is shut down; a process that is forked during
+/// the load may still hold a copy of the descriptor, so closing alone would not do.
+struct Channel {
+  Ends control = connect(SOCK_SEQPACKET);
+  Ends data = make_pipe();
+  Ends bytes;  // for a source in memory
+
+  explicit Channel(const Source& source) {
+    if (source.bytes) bytes = connect(SOCK_STREAM);
   }
-}
-
-bool again(ssize_t result) {
-  return result < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
-}
-
-Stream send_all(int fd, const void* bytes, size_t size, const Deadline& deadline) {
-  const auto* next = static_cast<const unsigned char*>(bytes);
-  while (size > 0) {
-    const Stream ready = wait_ready(fd, POLLOUT, deadline);
-    if (ready != Stream::kDone) return ready;
-    const ssize_t put = ::send(fd, next, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (again(put)) continue;
-    if (put <= 0) return Stream::kClosed;
-    next += put;
-    size -= static_cast<size_t>(put);
-  }
-  return Stream::kDone;
-}
-
-Stream receive_all(int fd, void* bytes, size_t size, const Deadline& deadline) {
-  auto* next = static_cast<unsigned char*>(bytes);
-  while (size > 0) {
-    const Stream ready = wait_ready(fd, POLLIN, deadline);
-    if (ready != Stream::kDone) return ready;
-    const ssize_t got = ::recv(fd, next, size, MSG_DONTWAIT);
-    if (again(got)) continue;
-    if (got <= 0) return Stream::kClosed;
-    next += got;
-    size -= static_cast<size_t>(got);
-  }
-  return Stream::kDone;
-}
-
-/// Throws Failure unless a transfer is complete.
-void require_done(Stream stream, ChildProcess& child, const Deadline& deadline) {
-  if (stream == Stream::kDone) return;
-  const std::string end = child.finish(deadline);
-  deadline.check();
-  core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
-}
+  ~Channel() { ::shutdown(control.ours.fd, SHUT_RDWR); }
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
+};
 
 WorkerRequest make_request(const LoadOptions& options, size_t size) {
   WorkerRequest request = {};
@@ -85,55 +81,114 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   return request;
 }
 
+/// Hands the source to the worker. Returns false if the worker is dead and has not taken it.
+bool begin_load(const WorkerLink& link, Channel& channel, const Source& source, const WorkerRequest& request,
+                const Deadline& deadline) {
+  const auto since = std::chrono::steady_clock::now();
+  const int file = source.bytes ? channel.bytes.theirs.fd : source.file;
+  const int handed[kMaxDescriptors] = {channel.control.theirs.fd, channel.data.theirs.fd, file};
+  WorkerStarted started = {};
+  Stream stream = send_packet(link.socket.fd, &request, sizeof request, handed, kMaxDescriptors, deadline);
+  for (Ends* ends : {&channel.control, &channel.data, &channel.bytes}) ends->theirs.reset();
+  if (stream == Stream::kDone) {
+    stream = receive_packet(channel.control.ours.fd, &started, sizeof started, nullptr, 0, deadline);
+  }
+  if (stream == Stream::kClosed) return false;
+  if (stream == Stream::kLate) {
+    worker_silent(link, since);
+    deadline.check();
+  }
+  worker_answered(link, deadline);
+  if (started.error) refuse_errno("cannot start", "a child of the worker", started.error);
+  return true;
+}
+
+/// Throws Failure unless a transfer is complete.
+void require_done(Stream stream, const Channel& channel, const Deadline& deadline) {
+  if (stream == Stream::kDone) return;
+  WorkerEnded ended = {};
+  std::string end = "no reply";
+  // A child that closes its pipe and lives is killed when the channel is closed.
+  const Deadline moment(std::min(0.25, deadline.seconds_left()));
+  if (receive_packet(channel.control.ours.fd, &ended, sizeof ended, nullptr, 0, moment) == Stream::kDone) {
+    end = describe_status(ended.status);
+  }
+  deadline.check();
+  core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
+}
+
 /// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
 /// pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
   reply.message[sizeof reply.message - 1] = 0;
   reply.color_space[sizeof reply.color_space - 1] = 0;
   if (reply.magic != kWorkerMagic || reply.code > SHD_ERROR_INTERNAL) {
-    core::refuse(SHD_ERROR_INTERNAL, "the worker belongs to another version of shd");
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong reply");
   }
+  core::make_printable(reply.message, std::strlen(reply.message));
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
-  if (pixel == 0) core::refuse(SHD_ERROR_INTERNAL, "the worker sent format %u", reply.format);
+  if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
   check_extent(options.limits, "image", reply.width, reply.height);
   const size_t size = check_bytes(options.limits, reply.width, reply.height, pixel, file_size);
-  if (size != reply.size) core::refuse(SHD_ERROR_INTERNAL, "the worker sent a wrong size");
+  if (size != reply.size) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
   for (char* c = reply.color_space; *c; ++c) {
     if (*c < 0x20 || *c > 0x7e) *c = '?';
   }
   return size;
 }
 
-}  // namespace
+shd_bitmap_info check_info(const shd_bitmap_info& sent) {
+  shd_bitmap_info info = {};
+  const auto format = static_cast<uint32_t>(sent.file_format);
+  const bool single = format == SHD_FILE_FORMAT_ANY || (format < 0x2000 && (format & (format - 1)) == 0);
+  if (!single || (sent.flags & ~uint32_t{SHD_BITMAP_PARTIAL | SHD_BITMAP_PREMULTIPLIED}) != 0) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent wrong properties");
+  }
+  info.file_format = sent.file_format;
+  info.channels = sent.channels;
+  info.flags = sent.flags;
+  return info;
+}
 
-Bitmap load_isolated(const char* worker_path, const unsigned char* bytes, size_t size, const LoadOptions& options,
-                     const Memory& memory, const Deadline& deadline) {
-  const std::string program = worker_path ? std::string(worker_path) : default_worker_path();
-  int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    refuse_errno("cannot connect to", program.c_str(), errno);
-  const FileDescriptor ours(ends[0]);
-  FileDescriptor theirs(ends[1]);
-  ChildProcess child(program, theirs.fd);
-  theirs.reset();
-  const WorkerRequest request = make_request(options, size);
+Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptions& options, const Memory& memory,
+                   const Deadline& deadline) {
   WorkerReply reply;
-  Stream sent = send_all(ours.fd, &request, sizeof request, deadline);
-  if (sent == Stream::kDone) sent = send_all(ours.fd, bytes, size, deadline);
-  require_done(sent, child, deadline);
-  require_done(receive_all(ours.fd, &reply, sizeof reply, deadline), child, deadline);
-  const size_t pixels = check_reply(reply, options, size);
+  Stream stream = Stream::kDone;
+  if (source.bytes) stream = send_all(channel.bytes.ours.fd, source.bytes, source.size, deadline);
+  // A child that refuses a file need not have read all of it.
+  if (stream != Stream::kLate) stream = receive_all(channel.data.ours.fd, &reply, sizeof reply, deadline);
+  require_done(stream, channel, deadline);
+  const size_t pixels = check_reply(reply, options, source.size);
   Bitmap out;
   out.format = static_cast<shd_format>(reply.format);
   out.width = reply.width;
   out.height = reply.height;
-  out.info = reply.info;
+  out.info = check_info(reply.info);
   std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
   out.pixels = Buffer(memory, pixels);
-  require_done(receive_all(ours.fd, out.pixels.data(), pixels, deadline), child, deadline);
-  child.kill();  // the result is complete, and nothing waits for an orderly end
+  require_done(receive_all(channel.data.ours.fd, out.pixels.data(), pixels, deadline), channel, deadline);
   return out;
 }
+
+}  // namespace
+
+Bitmap load_isolated(const char* worker_path, const Source& source, const LoadOptions& options, const Memory& memory,
+                     const Deadline& deadline) {
+  const std::string program = worker_path ? std::string(worker_path) : default_worker_path();
+  const WorkerRequest request = make_request(options, source.size);
+  // A worker that has died since the last load is replaced, once.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    Channel channel(source);
+    const WorkerLink link = connect_worker(program, deadline);
+    if (begin_load(link, channel, source, request, deadline)) {
+      return finish_load(channel, source, options, memory, deadline);
+    }
+    drop_worker(link, deadline);
+  }
+  core::refuse(SHD_ERROR_INTERNAL, "the worker \"%s\" ends when it gets a file", printable(program.c_str()).c_str());
+}
+
+#endif
 
 }  // namespace shd::io

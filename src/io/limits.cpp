@@ -58,4 +58,9 @@ int Deadline::milliseconds_left() const {
   return static_cast<int>(std::clamp<int64_t>(left.count() + 1, 0, 1 << 30));
 }
 
+double Deadline::seconds_left() const {
+  const std::chrono::duration<double> left = end_ - std::chrono::steady_clock::now();
+  return std::max(left.count(), 0.0);
+}
+
 }  // namespace shd::io

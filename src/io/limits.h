@@ -36,6 +36,8 @@ class Deadline {
   void check() const;
   /// Time until the deadline, rounded up; 0 if it has passed [ms].
   int milliseconds_left() const;
+  /// Time until the deadline; 0 if it has passed [s].
+  double seconds_left() const;
 
  private:
   std::chrono::steady_clock::time_point end_;

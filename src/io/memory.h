@@ -12,6 +12,7 @@ struct Memory {
   void* owner;
   void* (*allocate)(void* owner, size_t size);
   void (*free)(void* owner, void* memory, size_t size);
+  bool zeroed = false;  // new blocks are zero
 };
 
 /// An owned block of bytes.

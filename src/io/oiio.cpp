@@ -127,7 +127,11 @@ void choose_channels(Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   std::vector<std::string> names(spec.channelnames.begin(), spec.channelnames.end());
   names.resize(static_cast<size_t>(spec.nchannels));
-  const int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
+  int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
+  if (d.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
+    names = {"Y", "A"};
+    alpha = 1;
+  }
   d.map = map_channels(names, alpha);
   d.first = spec.nchannels;
   d.type = OIIO::TypeUInt8;
@@ -265,7 +269,7 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
               file_size);
   const size_t bytes = check_bytes(d.options.limits, out.width, out.height, pixel, file_size);
   out.pixels = Buffer(memory, bytes);
-  std::memset(out.pixels.data(), 0, bytes);
+  if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
   read_pixels(d, memory, &out);
   describe(d, &out);
   if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
@@ -349,10 +353,17 @@ std::vector<unsigned char> encode(const EncodeJob& job) {
   return bytes;
 }
 
-void limit_process(uint64_t max_bytes) {
+void prepare_process() {
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);
   OIIO::attribute("limits:channels", kMaxChannels);
+  silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
+  for (const Reader& reader : kReaders) {
+    const Quiet<OIIO::ImageInput> input{OIIO::ImageInput::create(reader.name, false, nullptr, nullptr, "")};
+  }
+}
+
+void limit_process(uint64_t max_bytes) {
   const uint64_t megabytes = (max_bytes >> 20) + 1;
   OIIO::attribute("limits:imagesize_MB", static_cast<int>(std::min<uint64_t>(megabytes, 32768)));
 }

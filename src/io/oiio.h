@@ -40,8 +40,11 @@ struct EncodeJob {
 /// Returns the bytes of the file.
 std::vector<unsigned char> encode(const EncodeJob& job);
 
-/// Sets attributes of the whole process; only for the worker. Disables the threads of OpenImageIO and OpenEXR, and sets
-/// OpenImageIO's own limits as a second line of defence.
+/// Prepares the process that children are forked from; only for the worker. Disables the threads of OpenImageIO and
+/// OpenEXR, and makes OpenImageIO set up its readers.
+void prepare_process();
+
+/// Sets OpenImageIO's own limits in this process, as a second line of defence; only for the worker.
 void limit_process(uint64_t max_bytes);
 
 }  // namespace shd::io

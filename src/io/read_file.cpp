@@ -15,8 +15,8 @@
 
 namespace shd::io {
 
-Buffer read_file(const char* path, const Limits& limits, const Memory& memory) {
-  const FileDescriptor file(::open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+OpenFile open_file(const char* path, const Limits& limits) {
+  FileDescriptor file(::open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.fd < 0) refuse_errno("cannot open", path, errno);
   struct stat status;
   if (::fstat(file.fd, &status) != 0) refuse_errno("cannot examine", path, errno);
@@ -27,14 +27,20 @@ Buffer read_file(const char* path, const Limits& limits, const Memory& memory) {
     core::refuse(SHD_ERROR_LIMIT, "\"%s\" has %llu bytes, above load.max_file_bytes %llu", printable(path).c_str(),
                  static_cast<unsigned long long>(size), static_cast<unsigned long long>(limits.file_bytes));
   }
-  Buffer bytes(memory, static_cast<size_t>(size));
+  return {std::move(file), static_cast<size_t>(size)};
+}
+
+Buffer read_bytes(int file, size_t size, const Memory& memory) {
+  Buffer bytes(memory, size);
   size_t done = 0;
-  while (done < bytes.size()) {
+  while (done < size) {
     constexpr size_t kChunk = size_t{1} << 26;
-    const ssize_t got = ::read(file.fd, bytes.data() + done, std::min(bytes.size() - done, kChunk));
+    const size_t wanted = std::min(size - done, kChunk);
+    ssize_t got = ::pread(file, bytes.data() + done, wanted, static_cast<off_t>(done));
+    if (got < 0 && errno == ESPIPE) got = ::read(file, bytes.data() + done, wanted);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse_errno("cannot read", path, errno);
-    if (got == 0) core::refuse(SHD_ERROR_IO, "\"%s\" became shorter while it was read", printable(path).c_str());
+    if (got < 0) refuse_errno("cannot read", "the file", errno);
+    if (got == 0) core::refuse(SHD_ERROR_IO, "the file became shorter while it was read");
     done += static_cast<size_t>(got);
   }
   return bytes;

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "io/file_descriptor.h"
 #include "io/limits.h"
 #include "io/memory.h"
 
 namespace shd::io {
 
-/// Reads a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
-Buffer read_file(const char* path, const Limits& limits, const Memory& memory);
+/// A file and the number of its bytes.
+struct OpenFile {
+  FileDescriptor file;
+  size_t size = 0;
+};
+
+/// Opens a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
+OpenFile open_file(const char* path, const Limits& limits);
+
+/// Reads the first `size` bytes of a file, or the next ones of a socket.
+Buffer read_bytes(int file, size_t size, const Memory& memory);
 
 }  // namespace shd::io

@@ -4,7 +4,22 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 namespace shd::io {
+
+namespace {
+
+/// An environment variable, unless the process has more rights than its caller.
+const char* environment(const char* name) {
+#ifdef __GLIBC__
+  return ::secure_getenv(name);
+#else
+  return ::getuid() == ::geteuid() && ::getgid() == ::getegid() ? std::getenv(name) : nullptr;
+#endif
+}
+
+}  // namespace
 
 std::string library_folder() {
   Dl_info info = {};
@@ -15,6 +30,8 @@ std::string library_folder() {
 }
 
 std::string default_worker_path() {
+  const char* named = environment("SHD_IO_WORKER");
+  if (named && *named) return named;
   const std::string folder = library_folder();
   if (!folder.empty()) {
     for (const char* relative : {"/shd-io-worker", "/" SHD_WORKER_FROM_LIBRARY}) {

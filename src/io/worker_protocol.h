@@ -9,9 +9,20 @@
 
 namespace shd::io {
 
-// One request and one reply are sent over a stream socket, descriptor 0 of the worker. Both ends must be of one build.
+// The worker is a fork server. Its descriptor 0 is a socket (SOCK_SEQPACKET) to the host. It sends one WorkerHello, and
+// receives one WorkerRequest for each load with three descriptors:
+//   0  control, a socket (SOCK_SEQPACKET): the server sends WorkerStarted when it has forked a child for the load, and
+//      WorkerEnded when this child has ended. It kills the child when the host closes its end.
+//   1  data, a pipe: the child alone writes to it, one WorkerReply and the pixels.
+//   2  file, which the child reads from its start.
+// Both ends must be of one build.
 
-/// Followed by `size` bytes: the file.
+/// The server is ready; with its own pidfd if the system has one.
+struct WorkerHello {
+  uint32_t magic;
+  int32_t error;  // errno if the server cannot start
+};
+
 struct WorkerRequest {
   uint32_t magic;
   uint32_t formats;
@@ -20,7 +31,15 @@ struct WorkerRequest {
   uint32_t subimage;
   uint32_t reserved;
   Limits limits;
-  uint64_t size;
+  uint64_t size;  // bytes of the file
+};
+
+struct WorkerStarted {
+  int32_t error;  // errno if there is no child
+};
+
+struct WorkerEnded {
+  int32_t status;  // status of waitpid()
 };
 
 /// Followed by `size` bytes of pixels if code is SHD_OK.
@@ -37,6 +56,6 @@ struct WorkerReply {
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686431;  // "shd1"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686432;  // "shd2"; must change with these structs
 
 }  // namespace shd::io

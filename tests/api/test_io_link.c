@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A process that links libshd_io, and one that only isolates its loads, does not load OpenImageIO: it has no other
+/* A process that links libshd_io, and one that loads in the default setting, does not load OpenImageIO: it has no other
  * thread, and exit() of a forked child returns. The first load in the process opens the module with OpenImageIO. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 #include "support/io_samples.h"
+#include "support/io_worker.h"
 
 #include <dlfcn.h>
 #include <sys/wait.h>
@@ -64,30 +65,39 @@ static void test_link(void **state)
     check_untouched();
 }
 
-/* A file that is refused by its header, and one that a child process decodes. */
-static void test_isolated(void **state)
+/* A file that is refused by its header, and files that the worker decodes, whole or not. */
+static void test_default(void **state)
 {
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
+    shd_texture *texture = NULL;
+    int i;
     (void)state;
     shd_assert_result("refused", shd_bitmap_load_memory(g_context, "GIF89a", 6, NULL, &bitmap), SHD_ERROR_UNSUPPORTED,
                       "GIF");
-    desc.flags = SHD_LOAD_ISOLATE;
     desc.worker_path = k_worker;
-    shd_assert_ok(shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap));
-    shd_bitmap_release(bitmap);
+    for (i = 0; i < 10; ++i) {
+        shd_assert_ok(shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap));
+        shd_bitmap_release(bitmap);
+        shd_assert_ok(shd_texture_load_memory(g_context, k_sample_webp, sizeof k_sample_webp, &desc, &texture));
+        shd_texture_release(texture);
+        assert_int_not_equal(shd_bitmap_load_memory(g_context, k_sample_jpeg, 400, &desc, &bitmap), SHD_OK);
+    }
     check_untouched();
 }
 
 typedef shd_result load_function(shd_context *, const void *, size_t, const shd_load_desc *, shd_bitmap **);
 
-/* A copy of the library in a folder without the module. */
+/* A copy of the library in a folder without the module, where it loads by a worker alone. Unloading ends the worker, and
+ * leaves nothing behind that a later fork() would call. */
 static void test_module_missing(void **state)
 {
     const io_bytes library = io_read(SHD_IO_LIBRARY);
     const char *path = io_path("libshd_io_alone.so");
     shd_bitmap *bitmap = NULL;
+    shd_load_desc desc = shd_load_desc_default();
     load_function *load = NULL;
+    const char *worker;
     void *handle, *symbol;
     (void)state;
     assert_non_null(library.data);
@@ -98,17 +108,28 @@ static void test_module_missing(void **state)
     symbol = dlsym(handle, "shd_bitmap_load_memory");
     assert_non_null(symbol);
     memcpy(&load, &symbol, sizeof load);
-    shd_assert_result("missing", load(g_context, k_sample_jpeg, sizeof k_sample_jpeg, NULL, &bitmap),
+    desc.flags = SHD_LOAD_IN_PROCESS;
+    shd_assert_result("missing", load(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap),
                       SHD_ERROR_NOT_FOUND, "cannot open libshd_io_oiio.so");
     assert_null(bitmap);
+    desc.flags = SHD_LOAD_DEFAULT;
+    worker = io_copy_worker(k_worker, "worker");
+    desc.worker_path = worker;
+    shd_assert_ok(load(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap));
+    shd_bitmap_release(bitmap);
+    io_await_worker(worker, 1);
     dlclose(handle);
+    io_await_worker(worker, -1);
+    check_untouched();
 }
 
 static void test_in_process(void **state)
 {
+    shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
     (void)state;
-    shd_assert_ok(shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, NULL, &bitmap));
+    desc.flags = SHD_LOAD_IN_PROCESS;
+    shd_assert_ok(shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap));
     shd_bitmap_release(bitmap);
     assert_int_not_equal(is_loaded("libOpenImageIO"), 0);
 }
@@ -117,7 +138,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         {"link", test_link, NULL, NULL, NULL},
-        {"isolated", test_isolated, NULL, NULL, NULL},
+        {"default", test_default, NULL, NULL, NULL},
         {"module_missing", test_module_missing, NULL, NULL, NULL},
         {"in_process", test_in_process, NULL, NULL, NULL},
     };

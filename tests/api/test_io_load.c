@@ -8,12 +8,6 @@
 
 static shd_context *g_context;
 
-#ifdef SHD_IO_WORKER
-static const char *const k_worker = SHD_IO_WORKER;
-#else
-static const char *const k_worker = NULL;
-#endif
-
 /* Options. */
 
 struct desc_case {
@@ -42,27 +36,19 @@ static void edit_bytes(shd_load_desc *d) { d->max_bytes = 79; }
 static void edit_png_only(shd_load_desc *d) { d->formats = SHD_FILE_FORMAT_PNG; }
 static void edit_exr_only(shd_load_desc *d) { d->formats = SHD_FILE_FORMAT_EXR | SHD_FILE_FORMAT_JPEG; }
 static void edit_any(shd_load_desc *d) { d->formats = SHD_FILE_FORMAT_ANY; }
-static void edit_worker_missing(shd_load_desc *d)
+static void edit_in_process(shd_load_desc *d)
 {
-    d->flags = SHD_LOAD_ISOLATE;
+    d->flags = SHD_LOAD_IN_PROCESS;
     d->worker_path = "/nonexistent/shd-io-worker";
 }
-static void edit_worker_dies(shd_load_desc *d)
-{
-    d->flags = SHD_LOAD_ISOLATE;
-    d->worker_path = "/bin/true";
-}
+static void edit_worker_missing(shd_load_desc *d) { d->worker_path = "/nonexistent/shd-io-worker"; }
+static void edit_worker_dies(shd_load_desc *d) { d->worker_path = "/bin/true"; }
 static void edit_worker_hangs(shd_load_desc *d)
 {
-    d->flags = SHD_LOAD_ISOLATE;
-    d->worker_path = "/bin/cat"; /* reads its input forever and sends no reply */
+    d->worker_path = "/bin/cat"; /* sends no greeting */
     d->time_limit = 0.2;
 }
-static void edit_worker_folder(shd_load_desc *d)
-{
-    d->flags = SHD_LOAD_ISOLATE;
-    d->worker_path = "/tmp";
-}
+static void edit_worker_folder(shd_load_desc *d) { d->worker_path = "/tmp"; }
 
 /* Each loads the 5 x 4 RGBA8 PNG of the corpus. */
 static const struct desc_case k_desc[] = {
@@ -85,8 +71,12 @@ static const struct desc_case k_desc[] = {
     {"desc/formats_png", edit_png_only, SHD_OK, ""},
     {"desc/formats_exr_and_jpeg", edit_exr_only, SHD_ERROR_UNSUPPORTED, "PNG, which load.formats does not allow"},
     {"desc/formats_any", edit_any, SHD_OK, ""},
-    {"desc/worker_missing", edit_worker_missing, SHD_ERROR_NOT_FOUND, "cannot run \"/nonexistent/shd-io-worker\""},
-    {"desc/worker_dies", edit_worker_dies, SHD_ERROR_CORRUPT, "the decoder died on the file (exit status 0)"},
+    {"desc/in_process", edit_in_process, SHD_OK, ""},
+    {"desc/worker_missing", edit_worker_missing, SHD_ERROR_NOT_FOUND,
+     "cannot run \"/nonexistent/shd-io-worker\": No such file or directory; a load with SHD_LOAD_IN_PROCESS needs no "
+     "worker"},
+    {"desc/worker_dies", edit_worker_dies, SHD_ERROR_INTERNAL,
+     "the worker \"/bin/true\" did not start (exit status 0)"},
     {"desc/worker_hangs", edit_worker_hangs, SHD_ERROR_LIMIT, "load.time_limit 0.2 s"},
     {"desc/worker_is_a_folder", edit_worker_folder, SHD_ERROR_IO, "cannot run"},
 };
@@ -324,7 +314,7 @@ static void test_format(void **state)
     const struct format_case *c = (const struct format_case *)*state;
     const io_sample *sample = find_sample(c->sample);
     shd_load_desc desc = shd_load_desc_default();
-    shd_bitmap *bitmap = NULL, *isolated = NULL;
+    shd_bitmap *bitmap = NULL, *in_process = NULL;
     shd_image image = shd_image_default();
     shd_bitmap_info info = shd_bitmap_info_default();
     shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, NULL, &bitmap));
@@ -337,11 +327,10 @@ static void test_format(void **state)
     assert_int_equal(info.channels, c->channels);
     assert_int_equal(info.file_format, sample->format);
     assert_int_equal(info.flags, sample->format == SHD_FILE_FORMAT_EXR ? SHD_BITMAP_PREMULTIPLIED : SHD_BITMAP_NONE);
-    desc.flags = SHD_LOAD_ISOLATE;
-    desc.worker_path = k_worker;
-    shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &isolated));
-    assert_true(io_hash_bitmap(bitmap) == io_hash_bitmap(isolated));
-    shd_bitmap_release(isolated);
+    desc.flags = SHD_LOAD_IN_PROCESS;
+    shd_assert_ok(shd_bitmap_load_memory(g_context, sample->bytes.data, sample->bytes.size, &desc, &in_process));
+    assert_true(io_hash_bitmap(bitmap) == io_hash_bitmap(in_process));
+    shd_bitmap_release(in_process);
     shd_bitmap_release(bitmap);
 }
 

@@ -137,6 +137,17 @@ static uint64_t load_twice(const char *name, const void *bytes, size_t size, shd
     return hash[0];
 }
 
+/* Loads twice in the default setting and twice in this process: all four are equal. */
+static uint64_t load_all(const char *name, const void *bytes, size_t size, shd_result *result)
+{
+    shd_result in_process;
+    const uint64_t hash = load_twice(name, bytes, size, SHD_LOAD_DEFAULT, result);
+    if (load_twice(name, bytes, size, SHD_LOAD_IN_PROCESS, &in_process) != hash || in_process != *result) {
+        fail_msg("%s: loads by the worker and in process differ", name);
+    }
+    return hash;
+}
+
 static void test_case(void **state)
 {
     const struct tga_case *c = (const struct tga_case *)*state;
@@ -144,7 +155,7 @@ static void test_case(void **state)
     shd_bitmap *bitmap = NULL;
     shd_result result, partial;
     size_t i;
-    load_twice(c->name, c->bytes, c->size, SHD_LOAD_DEFAULT, &result);
+    load_all(c->name, c->bytes, c->size, &result);
     shd_assert_result(c->name, result, c->expected, c->message);
     load_twice(c->name, c->bytes, c->size, SHD_LOAD_PARTIAL, &partial);
     assert_int_equal(partial, result);
@@ -167,8 +178,27 @@ static void test_palette_of_one(void **state)
     size_t i;
     (void)state;
     for (i = 0; i < 256; ++i) file[21 + i] = (unsigned char)i;
-    load_twice("palette_of_one", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("palette_of_one", file, sizeof file, &result);
     shd_assert_result("palette_of_one", result, SHD_ERROR_CORRUPT, "TGA: a pixel is outside the palette");
+}
+
+/* 16-bit grey is a byte of grey and one of alpha. */
+static void test_grey_alpha(void **state)
+{
+    static const unsigned char file[22] = {TGA(3, 0, 0, 0, 2, 1, 16), 10, 20, 30, 40};
+    static const unsigned char wanted[8] = {10, 10, 10, 20, 30, 30, 30, 40};
+    unsigned char with_alpha[sizeof file];
+    shd_image image = shd_image_default();
+    shd_bitmap *bitmap = NULL;
+    shd_result result;
+    (void)state;
+    memcpy(with_alpha, file, sizeof file);
+    with_alpha[17] |= 8; /* bits of alpha */
+    load_all("grey_alpha", with_alpha, sizeof with_alpha, &result);
+    shd_assert_ok(shd_bitmap_load_memory(g_context, with_alpha, sizeof with_alpha, NULL, &bitmap));
+    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    assert_memory_equal(image.pixels, wanted, sizeof wanted);
+    shd_bitmap_release(bitmap);
 }
 
 enum { EXTENSION = 495, FOOTER = 26, EXTENDED = 24 + EXTENSION + FOOTER };
@@ -203,7 +233,7 @@ static void test_extension(void **state)
     for (i = 0; i < sizeof fills; ++i) {
         uint64_t hash;
         extended_file(file, 24, fills[i]);
-        hash = load_twice("extension", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+        hash = load_all("extension", file, sizeof file, &result);
         shd_assert_ok(result);
         if (i == 0) first = hash;
         assert_true(hash == first);
@@ -216,10 +246,10 @@ static void test_extension(void **state)
     shd_bitmap_release(bitmap);
     extended_file(file, 22, 0);
     file[22] = file[23] = 0xff; /* the last pixel is the size of the area */
-    load_twice("over_pixels", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("over_pixels", file, sizeof file, &result);
     shd_assert_result("over_pixels", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
     extended_file(file, 60, 0xff);
-    load_twice("cut", file, sizeof file, SHD_LOAD_DEFAULT, &result);
+    load_all("cut", file, sizeof file, &result);
     shd_assert_result("cut", result, SHD_ERROR_CORRUPT, "TGA: bad extension area");
 }
 
@@ -249,7 +279,8 @@ static void test_random(void **state)
         if (io_random(&random) % 8) file[13] = file[15] = 0;
         file[16] = depths[io_random(&random) % 5];
         file[17] &= 0x3f;
-        load_twice("random", file, size, n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_DEFAULT, &result);
+        load_twice("random", file, size, SHD_LOAD_IN_PROCESS | (n % 2 ? SHD_LOAD_PARTIAL : SHD_LOAD_DEFAULT), &result);
+        if (n % 16 == 0) load_all("random", file, size, &result);
         loaded += result == SHD_OK;
     }
     print_message("%d random TGA files: %d loaded\n", n, loaded);
@@ -259,7 +290,7 @@ static void test_random(void **state)
 int main(void)
 {
     enum { CASES = sizeof k_cases / sizeof k_cases[0] };
-    struct CMUnitTest tests[CASES + 3];
+    struct CMUnitTest tests[CASES + 4];
     size_t i;
     int failed;
     if (shd_context_create(NULL, &g_context) != SHD_OK) return 1;
@@ -268,7 +299,8 @@ int main(void)
     tests[CASES] = (struct CMUnitTest){"palette_of_one", test_palette_of_one, NULL, NULL, NULL};
     tests[CASES + 1] = (struct CMUnitTest){"random", test_random, NULL, NULL, NULL};
     tests[CASES + 2] = (struct CMUnitTest){"extension", test_extension, NULL, NULL, NULL};
-    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 3, NULL, NULL);
+    tests[CASES + 3] = (struct CMUnitTest){"grey_alpha", test_grey_alpha, NULL, NULL, NULL};
+    failed = _cmocka_run_group_tests("api.io_tga", tests, CASES + 4, NULL, NULL);
     shd_context_release(g_context);
     return failed;
 }

@@ -75,7 +75,7 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   read_desc("load", in, &desc);
   constexpr uint32_t kFormats = 0x1fff | SHD_FILE_FORMAT_ANY;
   require_flags("load.formats", desc.formats, kFormats);
-  require_flags("load.flags", desc.flags, SHD_LOAD_ISOLATE | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
+  require_flags("load.flags", desc.flags, SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
   if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
@@ -96,36 +96,45 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   return request;
 }
 
-/// `bytes` is ours and may be scrubbed.
-io::Bitmap load_bytes(shd_context* context, const LoadRequest& request, unsigned char* bytes, size_t size) {
-  const io::Deadline deadline(request.options.limits.seconds);
-  const io::Memory memory = memory_of(context);
-  if (!(request.desc.flags & SHD_LOAD_ISOLATE)) return io::load(bytes, size, request.options, memory, deadline);
-  io::accept(bytes, size, request.options);
-  return io::load_isolated(request.desc.worker_path, bytes, size, request.options, memory, deadline);
+bool in_process(const LoadRequest& request) {
+  return (request.desc.flags & SHD_LOAD_IN_PROCESS) != 0;
 }
 
 io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& request) {
   require_path(path);
-  const io::Buffer bytes = io::read_file(path, request.options.limits, memory_of(context));
+  const io::OpenFile file = io::open_file(path, request.options.limits);
+  const io::Deadline deadline(request.options.limits.seconds);
+  const io::Memory memory = memory_of(context);
   try {
-    return load_bytes(context, request, bytes.data(), bytes.size());
+    if (!in_process(request)) {
+      const io::Source source = {file.file.fd, nullptr, file.size};
+      return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
+    }
+    const io::Buffer bytes = io::read_bytes(file.file.fd, file.size, memory);
+    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline);
   } catch (const Failure& failure) {
     refuse(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
   }
 }
 
-/// A file in the caller's memory.
+/// A file in the caller's memory. Its header is checked before a copy or a worker costs anything.
 io::Bitmap load_copy(shd_context* context, const void* bytes, size_t size, const LoadRequest& request) {
   if (!bytes) refuse(SHD_ERROR_INVALID_ARGUMENT, "bytes: NULL");
   if (size > request.options.limits.file_bytes) {
     refuse(SHD_ERROR_LIMIT, "size: %zu bytes are above load.max_file_bytes %llu", size,
            static_cast<unsigned long long>(request.options.limits.file_bytes));
   }
-  io::accept(static_cast<const unsigned char*>(bytes), size, request.options);
-  const io::Buffer copy(memory_of(context), size);
-  std::memcpy(copy.data(), bytes, size);
-  return load_bytes(context, request, copy.data(), size);
+  const auto* data = static_cast<const unsigned char*>(bytes);
+  const io::Deadline deadline(request.options.limits.seconds);
+  const io::Memory memory = memory_of(context);
+  io::accept(data, size, request.options);
+  if (!in_process(request)) {
+    const io::Source source = {-1, data, size};
+    return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
+  }
+  const io::Buffer copy(memory, size);
+  std::memcpy(copy.data(), data, size);
+  return io::load(copy.data(), size, request.options, memory, deadline);
 }
 
 /// Texels of a bitmap whose numbers no texture format means, linear.

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// One file, in a child of the worker. Limits of the operating system bound its memory and time, so that a failing
+// decoder ends only this process.
+#include "io/worker_job.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/guard.h"
+#include "io/load.h"
+#include "io/oiio.h"
+#include "io/packet.h"
+#include "io/read_file.h"
+
+namespace shd::io {
+
+namespace {
+
+/// Largest size of a bitmap that a request allows; cannot overflow for any request [bytes].
+uint64_t decoded_bytes(const WorkerRequest& request) {
+  return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
+}
+
+constexpr size_t kHugePage = size_t{1} << 21;
+
+/// New memory of the process, with huge pages like those of the default allocator of a context.
+void* map_pages(size_t size) {
+  if (size > PTRDIFF_MAX - kHugePage) return nullptr;
+  void* const mapped =
+      ::mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  const size_t offset = (kHugePage - reinterpret_cast<uintptr_t>(mapped) % kHugePage) % kHugePage;
+  void* const memory = static_cast<unsigned char*>(mapped) + offset;
+#ifdef MADV_HUGEPAGE
+  (void)::madvise(memory, size, MADV_HUGEPAGE);
+#endif
+  return memory;
+}
+
+void* plain_allocate(void*, size_t size) {
+  if (size >= kHugePage) return map_pages(size);
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, 64, size) != 0) return nullptr;
+  return std::memset(memory, 0, size);
+}
+void plain_free(void*, void* memory, size_t size) {
+  if (size < kHugePage) std::free(memory);  // larger blocks live as long as the process, which ends soon
+}
+constexpr Memory kPlain = {nullptr, plain_allocate, plain_free, true};
+
+bool send_all(int pipe, const void* bytes, size_t size) {
+  const auto* next = static_cast<const unsigned char*>(bytes);
+  while (size > 0) {
+    const ssize_t put = ::write(pipe, next, size);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return false;
+    next += put;
+    size -= static_cast<size_t>(put);
+  }
+  return true;
+}
+
+/// Sends memory that stays unchanged until the process ends: the pipe refers to it instead of copying it.
+bool lend_all(int pipe, void* bytes, size_t size) {
+  auto* next = static_cast<unsigned char*>(bytes);
+  while (size > 0) {
+    const iovec part = {next, size};
+    const ssize_t put = ::vmsplice(pipe, &part, 1, 0);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return send_all(pipe, next, size);  // not every sandbox has vmsplice()
+    next += put;
+    size -= static_cast<size_t>(put);
+  }
+  return true;
+}
+
+void set_limit(decltype(RLIMIT_CPU) resource, uint64_t value) {
+  const rlimit limit = {value, value};
+  (void)::setrlimit(resource, &limit);
+}
+
+/// Sanitizers reserve more address space than any limit would leave.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+void limit_memory(const WorkerRequest&) {}
+#else
+/// Address space in use at this moment, by the libraries of the decoders [bytes].
+uint64_t address_space() {
+  unsigned long long pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Decoders hold up to two copies of a picture in addition to the result. The constant covers three copies of the
+/// largest row or tile that any max_bytes allows, 64 MiB, and tables.
+void limit_memory(const WorkerRequest& request) {
+  const uint64_t decoded = decoded_bytes(request);
+  const uint64_t used = address_space();
+  if (used > 0) set_limit(RLIMIT_AS, used + 3 * decoded + 3 * request.size + (uint64_t{256} << 20));
+}
+#endif
+
+/// The server kills a child at its deadline, too; these limits hold if the server ends.
+void limit_time(double seconds) {
+  const auto whole = static_cast<uint64_t>(std::ceil(std::clamp(seconds, 0.0, 1e8))) + 1;
+  set_limit(RLIMIT_CPU, whole);
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(whole + 1);
+  (void)::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void confine(const WorkerRequest& request) {
+  set_limit(RLIMIT_CORE, 0);
+  // SHD_FILE_FORMAT_ANY makes an anonymous file of the same size.
+  set_limit(RLIMIT_FSIZE, (request.formats & SHD_FILE_FORMAT_ANY) ? request.size : 0);
+  limit_time(request.limits.seconds);
+  limit_memory(request);
+  (void)::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  limit_process(decoded_bytes(request));
+}
+
+LoadOptions options_of(const WorkerRequest& request) {
+  LoadOptions options;
+  options.formats = request.formats;
+  options.flags = request.flags;
+  options.encoding = static_cast<shd_color_encoding>(request.encoding);
+  options.subimage = request.subimage;
+  options.limits = request.limits;
+  return options;
+}
+
+/// Decodes the file of a request; a failure is stored in the reply.
+Bitmap answer(const WorkerRequest& request, int file, WorkerReply* reply) {
+  Bitmap bitmap;
+  const auto report = [&](shd_result code, const char* text) {
+    reply->code = static_cast<uint32_t>(code);
+    if (code == SHD_ERROR_OUT_OF_MEMORY) text = "out of memory in the worker";
+    std::strncpy(reply->message, text, sizeof reply->message - 1);
+    return code;
+  };
+  core::guard(report, [&] {
+    const Deadline deadline(request.limits.seconds);
+    const Buffer bytes = read_bytes(file, request.size, kPlain);
+    bitmap = load(bytes.data(), bytes.size(), options_of(request), kPlain, deadline);
+    reply->code = SHD_OK;
+    reply->format = static_cast<uint32_t>(bitmap.format);
+    reply->width = bitmap.width;
+    reply->height = bitmap.height;
+    reply->size = bitmap.pixels.size();
+    reply->info = bitmap.info;
+    std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
+    return SHD_OK;
+  });
+  return bitmap;
+}
+
+/// Overwrites what the server left on the stack, which differs between two children.
+__attribute__((noinline)) void wipe_stack() {
+  volatile unsigned char unused[1 << 15];
+  for (size_t i = 0; i < sizeof unused; ++i) unused[i] = 0;
+}
+
+}  // namespace
+
+void run_job(int socket) {
+  (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  wipe_stack();
+  WorkerRequest request = {};
+  FileDescriptor handed[2];
+  if (receive_packet(socket, &request, sizeof request, handed, 2, Deadline(1e9)) != Stream::kDone) _exit(2);
+  ::close(socket);
+  const int data = handed[0].fd;
+  confine(request);
+  static WorkerReply reply;
+  reply.magic = kWorkerMagic;
+  const Bitmap bitmap = answer(request, handed[1].fd, &reply);
+  const bool sent = send_all(data, &reply, sizeof reply) && lend_all(data, bitmap.pixels.data(), bitmap.pixels.size());
+  // Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
+  _exit(sent ? 0 : 3);
+}
+
+}  // namespace shd::io

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// A worker that misbehaves; the end of its program's name selects the fault. It sends replies that a decoder under the
+// control of a hostile file could send.
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/packet.h"
+#include "io/worker_protocol.h"
+
+namespace
+{
+
+using namespace shd::io;
+
+const Deadline kLong(3600);
+
+void send_bytes(int pipe, const void *bytes, size_t size)
+{
+    const auto *next = static_cast<const char *>(bytes);
+    while (size > 0) {
+        const ssize_t put = ::write(pipe, next, size);
+        if (put <= 0) return;
+        next += put;
+        size -= static_cast<size_t>(put);
+    }
+}
+
+/// A good reply for the 5 x 4 pixels that the test expects, and its faults.
+WorkerReply make_reply(const std::string &mode)
+{
+    WorkerReply reply = {};
+    reply.magic = mode == "reply_magic" ? 7 : kWorkerMagic;
+    reply.format = mode == "format" ? 77u : uint32_t{SHD_FORMAT_RGBA8};
+    reply.width = mode == "zero" ? 0 : mode == "wide" ? 70000 : mode == "pixels" ? 60000 : 5;
+    reply.height = mode == "pixels" ? 60000 : 4;
+    reply.size = mode == "size" ? 81 : mode == "overflow" ? ~uint64_t{0} : 80;
+    reply.info.file_format = static_cast<shd_file_format>(mode == "info_format" ? 3 : SHD_FILE_FORMAT_PNG);
+    reply.info.flags = mode == "info_flags" ? 1u << 30 : 0;
+    reply.code = mode == "code" ? 4711 : mode == "text" ? uint32_t{SHD_ERROR_CORRUPT} : uint32_t{SHD_OK};
+    std::memset(reply.color_space, mode == "color_space" ? 7 : 0, sizeof reply.color_space);
+    std::memset(reply.message, mode == "text" ? 0x1b : 0, sizeof reply.message);
+    return reply;
+}
+
+/// Answers one request. Returns false if the worker shall end.
+void answer(const std::string &mode, FileDescriptor &control, FileDescriptor &data)
+{
+    const WorkerStarted started = {mode == "refuses" ? ENOMEM : 0};
+    if (mode == "silent") return;
+    (void)send_packet(control.fd, &started, mode == "started_short" ? 1 : sizeof started, nullptr, 0, kLong);
+    if (mode == "hangs" || mode == "refuses") {
+        (void)::sleep(5);
+        return;
+    }
+    if (mode == "closes") {
+        data.reset();
+        (void)::sleep(5);
+        return;
+    }
+    const WorkerReply reply = make_reply(mode);
+    const std::vector<char> pixels(mode == "short" ? 79 : mode == "long" ? 8000 : 80, 'x');
+    send_bytes(data.fd, &reply, mode == "cut" ? sizeof reply - 1 : sizeof reply);
+    if (mode == "drips") {
+        for (const char pixel : pixels) {
+            send_bytes(data.fd, &pixel, 1);
+            (void)::usleep(50000);
+        }
+    }
+    if (mode != "cut") send_bytes(data.fd, pixels.data(), pixels.size());
+    const WorkerEnded ended = {9};
+    if (mode == "short" || mode == "cut") (void)send_packet(control.fd, &ended, sizeof ended, nullptr, 0, kLong);
+}
+
+}  // namespace
+
+int main(int, char **arguments)
+{
+    const std::string program = arguments[0];
+    const std::string mode = program.substr(program.rfind('-') + 1);
+    // The host kills its own child after the greeting, so the worker is a process of its own by then.
+    if (mode.compare(0, 5, "hello") != 0 && ::fork() != 0) _exit(0);
+    WorkerHello hello = {kWorkerMagic, 0};
+    if (mode == "hello_magic") hello.magic = 1;
+    if (mode == "hello_error") hello.error = EAGAIN;
+    if (mode == "hello_late") (void)::sleep(5);
+    if (mode == "hello_never") return 7;
+    if (send_packet(0, &hello, mode == "hello_short" ? 3 : sizeof hello, nullptr, 0, kLong) != Stream::kDone) return 1;
+    while (true) {
+        WorkerRequest request;
+        FileDescriptor handed[kMaxDescriptors];
+        if (receive_packet(0, &request, sizeof request, handed, kMaxDescriptors, kLong) != Stream::kDone) _exit(0);
+        if (mode == "ends") _exit(0);
+        answer(mode, handed[0], handed[1]);
+    }
+}
