@@ -67,12 +67,15 @@ static uint64_t sample(void)
     return shd_hash(SHD_HASH_START, out, sizeof out);
 }
 
+/* The faults are injected into this process, so the decoder must run in it. */
+static shd_load_desc g_in_process;
+
 /* Loads a file; returns the hash of its pixels, or 0 and the result. */
 static uint64_t load(const char *path, shd_result *out_result)
 {
     shd_bitmap *bitmap = (shd_bitmap *)&g_hook;
     uint64_t hash;
-    *out_result = shd_bitmap_load(g_context, path, NULL, &bitmap);
+    *out_result = shd_bitmap_load(g_context, path, &g_in_process, &bitmap);
     assert_true((bitmap != NULL) == (*out_result == SHD_OK));
     hash = bitmap ? io_hash_bitmap(bitmap) : 0;
     shd_bitmap_release(bitmap);
@@ -308,7 +311,8 @@ static uint64_t visit(unsigned control)
         shd_result result, saved = SHD_OK;
         unsigned after, after_save;
         shd_write_control(control);
-        result = shd_bitmap_load_memory(g_context, g_corpus[i].bytes.data, g_corpus[i].bytes.size, NULL, &bitmap);
+        result =
+            shd_bitmap_load_memory(g_context, g_corpus[i].bytes.data, g_corpus[i].bytes.size, &g_in_process, &bitmap);
         after = shd_read_control();
         shd_write_control(0x1f80);
         shd_assert_result(g_corpus[i].name, result, SHD_OK, "");
@@ -343,6 +347,8 @@ int main(void)
     void *state = NULL;
     shd_result result;
     int failed, i;
+    g_in_process = shd_load_desc_default();
+    g_in_process.flags = SHD_LOAD_IN_PROCESS;
     if (io_make_folder(&state) != 0 || shd_context_create(NULL, &g_context) != SHD_OK) return 1;
     io_make_corpus();
     io_write(io_path("b.png"), g_corpus[1].bytes.data, g_corpus[1].bytes.size);
