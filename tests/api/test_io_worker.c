@@ -115,7 +115,7 @@ static void test_child_dies(void **state)
         char end[32];
         assert_int_equal(kill(before.children[0], SIGSTOP), 0);
         assert_int_equal(pthread_create(&thread, NULL, load_in_background, &b), 0);
-        io_sleep(0.1); /* the load has reached the stopped child */
+        io_await_worker(g_worker, 2); /* the stopped child has the file, and there is a new spare */
         assert_int_equal(kill(before.children[0], signals[i]), 0);
         kill(before.children[0], SIGCONT);
         pthread_join(thread, NULL);
@@ -189,7 +189,7 @@ static void test_worker_killed_in_flight(void **state)
     before = settle();
     assert_int_equal(kill(before.children[0], SIGSTOP), 0);
     assert_int_equal(pthread_create(&thread, NULL, load_in_background, &b), 0);
-    io_sleep(0.1);
+    io_await_worker(g_worker, 2);
     assert_int_equal(kill(before.server, SIGKILL), 0);
     pthread_join(thread, NULL);
     assert_int_equal(b.result, SHD_ERROR_CORRUPT);
