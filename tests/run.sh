@@ -92,14 +92,15 @@ stage_asan() {
       UBSAN_OPTIONS=print_stacktrace=1 run_tests asan -E '^(abi|style|consumer)\.'
 }
 # Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
-# kernels from one thread; the large frames of four tests take minutes here, and api.threads renders their kind.
+# kernels from one thread; the large frames of four tests and the failures of api.call_faults take minutes here, and
+# api.threads and api.faults are of their kind.
 # What does not run is not built.
 stage_tsan() {
   local runner=() targets=(api_tests test_unit_raster_bin)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
   build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
-      run_tests tsan -R '^(api|unit\.raster\.bin)' -E '^api\.render_(painter|passes|supersampling|window)$'
+      run_tests tsan -R '^(api|unit\.raster\.bin)' -E '^api\.(call_faults|render_(painter|passes|supersampling|window))$'
 }
 # The release stage has built shd as a part of another project.
 stage_core() { build core -DSHD_SIMD=scalar && run_tests core -E '^consumer\.add_subdirectory$'; }
