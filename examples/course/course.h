@@ -13,9 +13,9 @@
  * as ../frame.c does.
  *
  * Usage of each program: NAME [options] [MODEL]; --help lists the options. MODEL is a file that assimp reads, or - for
- * a sphere made in code. If it is missing, the model is the duck of Debian's assimp-testmodels, or its spider for height
- * maps, or the sphere if that package or assimp is missing. Without --texture, the program uses the model's first
- * texture, or one made in code.
+ * a sphere made in code. If it is missing, the model is the duck of Debian's assimp-testmodels, or its spider for
+ * height maps, or the sphere if that package or assimp is missing. Without --texture, the program uses the model's
+ * first texture, or one made in code.
  */
 #ifndef SHD_EXAMPLES_COURSE_H
 #define SHD_EXAMPLES_COURSE_H

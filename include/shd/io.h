@@ -9,28 +9,28 @@
  *    decoded in one step, during which a load in process does not check the time; it may have 256 scans.
  *  - Metadata that a decoder would parse (EXIF, XMP, ICC, IPTC, text) is removed from PNG, JPEG, TIFF, WebP and TGA
  *    before decoding.
- *  - OpenImageIO and its codecs can crash on a hostile file, loop, or return leftover memory as pixels. A load therefore
- *    decodes outside this process, in a fresh child of the program shd-io-worker. A crash is SHD_ERROR_CORRUPT. The child
- *    is killed at the deadline, its memory is limited by the budgets, and its answer is checked. It holds nothing of this
- *    process except the file, and nothing of other files, so that a file gives the same pixels each time.
- *    SHD_LOAD_IN_PROCESS decodes trusted files in this process.
+ *  - OpenImageIO and its codecs can crash on a hostile file, loop, or return leftover memory as pixels. A load
+ *    therefore decodes outside this process, in a fresh child of the program shd-io-worker. A crash is
+ *    SHD_ERROR_CORRUPT. The child is killed at the deadline, its memory is limited by the budgets, and its answer is
+ *    checked. It holds nothing of this process except the file, and nothing of other files, so that a file gives the
+ *    same pixels each time. SHD_LOAD_IN_PROCESS decodes trusted files in this process.
  *
- * The worker: the first load of a process starts it (about 0.3 s), later loads use it again, and each thread's load has a
- * child of its own. A worker that fails is replaced by the next load. It ends when this process ends, when libshd_io is
- * unloaded, and when a load names another worker_path; until then it keeps two descriptors of this process and uses no
- * processor time. It is not a child of this process; only while it starts, this process has a child, and SIGCHLD is sent
- * once. A forked child of this process starts a worker of its own. The worker gets no environment variables except those
- * of the dynamic linker (LD_...) and of sanitizers. It needs Linux. The environment variable SHD_IO_WORKER, if set, is the
- * default of shd_load_desc.worker_path. The child has the rights of this process: it contains accidents of decoders, but
- * is no sandbox for a file that takes over its code.
+ * The worker: the first load of a process starts it (about 0.3 s), later loads use it again, and each thread's load has
+ * a child of its own. A worker that fails is replaced by the next load. It ends when this process ends, when libshd_io
+ * is unloaded, and when a load names another worker_path; until then it keeps two descriptors of this process and uses
+ * no processor time. It is not a child of this process; only while it starts, this process has a child, and SIGCHLD is
+ * sent once. A forked child of this process starts a worker of its own. The worker gets only the environment variables
+ * whose names begin with LD_, and the options of sanitizers. It needs Linux. The environment variable SHD_IO_WORKER, if
+ * set, is the default of shd_load_desc.worker_path. The child has the rights of this process: it contains accidents of
+ * decoders, but is no sandbox for a file that takes over its code.
  *
- * OpenImageIO in this process: a shared libshd_io opens it at the first save or load with SHD_LOAD_IN_PROCESS, by the module
- * libshd_io_oiio in the folder shd beside it. A host that only loads in the default setting never opens it; a static
- * libshd_io links it. Libraries under OpenImageIO start threads when they are loaded and keep them; on Debian 12, exit() of
- * a child that is forked afterwards does not return (_exit() does). OpenEXR keeps decoding threads after its first file:
- * after a fork the child must not save .exr, or load it with SHD_LOAD_IN_PROCESS. libpng writes a line to stderr about
- * damaged compressed data whose checksums are right, and about any damage with SHD_LOAD_PARTIAL; a load by the worker is
- * silent.
+ * OpenImageIO in this process: a shared libshd_io opens it at the first save or load with SHD_LOAD_IN_PROCESS, by the
+ * module libshd_io_oiio in the folder shd beside it. A host that only loads in the default setting never opens it; a
+ * static libshd_io links it. Libraries under OpenImageIO start threads when they are loaded and keep them; on Debian
+ * 12, exit() of a child that is forked afterwards does not return (_exit() does). OpenEXR keeps decoding threads after
+ * its first file: after a fork the child must not save .exr, or load it with SHD_LOAD_IN_PROCESS. libpng writes a line
+ * to stderr about damaged compressed data whose checksums are right, and about any damage with SHD_LOAD_PARTIAL; a load
+ * by the worker is silent.
  *
  * Lifetime:      bitmaps are reference counted; load returns an owned reference.
  * Thread safety: every function may be called from any thread; concurrent reads of one bitmap.
@@ -89,8 +89,8 @@ typedef enum shd_color_encoding {
 typedef enum shd_load_flag {
     SHD_LOAD_DEFAULT = 0,
     /**
-     * Decode in this process, for files that are as trusted as this program. Needs no worker; saves its start, about
-     * 2 ms a file and one copy of the pixels. A hostile file can end or take over this process, and time_limit is checked
+     * Decode in this process, for files that are as trusted as this program. Needs no worker; saves its start, about 2
+     * ms a file and one copy of the pixels. A hostile file can end or take over this process, and time_limit is checked
      * between bands of rows only.
      */
     SHD_LOAD_IN_PROCESS = 1,

@@ -13,12 +13,13 @@
  *    the axis: 1 inside the inner cone, 0 outside the outer cone;
  *  - the light cookie, a texture that the light projects onto the scene.
  *
- * The factor pi: most models (Lambert, Phong, Blinn-Phong, combined, toon) reflect k_d E n.l without 1 / pi, as graphics
- * courses do. Metallic-roughness and normalised Blinn-Phong reflect k_d E n.l / pi, as glTF 2.0 and physics do. The
- * same light is therefore pi times darker with them. To keep the brightness of diffuse surfaces when the model changes,
- * multiply the intensity of point, spot and directional lights by pi = 3.14159265, or divide it by pi on the way back.
- * Ambient lights keep their intensity: no model divides I_a by pi. Example: a directional light of I = 1 at n.l = 1
- * makes a white Lambert surface 1 and a white rough dielectric about 0.3; with I = 3.14159265 the latter is about 1.
+ * The factor pi: most models (Lambert, Phong, Blinn-Phong, combined, toon) reflect k_d E n.l without 1 / pi, as
+ * graphics courses do. Metallic-roughness and normalised Blinn-Phong reflect k_d E n.l / pi, as glTF 2.0 and physics
+ * do. The same light is therefore pi times darker with them. To keep the brightness of diffuse surfaces when the model
+ * changes, multiply the intensity of point, spot and directional lights by pi = 3.14159265, or divide it by pi on the
+ * way back. Ambient lights keep their intensity: no model divides I_a by pi. Example: a directional light of I = 1 at
+ * n.l = 1 makes a white Lambert surface 1 and a white rough dielectric about 0.3; with I = 3.14159265 the latter is
+ * about 1.
  *
  * @code
  * shd_light_desc desc = shd_light_desc_default();

@@ -120,9 +120,9 @@ static inline shd_mesh_desc shd_mesh_desc_default(void)
  * it are weighted by angle, and triangles with mirrored uv stay apart. A vertex is split where mirrored and other
  * triangles meet, and where it belongs to several fans that share no edge. The first part keeps the caller's vertex
  * number. The copies have the other tangents; they follow the caller's vertices in the order of their originals. One
- * rule differs from Mikkelsen's generator: at its threshold of 180 degrees it leaves a triangle out of a corner's sum if
- * their directions are exactly opposite after rounding. Here each triangle of a fan counts for all its corners, so that
- * folded or stretched uv do not split vertices.
+ * rule differs from Mikkelsen's generator: at its threshold of 180 degrees it leaves a triangle out of a corner's sum
+ * if their directions are exactly opposite after rounding. Here each triangle of a fan counts for all its corners, so
+ * that folded or stretched uv do not split vertices.
  *
  * Triangles without area in uv, or with two corners at the same position, use the tangent of their neighbours at each
  * vertex. A vertex without any tangent gets a unit vector perpendicular to n: the x axis projected into the plane of n,

@@ -105,10 +105,10 @@ SHD_NODISCARD SHD_API shd_result shd_mip_build(shd_context *context, const shd_i
 /**
  * Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals.
  *
- * A texel is (bx, by, bx^2, by^2) with (bx, by) = (nx / nz, ny / nz), and bx by in an image of its own (Olano and Baker,
- * "LEAN Mapping", 2010, section 3). Build the levels of the results as SHD_TEXEL_CONTENT_DATA; any filter may read them.
- * A filtered texel (bx, by, Mxx, Myy) and Mxy give the mean normal normalise(bx, by, 1) and the covariance of slopes
- * (Mxx - bx^2, Mxy - bx by; Mxy - bx by, Myy - by^2), over which lobes are averaged (shd_normal_encoding).
+ * A texel is (bx, by, bx^2, by^2) with (bx, by) = (nx / nz, ny / nz), and bx by in an image of its own (Olano and
+ * Baker, "LEAN Mapping", 2010, section 3). Build the levels of the results as SHD_TEXEL_CONTENT_DATA; any filter may
+ * read them. A filtered texel (bx, by, Mxx, Myy) and Mxy give the mean normal normalise(bx, by, 1) and the covariance
+ * of slopes (Mxx - bx^2, Mxy - bx by; Mxy - bx by, Myy - by^2), over which lobes are averaged (shd_normal_encoding).
  *
  * nz is raised to at least 1/32 of the normal's length, so |bx| and |by| are at most 32. Normals that point backwards
  * are limited in the same way. A texel that is 0 or not finite becomes flat: four zeros.

@@ -90,10 +90,10 @@ typedef struct shd_shadow_desc {
     float light_size;
     float bias; /**< points are moved towards the light by this depth, world length, 0..1e9; default 0 */
     /**
-     * Factor of another bias: the edge length of a texel at the point times 1/4 + s. s is the sum of the |slopes| of the
-     * surface across and along the map, at most 8. A slope is depth over length. The plane of the surface is exact at
-     * each texel, so this bias covers only the difference of the surface from its plane. Without a normal, 1/4 + s is
-     * replaced by 2, or by n + 1 for PCF. 0..1000; default 1.
+     * Factor of another bias: the edge length of a texel at the point times 1/4 + s. s is the sum of the |slopes| of
+     * the surface across and along the map, at most 8. A slope is depth over length. The plane of the surface is exact
+     * at each texel, so this bias covers only the difference of the surface from its plane. Without a normal, 1/4 + s
+     * is replaced by 2, or by n + 1 for PCF. 0..1000; default 1.
      */
     float bias_slope;
     float normal_offset;  /**< before the lookup, points are moved along their normal by this world length, 0..1e9;

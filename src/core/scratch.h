@@ -9,9 +9,9 @@
 
 namespace shd::core {
 
-/// Working memory of a call, and then of the next one. Freed blocks are kept and serve later allocations of about their size, so that
-/// a loop of equal calls allocates nothing after its first turn. Sizes are rounded up by less than 1/8. Functions
-/// without a note may be called from any thread.
+/// Working memory of a call, and then of the next one. Freed blocks are kept and serve later allocations of about their
+/// size, so that a loop of equal calls allocates nothing after its first turn. Sizes are rounded up by less than 1/8.
+/// Functions without a note may be called from any thread.
 class Scratch {
  public:
   /// @param keeps  false: every block is allocated by the host and returned to it when it is freed

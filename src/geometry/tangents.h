@@ -19,10 +19,10 @@ namespace shd::geometry {
 /// - triangles without uv area add nothing; they take the sign of the first group that reaches them;
 /// - corners without a group get the first group at their vertex, or the fallback. Their triangles have two corners at
 ///   one position, a non-finite position, or a sign that no group accepts.
-/// Differences from the generator: there are no quadrilaterals; there is no angular threshold, so that no group is split
-/// (the generator's default of 180 degrees takes a triangle out of a corner's sum if the cosine between their
-/// directions rounds to -1); fallback_tangent() replaces (1, 0, 0). If the corners of a vertex get different tangents, the
-/// vertex keeps the first one, and one copy per further tangent is appended, in order of vertices. The counts go to
+/// Differences from the generator: there are no quadrilaterals; there is no angular threshold, so that no group is
+/// split (the generator's default of 180 degrees takes a triangle out of a corner's sum if the cosine between their
+/// directions rounds to -1); fallback_tangent() replaces (1, 0, 0). If the corners of a vertex get different tangents,
+/// the vertex keeps the first one, and one copy per further tangent is appended, in order of vertices. The counts go to
 /// info.tangentless_count and info.split_count. Throws std::bad_alloc. |error| of a component <= 2e-7 against the exact
 /// sum unless the directions nearly cancel.
 void compute_tangents(const core::Allocator& allocator, Mesh* mesh);

@@ -5,8 +5,9 @@
 
 namespace shd::io {
 
-/// Checks a BMP file (Microsoft, "Bitmap Storage") whose width and height passed check_extent(). Refuses run-length and embedded compression, files that are too
-/// short for their pixels and palette, and pixels outside the palette. The decoder does not check these.
+/// Checks a BMP file (Microsoft, "Bitmap Storage") whose width and height passed check_extent(). Refuses run-length and
+/// embedded compression, files that are too short for their pixels and palette, and pixels outside the palette. The
+/// decoder does not check these.
 void check_bmp_header(const unsigned char* bytes, size_t size);
 
 }  // namespace shd::io

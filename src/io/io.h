@@ -6,7 +6,8 @@
 /// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
-///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO; what a child of the worker sends is untrusted.
+///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO; what a child of
+///             the worker sends is untrusted.
 ///
 /// | file             | contents                                                             |
 /// |------------------|----------------------------------------------------------------------|

@@ -206,8 +206,8 @@ void scrub_webp(unsigned char* bytes, size_t size) {
   }
 }
 
-/// TGA 2.0: everything in the extension area except gamma and kind of alpha becomes zero, because the decoder reads texts
-/// without an end.
+/// TGA 2.0: everything in the extension area except gamma and kind of alpha becomes zero, because the decoder reads
+/// texts without an end.
 void scrub_tga(unsigned char* bytes, size_t size) {
   const size_t at = find_tga_extension(bytes, size);
   if (at == size) return;

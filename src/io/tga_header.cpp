@@ -61,8 +61,8 @@ void check_pixels(const ByteReader& in, const TgaLayout& layout, uint64_t at, ui
   }
 }
 
-/// A packet is a byte with the number of pixels less one and, for a run, the top bit; then one pixel or all of them. The
-/// last packet may be longer than the image. Returns the offset behind the last one.
+/// A packet is a byte with the number of pixels less one and, for a run, the top bit; then one pixel or all of them.
+/// The last packet may be longer than the image. Returns the offset behind the last one.
 uint64_t check_packets(ByteReader& in, const TgaLayout& layout) {
   uint64_t at = layout.pixels;
   for (uint64_t left = layout.count; left > 0;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state of the one worker that a process has. It is constant-initialised and never destroyed, so that loads of other
-// threads may run during exit().
+// The state of the one worker that a process has. It is constant-initialised and never destroyed, so that loads of
+// other threads may run during exit().
 #include "io/worker_link.h"
 
 #include <fcntl.h>
@@ -55,8 +55,8 @@ void close_both() {
   g_worker.ready = g_worker.silent = false;
 }
 
-/// A forked child has no worker: the one of its parent stays with the parent. The mutex is made anew, because a thread
-/// that does not exist in the child may have held it.
+/// A forked child has no worker: the one of its parent stays with the parent. The mutex is made anew: another
+/// thread of the parent may have locked it, and that thread does not exist in the child.
 void forget_after_fork() {
   ::new (&g_worker.mutex) std::timed_mutex;
   close_both();

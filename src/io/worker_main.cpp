@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shd-io-worker: a fork server, started once by a process that loads files. It sets up OpenImageIO and forks a child for
-// every file. So each file is decoded in a copy of one clean process, and starting costs a fork only.
+// shd-io-worker: a fork server, started once by a process that loads files. It sets up OpenImageIO and forks a child
+// for every file. So each file is decoded in a copy of one clean process, and starting costs a fork only.
 #include <dirent.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -45,9 +45,10 @@ Threads look_at_threads() {
   return threads;
 }
 
-/// Waits until a fork is safe: if another thread holds a lock at the fork, the lock stays held in every child. OpenImageIO
-/// starts a thread for its pool and ends it some time after the pool is disabled; until then the thread takes locks of the
-/// pool. The `expected` other threads belong to libraries under OpenImageIO. They hold no lock while they sleep.
+/// Waits until a fork is safe: if another thread holds a lock at the fork, the lock stays held in every child.
+/// OpenImageIO starts a thread for its pool and ends it some time after the pool is disabled; until then the thread
+/// takes locks of the pool. The `expected` other threads belong to libraries under OpenImageIO. They hold no lock while
+/// they sleep.
 void await_idle_threads(int expected) {
   for (int quiet = 0, tries = 0; quiet < 3 && tries < 1000; ++tries) {
     const Threads threads = look_at_threads();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loop of the fork server. It reads nothing that a child or a file has written. It allocates no heap memory, so that
-// every child starts with the same heap.
+// The loop of the fork server. It reads nothing that a child or a file has written. It allocates no heap memory, so
+// that every child starts with the same heap.
 #include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>

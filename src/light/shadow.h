@@ -81,12 +81,13 @@ constexpr uint32_t kMaxTaps = 15;
 /// Bound to which slopes of surfaces against a face are clamped.
 constexpr float kMaxSlope = 64.0f;
 
-/// Depth bias of surfaces with a normal, in texels: kSteepnessSlack + |slope| across the map + |slope| along it, the sum
-/// of slopes at most kMaxSteepness. Comparisons use the plane of the surface at each texel (receiver-plane depth bias:
-/// Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), so the bias covers only what differs from this
-/// plane: curvature, interpolated normals and rounding. The bound is the clamp of slope-scaled biases in Direct3D and
-/// OpenGL. Without it, light that grazes a surface entered gaps of up to 128 texels. Rejected: a bound of 4, and half the
-/// slopes; both keep more light out of contacts, but spheres of 32 x 16 parts and fewer had stripes of shadow.
+/// Depth bias of surfaces with a normal, in texels: kSteepnessSlack + |slope| across the map + |slope| along it. The
+/// sum of both slopes is limited to kMaxSteepness. Comparisons use the plane of the surface at each texel
+/// (receiver-plane depth bias: Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), so the bias covers
+/// only what differs from this plane: curvature, interpolated normals and rounding. The bound is the clamp of
+/// slope-scaled biases in Direct3D and OpenGL. Without it, light that grazes a surface entered gaps of up to 128
+/// texels. Rejected: a bound of 4, and half the slopes; both keep more light out of contacts, but spheres of 32 x 16
+/// parts and fewer had stripes of shadow.
 constexpr float kSteepnessSlack = 0.25f, kMaxSteepness = 8.0f;
 
 /// Sum of |slope| across and along the map that is assumed for surfaces without a normal: 1 each, over the width of a

@@ -133,10 +133,10 @@ struct Blockers {
   hn::Mask<D> found;
 };
 
-/// Searches the part of the map that rays to the light cross. Distances of taps are cubed: half of the taps lie within an
-/// eighth of the square, where the blockers of contacts are. A blocker that no ray to the light meets (Guennebaud, Barthe
-/// and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006) counts only if there is no other, because
-/// another part of the same object may hide the light. Without this test, distant blockers widen the shadows of
+/// Searches the part of the map that rays to the light cross. Distances of taps are cubed: half of the taps lie within
+/// an eighth of the square, where the blockers of contacts are. A blocker that no ray to the light meets (Guennebaud,
+/// Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006) counts only if there is no other,
+/// because another part of the same object may hide the light. Without this test, distant blockers widen the shadows of
 /// contacts until they vanish, and walls are darkened by the ground in front of them.
 template <class D>
 HWY_INLINE Blockers<D> FindBlockers(D d, const Comparison<D>& comparison, const LightCone<D>& cone,

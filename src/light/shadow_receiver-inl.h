@@ -164,8 +164,8 @@ HWY_INLINE Receiver<D> MakeReceiver(D d, const Shadow& shadow, const Vec3V<V>& p
 }
 
 /// A hash of the bits of a position in world space, which depends on nothing else: neither on tiles and batches nor on
-/// the pixel grid. Hashes of words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020,
-/// 4.2).
+/// the pixel grid. Hashes of words are nested (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3),
+/// 2020, 4.2).
 template <class D, class V>
 HWY_INLINE ShadowBits<D> HashPosition(D, const Vec3V<V>& p) {
   const hn::RebindToUnsigned<D> du;

@@ -78,9 +78,9 @@ struct MetallicRoughness : ModelBase {
       return hn::Set(d, 2.0f) / shape[Shape::kAlphaSquared];
     }
 
-    /// D is 1 / (pi sqrt(det A)) (1 + x^T A^-1 x)^-2 in slopes x, with A = alpha^2 + 2 S for the normals with covariance
-    /// S (Tokuyoshi and Kaplanyan, "Improved Geometric Specular Antialiasing", 2019). x^T A^-1 x is the part of the
-    /// reflecting normal, tan^2 / alpha^2, plus distance / 2.
+    /// D is 1 / (pi sqrt(det A)) (1 + x^T A^-1 x)^-2 in slopes x, with A = alpha^2 + 2 S for the normals with
+    /// covariance S (Tokuyoshi and Kaplanyan, "Improved Geometric Specular Antialiasing", 2019). x^T A^-1 x is the part
+    /// of the reflecting normal, tan^2 / alpha^2, plus distance / 2.
     template <class D, class V>
     static HWY_INLINE V Decay(D d, const Point<V>& point, const Incoming<V>& in, const V* shape, V distance) {
       const auto sum = Sum(point.wo, in.l);

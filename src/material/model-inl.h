@@ -95,8 +95,8 @@ struct LightingBase {
   // Lighting with lobes also has
   //   AddLight(d, material, point, incoming, shape, lobe)
   // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
-  // where n.l <= 0, because lights behind all points of a vector are skipped. Lighting with specular lobes that averages
-  // normals also has
+  // where n.l <= 0, because lights behind all points of a vector are skipped. Lighting with specular lobes that
+  // averages normals also has
   //   Precision(d, shape, length)
   // which gives 1 / variance of the slopes of a normal around the half vector (wo + l) / length for which the specular
   // lobes fall to exp(-1/2), and

@@ -28,8 +28,8 @@ HWY_INLINE V PhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V expo
 /// Lambert + sum of k_s E max(0, wo.r)^p.
 struct Phong : SpecularBase {
   struct Lighting : SpecularLighting {
-    /// The mirrored direction turns by twice the angle of n in the plane of wo and l, and by 2 h.l times the angle across
-    /// it; this is the mean precision of both, because h.l = |wo + l| / 2.
+    /// The mirrored direction turns by twice the angle of n in the plane of wo and l, and by 2 h.l times the angle
+    /// across it; this is the mean precision of both, because h.l = |wo + l| / 2.
     template <class D, class V>
     static HWY_INLINE V Precision(D, const V* shape, V length) {
       const V twice = shape[Shape::kExponent] + shape[Shape::kExponent];

@@ -81,9 +81,9 @@ struct Reflector {
 };
 
 /// The integral over normals of a Gaussian of slopes with covariance S, times a lobe around h, which is a Gaussian with
-/// covariance 1 / (k G) near the normal u. Laplace's method takes both at the slopes u = S w, w = (1 / k + S)^-1 h, where
-/// their product is largest if G = 1. G = ((1 + |u|^2) 1 - u u^T) / (1 + |u|^2)^2 is the metric of angles in slopes
-/// (LEAN mapping, section 3, has G = 1 and the lobe at the mean normal; so both agree for gentle slopes).
+/// covariance 1 / (k G) near the normal u. Laplace's method takes both at the slopes u = S w, w = (1 / k + S)^-1 h,
+/// where their product is largest if G = 1. G = ((1 + |u|^2) 1 - u u^T) / (1 + |u|^2)^2 is the metric of angles in
+/// slopes (LEAN mapping, section 3, has G = 1 and the lobe at the mean normal; so both agree for gentle slopes).
 /// @param sum     wo + l
 /// @param length  |wo + l|, not 0
 /// @param k       precision of the lobe, 0..2e6: 1 / variance of a slope

@@ -19,8 +19,8 @@ struct PointSum {
   int32_t x, y, count;
 };
 
-/// The sample positions of a pixel, in the order of the standard: the table "Standard sample locations" of the Vulkan 1.3
-/// specification, section "Multisampling", which is D3D11_STANDARD_MULTISAMPLE_PATTERN.
+/// The sample positions of a pixel, in the order of the standard: the table "Standard sample locations" of the Vulkan
+/// 1.3 specification, section "Multisampling", which is D3D11_STANDARD_MULTISAMPLE_PATTERN.
 struct SamplePattern {
   uint32_t count;
   SamplePoint point[kMaxSamples];

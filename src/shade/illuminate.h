@@ -38,8 +38,8 @@ struct LightGroup {
 ///   E itself            1e-6 I / r^2 with a range; for spots, the change of the cone when its cosine is off by 3e-7
 ///   Gooch               1e-6
 /// With shape.spread, lobes are averaged over normals, as SHD_NORMAL_ENCODING_MOMENTS describes. Compared with the same
-/// formulas, each light adds at most 2e-6 E, and for specular lobes the lobe times 2e-5 + 4e-6 / the deviation of slopes
-/// for which the lobe falls to exp(-1/2) (measured 0.65 of that). Beyond 4 deviations the diffuse lobe may be 0.
+/// formulas, each light adds at most 2e-6 E, and for specular lobes the lobe times 2e-5 + 4e-6 / the deviation of
+/// slopes for which the lobe falls to exp(-1/2) (measured 0.65 of that). Beyond 4 deviations the diffuse lobe may be 0.
 /// Where n.l is within 1e-6 of 0, a gated specular lobe may be kept or dropped. Where a cosine is within its rounding
 /// of a step of SHD_MODEL_TOON, either step may be taken.
 void illuminate(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,

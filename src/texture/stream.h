@@ -63,8 +63,8 @@ struct Elements {
   alignas(64) float share_rate_u[kColumn], share_rate_v[kColumn];
 };
 
-/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache. Prefetched texels have the time of a
-/// buffer to arrive.
+/// A buffer of elements: 8 KB, 13 KB with rates. It stays in the first-level cache. Prefetched texels have the time of
+/// a buffer to arrive.
 struct Stream : Elements<256> {
   static constexpr size_t kCapacity = 256, kMaxElements = 32;
 

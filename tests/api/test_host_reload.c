@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A plug-in that is loaded and unloaded: libshd is loaded, used and unloaded 1000 times, 200 of them with threads. This
- * program does not link libshd (the build uses --as-needed), so the last dlclose can unload it with its dependencies. */
+ * program does not link libshd (the build uses --as-needed), so the last dlclose can unload it with its dependencies.
+ */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <unistd.h>

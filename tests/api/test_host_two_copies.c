@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Two copies of libshd in one process, as when two plug-ins bring their own: both work, with the same bits, in any order,
- * also concurrently. Each has its own functions, error texts and handles. */
+/* Two copies of libshd in one process, as when two plug-ins bring their own: both work, with the same bits, in any
+ * order, also concurrently. Each has its own functions, error texts and handles. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <pthread.h>
@@ -11,7 +11,7 @@
 
 /* The functions of the second copy. */
 static struct {
-    void *library;
+    void *module;
     shd_result (*context_create)(const shd_context_desc *, shd_context **);
     void (*context_release)(shd_context *);
     shd_result (*texture_create)(shd_context *, const shd_texture_desc *, shd_texture **);
@@ -25,7 +25,7 @@ static struct {
 /* Function pointers are copied with memcpy, because ISO C has no cast from void pointers to them. */
 static void find(const char *name, void *function)
 {
-    void *symbol = dlsym(g_copy.library, name);
+    void *symbol = dlsym(g_copy.module, name);
     if (!symbol) fail_msg("%s: %s", name, dlerror());
     memcpy(function, &symbol, sizeof symbol);
 }
@@ -39,8 +39,8 @@ static void open_copy(const char *name, int flags)
     assert_non_null(bytes.data);
     io_write(path, bytes.data, bytes.size);
     free(bytes.data);
-    g_copy.library = dlopen(path, RTLD_NOW | flags);
-    if (!g_copy.library) fail_msg("%s", dlerror());
+    g_copy.module = dlopen(path, RTLD_NOW | flags);
+    if (!g_copy.module) fail_msg("%s", dlerror());
     find("shd_context_create", &g_copy.context_create);
     find("shd_context_release", &g_copy.context_release);
     find("shd_texture_create", &g_copy.texture_create);
@@ -149,7 +149,7 @@ static void test_copy(void **state)
     assert_string_equal(g_copy.last_error(), "out_context: NULL");
     shd_context_release(first);
     g_copy.context_release(second);
-    assert_int_equal(dlclose(g_copy.library), 0);
+    assert_int_equal(dlclose(g_copy.module), 0);
     assert_true(sample(0) == want);
 }
 

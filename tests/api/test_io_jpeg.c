@@ -149,7 +149,8 @@ static void test_memory(void **state)
 #endif
 }
 
-/* Bytes between segments, which decoders skip, and segments of metadata do not hide the frame header. JFIF ends at 20. */
+/* Bytes between segments, which decoders skip, and segments of metadata do not hide the frame header. JFIF ends at 20.
+ */
 static void test_hidden(void **state)
 {
     static const unsigned char zeros[] = {0, 0, 0xff, 0, 0x12, 0xff, 0xff};

@@ -88,8 +88,8 @@ static void test_default(void **state)
 
 typedef shd_result load_function(shd_context *, const void *, size_t, const shd_load_desc *, shd_bitmap **);
 
-/* A copy of the library in a folder without the module, where it loads by a worker alone. Unloading ends the worker, and
- * leaves nothing behind that a later fork() would call. */
+/* A copy of the library in a folder without the module, where it loads by a worker alone. Unloading ends the worker,
+ * and leaves nothing behind that a later fork() would call. */
 static void test_module_missing(void **state)
 {
     const io_bytes library = io_read(SHD_IO_LIBRARY);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Workers that misbehave: replies with wrong fields, too few bytes or none, and workers that do not start. Each load ends
- * with its error before its time limit and a second more, and the next load with the real worker succeeds. */
+/* Workers that misbehave: replies with wrong fields, too few bytes or none, and workers that do not start. Each load
+ * ends with its error before its time limit and a second more, and the next load with the real worker succeeds. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 #include "support/io_samples.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The worker of default loads: it is reused, replaced when it fails, and ends with its host; the children that decode are
- * killed at the deadline, and their deaths harm neither the host nor other loads. */
+/* The worker of default loads: it is reused, replaced when it fails, and ends with its host; the children that decode
+ * are killed at the deadline, and their deaths harm neither the host nor other loads. */
 #define _GNU_SOURCE
 #include "support/io_corpus.h"
 #include "support/io_worker.h"

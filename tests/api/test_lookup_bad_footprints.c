@@ -80,8 +80,8 @@ static void make_batch(struct batch *b, const float j[4])
     b->lookups.dvdy.data = b->j[3];
 }
 
-/* Looks the batch up on every target; the bits, which are equal on all, are left in `out`. Returns the number of lookups
- * with input that is not finite. */
+/* Looks the batch up on every target; the bits, which are equal on all, are left in `out`. Returns the number of
+ * lookups with input that is not finite. */
 static size_t look_up(const char *what, const shd_filter_row *row, const shd_sampler *sampler, const struct batch *b,
                       float out[4][COUNT])
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A batch of more than 2^31 lookups: every one is made, and nothing is written behind the last. The columns are 8 GiB of
- * addresses over a few MiB of memory, which is mapped many times. */
+/* A batch of more than 2^31 lookups: every one is made, and nothing is written behind the last. The columns are 8 GiB
+ * of addresses over a few MiB of memory, which is mapped many times. */
 #define _GNU_SOURCE
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The part of cmocka that api.determinism uses, for machines without its library: the first failure ends the program. */
+/* The part of cmocka that api.determinism uses, for machines without its library: the first failure ends the program.
+ */
 #ifndef SHD_TESTS_ARM_CMOCKA_H
 #define SHD_TESTS_ARM_CMOCKA_H
 

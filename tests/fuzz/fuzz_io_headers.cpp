@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The checks of libshd_io that run on the bytes of a file before OpenImageIO reads them: format, declared size, headers,
-// removal of metadata. They throw nothing but a Failure with a text, and read and write nothing outside the bytes. The
-// mutator writes numbers of either byte order, and mends the checksums of PNG chunks.
+// The checks of libshd_io that run on the bytes of a file before OpenImageIO reads them: format, declared size,
+// headers, removal of metadata. They throw nothing but a Failure with a text, and read and write nothing outside the
+// bytes. The mutator writes numbers of either byte order, and mends the checksums of PNG chunks.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random frames, valid and invalid: hostile vertices and matrices, every model, blend, frequency and flag, windows and
-// samples. No call may crash or leak, statistics count every triangle, a refused frame and pixels outside the scissor do
-// not change, and two SIMD targets give the same planes.
+// samples. No call may crash or leak, statistics count every triangle, a refused frame and pixels outside the scissor
+// do not change, and two SIMD targets give the same planes.
 #include "frame_case.h"
 #include "mutator.h"
 

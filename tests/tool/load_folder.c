@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Loads every file below the given folders twice in the default setting, in this one process, and counts the results.
- * Usage: load_folder [--time SECONDS] FOLDER...
- * Two loads of a file must have equal results and equal pixels. The exit code is 1 if they differ or if no file was found;
- * a crash of this process is a failure, too. For corpora that are not part of the tree, for example the regression files
- * of OpenImageIO and libtiff. */
+ * Usage: load_folder [--time SECONDS] FOLDER... Two loads of a file must have equal results and equal pixels. The exit
+ * code is 1 if they differ or if no file was found; a crash of this process is a failure, too. For corpora that are not
+ * part of the tree, for example the regression files of OpenImageIO and libtiff. */
 #define _XOPEN_SOURCE 700
 #include <ftw.h>
 #include <inttypes.h>

@@ -31,8 +31,8 @@ class InputColumns {
   const uint32_t* column_[kFloatColumns + kIntegerColumns];  // columns of any type of four bytes
 };
 
-/// Prefetches the texels of an element: of quads, of rows, and of single texels with kNewLine. `index0` and `index2` are
-/// its columns Elements::index.
+/// Prefetches the texels of an element: of quads, of rows, and of single texels with kNewLine. `index0` and `index2`
+/// are its columns Elements::index.
 void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* index0, const int32_t* index2,
                       size_t lanes);
 

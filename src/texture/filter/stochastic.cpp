@@ -28,8 +28,8 @@ struct RandomBlock : Shape {
   alignas(64) uint32_t random[kBlock];
 };
 
-/// Fills a block with shapes and with the random bits of lookups. Without a column of random bits they are a hash of the
-/// coordinates.
+/// Fills a block with shapes and with the random bits of lookups. Without a column of random bits they are a hash of
+/// the coordinates.
 template <class Shape>
 size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, RandomBlock<Shape>* out) {
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) {

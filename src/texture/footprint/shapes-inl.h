@@ -155,8 +155,8 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
 }
 
-/// Finds the levels of detail of the longer axis according to the sampler's profile. They are clamped to `query` and not
-/// rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
+/// Finds the levels of detail of the longer axis according to the sampler's profile. They are clamped to `query` and
+/// not rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
                                       const LodRange* query = nullptr) {
   const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;

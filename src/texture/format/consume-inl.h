@@ -64,8 +64,8 @@ HWY_INLINE V ClampWhere(D d, MaskOf<D> clamped, V value) {
   return hn::IfThenElse(clamped, hn::Min(hn::Max(value, hn::Neg(largest)), largest), value);
 }
 
-/// Returns (1 - s) a + s b in the lanes whose a + s (b - a), which is `mixed`, is not finite. Where finite values overflow
-/// again, which takes an s outside [0, 1], the result is the largest float of its sign.
+/// Returns (1 - s) a + s b in the lanes whose a + s (b - a), which is `mixed`, is not finite. Where finite values
+/// overflow again, which takes an s outside [0, 1], the result is the largest float of its sign.
 template <class D, class V>
 HWY_NOINLINE V MixOverflowed(D d, V a, V b, V s, V mixed) {
   const V weighted = (hn::Set(d, 1.0f) - s) * a + s * b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finite texels give finite values and derivatives, up to the largest float. Blends that leave the range of float become
-// the largest float of their sign. All targets give the same bits.
+// Finite texels give finite values and derivatives, up to the largest float. Blends that leave the range of float
+// become the largest float of their sign. All targets give the same bits.
 #include "filter_cases.h"
 
 namespace {
