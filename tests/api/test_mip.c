@@ -212,7 +212,7 @@ static const struct extreme_case k_extremes[] = {
     {"coverage/lowest_alpha/16", SHD_FORMAT_RGBA16F, -32768, 0x1p-14f, -65504},
 };
 
-/** A tiny positive alpha is scaled to the cutoff; a negative one then exceeds the format and becomes its lowest number. */
+/** A tiny positive alpha is scaled to the cutoff; a negative one would leave the format and becomes its lowest. */
 static void test_extreme_alpha(void **state)
 {
     const struct extreme_case *c = (const struct extreme_case *)*state;

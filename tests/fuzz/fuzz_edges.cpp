@@ -127,14 +127,10 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  Source source(data, size);
-  Case c;
-  choose_case(source, c);
-  std::vector<Edge> best, baseline;
-  run(c, SHD_SIMD_BEST, best);
-  if (!check_twice(source)) return 0;
-  run(c, SHD_SIMD_BASELINE, baseline);
-  SHD_FUZZ_CHECK(best.size() == baseline.size());
-  SHD_FUZZ_CHECK(best.empty() || std::memcmp(best.data(), baseline.data(), best.size() * sizeof best[0]) == 0);
+  compare_targets<Case, std::vector<Edge>>(
+      data, size, choose_case, run, [](const std::vector<Edge>& best, const std::vector<Edge>& baseline) {
+        SHD_FUZZ_CHECK(best.size() == baseline.size());
+        SHD_FUZZ_CHECK(best.empty() || std::memcmp(best.data(), baseline.data(), best.size() * sizeof best[0]) == 0);
+      });
   return 0;
 }

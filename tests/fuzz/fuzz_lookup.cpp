@@ -209,15 +209,10 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  Source source(data, size);
-  Case c;
-  choose_case(source, c);
-  Output best, baseline;
-  run(c, SHD_SIMD_BEST, best);
-  if (!check_twice(source)) return 0;
-  run(c, SHD_SIMD_BASELINE, baseline);
-  SHD_FUZZ_CHECK(baseline.made == best.made);
-  SHD_FUZZ_CHECK(best.nonfinite_count == baseline.nonfinite_count);
-  SHD_FUZZ_CHECK(same_values(best.values, baseline.values));
+  compare_targets<Case, Output>(data, size, choose_case, run, [](const Output& best, const Output& baseline) {
+    SHD_FUZZ_CHECK(baseline.made == best.made);
+    SHD_FUZZ_CHECK(best.nonfinite_count == baseline.nonfinite_count);
+    SHD_FUZZ_CHECK(same_values(best.values, baseline.values));
+  });
   return 0;
 }

@@ -166,13 +166,9 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  Source source(data, size);
-  Case c;
-  choose_case(source, c);
-  std::vector<float> best, baseline;
-  run(c, SHD_SIMD_BEST, best);
-  if (!check_twice(source)) return 0;
-  run(c, SHD_SIMD_BASELINE, baseline);
-  SHD_FUZZ_CHECK(same_values(best, baseline));
+  compare_targets<Case, std::vector<float>>(data, size, choose_case, run,
+                                            [](const std::vector<float>& best, const std::vector<float>& baseline) {
+                                              SHD_FUZZ_CHECK(same_values(best, baseline));
+                                            });
   return 0;
 }

@@ -167,16 +167,11 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  Source source(data, size);
-  Case c;
-  choose_case(source, c);
-  MeshData best, baseline;
-  run(c, SHD_SIMD_BEST, best);
-  if (!check_twice(source)) return 0;
-  run(c, SHD_SIMD_BASELINE, baseline);
-  SHD_FUZZ_CHECK(best.indices == baseline.indices);
-  for (int k = 0; k < 3; ++k) SHD_FUZZ_CHECK(same_values(best.positions[k], baseline.positions[k]));
-  for (int k = 0; k < 3; ++k) SHD_FUZZ_CHECK(same_values(best.normals[k], baseline.normals[k]));
-  for (int k = 0; k < 4; ++k) SHD_FUZZ_CHECK(same_values(best.tangents[k], baseline.tangents[k]));
+  compare_targets<Case, MeshData>(data, size, choose_case, run, [](const MeshData& best, const MeshData& baseline) {
+    SHD_FUZZ_CHECK(best.indices == baseline.indices);
+    for (int k = 0; k < 3; ++k) SHD_FUZZ_CHECK(same_values(best.positions[k], baseline.positions[k]));
+    for (int k = 0; k < 3; ++k) SHD_FUZZ_CHECK(same_values(best.normals[k], baseline.normals[k]));
+    for (int k = 0; k < 4; ++k) SHD_FUZZ_CHECK(same_values(best.tangents[k], baseline.tangents[k]));
+  });
   return 0;
 }

@@ -252,12 +252,11 @@ void run_mip(const Host& host, const Case& c, Content& content) {
   SHD_FUZZ_CHECK(base.bytes == before);
 }
 
-Content run(const Case& c, shd_simd simd) {
+void run(const Case& c, shd_simd simd, Content& content) {
   Host host(simd, c.budget);
-  if (!host.context) return {};
-  Content content = run_updates(host, c);
+  if (!host.context) return;
+  content = run_updates(host, c);
   run_mip(host, c, content);
-  return content;
 }
 
 }  // namespace
@@ -271,13 +270,9 @@ void describe(Source& source) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace shd::fuzz;
-  Source source(data, size);
-  Case c;
-  choose_case(source, c);
-  const Content best = run(c, SHD_SIMD_BEST);
-  if (!check_twice(source)) return 0;
-  const Content baseline = run(c, SHD_SIMD_BASELINE);
-  SHD_FUZZ_CHECK(best.bytes == baseline.bytes);
-  SHD_FUZZ_CHECK(same_values(best.values, baseline.values));
+  compare_targets<Case, Content>(data, size, choose_case, run, [](const Content& best, const Content& baseline) {
+    SHD_FUZZ_CHECK(best.bytes == baseline.bytes);
+    SHD_FUZZ_CHECK(same_values(best.values, baseline.values));
+  });
   return 0;
 }

@@ -138,4 +138,18 @@ inline bool same_values(const std::vector<float>& a, const std::vector<float>& b
   return true;
 }
 
+/// Runs the case of an input on the best SIMD target and on the baseline, and compares the outputs.
+/// choose(source, case) makes the case, run(case, simd, output) calls the library, and check(best, baseline) compares.
+template <class Case, class Output, class Choose, class Run, class Check>
+void compare_targets(const uint8_t* data, size_t size, Choose choose, Run run, Check check) {
+  Source source(data, size);
+  Case c;
+  choose(source, c);
+  Output best{}, baseline{};
+  run(c, SHD_SIMD_BEST, best);
+  if (!check_twice(source)) return;
+  run(c, SHD_SIMD_BASELINE, baseline);
+  check(best, baseline);
+}
+
 }  // namespace shd::fuzz
