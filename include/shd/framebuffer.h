@@ -7,6 +7,11 @@
  * one value for each pixel: the plain average of the samples for colour and targets, the value of the first sample for
  * the other planes.
  *
+ * The default colour format, SHD_FORMAT_RGBA32F, is four planes of floats: for colour transforms, sums over frames and
+ * exact comparisons. The other formats are interleaved pixels, for hosts that show or send a frame as it is: four or
+ * eight bytes a pixel instead of 16. Frames are drawn, blended and averaged in linear floats in any format. The result
+ * is rounded once, when a tile is finished, to the bits that shd_framebuffer_read_color() gives for four planes.
+ *
  * Lifetime:      reference counted; create returns an owned reference.
  * Thread safety: retain/release from any thread; concurrent reads; shd_render needs the framebuffer for
  *                itself (exclusive use of the object).
@@ -62,7 +67,7 @@ typedef uint32_t shd_aov_flags; /**< shd_aov bits */
  * WEIGHTED and SORTED leave targets unchanged. The alpha test uses the alpha of the main colour target.
  */
 typedef enum shd_plane {
-    SHD_PLANE_R = 0,
+    SHD_PLANE_R = 0, /**< R, G, B and A are in memory only with color_format SHD_FORMAT_RGBA32F */
     SHD_PLANE_G = 1,
     SHD_PLANE_B = 2,
     SHD_PLANE_A = 3,
@@ -109,6 +114,12 @@ typedef struct shd_framebuffer_desc {
     uint32_t height;      /**< pixels, 1..16384 */
     uint32_t samples;     /**< per pixel: 1, 2, 4, 8 or 16, at shd_sample_position(); default 1 */
     shd_aov_flags aovs;   /**< optional planes; default none */
+    /**
+     * Storage of colour: SHD_FORMAT_RGBA32F, four planes; or interleaved SHD_FORMAT_RGBA16F, _RGBA8_SRGB or _RGBA8.
+     * Default SHD_FORMAT_RGBA32F. Targets are planes in any case. shd_render with SHD_RENDER_LOAD reads colour as it
+     * was rounded.
+     */
+    shd_format color_format;
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_desc;
 
@@ -118,6 +129,7 @@ static inline shd_framebuffer_desc shd_framebuffer_desc_default(void)
     shd_framebuffer_desc desc = SHD_ZERO_INIT;
     desc.struct_size = (uint32_t)sizeof desc;
     desc.samples = 1;
+    desc.color_format = SHD_FORMAT_RGBA32F;
     return desc;
 }
 
@@ -139,12 +151,13 @@ SHD_API void shd_framebuffer_release(shd_framebuffer *framebuffer);
 
 /** Size and planes of a framebuffer. */
 typedef struct shd_framebuffer_info {
-    uint32_t struct_size; /**< set by shd_framebuffer_info_default() */
-    uint32_t width;       /**< pixels */
-    uint32_t height;      /**< pixels */
-    uint32_t samples;     /**< per pixel */
-    shd_aov_flags aovs;   /**< optional planes */
-    size_t byte_size;     /**< bytes of all planes */
+    uint32_t struct_size;    /**< set by shd_framebuffer_info_default() */
+    uint32_t width;          /**< pixels */
+    uint32_t height;         /**< pixels */
+    uint32_t samples;        /**< per pixel */
+    shd_aov_flags aovs;      /**< optional planes */
+    shd_format color_format; /**< storage of colour */
+    size_t byte_size;        /**< bytes of all planes and pixels */
     /* ---- end of 0.1; append below ---- */
 } shd_framebuffer_info;
 
@@ -203,7 +216,17 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_view_plane(const shd_framebuffe
                                                             shd_plane_view *out_view);
 
 /**
- * Copy a float plane into a column.
+ * Get interleaved colour without copying.
+ * @param out_view  its struct_size is read; the rest is written: an image of the framebuffer's size and color_format.
+ *                  Its pixels must not be written. They are borrowed until release of the framebuffer; the next
+ *                  shd_render changes them. All zero on failure; SHD_ERROR_NOT_FOUND for color_format
+ *                  SHD_FORMAT_RGBA32F, whose colour is planes
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_framebuffer_view_color(const shd_framebuffer *framebuffer, shd_image *out_view);
+
+/**
+ * Copy a float plane into a column. R, G, B and A are decoded to linear floats if colour is interleaved.
  * @param out  column of width * height elements, row by row from the top. A stride writes one channel of an interleaved
  *             image
  * @since 0.1
@@ -220,7 +243,7 @@ SHD_NODISCARD SHD_API shd_result shd_framebuffer_read_u32_plane(const shd_frameb
                                                                 const shd_u32_out *out);
 
 /**
- * Copy colour as interleaved RGBA.
+ * Copy colour as interleaved RGBA. Pixels of the framebuffer's own color_format are copied bit by bit.
  *
  * Colour stays linear, except that SHD_FORMAT_RGBA8_SRGB is encoded. Integer formats clamp to 0..1 (NaN to 0) and round
  * to nearest; sRGB codes are the correctly rounded ones of IEC 61966-2-1.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <shd/extension.h>
 #include <shd/framebuffer.h>
 
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "film/framebuffer.h"
+#include "film/pixels.h"
 #include "film/planes.h"
 #include "film/readback.h"
 #include "raster/sample_pattern.h"
@@ -32,6 +34,11 @@ shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
   SHD_TRY(check_samples("framebuffer.samples", desc.samples));
+  if (!film::can_draw(desc.color_format)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "framebuffer.color_format: %d is not RGBA32F, RGBA16F, RGBA8_SRGB or RGBA8",
+                      static_cast<int>(desc.color_format));
+  }
   return check_flags("framebuffer.aovs", desc.aovs, film::all_aovs());
 }
 
@@ -52,6 +59,12 @@ shd_result check_kind(const shd_plane& plane, bool is_integer) {
 
 shd_result check_plane(const Framebuffer& framebuffer, const shd_plane& plane) {
   if (film::has_plane(framebuffer, plane)) return SHD_OK;
+  if (plane < SHD_PLANE_DEPTH) {
+    return core::fail(SHD_ERROR_NOT_FOUND,
+                      "plane: %d is not in memory of its own, because framebuffer.color_format is %d; take "
+                      "shd_framebuffer_view_color or shd_framebuffer_read_plane",
+                      static_cast<int>(plane), static_cast<int>(framebuffer.color_format));
+  }
   return core::fail(SHD_ERROR_NOT_FOUND, "plane: %d is not among the framebuffer's aovs 0x%x", static_cast<int>(plane),
                     framebuffer.aovs);
 }
@@ -98,6 +111,7 @@ shd_result shd_framebuffer_get_info(const shd_framebuffer* framebuffer, shd_fram
     info.width = body->width;
     info.height = body->height;
     info.samples = body->samples;
+    info.color_format = body->color_format;
     info.aovs = body->aovs;
     info.byte_size = film::byte_size(*body);
     write_desc(info, out_info);
@@ -139,13 +153,34 @@ shd_result shd_framebuffer_view_plane(const shd_framebuffer* framebuffer, shd_pl
   });
 }
 
+shd_result shd_framebuffer_view_color(const shd_framebuffer* framebuffer, shd_image* out_view) {
+  return guard([&]() -> shd_result {
+    SHD_TRY(begin_output("out_view", out_view));
+    const Framebuffer* body = nullptr;
+    SHD_TRY(read_framebuffer(framebuffer, &body));
+    if (film::has_color_planes(*body)) {
+      return core::fail(SHD_ERROR_NOT_FOUND,
+                        "framebuffer: its colour is four planes, because framebuffer.color_format is RGBA32F; take "
+                        "shd_framebuffer_view_plane");
+    }
+    shd_image view = shd_image_default();
+    view.format = body->color_format;
+    view.width = body->width;
+    view.height = body->height;
+    view.pixels = const_cast<uint8_t*>(body->pixels.data());
+    view.row_stride = body->stride * shd_format_size(body->color_format);
+    write_desc(view, out_view);
+    return SHD_OK;
+  });
+}
+
 shd_result shd_framebuffer_read_plane(const shd_framebuffer* framebuffer, shd_plane plane, const shd_f32_out* out) {
   return guard([&]() -> shd_result {
     const Framebuffer* body = nullptr;
     SHD_TRY(read_framebuffer(framebuffer, &body));
     SHD_TRY(check_plane_value(plane));
     SHD_TRY(check_kind(plane, false));
-    SHD_TRY(check_plane(*body, plane));
+    if (plane >= SHD_PLANE_DEPTH) SHD_TRY(check_plane(*body, plane));
     SHD_TRY(check_not_null("out", out));
     SHD_TRY(check_not_null("out.data", out->data));
     SHD_TRY(check_column("out", *out, pixel_count(*body)));
@@ -175,7 +210,7 @@ shd_result shd_framebuffer_read_color(const shd_framebuffer* framebuffer, const 
     SHD_TRY(read_framebuffer(framebuffer, &body));
     shd_image image;
     SHD_TRY(read_image("out", out, &image));
-    if (!film::can_read_color(image.format)) {
+    if (!film::can_encode(image.format)) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "out.format: %d is not an RGBA format",
                         static_cast<int>(image.format));
     }
@@ -184,7 +219,7 @@ shd_result shd_framebuffer_read_color(const shd_framebuffer* framebuffer, const 
                         image.width != body->width ? "width" : "height", image.width, image.height, body->width,
                         body->height);
     }
-    film::read_color(*body, image);
+    film::read_color(context_of(shd_framebuffer_context(framebuffer)).simd, *body, image);
     return SHD_OK;
   });
 }

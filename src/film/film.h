@@ -14,8 +14,10 @@
 /// | framebuffer.h    | Framebuffer: the planes and targets of one image                      |
 /// | planes.h         | the list of planes: type, empty value and source of each              |
 /// | readback.h       | planes to columns; colour to interleaved images                       |
+/// | pixels.h         | interleaved pixels from planes, and back                              |
 /// | tile_area.h      | the pixels of one tile in the framebuffer: clear, load and store      |
-/// | tile_color.h     | colours of the samples of one tile, and their resolve                 |
+/// | tile_color.h     | colours of the samples of one tile: resolve, encoding                 |
+/// | expanded_color.h | planes in place of interleaved pixels, for frames in several passes   |
 /// | sample_store.h   | samples of all tiles, kept between the passes of a frame              |
 /// | blend.h          | blend arithmetic: a source colour over its destination                |
 /// | unordered.h      | order-independent blends: weighted sums, and sorted lists of samples  |

@@ -23,23 +23,36 @@ void build(const core::Context& context, const shd_framebuffer_desc& desc, Frame
   Framebuffer framebuffer{};
   framebuffer.width = desc.width;
   framebuffer.height = desc.height;
+  framebuffer.color_format = desc.color_format;
   framebuffer.samples = desc.samples;
   framebuffer.aovs = desc.aovs;
   framebuffer.stride = (desc.width + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
   const size_t count = core::checked_mul(framebuffer.stride, desc.height);
   for (uint32_t p = 0; p < kPlaneCount; ++p) {
-    if (!wants_plane(desc.aovs, p)) continue;
+    if (!has_plane(framebuffer, p)) continue;
     if (kPlanes[p].is_integer) {
       build_plane(context.allocator, count, kPlanes[p].empty, &framebuffer.u32_plane[p]);
     } else {
       build_plane(context.allocator, count, kPlanes[p].empty, &framebuffer.plane[p]);
     }
   }
+  if (!has_color_planes(framebuffer)) {
+    build_plane(context.allocator, core::checked_mul(count, shd_format_size(desc.color_format)), 0.0,
+                &framebuffer.pixels);
+  }
   *out = std::move(framebuffer);
 }
 
-bool has_plane(const Framebuffer& framebuffer, shd_plane plane) {
-  return wants_plane(framebuffer.aovs, plane);
+uint8_t* pixel_at(Framebuffer* framebuffer, size_t x, size_t y) {
+  return framebuffer->pixels.data() + (y * framebuffer->stride + x) * shd_format_size(framebuffer->color_format);
+}
+
+const uint8_t* pixel_at(const Framebuffer& framebuffer, size_t x, size_t y) {
+  return framebuffer.pixels.data() + (y * framebuffer.stride + x) * shd_format_size(framebuffer.color_format);
+}
+
+bool has_plane(const Framebuffer& framebuffer, uint32_t plane) {
+  return wants_plane(framebuffer.aovs, plane) && (plane >= SHD_PLANE_DEPTH || has_color_planes(framebuffer));
 }
 
 uint32_t targets_of(const Framebuffer& framebuffer) {
@@ -54,6 +67,7 @@ size_t byte_size(const Framebuffer& framebuffer) {
   size_t bytes = 0;
   for (const core::Array<float>& plane : framebuffer.plane) bytes += plane.size() * sizeof(float);
   for (const core::Array<uint32_t>& plane : framebuffer.u32_plane) bytes += plane.size() * sizeof(uint32_t);
+  bytes += framebuffer.pixels.size();
   return bytes;
 }
 

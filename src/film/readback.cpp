@@ -3,10 +3,8 @@
 
 #include <cstring>
 
-#include "core/status.h"
 #include "data/column.h"
-#include "image/half.h"
-#include "image/srgb.h"
+#include "film/pixels.h"
 
 namespace shd::film {
 namespace {
@@ -24,57 +22,17 @@ void read_rows(const Framebuffer& framebuffer, const T* plane, const Column& out
   }
 }
 
-/// Clamps `value` to 0..1 and rounds it to the nearest multiple of 1 / maximum; NaN gives 0. The product is exact in
-/// double.
-template <class T>
-T to_unorm(float value) {
-  constexpr double kMaximum = static_cast<T>(-1);
-  const double clamped = value > 0.0f ? (value < 1.0f ? static_cast<double>(value) : 1.0) : 0.0;
-  return static_cast<T>(clamped * kMaximum + 0.5);
-}
-
-/// Conversion of one pixel's channels to a format.
-struct Unorm8 {
-  using Channel = uint8_t;
-  static Channel color(float value) { return to_unorm<uint8_t>(value); }
-  static Channel alpha(float value) { return to_unorm<uint8_t>(value); }
-};
-struct Srgb8 {
-  using Channel = uint8_t;
-  static Channel color(float value) { return image::linear_to_srgb8(value); }
-  static Channel alpha(float value) { return to_unorm<uint8_t>(value); }
-};
-struct Unorm16 {
-  using Channel = uint16_t;
-  static Channel color(float value) { return to_unorm<uint16_t>(value); }
-  static Channel alpha(float value) { return to_unorm<uint16_t>(value); }
-};
-struct Half {
-  using Channel = uint16_t;
-  static Channel color(float value) { return image::float_to_half(value); }
-  static Channel alpha(float value) { return image::float_to_half(value); }
-};
-struct Float {
-  using Channel = float;
-  static Channel color(float value) { return value; }
-  static Channel alpha(float value) { return value; }
-};
-
-template <class Pixel>
-void read_pixels(const Framebuffer& framebuffer, const shd_image& out) {
-  const size_t width = framebuffer.width;
+/// Calls body(x, y, count, planes) for runs of decoded pixels of a framebuffer with interleaved pixels.
+template <class Body>
+void for_each_decoded(const Framebuffer& framebuffer, const Body& body) {
+  constexpr size_t kRun = 256;
+  float decoded[4][kRun];
+  float* const planes[4] = {decoded[0], decoded[1], decoded[2], decoded[3]};
   for (size_t y = 0; y < framebuffer.height; ++y) {
-    const size_t first = y * framebuffer.stride;
-    const float* r = framebuffer.plane[SHD_PLANE_R].data() + first;
-    const float* g = framebuffer.plane[SHD_PLANE_G].data() + first;
-    const float* b = framebuffer.plane[SHD_PLANE_B].data() + first;
-    const float* a = framebuffer.plane[SHD_PLANE_A].data() + first;
-    auto* pixel = reinterpret_cast<typename Pixel::Channel*>(static_cast<char*>(out.pixels) + y * out.row_stride);
-    for (size_t x = 0; x < width; ++x, pixel += 4) {
-      pixel[0] = Pixel::color(r[x]);
-      pixel[1] = Pixel::color(g[x]);
-      pixel[2] = Pixel::color(b[x]);
-      pixel[3] = Pixel::alpha(a[x]);
+    for (size_t x = 0; x < framebuffer.width; x += kRun) {
+      const size_t count = framebuffer.width - x < kRun ? framebuffer.width - x : kRun;
+      decode_pixels(framebuffer.color_format, pixel_at(framebuffer, x, y), count, planes);
+      body(x, y, count, planes);
     }
   }
 }
@@ -82,32 +40,38 @@ void read_pixels(const Framebuffer& framebuffer, const shd_image& out) {
 }  // namespace
 
 void read_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_f32_out& out) {
-  read_rows(framebuffer, framebuffer.plane[plane].data(), out);
+  if (plane >= SHD_PLANE_DEPTH || has_color_planes(framebuffer)) {
+    return read_rows(framebuffer, framebuffer.plane[plane].data(), out);
+  }
+  for_each_decoded(framebuffer, [&](size_t x, size_t y, size_t count, float* const* planes) {
+    const size_t first = y * framebuffer.width + x;
+    for (size_t i = 0; i < count; ++i) data::store(out, first + i, planes[plane][i]);
+  });
 }
 
 void read_u32_plane(const Framebuffer& framebuffer, shd_plane plane, const shd_u32_out& out) {
   read_rows(framebuffer, framebuffer.u32_plane[plane].data(), out);
 }
 
-bool can_read_color(shd_format format) {
-  switch (format) {
-    case SHD_FORMAT_RGBA8:
-    case SHD_FORMAT_RGBA8_SRGB:
-    case SHD_FORMAT_RGBA16:
-    case SHD_FORMAT_RGBA16F:
-    case SHD_FORMAT_RGBA32F: return true;
-    default: return false;
-  }
-}
-
-void read_color(const Framebuffer& framebuffer, const shd_image& out) {
-  switch (out.format) {
-    case SHD_FORMAT_RGBA8: return read_pixels<Unorm8>(framebuffer, out);
-    case SHD_FORMAT_RGBA8_SRGB: return read_pixels<Srgb8>(framebuffer, out);
-    case SHD_FORMAT_RGBA16: return read_pixels<Unorm16>(framebuffer, out);
-    case SHD_FORMAT_RGBA16F: return read_pixels<Half>(framebuffer, out);
-    case SHD_FORMAT_RGBA32F: return read_pixels<Float>(framebuffer, out);
-    default: SHD_ASSERT(false);
+void read_color(const core::SimdTarget& simd, const Framebuffer& framebuffer, const shd_image& out) {
+  const size_t pixel = shd_format_size(out.format);
+  const auto at = [&](size_t x, size_t y) {
+    return static_cast<unsigned char*>(out.pixels) + y * out.row_stride + x * pixel;
+  };
+  if (out.format == framebuffer.color_format && !has_color_planes(framebuffer)) {
+    for (size_t y = 0; y < framebuffer.height; ++y) {
+      std::memcpy(at(0, y), pixel_at(framebuffer, 0, y), framebuffer.width * pixel);
+    }
+  } else if (has_color_planes(framebuffer)) {
+    for (size_t y = 0; y < framebuffer.height; ++y) {
+      const float* row[4];
+      for (size_t c = 0; c < 4; ++c) row[c] = framebuffer.plane[c].data() + y * framebuffer.stride;
+      encode_pixels(simd, out.format, row, framebuffer.width, at(0, y));
+    }
+  } else {
+    for_each_decoded(framebuffer, [&](size_t x, size_t y, size_t count, float* const* planes) {
+      encode_pixels(simd, out.format, planes, count, at(x, y));
+    });
   }
 }
 

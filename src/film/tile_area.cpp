@@ -29,17 +29,13 @@ TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles
   return area;
 }
 
-void clear_color(const TileArea& area, const float color[4], Framebuffer* framebuffer) {
-  for (uint32_t p = 0; p < SHD_PLANE_DEPTH; ++p) fill(area, color[p], *framebuffer, &framebuffer->plane[p]);
-}
-
 void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer) {
   fill(area, depth, *framebuffer, &framebuffer->plane[SHD_PLANE_DEPTH]);
 }
 
 void clear_aovs(const TileArea& area, Framebuffer* framebuffer) {
   for (uint32_t p = SHD_PLANE_DEPTH + 1; p < kPlaneCount; ++p) {
-    if (!wants_plane(framebuffer->aovs, p)) continue;
+    if (!has_plane(*framebuffer, p)) continue;
     if (kPlanes[p].is_integer) {
       fill(area, static_cast<uint32_t>(kPlanes[p].empty), *framebuffer, &framebuffer->u32_plane[p]);
     } else {

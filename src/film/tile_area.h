@@ -17,7 +17,6 @@ struct TileArea {
 
 TileArea tile_area(const Framebuffer& framebuffer, uint32_t tile, uint32_t tiles_x);
 
-void clear_color(const TileArea& area, const float color[4], Framebuffer* framebuffer);
 void clear_depth(const TileArea& area, float depth, Framebuffer* framebuffer);
 /// Sets the planes of AOVs to their empty values.
 void clear_aovs(const TileArea& area, Framebuffer* framebuffer);

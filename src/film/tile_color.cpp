@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "film/pixels.h"
+
 namespace shd::film {
 namespace {
 
@@ -33,7 +35,59 @@ Destination at(float* color) {
   return {{color, color + 1, color + 2, color + 3}};
 }
 
+/// The planes first..first + 3 of the framebuffer.
+ColorPlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuffer) {
+  const size_t corner = size_t{area.top} * framebuffer->stride + area.left;
+  ColorPlanes planes;
+  for (uint32_t c = 0; c < 4; ++c) planes.plane[c] = framebuffer->plane[first + c].data() + corner;
+  planes.stride = framebuffer->stride;
+  return planes;
+}
+
+/// The planes from pixel (x, y) of the tile on.
+ColorPlanes offset(const ColorPlanes& planes, size_t x, size_t y) {
+  ColorPlanes moved = planes;
+  for (float*& plane : moved.plane) plane += y * planes.stride + x;
+  return moved;
+}
+
 }  // namespace
+
+void ColorBlock::allocate(const core::Allocator& allocator, const Framebuffer& framebuffer) {
+  if (!has_color_planes(framebuffer)) planes_ = core::Array<float>(allocator, 4 * raster::kTilePixels);
+}
+
+ColorPlanes ColorBlock::planes(const TileArea& area, Framebuffer* framebuffer) {
+  if (has_color_planes(*framebuffer)) return planes_of(area, SHD_PLANE_R, framebuffer);
+  float* const first = planes_.data();
+  return {{first, first + raster::kTilePixels, first + 2 * raster::kTilePixels, first + 3 * raster::kTilePixels},
+          raster::kTile};
+}
+
+void fill_color(const TileArea& area, const TileArea& part, const float color[4], const ColorPlanes& planes) {
+  for (uint32_t y = 0; y < part.height; ++y) {
+    const ColorPlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
+    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], part.width, color[c]);
+  }
+}
+
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const ColorPlanes& planes) {
+  if (has_color_planes(framebuffer)) return;
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const ColorPlanes row = offset(planes, 0, y);
+    decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width, row.plane);
+  }
+}
+
+void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const ColorPlanes& planes,
+                 Framebuffer* framebuffer) {
+  if (has_color_planes(*framebuffer)) return;
+  for (uint32_t y = 0; y < part.height; ++y) {
+    const ColorPlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
+    encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
+                  pixel_at(framebuffer, part.left, part.top + y));
+  }
+}
 
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out) {
   if (samples == 1) return;
@@ -42,15 +96,11 @@ void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targe
   out->is_split = core::Array<uint8_t>(allocator, raster::kTilePixels);
 }
 
-TileColor::TileColor(const TileArea& area, Framebuffer* framebuffer, SplitSamples* split)
-    : corner_(size_t{area.top} * framebuffer->stride + area.left),
-      stride_(framebuffer->stride),
-      samples_(framebuffer->samples),
-      all_((1u << framebuffer->samples) - 1),
-      split_(*split) {
+TileColor::TileColor(const TileArea& area, const ColorPlanes& color, Framebuffer* framebuffer, SplitSamples* split)
+    : samples_(framebuffer->samples), all_((1u << framebuffer->samples) - 1), split_(*split) {
   for (uint32_t targets = targets_of(*framebuffer); targets; targets &= targets - 1) {
     const auto target = static_cast<uint32_t>(__builtin_ctz(targets));
-    for (uint32_t c = 0; c < 4; ++c) plane_[target_count_][c] = framebuffer->plane[target_plane(target) + c].data();
+    planes_[target_count_] = target == 0 ? color : planes_of(area, target_plane(target), framebuffer);
     target_[target_count_++] = target;
   }
 }
@@ -59,10 +109,11 @@ void TileColor::load() {
   if (samples_ > 1) std::fill(split_.is_split.begin(), split_.is_split.end(), uint8_t{0});
 }
 
-/// The destination in the framebuffer, for a pixel that is not split.
+/// The destination in the planes, for a pixel that is not split.
 Destination TileColor::whole(uint32_t pixel, uint32_t t) const {
-  const size_t at_pixel = position(pixel);
-  return {{plane_[t][0] + at_pixel, plane_[t][1] + at_pixel, plane_[t][2] + at_pixel, plane_[t][3] + at_pixel}};
+  const size_t at_pixel = position(pixel, t);
+  float* const* plane = planes_[t].plane;
+  return {{plane[0] + at_pixel, plane[1] + at_pixel, plane[2] + at_pixel, plane[3] + at_pixel}};
 }
 
 /// The separate samples of a pixel; splits the pixel if necessary.
@@ -70,11 +121,11 @@ float* TileColor::split(uint32_t pixel) {
   float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
   split_.is_split[pixel] = 1;
-  const size_t at_pixel = position(pixel);
   float* to = samples;
   for (uint32_t s = 0; s < samples_; ++s) {
     for (uint32_t t = 0; t < target_count_; ++t) {
-      for (uint32_t c = 0; c < 4; ++c) *to++ = plane_[t][c][at_pixel];
+      const size_t at_pixel = position(pixel, t);
+      for (uint32_t c = 0; c < 4; ++c) *to++ = planes_[t].plane[c][at_pixel];
     }
   }
   return samples;
@@ -125,7 +176,7 @@ void TileColor::resolve() {
         float mean[4];
         average(samples, samples_, stride, mean);
         if (are_same(samples, samples_, stride)) std::memcpy(mean, samples, sizeof mean);
-        for (size_t c = 0; c < 4; ++c) plane_[t][c][position(pixel)] = mean[c];
+        for (size_t c = 0; c < 4; ++c) planes_[t].plane[c][position(pixel, t)] = mean[c];
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "core/simd_target.h"
 #include "film/blend.h"
 #include "film/framebuffer.h"
 #include "film/tile_area.h"
@@ -18,18 +19,45 @@ struct SplitSamples {
   core::Array<uint8_t> is_split;  // [kTilePixels]
 };
 
+/// Planes of colour, r, g, b and a, from the first pixel of a tile on.
+struct ColorPlanes {
+  float* plane[4];
+  size_t stride;  // elements between rows
+};
+
+/// Colours of a tile whose framebuffer has interleaved pixels: they are planes while the tile is drawn, and encoded
+/// once.
+class ColorBlock {
+ public:
+  /// Allocates memory if the framebuffer has interleaved pixels. Throws std::bad_alloc.
+  void allocate(const core::Allocator& allocator, const Framebuffer& framebuffer);
+  /// The planes in which the tile is drawn: those of the framebuffer if it has planes.
+  ColorPlanes planes(const TileArea& area, Framebuffer* framebuffer);
+
+ private:
+  core::Array<float> planes_;  // [4][kTilePixels]
+};
+
+/// Fills a part of a tile. `part` lies in `area`, both in pixels of the framebuffer.
+void fill_color(const TileArea& area, const TileArea& part, const float color[4], const ColorPlanes& planes);
+
+/// Reads and writes the colour of a part of a tile, if the framebuffer has interleaved pixels.
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const ColorPlanes& planes);
+void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const ColorPlanes& planes,
+                 Framebuffer* framebuffer);
+
 /// @param targets  bit t is set if target t exists
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out);
 
-/// Colour and targets of the samples of a tile while it is drawn. A pixel whose samples are all equal is stored in the
-/// framebuffer. A pixel whose samples may differ is split until the tile is resolved. Pixels are numbered row-major in
-/// the tile, samples are bits of a mask.
+/// Colour and targets of the samples of a tile while it is drawn. A pixel whose samples are all equal is stored in
+/// planes. A pixel whose samples may differ is split until the tile is resolved. Pixels are numbered row-major in the
+/// tile, samples are bits of a mask.
 class TileColor {
  public:
-  TileColor(const TileArea& area, Framebuffer* framebuffer, SplitSamples* split);
+  TileColor(const TileArea& area, const ColorPlanes& color, Framebuffer* framebuffer, SplitSamples* split);
 
-  /// Marks every pixel as stored in the framebuffer.
+  /// Marks every pixel as stored in planes.
   void load();
   /// Writes colour and targets of a row of `from` to the samples in a mask.
   void write(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
@@ -41,11 +69,11 @@ class TileColor {
   }
   /// Writes rows of `from` to all samples of `count` adjacent pixels of a pixel row, from `pixel` on.
   void write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
-    const size_t at = position(pixel);
     for (uint32_t t = 0; t < target_count_; ++t) {
+      const size_t at = position(pixel, t);
       for (uint32_t c = 0; c < 4; ++c) {
         const float* column = from.channel[4 * target_[t] + c] + row;
-        for (size_t i = 0; i < count; ++i) plane_[t][c][at + i] = column[i];
+        for (size_t i = 0; i < count; ++i) planes_[t].plane[c][at + i] = column[i];
       }
     }
     for (size_t i = 0; i < count && samples_ > 1; ++i) split_.is_split[pixel + i] = 0;
@@ -55,20 +83,21 @@ class TileColor {
              size_t row);
   /// The colour of one sample, as the destination of a blend.
   Destination sample(uint32_t pixel, uint32_t sample);
-  /// Writes the plain average of each split pixel to the framebuffer; if all samples are equal, it keeps their bits.
+  /// Writes the plain average of each split pixel to the planes; if all samples are equal, it keeps their bits.
   void resolve();
 
  private:
-  size_t position(uint32_t pixel) const { return corner_ + pixel / raster::kTile * stride_ + pixel % raster::kTile; }
+  size_t position(uint32_t pixel, uint32_t t) const {
+    return pixel / raster::kTile * planes_[t].stride + pixel % raster::kTile;
+  }
   Destination whole(uint32_t pixel, uint32_t t) const;
   float* split(uint32_t pixel);
   void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
 
-  const size_t corner_, stride_;
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;
-  uint32_t target_[shade::kMaxTargets];  // indices of the existing targets
-  float* plane_[shade::kMaxTargets][4];  // [target_count_] planes of these targets
+  uint32_t target_[shade::kMaxTargets];     // indices of the existing targets
+  ColorPlanes planes_[shade::kMaxTargets];  // [target_count_] planes of these targets
   SplitSamples& split_;
 };
 

@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 
 #include "core/executor.h"
+#include "film/expanded_color.h"
 #include "film/sample_store.h"
 #include "frame/passes.h"
 #include "frame/scene.h"
@@ -48,6 +50,8 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
   const film::Framebuffer& framebuffer = *frame.framebuffer;
   const uint32_t tiles = raster::tile_count(framebuffer.width) * raster::tile_count(framebuffer.height);
   Passes passes(context.allocator, frame);
+  std::optional<film::ExpandedColor> expanded;
+  if (passes.count() > 1) expanded.emplace(context, frame.framebuffer);
   film::SampleStore samples(context.allocator, framebuffer, passes.count() > 1 && framebuffer.samples > 1 ? tiles : 0);
   Progress progress(frame.progress, tiles * passes.count());
   for (uint64_t i = 0; i < passes.count(); ++i) {

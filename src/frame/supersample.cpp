@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/executor.h"
+#include "film/expanded_color.h"
 #include "frame/scene.h"
 #include "frame/stats.h"
 
@@ -171,6 +172,7 @@ void render_supersampled(const core::Context& context, const Frame& frame, shd_r
   if (geometry::is_empty(geometry::intersection(window_box(frame), frame.scissor))) {
     return render(context, frame, stats);
   }
+  const film::ExpandedColor expanded(context, frame.framebuffer);
   Supersampler(context, frame).render(stats);
 }
 

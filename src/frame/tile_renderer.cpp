@@ -28,9 +28,13 @@ bool begin(TileState* tile) {
   const bool is_bare = tile->is_bare();
   film::clear_aovs(cleared, &tile->framebuffer);
   tile->color_is_unclear = is_whole && !is_bare;
-  if (!tile->color_is_unclear) clear_color(cleared, frame.clear_color, &tile->framebuffer);
+  if (!is_whole && !is_bare) film::load_color(tile->area, tile->framebuffer, tile->color_planes);
+  if (!tile->color_is_unclear) film::fill_color(tile->area, cleared, frame.clear_color, tile->color_planes);
   if (!is_whole || is_bare) film::clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
-  if (is_bare) return false;
+  if (is_bare) {
+    film::store_color(tile->simd(), tile->area, cleared, tile->color_planes, &tile->framebuffer);
+    return false;
+  }
   raster::forget_bounds(&worker.tile);
   film::clear_slots(&worker.tile);
   worker.slots.clear();
@@ -79,6 +83,7 @@ void TileRenderer::render(uint32_t index, Worker* worker) const {
   if (unfinished.weighted) draw_weighted(&tile);
   if (unfinished.sorted) draw_sorted(&tile);
   tile.color.resolve();
+  film::store_color(tile.simd(), tile.area, tile.area, tile.color_planes, &tile.framebuffer);
   film::store_depth(tile.area, worker->tile, &tile.framebuffer);
   if (samples) samples->save(index, worker->tile, worker->split);
 }

@@ -12,7 +12,8 @@ TileState::TileState(const TileRenderer& tile_renderer, uint32_t tile, Worker* t
       left(renderer.frame.window.left + static_cast<int32_t>(area.left)),
       top(renderer.frame.window.top + static_cast<int32_t>(area.top)),
       worker(*tile_worker),
-      color(area, &framebuffer, &worker.split) {}
+      color_planes(worker.color.planes(area, &framebuffer)),
+      color(area, color_planes, &framebuffer, &worker.split) {}
 
 geometry::PixelBox TileState::box() const {
   return geometry::intersection(geometry::pixel_rectangle(left, top, area.width, area.height),
@@ -28,7 +29,7 @@ bool TileState::is_bare() const {
 }
 
 void TileState::clear_color() {
-  if (color_is_unclear) film::clear_color(area, renderer.frame.clear_color, &framebuffer);
+  if (color_is_unclear) film::fill_color(area, area, renderer.frame.clear_color, color_planes);
   color_is_unclear = false;
 }
 

@@ -7,8 +7,7 @@ namespace shd::frame {
 
 Workers::Workers(const core::Context& context, const Frame& frame)
     : context_(context),
-      samples_(frame.framebuffer->samples),
-      targets_(film::targets_of(*frame.framebuffer)),
+      framebuffer_(*frame.framebuffer),
       light_count_(frame.light_count),
       workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
@@ -24,15 +23,17 @@ Workers::~Workers() {
 Worker& Workers::get(uint32_t index) {
   if (!workers_[index]) {
     const core::Allocator& allocator = context_.allocator;
+    const uint32_t samples = framebuffer_.samples, targets = film::targets_of(framebuffer_);
     Worker* worker = core::create<Worker>(allocator);
     workers_[index] = worker;
-    raster::allocate(allocator, samples_, &worker->tile);
-    raster::allocate(allocator, samples_, &worker->order);
+    raster::allocate(allocator, samples, &worker->tile);
+    raster::allocate(allocator, samples, &worker->order);
     worker->covered.attach(allocator);
     worker->slots.attach(allocator);
     worker->unordered.nodes.attach(allocator);
-    allocate(allocator, samples_, targets_, &worker->split);
-    shade::allocate(allocator, {varying_count_, targets_, light_count_}, &worker->workspace);
+    allocate(allocator, samples, targets, &worker->split);
+    worker->color.allocate(allocator, framebuffer_);
+    shade::allocate(allocator, {varying_count_, targets, light_count_}, &worker->workspace);
   }
   return *workers_[index];
 }

@@ -32,6 +32,7 @@ struct Worker {
   core::Buffer<raster::VisiblePixel> covered;           // pixels of one blended triangle
   core::Buffer<const geometry::ScreenTriangle*> slots;  // [slot] triangle
   film::SplitSamples split;
+  film::ColorBlock color;
   shade::Workspace workspace;
   BatchTriangles triangles;
   film::Unordered unordered;
@@ -53,7 +54,7 @@ class Workers {
 
  private:
   const core::Context& context_;
-  const uint32_t samples_, targets_;
+  const film::Framebuffer& framebuffer_;
   const size_t light_count_;
   uint32_t varying_count_ = 0;  // maximum over all draws
   core::Array<Worker*> workers_;

@@ -62,7 +62,7 @@ alignas(64) const float kSrgb8ToLinear[256] = {
     1.0f,
 };
 
-const float kLinearToSrgb8Threshold[257] = {
+constexpr float kLinearToSrgb8Threshold[257] = {
     -std::numeric_limits<float>::infinity(),
     0.000151763496f,
     0.000455290487f,
@@ -322,26 +322,27 @@ const float kLinearToSrgb8Threshold[257] = {
     std::numeric_limits<float>::infinity(),
 };
 
-const uint8_t kLinearToSrgb8Start[416] = {
-    0,   0,   0,   0,   0,   0,   0,   0,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,
-    1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,
-    1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   2,   2,   2,   2,   2,   2,
-    2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   2,   3,   3,   3,   3,   3,   3,
-    3,   3,   3,   3,   3,   3,   3,   3,   3,   3,   3,   4,   4,   4,   4,   4,   4,   4,   4,   4,   4,   5,
-    5,   5,   5,   5,   5,   5,   5,   5,   5,   6,   6,   6,   6,   6,   6,   6,   6,   6,   6,   7,   7,   7,
-    7,   7,   8,   8,   8,   8,   8,   9,   9,   9,   9,   9,   10,  10,  10,  10,  10,  11,  11,  11,  11,  11,
-    12,  12,  12,  12,  12,  12,  13,  13,  13,  14,  14,  14,  15,  15,  15,  16,  16,  16,  16,  17,  17,  17,
-    18,  18,  18,  18,  19,  19,  19,  19,  20,  20,  20,  20,  21,  21,  21,  21,  22,  22,  23,  23,  23,  24,
-    24,  25,  25,  25,  26,  26,  27,  27,  27,  28,  28,  29,  29,  29,  30,  30,  30,  31,  31,  31,  32,  32,
-    32,  33,  33,  33,  34,  34,  35,  35,  36,  36,  37,  38,  38,  39,  39,  40,  40,  41,  41,  42,  42,  43,
-    43,  44,  44,  45,  45,  46,  46,  46,  47,  47,  48,  48,  49,  49,  49,  50,  51,  52,  53,  53,  54,  55,
-    56,  56,  57,  58,  58,  59,  60,  60,  61,  62,  62,  63,  64,  64,  65,  66,  66,  67,  67,  68,  68,  69,
-    70,  70,  71,  72,  73,  74,  75,  76,  77,  78,  79,  80,  81,  82,  83,  84,  85,  85,  86,  87,  88,  89,
-    90,  91,  91,  92,  93,  94,  95,  95,  96,  97,  98,  98,  99,  101, 102, 103, 105, 106, 107, 109, 110, 111,
-    113, 114, 115, 116, 118, 119, 120, 121, 122, 123, 124, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136,
-    137, 139, 141, 143, 145, 146, 148, 150, 152, 153, 155, 157, 158, 160, 162, 163, 165, 166, 168, 169, 171, 172,
-    174, 175, 177, 178, 179, 181, 182, 184, 185, 186, 188, 190, 193, 195, 198, 200, 202, 205, 207, 209, 212, 214,
-    216, 218, 220, 223, 225, 227, 229, 231, 233, 235, 237, 239, 240, 242, 244, 246, 248, 250, 251, 253,
-};
+namespace {
+
+/// Fills the steps octave by octave. A step starts at (1 + m / 128) 2^e, and its floats lie 2^(e - 23) apart.
+constexpr Srgb8Steps make_steps() {
+  Srgb8Steps steps = {};
+  uint32_t code = 0, index = 0;
+  float octave = 0x1p-13f;
+  for (; index < kSrgb8Steps; octave *= 2.0f) {
+    for (uint32_t m = 0; m < 128; ++m) {
+      const float first = octave * (1.0f + static_cast<float>(m) * 0x1p-7f);
+      while (kLinearToSrgb8Threshold[code + 1] <= first) ++code;
+      const float distance = (kLinearToSrgb8Threshold[code + 1] - first) / octave * 0x1p23f;  // exact if below 2^16
+      const uint32_t floats = distance < 0x1p16f ? static_cast<uint32_t>(distance) : 0x10000u;
+      steps.step[index++] = code << 17 | floats;
+    }
+  }
+  return steps;
+}
+
+}  // namespace
+
+constexpr Srgb8Steps kLinearToSrgb8Steps = make_steps();
 
 }  // namespace shd::image

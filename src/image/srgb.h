@@ -14,9 +14,16 @@ extern const float kSrgb8ToLinear[256];
 /// inverse of the encoding curve at code k - 1/2, solved exactly and rounded up. No float lies exactly on such a tie.
 extern const float kLinearToSrgb8Threshold[257];
 
-/// Code at the start of every 1/32 octave of [2^-13, 1). The code of a value is at most three higher.
-constexpr uint32_t kSrgb8StartFirst = 3648;  // bits of 2^-13 >> 18
-extern const uint8_t kLinearToSrgb8Start[416];
+constexpr uint32_t kSrgb8FirstStep = 0x3900;  // bits of 2^-13 >> 16
+constexpr uint32_t kSrgb8Steps = 13 * 128;
+
+/// [(bits of a float >> 16) - kSrgb8FirstStep] for floats of [2^-13, 1). At most one threshold lies in a step. The upper
+/// 15 bits are the code of the step's first float; the lower 17 bits are the number of its floats below the threshold,
+/// 2^16 if there is none.
+struct Srgb8Steps {
+  uint32_t step[kSrgb8Steps];
+};
+extern const Srgb8Steps kLinearToSrgb8Steps;
 
 inline float srgb8_to_linear(uint8_t code) {
   return kSrgb8ToLinear[code];
@@ -28,9 +35,8 @@ inline uint8_t linear_to_srgb8(float linear) {
   linear = linear < 1.0f ? linear : 0x1.fffffep-1f;  // code 255
   uint32_t bits;
   std::memcpy(&bits, &linear, sizeof bits);
-  const uint32_t start = kLinearToSrgb8Start[(bits >> 18) - kSrgb8StartFirst];
-  const float* threshold = kLinearToSrgb8Threshold + start;
-  return static_cast<uint8_t>(start + (linear >= threshold[1]) + (linear >= threshold[2]) + (linear >= threshold[3]));
+  const uint32_t step = kLinearToSrgb8Steps.step[(bits >> 16) - kSrgb8FirstStep];
+  return static_cast<uint8_t>((step >> 17) + ((bits & 0xffffu) >= (step & 0x1ffffu)));
 }
 
 // The curve between the 8-bit codes, for 16-bit files. These two functions use libm, which determines their last bits.

@@ -201,7 +201,7 @@ static void test_bad_reads(void **state)
     shd_framebuffer *framebuffer = make(4, 4, 0);
     shd_f32_out out = {pixels, 0}, none = {NULL, 0}, odd = {pixels, 2}, huge = {pixels, SIZE_MAX - 3};
     shd_plane_view view = {sizeof view, pixels, NULL, 1};
-    shd_framebuffer_info info = {sizeof info, 1, 2, 3, 4, 5};
+    shd_framebuffer_info info = {sizeof info, 1, 2, 3, 4, SHD_FORMAT_R8, 5};
     (void)state;
     shd_assert_result("unknown", shd_framebuffer_read_plane(framebuffer, (shd_plane)37, &out), BAD,
                       "plane: 37 is not in 0..36");

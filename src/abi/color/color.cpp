@@ -10,6 +10,7 @@
 #include "color/config.h"
 #include "color/default_config.h"
 #include "color/source.h"
+#include "extension/color_planes.h"
 #include "extension/desc.h"
 #include "extension/guard.h"
 
@@ -90,19 +91,22 @@ void require_no_overlap(const shd_image& in, const shd_image& out) {
   refuse(SHD_ERROR_INVALID_ARGUMENT, "out.pixels: overlaps in.pixels, but is not the same image");
 }
 
-color::Planes read_planes(const shd_framebuffer* framebuffer, const shd_context* context) {
+/// Checks a framebuffer for a transform.
+shd_framebuffer_info read_framebuffer(const shd_framebuffer* framebuffer, const shd_context* context) {
   if (!framebuffer) refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
   shd_framebuffer_info info = shd_framebuffer_info_default();
   extension::require(shd_framebuffer_get_info(framebuffer, &info));
   if (shd_framebuffer_context(framebuffer) != context) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: of another context than color");
   }
+  return info;
+}
+
+color::Planes planes_of(const extension::ColorPlanes& colors, const shd_framebuffer_info& info) {
   color::Planes planes{{}, {}, info.width, info.height};
   for (int c = 0; c < 4; ++c) {
-    shd_plane_view view = shd_plane_view_default();
-    extension::require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(SHD_PLANE_R + c), &view));
-    planes.plane[c] = view.f32;
-    planes.row_stride[c] = view.row_stride;
+    planes.plane[c] = colors.view[c].f32;
+    planes.row_stride[c] = colors.view[c].row_stride;
   }
   return planes;
 }
@@ -162,10 +166,11 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
   return guard([&]() -> shd_result {
     const Body& body = body_of(color);
     shd_context* context = shd_object_context(object_of(color));
-    const color::Planes planes = read_planes(framebuffer, context);
-    const shd_image image = read_output_image("out", out, planes.width, planes.height);
+    const shd_framebuffer_info info = read_framebuffer(framebuffer, context);
+    const shd_image image = read_output_image("out", out, info.width, info.height);
     const color::TransformRef transform = to_display(body, body.working_space, display, view);
-    color::apply_planes(context, *transform, planes, image);
+    const extension::ColorPlanes colors(framebuffer, info);
+    color::apply_planes(context, *transform, planes_of(colors, info), image);
     return SHD_OK;
   });
 }

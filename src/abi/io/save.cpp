@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "abi/io/common.h"
+#include "extension/color_planes.h"
 #include "image/dither.h"
 #include "image/half.h"
 #include "image/srgb.h"
@@ -197,13 +198,13 @@ void plane_row(const void* user_data, uint32_t y, unsigned char* out) {
   }
 }
 
-Planes view_planes(const shd_framebuffer* framebuffer, EncodeJob* job) {
-  shd_framebuffer_info info = shd_framebuffer_info_default();
-  require(shd_framebuffer_get_info(framebuffer, &info));
+Planes view_planes(const shd_framebuffer* framebuffer, const shd_framebuffer_info& info,
+                   const extension::ColorPlanes& color, EncodeJob* job) {
   Planes planes;
   job->width = planes.width = info.width;
   job->height = info.height;
-  for (int plane = 0; plane < kPlaneCount; ++plane) {
+  for (int c = 0; c < 4; ++c) planes.view[c] = color.view[c];
+  for (int plane = SHD_PLANE_DEPTH; plane < kPlaneCount; ++plane) {
     if (kPlanes[plane].aov && !(info.aovs & kPlanes[plane].aov)) continue;
     planes.view[plane] = shd_plane_view_default();
     require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(plane), &planes.view[plane]));
@@ -272,7 +273,10 @@ void save_framebuffer(const shd_framebuffer* framebuffer, const char* path, cons
   const uint32_t depth = depth_for(extension, desc.bit_depth);
   EncodeJob job;
   job.writer = extension.writer;
-  Planes planes = view_planes(framebuffer, &job);
+  shd_framebuffer_info info = shd_framebuffer_info_default();
+  require(shd_framebuffer_get_info(framebuffer, &info));
+  const extension::ColorPlanes color(framebuffer, info);
+  Planes planes = view_planes(framebuffer, info, color, &job);
   job.user_data = &planes;
   io::Buffer shown;
   if (extension.kind == Kind::kExr) {

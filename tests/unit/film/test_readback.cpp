@@ -151,7 +151,7 @@ void test_color(void** state) {
   image.row_stride = kWidth * 4 * c.channel_size + c.row_padding;
   image.pixels = g_image;
   memset(g_image, 0xa5, sizeof g_image);
-  shd::film::read_color(*framebuffer, image);
+  shd::film::read_color(g_context->simd, *framebuffer, image);
   for (uint32_t y = 0; y < kHeight; ++y) {
     const unsigned char* row = g_image + y * image.row_stride;
     for (uint32_t x = 0; x < kWidth; ++x) {
@@ -240,7 +240,7 @@ void test_srgb_rounding(void**) {
   image.width = image.height = kSide;
   image.pixels = pixels;
   image.row_stride = sizeof pixels[0] * kSide;
-  shd::film::read_color(*framebuffer, image);
+  shd::film::read_color(g_context->simd, *framebuffer, image);
   bool below[256] = {}, at[256] = {};  // codes seen on either side of their threshold
   for (uint32_t i = 0; i < kSide * kSide; ++i) {
     for (uint32_t c = 0; c < 3; ++c) {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "film/pixels.h"
+
+#include <cstdint>
+#include <cstring>
+
+#include "core/failure.h"
+#include "core/status.h"
+#include "image/half.h"
+#include "image/srgb.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "film/pixels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::film::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::ScalableTag<float>;
+using DU = hn::RebindToUnsigned<DF>;
+using DI = hn::RebindToSigned<DF>;
+using VF = hn::Vec<DF>;
+using VU = hn::Vec<DU>;
+
+/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. The estimate, rounded in float, is at most
+/// one code off near a tie. There v 2^kBits - (k -+ 1/2) is exact, so its comparison with v is that of
+/// v (2^kBits - 1) with k -+ 1/2.
+template <int kBits>
+HWY_INLINE VU UnormCode(VF value) {
+  const DF d;
+  const DU du;
+  const VF zero = hn::Zero(d), half = hn::Set(d, 0.5f);
+  const VF v = hn::Min(hn::IfThenElse(hn::Gt(value, zero), value, zero), hn::Set(d, 1.0f));
+  const VU estimate = hn::BitCast(
+      du, hn::ConvertTo(DI(), v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half));
+  const VF k = hn::ConvertTo(d, hn::BitCast(DI(), estimate));
+  const VF scaled = v * hn::Set(d, static_cast<float>(1 << kBits));
+  const VU one = hn::Set(du, 1u);
+  const VU above = hn::IfThenElseZero(hn::RebindMask(du, hn::Ge(scaled - (k + half), v)), one);
+  const VU below = hn::IfThenElseZero(hn::RebindMask(du, hn::Lt(scaled - (k - half), v)), one);
+  return estimate + above - below;
+}
+
+/// image::linear_to_srgb8() of each lane.
+HWY_INLINE VU SrgbCode(VF value) {
+  const DF d;
+  const DU du;
+  const VF least = hn::Set(d, 0x1p-13f);
+  const VF v = hn::Min(hn::IfThenElse(hn::Ge(value, least), value, least), hn::Set(d, 0x1.fffffep-1f));
+  const VU bits = hn::BitCast(du, v);
+  const VU index = hn::ShiftRight<16>(bits) - hn::Set(du, image::kSrgb8FirstStep);
+  const VU step = hn::GatherIndex(du, image::kLinearToSrgb8Steps.step, hn::BitCast(DI(), index));
+  const VU low = hn::And(bits, hn::Set(du, 0xffffu)), threshold = hn::And(step, hn::Set(du, 0x1ffffu));
+  const auto reached = hn::Not(hn::Lt(hn::BitCast(DI(), low), hn::BitCast(DI(), threshold)));
+  return hn::ShiftRight<17>(step) + hn::IfThenElseZero(hn::RebindMask(du, reached), hn::Set(du, 1u));
+}
+
+/// image::float_to_half() of each lane.
+HWY_INLINE VU HalfBits(VF value) {
+  const DF d;
+  const DU du;
+  const DI di;
+  const auto set = [&](uint32_t bits) { return hn::Set(du, bits); };
+  const auto is_below = [&](VU a, uint32_t b) {
+    return hn::RebindMask(du, hn::Lt(hn::BitCast(di, a), hn::Set(di, static_cast<int32_t>(b))));
+  };
+  const VU bits = hn::BitCast(du, value);
+  const VU sign = hn::And(hn::ShiftRight<16>(bits), set(0x8000u));
+  const VU magnitude = hn::And(bits, set(0x7fffffffu));
+  const VU odd = hn::And(hn::ShiftRight<13>(magnitude), set(1u));
+  const VU normal = hn::ShiftRight<13>(magnitude - set((112u << 23) - 0xfffu) + odd);
+  const VU subnormal = hn::BitCast(du, hn::BitCast(d, magnitude) + hn::Set(d, 0.5f)) - set(0x3f000000u);
+  VU half = hn::IfThenElse(is_below(magnitude, 0x38800000u), subnormal, normal);
+  half = hn::IfThenElse(is_below(magnitude, 0x477ff000u), half, set(0x7c00u));
+  const VU nan = hn::Or(set(0x7e00u), hn::And(hn::ShiftRight<13>(magnitude), set(0x1ffu)));
+  half = hn::IfThenElse(is_below(magnitude, 0x7f800001u), half, nan);
+  return hn::Or(sign, half);
+}
+
+/// The formats: words of one channel, packed into vectors of 32 bits.
+struct Unorm8 {
+  static constexpr size_t kWords = 1;
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+    hn::StoreU(hn::Or(hn::Or(UnormCode<8>(p[0]), hn::ShiftLeft<8>(UnormCode<8>(p[1]))),
+                      hn::Or(hn::ShiftLeft<16>(UnormCode<8>(p[2])), hn::ShiftLeft<24>(UnormCode<8>(p[3])))),
+               DU(), out);
+  }
+};
+struct Srgb8 {
+  static constexpr size_t kWords = 1;
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+    hn::StoreU(hn::Or(hn::Or(SrgbCode(p[0]), hn::ShiftLeft<8>(SrgbCode(p[1]))),
+                      hn::Or(hn::ShiftLeft<16>(SrgbCode(p[2])), hn::ShiftLeft<24>(UnormCode<8>(p[3])))),
+               DU(), out);
+  }
+};
+struct Unorm16 {
+  static constexpr size_t kWords = 2;
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+    hn::StoreInterleaved2(hn::Or(UnormCode<16>(p[0]), hn::ShiftLeft<16>(UnormCode<16>(p[1]))),
+                          hn::Or(UnormCode<16>(p[2]), hn::ShiftLeft<16>(UnormCode<16>(p[3]))), DU(), out);
+  }
+};
+struct Half {
+  static constexpr size_t kWords = 2;
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+    hn::StoreInterleaved2(hn::Or(HalfBits(p[0]), hn::ShiftLeft<16>(HalfBits(p[1]))),
+                          hn::Or(HalfBits(p[2]), hn::ShiftLeft<16>(HalfBits(p[3]))), DU(), out);
+  }
+};
+struct Float {
+  static constexpr size_t kWords = 4;
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+    const DU du;
+    hn::StoreInterleaved4(hn::BitCast(du, p[0]), hn::BitCast(du, p[1]), hn::BitCast(du, p[2]), hn::BitCast(du, p[3]),
+                          du, out);
+  }
+};
+
+template <class Pixel>
+void EncodeRow(const float* const plane[4], size_t count, unsigned char* out) {
+  const DF d;
+  const size_t lanes = hn::Lanes(d);
+  constexpr size_t kBytes = Pixel::kWords * sizeof(uint32_t);
+  uint32_t words[Pixel::kWords * HWY_MAX_BYTES / sizeof(uint32_t)];
+  for (size_t i = 0; i < count; i += lanes) {
+    const size_t used = HWY_MIN(lanes, count - i);
+    VF p[4];
+    for (size_t c = 0; c < 4; ++c) {
+      float column[HWY_MAX_BYTES / sizeof(float)] = {};
+      if (used < lanes) std::memcpy(column, plane[c] + i, used * sizeof(float));
+      p[c] = hn::LoadU(d, used < lanes ? column : plane[c] + i);
+    }
+    Pixel::Encode(p, words);
+    std::memcpy(out + i * kBytes, words, used * kBytes);
+  }
+}
+
+void Encode(shd_format format, const float* const plane[4], size_t count, void* out) {
+  auto* bytes = static_cast<unsigned char*>(out);
+  switch (format) {
+    case SHD_FORMAT_RGBA8: return EncodeRow<Unorm8>(plane, count, bytes);
+    case SHD_FORMAT_RGBA8_SRGB: return EncodeRow<Srgb8>(plane, count, bytes);
+    case SHD_FORMAT_RGBA16: return EncodeRow<Unorm16>(plane, count, bytes);
+    case SHD_FORMAT_RGBA16F: return EncodeRow<Half>(plane, count, bytes);
+    default: return EncodeRow<Float>(plane, count, bytes);
+  }
+}
+
+}  // namespace shd::film::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::film {
+namespace {
+HWY_EXPORT(Encode);
+
+template <class T, class Value>
+void decode(const void* in, size_t count, float* const plane[4], const Value& value) {
+  const auto* bytes = static_cast<const unsigned char*>(in);
+  for (size_t i = 0; i < count; ++i, bytes += 4 * sizeof(T)) {
+    T channel[4];
+    std::memcpy(channel, bytes, sizeof channel);
+    for (size_t c = 0; c < 4; ++c) plane[c][i] = value(channel[c], c);
+  }
+}
+
+}  // namespace
+
+bool can_encode(shd_format format) {
+  switch (format) {
+    case SHD_FORMAT_RGBA8:
+    case SHD_FORMAT_RGBA8_SRGB:
+    case SHD_FORMAT_RGBA16:
+    case SHD_FORMAT_RGBA16F:
+    case SHD_FORMAT_RGBA32F: return true;
+    default: return false;
+  }
+}
+
+bool can_draw(shd_format format) {
+  return can_encode(format) && format != SHD_FORMAT_RGBA16;
+}
+
+void encode_pixels(const core::SimdTarget& simd, shd_format format, const float* const plane[4], size_t count,
+                   void* out) {
+  SHD_DISPATCH(Encode, simd)(format, plane, count, out);
+}
+
+void decode_pixels(shd_format format, const void* in, size_t count, float* const plane[4]) {
+  const auto unorm = [](uint8_t code) { return static_cast<float>(code) / 255.0f; };
+  switch (format) {
+    case SHD_FORMAT_RGBA8:
+      return decode<uint8_t>(in, count, plane, [&](uint8_t code, size_t) { return unorm(code); });
+    case SHD_FORMAT_RGBA8_SRGB:
+      return decode<uint8_t>(in, count, plane, [&](uint8_t code, size_t c) {
+        return c == 3 ? unorm(code) : image::srgb8_to_linear(code);
+      });
+    case SHD_FORMAT_RGBA16F:
+      return decode<uint16_t>(in, count, plane, [](uint16_t half, size_t) { return image::half_to_float(half); });
+    default: SHD_ASSERT(false);
+  }
+}
+
+}  // namespace shd::film
+#endif
