@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // frame/{quad,floor}/{trilinear,anisotropic}/<target or peer>: one textured surface over 1024 x 1024 pixels, unlit, one
 // thread; the quad minifies twice, the floor is the floor of the texture rows. Items are pixels.
+// frame/.../<filter>_rgba8/<target>: the same into RGBA8 pixels, as llvmpipe writes them, instead of float planes.
 #include <memory>
 
 #include "frame_scene.h"
@@ -14,29 +15,37 @@ struct Row {
   Surface surface;
   shd_filter filter;
   PeerFilter peer;
+  const char* peer_row;  // row of the same surface and filter that a peer has
+  shd_format color;
 };
 
 const std::vector<Row>& rows() {
   static const Surface quad = quad_surface(2.0f), floor = floor_surface(Floor::of_texture(kFrameTextureEdge));
   static const std::vector<Row> all = {
-      {"quad/trilinear", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear},
-      {"floor/trilinear", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear},
-      {"floor/anisotropic", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16}};
+      {"quad/trilinear", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "quad/trilinear", SHD_FORMAT_RGBA32F},
+      {"quad/trilinear_rgba8", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "quad/trilinear", SHD_FORMAT_RGBA8},
+      {"floor/trilinear", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "floor/trilinear", SHD_FORMAT_RGBA32F},
+      {"floor/trilinear_rgba8", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "floor/trilinear",
+       SHD_FORMAT_RGBA8},
+      {"floor/anisotropic", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16, "floor/anisotropic",
+       SHD_FORMAT_RGBA32F},
+      {"floor/anisotropic_rgba8", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16, "floor/anisotropic",
+       SHD_FORMAT_RGBA8}};
   return all;
 }
 
-std::string row_name(const Row& row, const std::string& who) {
-  return std::string("frame/") + row.name + "/" + who;
+std::string row_name(const char* row, const std::string& who) {
+  return std::string("frame/") + row + "/" + who;
 }
 
 void run_shd(benchmark::State& state, const Row& row, const Target& target) {
-  FrameScene scene(row.surface, target.simd, row.filter);
+  FrameScene scene(row.surface, target.simd, row.filter, row.color);
   scene.render();
   const Stopwatch watch;
   for (auto _ : state) scene.render();
   const double rate = watch.items_per_second(static_cast<double>(state.iterations()));
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kLookupCount));
-  const double other = recorded_rate(row_name(row, "llvmpipe"));
+  const double other = recorded_rate(row_name(row.peer_row, "llvmpipe"));
   if (other > 0.0) state.counters["ratio_llvmpipe"] = rate / other;
 }
 
@@ -47,9 +56,9 @@ void run_llvmpipe(benchmark::State& state, const Row& row) {
   peer->run();
   const Stopwatch watch;
   for (auto _ : state) peer->run();
-  record_rate(row_name(row, "llvmpipe"), watch.items_per_second(static_cast<double>(state.iterations())));
+  record_rate(row_name(row.peer_row, "llvmpipe"), watch.items_per_second(static_cast<double>(state.iterations())));
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(kLookupCount));
-  FrameScene scene(row.surface, SHD_SIMD_BEST, row.filter);
+  FrameScene scene(row.surface, SHD_SIMD_BEST, row.filter, row.color);
   scene.render();
   const Difference difference = compare(scene.image(), peer->image());
   state.counters["mean_difference"] = difference.mean;
@@ -67,7 +76,8 @@ void add(const std::string& name, Body body) {
 void register_surface_peers() {
 #ifdef SHD_BENCH_OSMESA
   for (const Row& row : rows()) {
-    add(row_name(row, "llvmpipe"), [&row](benchmark::State& state) { run_llvmpipe(state, row); });
+    if (row.color != SHD_FORMAT_RGBA32F) continue;
+    add(row_name(row.name, "llvmpipe"), [&row](benchmark::State& state) { run_llvmpipe(state, row); });
   }
 #endif
 }
@@ -75,7 +85,7 @@ void register_surface_peers() {
 void register_surface() {
   for (const Row& row : rows()) {
     for (const Target& target : targets()) {
-      add(row_name(row, target.name), [&row, target](benchmark::State& state) { run_shd(state, row, target); });
+      add(row_name(row.name, target.name), [&row, target](benchmark::State& state) { run_shd(state, row, target); });
     }
   }
 }

@@ -72,7 +72,7 @@ void run_spheres(benchmark::State& state, uint32_t workers) {
 
 void run_floor(benchmark::State& state, uint32_t workers) {
   const Surface floor = floor_surface(Floor::of_texture(kFrameTextureEdge));
-  FrameScene scene(floor, SHD_SIMD_BEST, SHD_FILTER_TRILINEAR, workers);
+  FrameScene scene(floor, SHD_SIMD_BEST, SHD_FILTER_TRILINEAR, SHD_FORMAT_RGBA32F, workers);
   measure(state, "frame_floor", workers, kLookupCount, [&] { scene.render(); });
 }
 

@@ -16,7 +16,8 @@ const std::vector<uint8_t>& frame_texels() {
   return all;
 }
 
-FrameScene::FrameScene(shd_simd simd, uint32_t samples, uint32_t workers) : context_(make_context(simd, workers)) {
+FrameScene::FrameScene(shd_simd simd, uint32_t samples, shd_format color, uint32_t workers)
+    : context_(make_context(simd, workers)) {
   shd_texture_desc texture = shd_texture_desc_default();
   texture.format = SHD_FORMAT_RGBA8;
   texture.width = texture.height = kFrameTextureEdge;
@@ -26,13 +27,14 @@ FrameScene::FrameScene(shd_simd simd, uint32_t samples, uint32_t workers) : cont
   shd_framebuffer_desc framebuffer = shd_framebuffer_desc_default();
   framebuffer.width = framebuffer.height = kFrameEdge;
   framebuffer.samples = samples;
+  framebuffer.color_format = color;
   check(shd_framebuffer_create(context_, &framebuffer, &framebuffer_));
   desc_.framebuffer = framebuffer_;
   desc_.stats = &stats_;
 }
 
 FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers)
-    : FrameScene(simd, variant.samples, workers) {
+    : FrameScene(simd, variant.samples, variant.color, workers) {
   make_mesh(spheres);
   shd_material_desc material = shd_material_desc_default();
   material.blend = variant.blend;
@@ -58,8 +60,8 @@ FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& var
   set_draws();
 }
 
-FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, uint32_t workers)
-    : FrameScene(simd, 1, workers) {
+FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, shd_format color, uint32_t workers)
+    : FrameScene(simd, 1, color, workers) {
   make_mesh(surface);
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = filter;

@@ -19,6 +19,7 @@ struct Variant {
   uint32_t samples;
   bool shaded;
   shd_blend blend;
+  shd_format color = SHD_FORMAT_RGBA32F;
 };
 
 /// A scene with one mesh and one material, and its frame of kFrameEdge x kFrameEdge pixels.
@@ -26,7 +27,7 @@ class FrameScene {
  public:
   FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers = 1);
   /// Unlit, with a mipmapped texture.
-  FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, uint32_t workers = 1);
+  FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, shd_format color, uint32_t workers = 1);
   ~FrameScene();
   FrameScene(const FrameScene&) = delete;
   FrameScene& operator=(const FrameScene&) = delete;
@@ -36,7 +37,7 @@ class FrameScene {
   std::vector<float> image() const;
 
  private:
-  FrameScene(shd_simd simd, uint32_t samples, uint32_t workers);
+  FrameScene(shd_simd simd, uint32_t samples, shd_format color, uint32_t workers);
   void make_mesh(const Spheres& spheres);
   void make_mesh(const Surface& surface);
   void make_material(const shd_material_desc& desc);

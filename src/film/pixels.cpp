@@ -33,8 +33,7 @@ HWY_INLINE VU UnormCode(VF value) {
   const DU du;
   const VF zero = hn::Zero(d), half = hn::Set(d, 0.5f);
   const VF v = hn::Min(hn::IfThenElse(hn::Gt(value, zero), value, zero), hn::Set(d, 1.0f));
-  const VU estimate = hn::BitCast(
-      du, hn::ConvertTo(DI(), v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half));
+  const VU estimate = hn::BitCast(du, hn::ConvertTo(DI(), v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half));
   const VF k = hn::ConvertTo(d, hn::BitCast(DI(), estimate));
   const VF scaled = v * hn::Set(d, static_cast<float>(1 << kBits));
   const VU one = hn::Set(du, 1u);
@@ -192,8 +191,7 @@ void encode_pixels(const core::SimdTarget& simd, shd_format format, const float*
 void decode_pixels(shd_format format, const void* in, size_t count, float* const plane[4]) {
   const auto unorm = [](uint8_t code) { return static_cast<float>(code) / 255.0f; };
   switch (format) {
-    case SHD_FORMAT_RGBA8:
-      return decode<uint8_t>(in, count, plane, [&](uint8_t code, size_t) { return unorm(code); });
+    case SHD_FORMAT_RGBA8: return decode<uint8_t>(in, count, plane, [&](uint8_t code, size_t) { return unorm(code); });
     case SHD_FORMAT_RGBA8_SRGB:
       return decode<uint8_t>(in, count, plane, [&](uint8_t code, size_t c) {
         return c == 3 ? unorm(code) : image::srgb8_to_linear(code);

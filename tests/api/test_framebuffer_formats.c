@@ -213,7 +213,7 @@ static void test_info(void **state)
 
 static void test_refused(void **state)
 {
-    static const shd_format k_bad[] = {SHD_FORMAT_NONE, SHD_FORMAT_R8, SHD_FORMAT_RGBA16, SHD_FORMAT_RGB8,
+    static const shd_format k_bad[] = {SHD_FORMAT_NONE,   SHD_FORMAT_R8,  SHD_FORMAT_RGBA16, SHD_FORMAT_RGB8,
                                        SHD_FORMAT_RGB32F, (shd_format)21, (shd_format)-1};
     const shd_result bad = SHD_ERROR_INVALID_ARGUMENT, absent = SHD_ERROR_NOT_FOUND;
     shd_context *context = NULL;

@@ -53,8 +53,9 @@ void add_around(double tie, std::vector<float>* out) {
 
 /// Values at which a code changes, and special values.
 std::vector<float> make_values() {
-  std::vector<float> values = {0.0f, -0.0f, 1.0f, -1.0f, 2.0f, 1e-45f, 1e30f, -1e30f, INFINITY, -INFINITY, NAN, -NAN,
-                               65504.0f, 65519.996f, 65520.0f, 65536.0f, 6.1e-5f, 5.97e-8f, 2.98e-8f, 2.99e-8f};
+  std::vector<float> values = {0.0f,     -0.0f,    1.0f,      -1.0f,    2.0f,     1e-45f,   1e30f,
+                               -1e30f,   INFINITY, -INFINITY, NAN,      -NAN,     65504.0f, 65519.996f,
+                               65520.0f, 65536.0f, 6.1e-5f,   5.97e-8f, 2.98e-8f, 2.99e-8f};
   for (int k = 0; k < 256; ++k) add_around((k + 0.5) / 255, &values);
   for (int k = 0; k < 65536; k += 7) add_around((k + 0.5) / 65535, &values);
   for (int k = 1; k < 256; ++k) {
