@@ -17,9 +17,9 @@ extern const float kLinearToSrgb8Threshold[257];
 constexpr uint32_t kSrgb8FirstStep = 0x3900;  // bits of 2^-13 >> 16
 constexpr uint32_t kSrgb8Steps = 13 * 128;
 
-/// [(bits of a float >> 16) - kSrgb8FirstStep] for floats of [2^-13, 1). At most one threshold lies in a step. The upper
-/// 15 bits are the code of the step's first float; the lower 17 bits are the number of its floats below the threshold,
-/// 2^16 if there is none.
+/// [(bits of a float >> 16) - kSrgb8FirstStep] for floats of [2^-13, 1). At most one threshold lies in a step. The
+/// upper 15 bits are the code of the step's first float; the lower 17 bits are the number of its floats below the
+/// threshold, 2^16 if there is none.
 struct Srgb8Steps {
   uint32_t step[kSrgb8Steps];
 };

@@ -135,7 +135,8 @@ static void test_way(void **state)
     }
 }
 
-/* SHD_RENDER_LOAD starts from the rounded colour: a frame without draws changes nothing, one with them blends over it. */
+/* SHD_RENDER_LOAD starts from the rounded colour: a frame without draws changes nothing, one with draws blends over
+   it. */
 static void test_load(void **state)
 {
     static float rounded[4][WIDTH * HEIGHT];
