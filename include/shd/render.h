@@ -320,7 +320,8 @@ typedef struct shd_render_desc {
      * Working memory is at most 512 bytes for each of these triangles, 256 for each draw or instance, 24 for each
      * sample of the framebuffer and 16 more for each of its targets, and 8 MiB for each worker. Additional memory: 4
      * bytes for each tile of 64 x 64 pixels that a triangle touches beyond dozens, 48 for each piece of a clipped
-     * triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass.
+     * triangle, 4 for each varying of up to three vertices a triangle, and the triangles of the last pass. A frame in
+     * several passes or with supersampling takes 16 bytes for each pixel of a framebuffer with interleaved colour.
      */
     uint32_t pass_triangles;
     shd_render_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted. All zero on failure, except

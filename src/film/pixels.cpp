@@ -24,22 +24,36 @@ using DI = hn::RebindToSigned<DF>;
 using VF = hn::Vec<DF>;
 using VU = hn::Vec<DU>;
 
-/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. The estimate, rounded in float, is at most
-/// one code off near a tie. There v 2^kBits - (k -+ 1/2) is exact, so its comparison with v is that of
-/// v (2^kBits - 1) with k -+ 1/2.
+/// The estimate of a code k, where it may be one off: v 2^kBits - (k -+ 1/2) is exact near a tie, so its comparison with
+/// v is that of v (2^kBits - 1) with k -+ 1/2.
 template <int kBits>
-HWY_INLINE VU UnormCode(VF value) {
+HWY_INLINE VU CorrectCode(VF v, VU estimate) {
   const DF d;
   const DU du;
-  const VF zero = hn::Zero(d), half = hn::Set(d, 0.5f);
-  const VF v = hn::Min(hn::IfThenElse(hn::Gt(value, zero), value, zero), hn::Set(d, 1.0f));
-  const VU estimate = hn::BitCast(du, hn::ConvertTo(DI(), v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half));
+  const VF half = hn::Set(d, 0.5f);
   const VF k = hn::ConvertTo(d, hn::BitCast(DI(), estimate));
   const VF scaled = v * hn::Set(d, static_cast<float>(1 << kBits));
   const VU one = hn::Set(du, 1u);
   const VU above = hn::IfThenElseZero(hn::RebindMask(du, hn::Ge(scaled - (k + half), v)), one);
   const VU below = hn::IfThenElseZero(hn::RebindMask(du, hn::Lt(scaled - (k - half), v)), one);
   return estimate + above - below;
+}
+
+/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. With 8 bits the float sum is off by less than
+/// 2^-15, so that only codes nearer to a tie are corrected.
+template <int kBits>
+HWY_INLINE VU UnormCode(VF value) {
+  const DF d;
+  const VF zero = hn::Zero(d), half = hn::Set(d, 0.5f);
+  const VF v = hn::Min(hn::IfThenElse(hn::Gt(value, zero), value, zero), hn::Set(d, 1.0f));
+  const VF sum = v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half;
+  const auto code = hn::ConvertTo(DI(), sum);
+  const VU estimate = hn::BitCast(DU(), code);
+  if (kBits == 8) {
+    const VF from_tie = half - hn::Abs((sum - hn::ConvertTo(d, code)) - half);
+    if (hn::AllFalse(d, hn::Lt(from_tie, hn::Set(d, 0x1p-14f)))) return estimate;
+  }
+  return CorrectCode<kBits>(v, estimate);
 }
 
 /// image::linear_to_srgb8() of each lane.
@@ -124,17 +138,19 @@ void EncodeRow(const float* const plane[4], size_t count, unsigned char* out) {
   const size_t lanes = hn::Lanes(d);
   constexpr size_t kBytes = Pixel::kWords * sizeof(uint32_t);
   uint32_t words[Pixel::kWords * HWY_MAX_BYTES / sizeof(uint32_t)];
-  for (size_t i = 0; i < count; i += lanes) {
-    const size_t used = HWY_MIN(lanes, count - i);
-    VF p[4];
-    for (size_t c = 0; c < 4; ++c) {
-      float column[HWY_MAX_BYTES / sizeof(float)] = {};
-      if (used < lanes) std::memcpy(column, plane[c] + i, used * sizeof(float));
-      p[c] = hn::LoadU(d, used < lanes ? column : plane[c] + i);
-    }
+  size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const VF p[4] = {hn::LoadU(d, plane[0] + i), hn::LoadU(d, plane[1] + i), hn::LoadU(d, plane[2] + i),
+                     hn::LoadU(d, plane[3] + i)};
     Pixel::Encode(p, words);
-    std::memcpy(out + i * kBytes, words, used * kBytes);
+    std::memcpy(out + i * kBytes, words, lanes * kBytes);
   }
+  if (i == count) return;
+  float rest[4][HWY_MAX_BYTES / sizeof(float)] = {};
+  for (size_t c = 0; c < 4; ++c) std::memcpy(rest[c], plane[c] + i, (count - i) * sizeof(float));
+  const VF p[4] = {hn::LoadU(d, rest[0]), hn::LoadU(d, rest[1]), hn::LoadU(d, rest[2]), hn::LoadU(d, rest[3])};
+  Pixel::Encode(p, words);
+  std::memcpy(out + i * kBytes, words, (count - i) * kBytes);
 }
 
 void Encode(shd_format format, const float* const plane[4], size_t count, void* out) {

@@ -2,6 +2,7 @@
 #include "film/tile_area.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace shd::film {
 namespace {
@@ -64,6 +65,10 @@ void store_depth(const TileArea& area, const raster::Tile& tile, Framebuffer* fr
   for (uint32_t y = 0; y < area.height; ++y) {
     float* depth = &framebuffer->plane[SHD_PLANE_DEPTH][row_start(area, *framebuffer, y)];
     const float* from = tile.depth.data() + size_t{y} * raster::kTile * tile.samples;
+    if (tile.samples == 1) {
+      std::memcpy(depth, from, area.width * sizeof(float));
+      continue;
+    }
     for (uint32_t x = 0; x < area.width; ++x) depth[x] = from[x * tile.samples];
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "core/allocator.h"
 #include "core/simd_target.h"
@@ -73,7 +74,12 @@ class TileColor {
       const size_t at = position(pixel, t);
       for (uint32_t c = 0; c < 4; ++c) {
         const float* column = from.channel[4 * target_[t] + c] + row;
-        for (size_t i = 0; i < count; ++i) planes_[t].plane[c][at + i] = column[i];
+        float* const to = planes_[t].plane[c] + at;
+        if (count >= 16) {
+          std::memcpy(to, column, count * sizeof(float));
+        } else {
+          for (size_t i = 0; i < count; ++i) to[i] = column[i];
+        }
       }
     }
     for (size_t i = 0; i < count && samples_ > 1; ++i) split_.is_split[pixel + i] = 0;

@@ -37,12 +37,21 @@ uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radi
   return f.count - finite;
 }
 
-/// Counts the rows from `begin` on that are adjacent in a pixel row and cover all samples.
+/// Counts the rows from `begin` on that are adjacent in a pixel row and cover all samples. Long runs are compared in
+/// groups of 16 rows.
 size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
   const uint32_t pixel = f.pixel[begin];
+  const uint32_t *pixels = f.pixel + begin, *masks = f.mask + begin;
   const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
+  const auto goes_on = [&](size_t i) { return i < max_count && pixels[i] == pixel + i && masks[i] == all_samples; };
   size_t count = 0;
-  while (count < max_count && f.pixel[begin + count] == pixel + count && f.mask[begin + count] == all_samples) ++count;
+  while (goes_on(count) && count < 16) ++count;
+  for (uint32_t different = 0; goes_on(count) && count + 16 <= max_count; count += 16) {
+    const auto first = static_cast<uint32_t>(pixel + count);
+    for (uint32_t k = 0; k < 16; ++k) different |= (pixels[count + k] ^ (first + k)) | (masks[count + k] ^ all_samples);
+    if (different) break;
+  }
+  while (goes_on(count)) ++count;
   return count;
 }
 

@@ -318,6 +318,39 @@ static void test_sources_agree(void **state)
     shd_framebuffer_release(framebuffer);
 }
 
+/** Interleaved framebuffers have the pixels of their decoded colour. */
+static void test_interleaved(void **state)
+{
+    enum { W = 61, H = 5 };
+    static const shd_format k_colors[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F};
+    static float rgba[W * H * 4], a[W * H * 4], b[W * H * 4];
+    shd_image source = shd_test_image(SHD_FORMAT_RGBA32F, W, H, rgba);
+    shd_image image_a = shd_test_image(SHD_FORMAT_RGBA32F, W, H, a);
+    shd_image image_b = shd_test_image(SHD_FORMAT_RGBA32F, W, H, b);
+    size_t f, i, y;
+    (void)state;
+    for (f = 0; f < 3; ++f) {
+        shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+        shd_framebuffer *framebuffer = NULL;
+        shd_image view = shd_image_default();
+        desc.width = W;
+        desc.height = H;
+        desc.color_format = k_colors[f];
+        shd_assert_ok(shd_framebuffer_create(g_context, &desc, &framebuffer));
+        shd_assert_ok(shd_framebuffer_view_color(framebuffer, &view));
+        for (y = 0; y < H; ++y) {
+            unsigned char *row = (unsigned char *)view.pixels + y * view.row_stride;
+            for (i = 0; i < W * shd_format_size(view.format); ++i) row[i] = (unsigned char)((i * 37 + y * 11) % 123);
+        }
+        shd_assert_ok(shd_framebuffer_read_color(framebuffer, &source));
+        shd_assert_ok(shd_color_apply_display(g_color, framebuffer, NULL, NULL, &image_a));
+        shd_assert_ok(shd_color_apply_display_image(g_color, &source, NULL, NULL, NULL, &image_b));
+        assert_memory_equal(a, b, sizeof a);
+        assert_true(a[4] != a[8]);
+        shd_framebuffer_release(framebuffer);
+    }
+}
+
 /** A shd_color_view as a display: the pixels and the refusals of shd_color_apply_display. */
 static void test_view_as_display(void **state)
 {
@@ -365,6 +398,7 @@ int main(void)
     ADD("convert/all_halves", test_convert_halves);
     ADD("formats", test_formats);
     ADD("sources_agree", test_sources_agree);
+    ADD("interleaved", test_interleaved);
     ADD("view_as_display", test_view_as_display);
     return _cmocka_run_group_tests("api.color_pixels", tests, n, set_up, tear_down);
 }

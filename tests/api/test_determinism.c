@@ -401,6 +401,55 @@ static void test_shadows(void **state)
     }
 }
 
+/* Hash of interleaved colour of every format: a scene with blends and four samples a pixel. */
+static uint64_t pixels_on(const shd_context_desc *context_desc)
+{
+    static const shd_format k_colors[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F};
+    uint64_t hash = SHD_HASH_START;
+    shd_context *context = NULL;
+    shd_scene scene;
+    size_t f, y;
+    shd_assert_ok(shd_context_create(context_desc, &context));
+    shd_scene_open(&scene, SHD_SCENE_GLASS, context);
+    for (f = 0; f < sizeof k_colors / sizeof k_colors[0]; ++f) {
+        shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+        shd_framebuffer *framebuffer = NULL;
+        shd_image view = shd_image_default();
+        desc.width = 203;
+        desc.height = 151;
+        desc.samples = 4;
+        desc.color_format = k_colors[f];
+        shd_assert_ok(shd_framebuffer_create(context, &desc, &framebuffer));
+        scene.desc.framebuffer = framebuffer;
+        shd_assert_ok(shd_render(context, &scene.desc));
+        shd_assert_ok(shd_framebuffer_view_color(framebuffer, &view));
+        for (y = 0; y < view.height; ++y) {
+            hash = shd_hash(hash, (const char *)view.pixels + y * view.row_stride,
+                            view.width * shd_format_size(view.format));
+        }
+        shd_framebuffer_release(framebuffer);
+    }
+    shd_scene_close(&scene);
+    shd_context_release(context);
+    return hash;
+}
+
+static void test_pixels(void **state)
+{
+    const uint64_t want = pixels_on(NULL);
+    int simd, workers;
+    (void)state;
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        if (!can_run(simd)) continue;
+        for (workers = 1; workers <= 3; workers += 2) {
+            shd_context_desc desc = shd_context_desc_default();
+            desc.simd = (shd_simd)simd;
+            desc.worker_count = (uint32_t)workers;
+            if (pixels_on(&desc) != want) fail_msg("SIMD target %d, %d workers: other pixels", simd, workers);
+        }
+    }
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
@@ -408,7 +457,7 @@ struct golden_row {
 };
 static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},     {"glass", 0},
                                        {"moved", 0},   {"lines", 0},    {"surface", 0}, {"lookups", 0},
-                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}};
+                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}, {"pixels", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -418,15 +467,16 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_LINES);
-    k_golden[k_golden_count - 5].hash = shd_scene_reference(SHD_SCENE_SURFACE);
-    k_golden[k_golden_count - 4].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_SURFACE);
+    k_golden[k_golden_count - 5].hash = lookups_on(NULL);
     filters_on(NULL, filters);
-    k_golden[k_golden_count - 3].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 2].hash =
+    k_golden[k_golden_count - 4].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 3].hash =
         shd_hash(SHD_HASH_START, filters + k_plain_cases, sizeof filters - k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 1].hash = shd_shadow_hash(NULL);
+    k_golden[k_golden_count - 2].hash = shd_shadow_hash(NULL);
+    k_golden[k_golden_count - 1].hash = pixels_on(NULL);
 }
 
 static void test_golden(void **state)
@@ -473,6 +523,7 @@ int main(int argc, char **argv)
         {"lookups", test_lookups, NULL, NULL, NULL},
         {"filters", test_filters, NULL, NULL, NULL},
         {"shadows", test_shadows, NULL, NULL, NULL},
+        {"pixels", test_pixels, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

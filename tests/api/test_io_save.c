@@ -363,6 +363,50 @@ static void test_frame(void **state)
     shd_bitmap_release(bitmap);
 }
 
+/* Interleaved colour is saved as it is decoded. */
+static void test_interleaved(void **state)
+{
+    static const shd_format k_interleaved[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F};
+    static float want[PIXELS * 4];
+    size_t f;
+    (void)state;
+    for (f = 0; f < 3; ++f) {
+        shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+        shd_save_desc save = shd_save_desc_default();
+        shd_framebuffer *framebuffer = NULL;
+        shd_bitmap *bitmap = NULL;
+        shd_image view = shd_image_default(), read = shd_image_default(), loaded = shd_image_default();
+        int i, k;
+        desc.width = WIDTH;
+        desc.height = HEIGHT;
+        desc.color_format = k_interleaved[f];
+        shd_assert_ok(shd_framebuffer_create(g_context, &desc, &framebuffer));
+        shd_assert_ok(shd_framebuffer_view_color(framebuffer, &view));
+        for (i = 0; i < HEIGHT; ++i) {
+            unsigned char *row = (unsigned char *)view.pixels + (size_t)i * view.row_stride;
+            for (k = 0; k < WIDTH * (int)shd_format_size(view.format); ++k) row[k] = (unsigned char)(k * 5 % 120);
+        }
+        read.format = SHD_FORMAT_RGBA32F;
+        read.width = WIDTH;
+        read.height = HEIGHT;
+        read.pixels = want;
+        shd_assert_ok(shd_framebuffer_read_color(framebuffer, &read));
+        save.bit_depth = 32;
+        shd_assert_ok(shd_framebuffer_save(framebuffer, io_path("interleaved.exr"), &save));
+        shd_framebuffer_release(framebuffer);
+        shd_assert_ok(shd_bitmap_load(g_context, io_path("interleaved.exr"), NULL, &bitmap));
+        shd_assert_ok(shd_bitmap_image(bitmap, &loaded));
+        assert_int_equal(loaded.format, SHD_FORMAT_RGBA32F);
+        for (i = 0; i < PIXELS; ++i) {
+            for (k = 0; k < 4; ++k) {
+                assert_true(stored_value(&loaded, i % WIDTH, i / WIDTH, k) == (double)want[4 * i + k]);
+            }
+        }
+        assert_true(want[4] != want[8]);
+        shd_bitmap_release(bitmap);
+    }
+}
+
 /* Every plane becomes a channel of an EXR file. */
 static void test_all_planes(void **state)
 {
@@ -497,6 +541,7 @@ int main(void)
     ADD_ROWS(k_frames, test_frame);
     ADD_ROWS(k_textures, test_texture);
     add("all_planes", test_all_planes, NULL);
+    add("interleaved", test_interleaved, NULL);
     add("half", test_half, NULL);
     add("arguments", test_arguments, NULL);
     add("symbolic_link", test_link, NULL);

@@ -181,6 +181,10 @@ inline void choose_frame(Source& source, FrameCase& c) {
   for (size_t i = 0; i < c.render.draw_count; ++i) choose_draw(source, c.draws[i]);
   choose_texture(source, c.texture, 4);
   choose_sampler(source, c.sampler);
+  if (source.one_in(4)) {
+    constexpr shd_format kColors[] = {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA16F};
+    c.framebuffer.color_format = source.one_in(32) ? source.constant<shd_format>(22) : kColors[source.below(4)];
+  }
 }
 
 }  // namespace shd::fuzz

@@ -62,6 +62,13 @@ void read_planes(const FrameCase& c, const Objects& o, std::vector<float>& plane
   const size_t pixels = size_t{c.framebuffer.width} * c.framebuffer.height;
   for (int plane = SHD_PLANE_R; plane <= SHD_PLANE_TARGET3_A; ++plane) {
     shd_plane_view view = shd_plane_view_default();
+    if (plane < SHD_PLANE_DEPTH && c.framebuffer.color_format != SHD_FORMAT_RGBA32F) {
+      const size_t first = planes.size();
+      planes.resize(first + pixels);
+      const shd_f32_out out = shd_f32_out_column(planes.data() + first, 0);
+      SHD_FUZZ_CHECK(shd_framebuffer_read_plane(o.framebuffer, static_cast<shd_plane>(plane), &out) == SHD_OK);
+      continue;
+    }
     if (shd_framebuffer_view_plane(o.framebuffer, static_cast<shd_plane>(plane), &view) != SHD_OK) continue;
     for (size_t i = 0; i < pixels; ++i) {
       const size_t at = i / c.framebuffer.width * (view.row_stride / 4) + i % c.framebuffer.width;
