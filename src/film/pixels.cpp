@@ -24,8 +24,8 @@ using DI = hn::RebindToSigned<DF>;
 using VF = hn::Vec<DF>;
 using VU = hn::Vec<DU>;
 
-/// The estimate of a code k, where it may be one off: v 2^kBits - (k -+ 1/2) is exact near a tie, so its comparison with
-/// v is that of v (2^kBits - 1) with k -+ 1/2.
+/// The code whose estimate k may be one off near a tie. There v 2^kBits - (k -+ 1/2) is exact, so its comparison with v
+/// is that of v (2^kBits - 1) with k -+ 1/2.
 template <int kBits>
 HWY_INLINE VU CorrectCode(VF v, VU estimate) {
   const DF d;
@@ -39,8 +39,8 @@ HWY_INLINE VU CorrectCode(VF v, VU estimate) {
   return estimate + above - below;
 }
 
-/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. With 8 bits the float sum is off by less than
-/// 2^-15, so that only codes nearer to a tie are corrected.
+/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. With 8 bits the float sum is off by less
+/// than 2^-15, so that only codes nearer to a tie are corrected.
 template <int kBits>
 HWY_INLINE VU UnormCode(VF value) {
   const DF d;
