@@ -113,13 +113,17 @@ typedef enum shd_normal_encoding {
      * (x / z, y / z) and their squares, in floats, and their product in SHD_SLOT_NORMAL_MIXED, as shd_normal_moments()
      * makes them. Lobes are averaged over normals with slopes of mean b and covariance S within the pixel (Olano and
      * Baker, "LEAN Mapping", 2010), so grooves stretch highlights across them. With S = 0 the results are those of XYZ:
-     * - diffuse: the mean of max(0, n.l) over a Gaussian of slopes, divided by sqrt(1 + trace S);
+     * - diffuse: the mean of max(0, n.l) over a Gaussian of slopes around the mean normal, divided by
+     *   sqrt(1 + trace S);
      * - max(0, n.h)^p: Laplace's method, that is the lobe of the normal between b and h where its product with the
      *   Gaussian is largest, times the Gaussian there, divided by sqrt(det(1 + p S G)), G being the metric of angles;
      * - max(0, v.r)^p: the same with 4 p h.l in place of p;
-     * - METALLIC_ROUGHNESS: D with the matrix alpha^2 + 2 S in place of alpha^2 (Tokuyoshi and Kaplanyan, "Improved
-     *   Geometric Specular Antialiasing", 2019), V and n.l of the reflecting normal.
-     * S is expressed around the mean normal. GOOCH and TOON use the mean normal only
+     * - METALLIC_ROUGHNESS: adaptive Gauss-Hermite quadrature (Naylor and Smith, "Applications of a Method for the
+     *   Efficient Computation of Posterior Distributions", 1982): the sum of the lobes of four normals along the longer
+     *   axis of S. Normals and weights suit the Gaussian of slopes times a Gaussian around h with the precision
+     *   2 (0.2 + r^2) / (1 + r^2) / alpha^2, r = s / (6 alpha^2) for the larger variance s of S.
+     * GOOCH and TOON use the mean normal only. SHD_FILTER_EWA with a lod_bias of -0.5 is closest to shading many
+     * samples a pixel: its default footprint is wider than a pixel
      */
     SHD_NORMAL_ENCODING_MOMENTS = 3,
     SHD_NORMAL_ENCODING_MAX_ENUM = 0x7fffffff

@@ -70,25 +70,16 @@ struct MetallicRoughness : ModelBase {
   struct Lighting : LightingBase {
     static constexpr uint32_t kLobes = 3;
     static constexpr bool kNeedsEye = true;
+    static constexpr bool kHasLongTails = true;
     using Shape = RoughnessShape;
 
-    /// A Beckmann surface of equal width has the slope variance alpha^2 / 2.
+    /// A Beckmann surface of equal width has slopes of variance alpha^2 / 2. Lobes that are narrow among the normals
+    /// have its precision k, wide lobes a fifth of k, because their tails count for normals far from the half vector.
     template <class D, class V>
-    static HWY_INLINE V Precision(D d, const V* shape, V) {
-      return hn::Set(d, 2.0f) / shape[Shape::kAlphaSquared];
-    }
-
-    /// D is 1 / (pi sqrt(det A)) (1 + x^T A^-1 x)^-2 in slopes x, with A = alpha^2 + 2 S for the normals with
-    /// covariance S (Tokuyoshi and Kaplanyan, "Improved Geometric Specular Antialiasing", 2019). x^T A^-1 x is the part
-    /// of the reflecting normal, tan^2 / alpha^2, plus distance / 2.
-    template <class D, class V>
-    static HWY_INLINE V Decay(D d, const Point<V>& point, const Incoming<V>& in, const V* shape, V distance) {
-      const auto sum = Sum(point.wo, in.l);
-      const V alpha_squared = shape[Shape::kAlphaSquared];
-      const V own = TrowbridgeReitzSpread(d, point.n, sum, alpha_squared);
-      const V half = hn::Set(d, 0.5f) * (Dot(sum, sum) * alpha_squared);
-      const V ratio = own / hn::Max(own + half * distance, hn::Set(d, 1e-30f));
-      return ratio * ratio;
+    static HWY_INLINE V Precision(D d, const V* shape, V, V variance) {
+      const V k = hn::Set(d, 2.0f) / shape[Shape::kAlphaSquared];
+      const V ratio = k * variance, squared = ratio * ratio;
+      return k * ((hn::Set(d, 28.8f) + squared) / (hn::Set(d, 144.0f) + squared));
     }
 
     template <class D, class V>

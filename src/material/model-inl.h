@@ -26,7 +26,7 @@ struct Point {
 };
 
 /// One light at a point: unit vector to the light. `cosine` is max(0, n.l), or its mean over the normals of a filtered
-/// normal map, whose normals near the half vector have n_dot_l.
+/// normal map, one of which has n_dot_l.
 template <class V>
 struct Incoming {
   Vec3V<V> l;
@@ -84,6 +84,8 @@ struct LightingBase {
   static constexpr bool kIgnoresIrradiance = false;
   /// Whether the lobes are averaged over the normals of SHD_NORMAL_ENCODING_MOMENTS; otherwise their mean is used.
   static constexpr bool kAveragesNormals = true;
+  /// Whether the average of the specular lobes is a sum over several normals, because they are not nearly Gaussian.
+  static constexpr bool kHasLongTails = false;
 
   /// Parameters of the lobes at a point: a struct with
   ///   kSlots    bits of the slots that it reads
@@ -97,11 +99,9 @@ struct LightingBase {
   // which sets lobe[kLobes] to the contribution of one light, divided by E. Unless kIgnoresIrradiance, lobe 0 must be 0
   // where n.l <= 0, because lights behind all points of a vector are skipped. Lighting with specular lobes that
   // averages normals also has
-  //   Precision(d, shape, length)
-  // which gives 1 / variance of the slopes of a normal around the half vector (wo + l) / length for which the specular
-  // lobes fall to exp(-1/2), and
-  //   Decay(d, point, incoming, shape, distance)
-  // which gives the factor of lobes of the reflecting normal, by the distance of slope_spread-inl.h.
+  //   Precision(d, shape, length, variance)
+  // which gives the precision (1 / variance) of a Gaussian of slopes around the half vector (wo + l) / length that is
+  // like the specular lobes, for slope_spread-inl.h. `variance` is the largest variance of slopes.
 
   /// Scales the sums over all lights.
   template <class D, class V, class Sums>

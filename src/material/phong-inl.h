@@ -31,7 +31,7 @@ struct Phong : SpecularBase {
     /// The mirrored direction turns by twice the angle of n in the plane of wo and l, and by 2 h.l times the angle
     /// across it; this is the mean precision of both, because h.l = |wo + l| / 2.
     template <class D, class V>
-    static HWY_INLINE V Precision(D, const V* shape, V length) {
+    static HWY_INLINE V Precision(D, const V* shape, V length, V) {
       const V twice = shape[Shape::kExponent] + shape[Shape::kExponent];
       return twice * length;
     }

@@ -10,7 +10,6 @@
 
 #include "material/exponent-inl.h"
 #include "material/model-inl.h"
-#include "material/slope_spread-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::material::HWY_NAMESPACE {
@@ -25,13 +24,8 @@ struct SpecularLighting : LightingBase {
   using Shape = ExponentShape;
 
   template <class D, class V>
-  static HWY_INLINE V Precision(D, const V* shape, V) {
+  static HWY_INLINE V Precision(D, const V* shape, V, V) {
     return shape[Shape::kExponent];
-  }
-
-  template <class D, class V>
-  static HWY_INLINE V Decay(D d, const Point<V>&, const Incoming<V>&, const V*, V distance) {
-    return simd::HWY_NAMESPACE::Exp2(d, hn::Set(d, -kHalfLog2E) * distance);
   }
 
   template <class D, class V>

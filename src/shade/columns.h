@@ -19,8 +19,8 @@ struct Radiance {
 /// Shape parameters of the lobes at points, in the order of the model's Shape; null = the material's constant.
 struct LobeShape {
   const float* column[material::kMaxShapeColumns];
-  /// Two vectors a, b in world space, perpendicular to the normal: a a^T + b b^T is the covariance of slopes removed by
-  /// filtering a normal map. All null = 0.
+  /// Two vectors a, b in world space: n + p a + q b (normalised), for standard normal deviates p and q and the point's
+  /// normal n, are the normals averaged by filtering a normal map. All null = 0.
   const float* spread[6];
 };
 

@@ -54,8 +54,47 @@ HWY_INLINE void AddLight(D d, const material::Material& material, const ActiveLi
   }
 }
 
-/// As AddLight, with the lobes averaged over normals. Lobes with a peak are those of the normal that reflects, which is
-/// the only place where the lobes' own formulas are used.
+/// Lobes of one light, averaged over normals: those of the normal that reflects or, if they have long tails, the sum
+/// over the nodes of a rule. `in` holds the mean normal's n.l and the mean cosine.
+template <class Lighting, class D, class V>
+HWY_INLINE void AverageLobes(D d, const material::Material& material,
+                             const material::HWY_NAMESPACE::SlopeSpread<V>& spread,
+                             const simd::HWY_NAMESPACE::Vec3V<V>& wo, const material::HWY_NAMESPACE::Incoming<V>& in,
+                             const V* shape, bool gated, V (&mean)[Lighting::kLobes]) {
+  namespace mat = material::HWY_NAMESPACE;
+  const V zero = hn::Zero(d);
+  const auto way = simd::HWY_NAMESPACE::Sum(wo, in.l);
+  const V squared = Dot(way, way);
+  const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, zero), squared, hn::Set(d, 1.0f)));
+  const V k = Lighting::Precision(d, shape, length, spread.longest);
+  // Lobes of the normal n, with all specular lobes 0 if it is averted. They are the only use of the lobes' formulas.
+  V lobe[Lighting::kLobes];
+  const auto evaluate = [&](const simd::HWY_NAMESPACE::Vec3V<V>& n) {
+    const V n_dot_l = Dot(n, in.l);
+    Lighting::AddLight(d, material, {n, wo}, {in.l, n_dot_l, in.cosine}, shape, lobe);
+    const auto faces = hn::Gt(n_dot_l, zero);
+    for (uint32_t j = 1; j < Lighting::kLobes; ++j) lobe[j] = gated ? hn::IfThenElseZero(faces, lobe[j]) : lobe[j];
+  };
+  if constexpr (Lighting::kHasLongTails) {
+    const auto rule = mat::MakeNormalRule(d, spread, way, length, k);
+    for (V& sum : mean) sum = zero;
+    for (int i = 0; i < mat::kNodes; ++i) {
+      const auto node = mat::NodeAt(d, spread, rule, i);
+      evaluate(node.n);
+      for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = mean[j] + node.weight * lobe[j];
+    }
+    // All nodes are the mean normal where there is no spread.
+    const auto varies = hn::Gt(spread.trace, zero);
+    for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = hn::IfThenElse(varies, mean[j], lobe[j]);
+  } else {
+    const auto reflector = mat::FindReflector(d, spread, way, length, k);
+    evaluate(reflector.n);
+    for (uint32_t j = 1; j < Lighting::kLobes; ++j) mean[j] = reflector.gain * lobe[j];
+  }
+  mean[0] = lobe[0];
+}
+
+/// As AddLight, with the lobes averaged over normals.
 template <class Lighting, class D, class V>
 HWY_INLINE void AddLightOverNormals(D d, const material::Material& material, const ActiveLight& active, size_t i,
                                     const simd::HWY_NAMESPACE::Vec3V<V>& p,
@@ -64,28 +103,18 @@ HWY_INLINE void AddLightOverNormals(D d, const material::Material& material, con
                                     V (&sum)[Lighting::kLobes][3]) {
   namespace mat = material::HWY_NAMESPACE;
   const auto incident = light::HWY_NAMESPACE::IncidentAt(d, *active.light, p);
-  const V mean = Dot(spread.n, incident.l);
-  const V cosine = mat::FilteredCosine(d, spread, incident.l, mean);
-  const auto faces = hn::Gt(cosine, hn::Zero(d));
+  const V n_dot_l = Dot(spread.n, incident.l);
+  const mat::Incoming<V> in = {incident.l, n_dot_l, mat::FilteredCosine(d, spread, incident.l, n_dot_l)};
+  const auto faces = hn::Gt(in.cosine, hn::Zero(d));
   if (gated && hn::AllFalse(d, faces)) return;
-  V lobe[Lighting::kLobes], weight = hn::Set(d, 1.0f);
-  auto reflects = faces;
+  V lobe[Lighting::kLobes];
   if constexpr (Lighting::kLobes == 1) {
-    Lighting::AddLight(d, material, {spread.n, wo}, {incident.l, mean, cosine}, shape, lobe);
+    Lighting::AddLight(d, material, {spread.n, wo}, in, shape, lobe);
   } else {
-    const auto way = simd::HWY_NAMESPACE::Sum(wo, incident.l);
-    const V squared = Dot(way, way);
-    const V length = hn::Sqrt(hn::IfThenElse(hn::Gt(squared, hn::Zero(d)), squared, hn::Set(d, 1.0f)));
-    const auto r = mat::FindReflector(d, spread, way, length, Lighting::Precision(d, shape, length));
-    const mat::Point<V> point = {r.n, wo};
-    const mat::Incoming<V> in = {incident.l, Dot(r.n, incident.l), cosine};
-    Lighting::AddLight(d, material, point, in, shape, lobe);
-    weight = r.gain * Lighting::Decay(d, point, in, shape, r.distance);
-    reflects = hn::And(faces, hn::Gt(in.n_dot_l, hn::Zero(d)));
+    AverageLobes<Lighting>(d, material, spread, wo, in, shape, gated, lobe);
   }
   for (uint32_t k = 0; k < Lighting::kLobes; ++k) {
-    const V kept = k ? weight * lobe[k] : lobe[k];
-    Accumulate(d, active, i, incident.falloff * (k && gated ? hn::IfThenElseZero(reflects, kept) : kept), sum[k]);
+    Accumulate(d, active, i, incident.falloff * (k && gated ? hn::IfThenElseZero(faces, lobe[k]) : lobe[k]), sum[k]);
   }
 }
 
@@ -114,8 +143,9 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
     }
     if constexpr (over_normals) {
       const float* const* s = shape.spread;
-      const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, Load3(d, s[0], s[1], s[2], i),
-                                                                   Load3(d, s[3], s[4], s[5], i));
+      auto a = Load3(d, s[0], s[1], s[2], i), b = Load3(d, s[3], s[4], s[5], i);
+      if constexpr (Lighting::kHasLongTails) material::HWY_NAMESPACE::TurnToAxes(d, a, b);
+      const auto spread = material::HWY_NAMESPACE::MakeSlopeSpread(d, point.n, a, b);
       for (size_t j = 0; j < count; ++j)
         AddLightOverNormals<Lighting>(d, material, lights[j], i, p, spread, point.wo, values, gated, sum);
     } else {

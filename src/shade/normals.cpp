@@ -124,12 +124,13 @@ HWY_INLINE SlopeFactor<V> CovarianceAt(D d, const material::Material& material, 
   return factor;
 }
 
-/// Stores v / length without its component along the unit vector n; 0 where this is not finite.
+/// Stores v / length, or 0 where this is not finite.
 template <class D, class V>
-HWY_INLINE void StoreSpread(D d, const Vec3V<V>& v, const Vec3V<V>& n, V length, float* const* out, size_t i) {
-  const Vec3V<V> flat = Scaled(simd::HWY_NAMESPACE::Difference(v, Scaled(n, Dot(v, n))), hn::Set(d, 1.0f) / length);
-  const auto usable = hn::Lt(Dot(flat, flat), hn::Set(d, 1e12f));
-  Store3(d, Select(usable, flat, Scaled(n, hn::Zero(d))), out[0], out[1], out[2], i);
+HWY_INLINE void StoreSpread(D d, const Vec3V<V>& v, V length, float* const* out, size_t i) {
+  const Vec3V<V> turn = Scaled(v, hn::Set(d, 1.0f) / length);
+  const auto usable = hn::Lt(Dot(turn, turn), hn::Set(d, 1e12f));
+  const V zero = hn::Zero(d);
+  Store3(d, Select(usable, turn, Vec3V<V>{zero, zero, zero}), out[0], out[1], out[2], i);
 }
 
 void MapMoments(const material::Material& material, const float* const* map, const float* mixed,
@@ -143,12 +144,11 @@ void MapMoments(const material::Material& material, const float* const* map, con
     const auto factor = CovarianceAt(d, material, map, mixed, x, y, i);
     const auto mapped = Sum(Sum(Scaled(space.t, x), Scaled(space.bitangent, y)), n);
     StoreNormal(d, mapped, n, i, points);
-    // Slopes (x, y) + e turn the normal by e / |mapped|, without the part along the normal.
-    const auto turned = Load3(d, points.nx, points.ny, points.nz, i);
+    // Slopes (x, y) + e have the normal mapped / |mapped| + e / |mapped|, normalised.
     const auto length = hn::Sqrt(Dot(mapped, mapped));
     const auto a = Sum(Scaled(space.t, factor.xx), Scaled(space.bitangent, factor.xy));
-    StoreSpread(d, a, turned, length, spread, i);
-    StoreSpread(d, Scaled(space.bitangent, factor.yy), turned, length, spread + 3, i);
+    StoreSpread(d, a, length, spread, i);
+    StoreSpread(d, Scaled(space.bitangent, factor.yy), length, spread + 3, i);
   }
 }
 

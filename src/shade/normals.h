@@ -18,8 +18,8 @@ void map_normals(const core::SimdTarget& simd, const material::Material& materia
                  raster::Fragments* points, float* variance);
 
 /// As map_normals() for SHD_NORMAL_ENCODING_MOMENTS, with the mixed moments, or null for slopes without covariance.
-/// Writes the covariance of slopes removed by filtering the map to `spread` as LobeShape::spread: slopes along the mean
-/// normal, scaled like those of the map. Variances are at most 1e9; values that are not finite give 0.
+/// Writes the covariance of slopes removed by filtering the map, scaled like its slopes, to `spread` as
+/// LobeShape::spread. Variances are at most 1e9; values that are not finite give 0.
 void map_moments(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
                  const float* mixed, raster::Fragments* points, float* const spread[6]);
 

@@ -31,9 +31,9 @@ enum {
     SHD_SCENE_TEXTURES = 4,
     SHD_SCENE_SAMPLERS = 4,
     SHD_SCENE_MESHES = 4,
-    SHD_SCENE_MATERIALS = 8,
+    SHD_SCENE_MATERIALS = 10,
     SHD_SCENE_LIGHTS = 4,
-    SHD_SCENE_DRAWS = 10,
+    SHD_SCENE_DRAWS = 12,
     SHD_SCENE_STEPS =
         SHD_SCENE_TEXTURES + SHD_SCENE_SAMPLERS + SHD_SCENE_MESHES + SHD_SCENE_MATERIALS + SHD_SCENE_LIGHTS + 1
 };
@@ -313,6 +313,20 @@ static inline void shd_scene_stripes(const shd_fragments *in, float *const out[4
     for (i = 0; i < in->count; ++i) out[0][i] = in->px[i] * in->px[i] + in->u1[i];
 }
 
+/** Moments of slopes with a variance of at least 1/32 along u and 1/128 along v. */
+static inline void shd_scene_moments(const shd_fragments *in, float *const out[4], void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < in->count; ++i) {
+        const float x = 0.5f * in->u[i] - 0.25f, y = 0.5f - 0.5f * in->v[i];
+        out[0][i] = x;
+        out[1][i] = y;
+        out[2][i] = x * x + 0.03125f + 0.25f * in->v[i];
+        out[3][i] = y * y + 0.0078125f;
+    }
+}
+
 /** Sets a constant k_a, that of the defaults without a texture. */
 static inline void shd_scene_ambient(shd_material_desc *desc)
 {
@@ -329,7 +343,9 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
                                                             SHD_MODEL_GOOCH,
                                                             SHD_MODEL_COMBINED,
                                                             SHD_MODEL_PROGRAM,
-                                                            SHD_MODEL_MATCAP};
+                                                            SHD_MODEL_MATCAP,
+                                                            SHD_MODEL_METALLIC_ROUGHNESS,
+                                                            SHD_MODEL_BLINN_PHONG};
     shd_slot_list slots;
     shd_material_desc desc = shd_material_desc_default();
     slots.count = 0;
@@ -358,6 +374,11 @@ static inline shd_result shd_scene_surface(shd_scene *s, size_t which)
         shd_scene_slot(s, &slots, &desc, SHD_SLOT_MATCAP, 1);
         shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL, 2);
         desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
+    } else if (which >= 8) {
+        shd_slot_list_add(&slots, &desc, shd_slot_procedure(SHD_SLOT_NORMAL, shd_scene_moments, NULL));
+        shd_scene_slot(s, &slots, &desc, SHD_SLOT_NORMAL_MIXED, 3);
+        desc.normal_encoding = SHD_NORMAL_ENCODING_MOMENTS;
+        desc.roughness = 0.375f;
     }
     if (which == 1 || which == 4) {
         shd_slot_list_add(&slots, &desc, shd_slot_vertex(SHD_SLOT_DIFFUSE, 0));
@@ -504,6 +525,8 @@ static inline void shd_scene_compose(shd_scene *s)
         {1, 6, {0.3f, 0.3f, 0.3f}, {1.4f, 1.2f, 0}, SHD_FREQUENCY_GOURAUD, SHD_CULL_FRONT},
         {3, 5, {1, 1, 1}, {0, 0, 0}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
         {1, 7, {0.4f, 0.4f, 0.4f}, {0.5f, 0.4f, 2.75f}, SHD_FREQUENCY_PHONG, SHD_CULL_NONE},
+        {1, 8, {0.4f, 0.4f, 0.4f}, {-0.9f, -0.45f, 0.5f}, SHD_FREQUENCY_PHONG, SHD_CULL_BACK},
+        {1, 9, {0.3f, 0.3f, 0.3f}, {0.3f, -0.35f, 1}, SHD_FREQUENCY_GOURAUD, SHD_CULL_BACK},
     };
     static const shd_scene_placement k_lit[3] = {
         {1, 4, {1, 1, 1}, {-1.2f, 0, -1}, SHD_FREQUENCY_PHONG, SHD_CULL_BACK},
@@ -511,7 +534,7 @@ static inline void shd_scene_compose(shd_scene *s)
         {2, 4, {3, 1, 3}, {0, -1, -1}, SHD_FREQUENCY_FLAT, SHD_CULL_NONE},
     };
     const int is_floor = s->kind == SHD_SCENE_FLOOR, is_lit = s->kind == SHD_SCENE_LIT;
-    const size_t count = is_floor ? 1 : is_lit ? 3 : SHD_SCENE_DRAWS;
+    const size_t count = is_floor ? 1 : is_lit ? 3 : s->kind == SHD_SCENE_SURFACE ? SHD_SCENE_DRAWS : 10;
     shd_camera camera = shd_camera_default();
     size_t i;
     s->desc = shd_render_desc_default();

@@ -67,14 +67,12 @@ void map_everywhere(bool tails) {
   tails ? turn_tails(run) : turn_everywhere(run);
 }
 
-/// Compares a a^T + b b^T in world space with the covariance of slopes, moved to the mean normal.
+/// Compares a a^T + b b^T in world space with the covariance of slopes, in units of the length of the mean.
 void check_spread(size_t i, const Vector& m, const ref::SlopeCovariance& c) {
   const Vector n = normal_of(g->before, i), t = ref::unit(load(g->before.tx, g->before.ty, g->before.tz, i));
   const Vector w = static_cast<long double>(g->before.tw[i]) * ref::cross(n, t);
-  const Vector mean = ref::unit(m.x * t + m.y * w + n);
   const long double size = ref::length(m.x * t + m.y * w + n);
-  const auto across = [&](const Vector& v) { return 1 / size * (v - ref::dot(v, mean) * mean); };
-  const Vector x = across(t), y = across(w);
+  const Vector x = 1 / size * t, y = 1 / size * w;
   float* const* s = g->columns.spread;
   const Vector a = load(s[0], s[1], s[2], i), b = load(s[3], s[4], s[5], i);
   const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
