@@ -23,6 +23,7 @@
 /// | jpeg_header.h    | checks of a JPEG frame header and the number of scans                |
 /// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
+/// | levels.h         | sizes of mip levels                                                  |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
@@ -57,11 +58,13 @@ struct LoadOptions {
   Limits limits;
 };
 
-/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top.
+/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top; the same of every further level
+/// behind it. With SHD_LOAD_PARTIAL the buffer may be longer.
 struct Bitmap {
   shd_format format = SHD_FORMAT_NONE;
   uint32_t width = 0;
   uint32_t height = 0;
+  uint32_t level_count = 1;  // mip levels, the base included; sizes as in io/levels.h
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
   Buffer pixels;

@@ -13,6 +13,7 @@
 #include "core/failure.h"
 #include "core/printable.h"
 #include "io/child_process.h"
+#include "io/levels.h"
 #include "io/packet.h"
 #include "io/printable.h"
 #include "io/worker_link.h"
@@ -130,7 +131,13 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
   if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
   check_extent(options.limits, "image", reply.width, reply.height);
-  const size_t size = check_bytes(options.limits, reply.width, reply.height, pixel, file_size);
+  const bool levels = (options.flags & SHD_LOAD_FILE_LEVELS) != 0;
+  const uint32_t most = levels ? full_level_count(reply.width, reply.height) : 1;
+  if (reply.level_count < 1 || reply.level_count > most) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u mip levels", reply.level_count);
+  }
+  const uint64_t total = level_pixels(reply.width, reply.height, reply.level_count);
+  const size_t size = check_bytes(options.limits, total, pixel, file_size);
   if (size != reply.size) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
   for (char* c = reply.color_space; *c; ++c) {
     if (*c < 0x20 || *c > 0x7e) *c = '?';
@@ -164,6 +171,7 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
   out.format = static_cast<shd_format>(reply.format);
   out.width = reply.width;
   out.height = reply.height;
+  out.level_count = reply.level_count;
   out.info = check_info(reply.info);
   std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
   out.pixels = Buffer(memory, pixels);

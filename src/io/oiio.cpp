@@ -11,6 +11,8 @@
 
 #include "core/failure.h"
 #include "io/channels.h"
+#include "io/dds_header.h"
+#include "io/levels.h"
 #include "io/memory_file.h"
 #include "io/printable.h"
 #include "io/silence.h"
@@ -66,9 +68,12 @@ struct Decoder {
   shd_file_format format;
   const LoadOptions& options;
   const Deadline& deadline;
+  const unsigned char* bytes;
+  size_t size;
   OIIO::Filesystem::IOMemReader* proxy;
   Quiet<OIIO::ImageInput> input;
-  OIIO::ImageSpec spec;
+  OIIO::ImageSpec spec;  // describes `level`
+  int level = 0;         // mip level of the file
   ChannelMap map = {};
   int first = 0;  // channels [first, end) of the file are read
   int end = 0;
@@ -76,6 +81,10 @@ struct Decoder {
 };
 
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
+  if (d.level > 0) {
+    core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %d: %s: %s", format_name(d.format), d.level, action,
+                 printable(d.input.error()).c_str());
+  }
   core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
 }
 
@@ -166,10 +175,11 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const OIIO::ImageSpec& spec = d.spec;
   const int subimage = static_cast<int>(d.options.subimage);
   if (spec.tile_width > 0) {
-    return d.input.handle->read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end, spec.z,
-                                      spec.z + 1, d.first, d.end, d.type, band);
+    return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
+                                      spec.z, spec.z + 1, d.first, d.end, d.type, band);
   }
-  return d.input.handle->read_scanlines(subimage, 0, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type, band);
+  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type,
+                                        band);
 }
 
 /// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of OpenEXR's largest block
@@ -183,10 +193,11 @@ int band_height(const Decoder& d) {
   return spec.tile_width > 0 ? step : fitting;
 }
 
-/// Copies rows of the data window to their position in the display window.
-void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, Bitmap* out) {
+/// Copies rows of the data window to their position in the display window `out`.
+void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, unsigned char* out) {
   const OIIO::ImageSpec& spec = d.spec;
-  const size_t pixel = bitmap_pixel_size(out->format);
+  const shd_format format = bitmap_format(d.type);
+  const size_t pixel = bitmap_pixel_size(format);
   const auto channels = static_cast<size_t>(d.end - d.first);
   const int64_t shift_x = int64_t{spec.x} - spec.full_x;
   const int64_t shift_y = int64_t{spec.y} - spec.full_y;
@@ -200,20 +211,21 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, B
     const unsigned char* in =
         band + (static_cast<size_t>(row - y) * static_cast<size_t>(spec.width) + static_cast<size_t>(begin)) *
                    channels * d.type.size();
-    unsigned char* to =
-        out->pixels.data() + (static_cast<size_t>(target) * out->width + static_cast<size_t>(begin + shift_x)) * pixel;
-    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), out->format, to);
+    unsigned char* to = out + (static_cast<size_t>(target) * static_cast<size_t>(spec.full_width) +
+                               static_cast<size_t>(begin + shift_x)) *
+                                  pixel;
+    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), format, to);
   }
 }
 
 /// Reads the rows of a damaged band one by one, up to the damage.
-void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, Bitmap* out) {
-  out->info.flags |= SHD_BITMAP_PARTIAL;
+void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, unsigned char* out) {
   if (d.spec.tile_width > 0) return;
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
 
-void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
+/// Reads the pixels of one level. Returns false if SHD_LOAD_PARTIAL is set and rows are missing.
+bool read_pixels(Decoder& d, const Memory& memory, unsigned char* out) {
   const OIIO::ImageSpec& spec = d.spec;
   const int step = band_height(d);
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
@@ -225,9 +237,73 @@ void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
     if (!read_rows(d, y, y_end, band.data())) {
       if (!(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
       salvage_rows(d, band.data(), y, y_end, out);
-      return;
+      return false;
     }
     place_rows(d, band.data(), y, y_end, out);
+  }
+  return true;
+}
+
+/// Makes a level of the chosen part the current one. Returns false if there is none.
+bool seek_level(Decoder& d, int level) {
+  d.level = level;
+  if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), level)) return false;
+  d.spec = d.input.handle->spec();
+  check_spec(d);
+  return true;
+}
+
+bool fills_window(const OIIO::ImageSpec& spec) {
+  return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+         spec.height == spec.full_height;
+}
+
+/// Refuses a level that cannot be one of a texture with this base.
+void check_level(const Decoder& d, const OIIO::ImageSpec& base) {
+  const auto level = static_cast<uint32_t>(d.level);
+  const uint32_t width = level_side(static_cast<uint32_t>(base.width), level);
+  const uint32_t height = level_side(static_cast<uint32_t>(base.height), level);
+  if (!fills_window(base) || !fills_window(d.spec)) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "mip levels of a file whose data window is not its display window");
+  }
+  if (static_cast<uint32_t>(d.spec.width) != width || static_cast<uint32_t>(d.spec.height) != height) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "mip level %u has %d x %d pixels, not %u x %u (rounded down)", level,
+                 d.spec.width, d.spec.height, width, height);
+  }
+  bool same = d.spec.nchannels == base.nchannels;
+  for (int c = 0; same && c < base.nchannels; ++c) same = d.spec.channelformat(c) == base.channelformat(c);
+  if (!same) core::refuse(SHD_ERROR_UNSUPPORTED, "mip level %u has other channels than the base", level);
+}
+
+/// Number of levels that the load takes from the file, the base included. The base is current, before and after.
+uint32_t count_levels(Decoder& d) {
+  const bool may = d.format == SHD_FILE_FORMAT_EXR || d.format == SHD_FILE_FORMAT_TIFF ||
+                   d.format == SHD_FILE_FORMAT_DDS || d.format == SHD_FILE_FORMAT_ANY;
+  if (!may || !(d.options.flags & SHD_LOAD_FILE_LEVELS)) return 1;
+  const OIIO::ImageSpec base = d.spec;
+  const uint32_t full = full_level_count(static_cast<uint32_t>(base.width), static_cast<uint32_t>(base.height));
+  uint32_t count = 1;
+  for (; count < full && seek_level(d, static_cast<int>(count)); ++count) check_level(d, base);
+  (void)d.input.error();  // the reason why there is no further level
+  if (!seek_level(d, 0)) refuse_decode(d, "cannot read");
+  const uint32_t whole = d.format == SHD_FILE_FORMAT_DDS ? dds_whole_levels(d.bytes, d.size) : count;
+  if (whole < count && !(d.options.flags & SHD_LOAD_PARTIAL)) {
+    core::refuse(SHD_ERROR_CORRUPT, "DDS: mip level %u is cut off", whole);
+  }
+  return std::min(whole, count);
+}
+
+/// Reads all levels of `out`. With SHD_LOAD_PARTIAL, levels from the first damaged one on are left out.
+void read_levels(Decoder& d, const Memory& memory, Bitmap* out) {
+  const size_t pixel = bitmap_pixel_size(out->format);
+  if (!read_pixels(d, memory, out->pixels.data())) out->info.flags |= SHD_BITMAP_PARTIAL;
+  for (uint32_t l = 1; l < out->level_count; ++l) {
+    const size_t offset = static_cast<size_t>(level_pixels(out->width, out->height, l)) * pixel;
+    const bool found = seek_level(d, static_cast<int>(l));
+    if (!found && !(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
+    if (found && read_pixels(d, memory, out->pixels.data() + offset)) continue;
+    out->info.flags |= SHD_BITMAP_PARTIAL;
+    out->level_count = l;
   }
 }
 
@@ -253,25 +329,25 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
   d.input.handle->threads(1);
   check_spec(d);
   if (d.options.subimage > 0) {
-    if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), 0)) {
+    if (!seek_level(d, 0)) {
       core::refuse(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
     }
-    d.spec = d.input.handle->spec();
-    check_spec(d);
   }
   choose_channels(d);
   Bitmap out;
   out.format = bitmap_format(d.type);
   out.width = static_cast<uint32_t>(d.spec.full_width);
   out.height = static_cast<uint32_t>(d.spec.full_height);
+  out.level_count = count_levels(d);
   const size_t pixel = bitmap_pixel_size(out.format);
-  check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width), static_cast<uint64_t>(d.spec.height), pixel,
+  check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width) * static_cast<uint64_t>(d.spec.height), pixel,
               file_size);
-  const size_t bytes = check_bytes(d.options.limits, out.width, out.height, pixel, file_size);
+  const uint64_t total = level_pixels(out.width, out.height, out.level_count);
+  const size_t bytes = check_bytes(d.options.limits, total, pixel, file_size);
   out.pixels = Buffer(memory, bytes);
   if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
-  read_pixels(d, memory, &out);
   describe(d, &out);
+  read_levels(d, memory, &out);
   if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   return out;
 }
@@ -318,7 +394,7 @@ Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, s
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes), size);
     const MemoryFile file(format == SHD_FILE_FORMAT_ANY, bytes, size);
-    Decoder decoder{format, options, deadline, &proxy, {}, {}, {}, 0, 0, {}};
+    Decoder decoder{format, options, deadline, bytes, size, &proxy, {}, {}, 0, {}, 0, 0, {}};
     return decode_with(decoder, file, file_size, complete, memory);
   } catch (const core::Failure&) {
     throw;

@@ -20,6 +20,7 @@
 #include <cstring>
 
 #include "core/guard.h"
+#include "io/levels.h"
 #include "io/load.h"
 #include "io/oiio.h"
 #include "io/packet.h"
@@ -29,9 +30,9 @@ namespace shd::io {
 
 namespace {
 
-/// Largest size of a bitmap that a request allows; cannot overflow for any request [bytes].
+/// Largest size of a bitmap with its mip levels that a request allows; cannot overflow for any request [bytes].
 uint64_t decoded_bytes(const WorkerRequest& request) {
-  return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
+  return std::min(request.limits.bytes, std::min(request.limits.pixels, 2 * kMaxSide * kMaxSide) * 16);
 }
 
 constexpr size_t kHugePage = size_t{1} << 21;
@@ -161,7 +162,8 @@ Bitmap answer(const WorkerRequest& request, int file, WorkerReply* reply) {
     reply->format = static_cast<uint32_t>(bitmap.format);
     reply->width = bitmap.width;
     reply->height = bitmap.height;
-    reply->size = bitmap.pixels.size();
+    reply->level_count = bitmap.level_count;
+    reply->size = level_pixels(bitmap.width, bitmap.height, bitmap.level_count) * bitmap_pixel_size(bitmap.format);
     reply->info = bitmap.info;
     std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
     return SHD_OK;
@@ -189,7 +191,7 @@ void run_job(int socket) {
   static WorkerReply reply;
   reply.magic = kWorkerMagic;
   const Bitmap bitmap = answer(request, handed[1].fd, &reply);
-  const bool sent = send_all(data, &reply, sizeof reply) && lend_all(data, bitmap.pixels.data(), bitmap.pixels.size());
+  const bool sent = send_all(data, &reply, sizeof reply) && lend_all(data, bitmap.pixels.data(), reply.size);
   // Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
   _exit(sent ? 0 : 3);
 }

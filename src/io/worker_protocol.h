@@ -42,20 +42,20 @@ struct WorkerEnded {
   int32_t status;  // status of waitpid()
 };
 
-/// Followed by `size` bytes of pixels if code is SHD_OK.
+/// Followed by `size` bytes of pixels, those of all levels, if code is SHD_OK.
 struct WorkerReply {
   uint32_t magic;
   uint32_t code;
   uint32_t format;
   uint32_t width;
   uint32_t height;
-  uint32_t reserved;
+  uint32_t level_count;
   uint64_t size;
   shd_bitmap_info info;
   char color_space[64];
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686432;  // "shd2"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686433;  // "shd3"; must change with these structs
 
 }  // namespace shd::io

@@ -28,6 +28,8 @@ static const struct reply_case k_cases[] = {
     {"zero", SHD_ERROR_CORRUPT, "image of 0 x 4 pixels"},
     {"wide", SHD_ERROR_LIMIT, "image of 70000 x 4 pixels"},
     {"pixels", SHD_ERROR_LIMIT, "above load.max_pixels"},
+    {"no_level", SHD_ERROR_CORRUPT, "the decoder sent 0 mip levels"},
+    {"levels", SHD_ERROR_CORRUPT, "the decoder sent 2 mip levels"}, /* the load did not ask for levels */
     {"size", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"overflow", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"info_format", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},
