@@ -70,6 +70,15 @@ struct Bitmap {
   Buffer pixels;
 };
 
+/// Receives a bitmap while it is decoded; the bitmap and its pixels stay where they are until decode() returns.
+struct Sink {
+  void* owner;
+  /// The description is complete. Later, damage may add SHD_BITMAP_PARTIAL and lower level_count.
+  void (*begin)(void* owner, const Bitmap& bitmap);
+  /// The first `size` bytes of the pixels are final.
+  void (*advance)(void* owner, const Bitmap& bitmap, size_t size);
+};
+
 /// Size of one RGBA pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.
 inline size_t bitmap_pixel_size(shd_format format) {
   switch (format) {

@@ -158,6 +158,41 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
   return info;
 }
 
+/// Receives the pieces of the pixels until the child ends them. Returns their size.
+size_t receive_pixels(const Channel& channel, const Buffer& pixels, const Deadline& deadline) {
+  size_t done = 0;
+  while (true) {
+    uint64_t piece = 0;
+    require_done(receive_all(channel.data.ours.fd, &piece, sizeof piece, deadline), channel, deadline);
+    if (piece == 0) return done;
+    if (piece > pixels.size() - done) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent too many pixels");
+    const auto size = static_cast<size_t>(piece);
+    require_done(receive_all(channel.data.ours.fd, pixels.data() + done, size, deadline), channel, deadline);
+    done += size;
+  }
+}
+
+/// Receives the pixels that `first` describes, and the final reply.
+Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOptions& options, size_t file_size,
+                      const Memory& memory, const Deadline& deadline) {
+  Bitmap out;
+  out.pixels = Buffer(memory, check_reply(first, options, file_size));
+  (void)check_info(first.info);
+  const size_t received = receive_pixels(channel, out.pixels, deadline);
+  WorkerReply last;
+  require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);
+  const size_t size = check_reply(last, options, file_size);
+  const bool same = last.format == first.format && last.width == first.width && last.height == first.height;
+  if (!same || size > received) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
+  out.format = static_cast<shd_format>(last.format);
+  out.width = last.width;
+  out.height = last.height;
+  out.level_count = last.level_count;
+  out.info = check_info(last.info);
+  std::memcpy(out.color_space, last.color_space, sizeof out.color_space);
+  return out;
+}
+
 Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptions& options, const Memory& memory,
                    const Deadline& deadline) {
   WorkerReply reply;
@@ -166,17 +201,7 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
   // A child that refuses a file need not have read all of it.
   if (stream != Stream::kLate) stream = receive_all(channel.data.ours.fd, &reply, sizeof reply, deadline);
   require_done(stream, channel, deadline);
-  const size_t pixels = check_reply(reply, options, source.size);
-  Bitmap out;
-  out.format = static_cast<shd_format>(reply.format);
-  out.width = reply.width;
-  out.height = reply.height;
-  out.level_count = reply.level_count;
-  out.info = check_info(reply.info);
-  std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
-  out.pixels = Buffer(memory, pixels);
-  require_done(receive_all(channel.data.ours.fd, out.pixels.data(), pixels, deadline), channel, deadline);
-  return out;
+  return receive_bitmap(channel, reply, options, source.size, memory, deadline);
 }
 
 }  // namespace

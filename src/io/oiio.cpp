@@ -24,7 +24,10 @@ namespace shd::io {
 namespace {
 
 constexpr int kMaxChannels = 1024;
-constexpr size_t kBandBytes = size_t{1} << 22;  // decoded between two checks of the deadline
+// Decoded between two checks of the deadline. RGBA pixels of one band fit into the pipe of a worker, whose child would
+// otherwise wait for the host.
+constexpr size_t kBandBytes = size_t{1} << 19;
+constexpr size_t kMaxBandBytes = size_t{1} << 22;
 
 struct Reader {
   shd_file_format format;
@@ -65,11 +68,10 @@ struct Quiet {
 
 /// State of one decode.
 struct Decoder {
-  shd_file_format format;
+  const DecodeInput& file;
   const LoadOptions& options;
   const Deadline& deadline;
-  const unsigned char* bytes;
-  size_t size;
+  const Sink* sink;
   OIIO::Filesystem::IOMemReader* proxy;
   Quiet<OIIO::ImageInput> input;
   OIIO::ImageSpec spec;  // describes `level`
@@ -82,17 +84,17 @@ struct Decoder {
 
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
   if (d.level > 0) {
-    core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %d: %s: %s", format_name(d.format), d.level, action,
+    core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %d: %s: %s", format_name(d.file.format), d.level, action,
                  printable(d.input.error()).c_str());
   }
-  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
+  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.file.format), action, printable(d.input.error()).c_str());
 }
 
 void open_input(Decoder& d, const MemoryFile& file) {
   silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  if (d.format == SHD_FILE_FORMAT_ANY) {
+  if (d.file.format == SHD_FILE_FORMAT_ANY) {
     d.input.handle = OIIO::ImageInput::open(file.path(), &config);
     if (!d.input.handle) {
       core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s",
@@ -101,11 +103,11 @@ void open_input(Decoder& d, const MemoryFile& file) {
     d.spec = d.input.handle->spec();
     return;
   }
-  const auto* reader =
-      std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
+  const auto* reader = std::find_if(std::begin(kReaders), std::end(kReaders),
+                                    [&](const Reader& row) { return row.format == d.file.format; });
   d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
   if (!d.input.handle)
-    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.format));
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.file.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
@@ -137,7 +139,7 @@ void choose_channels(Decoder& d) {
   std::vector<std::string> names(spec.channelnames.begin(), spec.channelnames.end());
   names.resize(static_cast<size_t>(spec.nchannels));
   int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
-  if (d.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
+  if (d.file.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
     names = {"Y", "A"};
     alpha = 1;
   }
@@ -182,15 +184,15 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
                                         band);
 }
 
-/// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of OpenEXR's largest block
-/// if it fits.
+/// Number of rows read between two checks of the deadline: a multiple of whole tiles or of 64 rows, OpenEXR's usual
+/// blocks, of about kBandBytes; fewer rows only if 64 of them are above kMaxBandBytes.
 int band_height(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels) * d.type.size();
-  const auto fitting = static_cast<int>(std::clamp<size_t>(kBandBytes / row, 1, static_cast<size_t>(spec.height)));
+  const auto rows_of = [&](size_t bytes) { return static_cast<int>(std::clamp<size_t>(bytes / row, 1, kMaxSide)); };
   const int step = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
-  if (fitting >= step) return fitting / step * step;
-  return spec.tile_width > 0 ? step : fitting;
+  const int blocks = std::max(rows_of(kBandBytes) / step, 1);
+  return spec.tile_width > 0 ? blocks * step : std::min(blocks * step, rows_of(kMaxBandBytes));
 }
 
 /// Copies rows of the data window to their position in the display window `out`.
@@ -224,22 +226,37 @@ void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, unsigned ch
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
 
-/// Reads the pixels of one level. Returns false if SHD_LOAD_PARTIAL is set and rows are missing.
-bool read_pixels(Decoder& d, const Memory& memory, unsigned char* out) {
+/// Reports which pixels of the current level are final: those above row y_end of the file, or all of them. Rows that
+/// SHD_LOAD_FLIP_V stores from the bottom are reported at the end of their level.
+void advance(const Decoder& d, const Bitmap& out, int y_end, bool all) {
+  if (!d.sink || (!all && (d.options.flags & SHD_LOAD_FLIP_V))) return;
+  const OIIO::ImageSpec& spec = d.spec;
+  const int64_t rows =
+      all ? spec.full_height : std::clamp<int64_t>(y_end + int64_t{spec.y} - spec.full_y, 0, spec.full_height);
+  const uint64_t above = level_pixels(out.width, out.height, static_cast<uint32_t>(d.level));
+  const uint64_t pixels = above + static_cast<uint64_t>(rows) * static_cast<uint64_t>(spec.full_width);
+  d.sink->advance(d.sink->owner, out, static_cast<size_t>(pixels) * bitmap_pixel_size(out.format));
+}
+
+/// Reads the pixels of the current level. Returns false if SHD_LOAD_PARTIAL is set and rows are missing.
+bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
   const OIIO::ImageSpec& spec = d.spec;
   const int step = band_height(d);
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
   const Buffer band(memory, row * static_cast<size_t>(std::min(step, spec.height)));
+  const auto above = static_cast<size_t>(level_pixels(out.width, out.height, static_cast<uint32_t>(d.level)));
+  unsigned char* const pixels = out.pixels.data() + above * bitmap_pixel_size(out.format);
   for (int y = 0; y < spec.height; y += step) {
     d.deadline.check();
     const int y_end = std::min(spec.height, y + step);
     std::memset(band.data(), 0, band.size());  // a decoder may succeed without writing all of it
     if (!read_rows(d, y, y_end, band.data())) {
       if (!(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
-      salvage_rows(d, band.data(), y, y_end, out);
+      salvage_rows(d, band.data(), y, y_end, pixels);
       return false;
     }
-    place_rows(d, band.data(), y, y_end, out);
+    place_rows(d, band.data(), y, y_end, pixels);
+    advance(d, out, y_end, false);
   }
   return true;
 }
@@ -277,8 +294,8 @@ void check_level(const Decoder& d, const OIIO::ImageSpec& base) {
 
 /// Number of levels that the load takes from the file, the base included. The base is current, before and after.
 uint32_t count_levels(Decoder& d) {
-  const bool may = d.format == SHD_FILE_FORMAT_EXR || d.format == SHD_FILE_FORMAT_TIFF ||
-                   d.format == SHD_FILE_FORMAT_DDS || d.format == SHD_FILE_FORMAT_ANY;
+  const bool may = d.file.format == SHD_FILE_FORMAT_EXR || d.file.format == SHD_FILE_FORMAT_TIFF ||
+                   d.file.format == SHD_FILE_FORMAT_DDS || d.file.format == SHD_FILE_FORMAT_ANY;
   if (!may || !(d.options.flags & SHD_LOAD_FILE_LEVELS)) return 1;
   const OIIO::ImageSpec base = d.spec;
   const uint32_t full = full_level_count(static_cast<uint32_t>(base.width), static_cast<uint32_t>(base.height));
@@ -286,7 +303,7 @@ uint32_t count_levels(Decoder& d) {
   for (; count < full && seek_level(d, static_cast<int>(count)); ++count) check_level(d, base);
   (void)d.input.error();  // the reason why there is no further level
   if (!seek_level(d, 0)) refuse_decode(d, "cannot read");
-  const uint32_t whole = d.format == SHD_FILE_FORMAT_DDS ? dds_whole_levels(d.bytes, d.size) : count;
+  const uint32_t whole = d.file.format == SHD_FILE_FORMAT_DDS ? dds_whole_levels(d.file.bytes, d.file.size) : count;
   if (whole < count && !(d.options.flags & SHD_LOAD_PARTIAL)) {
     core::refuse(SHD_ERROR_CORRUPT, "DDS: mip level %u is cut off", whole);
   }
@@ -295,13 +312,15 @@ uint32_t count_levels(Decoder& d) {
 
 /// Reads all levels of `out`. With SHD_LOAD_PARTIAL, levels from the first damaged one on are left out.
 void read_levels(Decoder& d, const Memory& memory, Bitmap* out) {
-  const size_t pixel = bitmap_pixel_size(out->format);
-  if (!read_pixels(d, memory, out->pixels.data())) out->info.flags |= SHD_BITMAP_PARTIAL;
+  if (!read_pixels(d, memory, *out)) out->info.flags |= SHD_BITMAP_PARTIAL;
+  advance(d, *out, 0, true);
   for (uint32_t l = 1; l < out->level_count; ++l) {
-    const size_t offset = static_cast<size_t>(level_pixels(out->width, out->height, l)) * pixel;
     const bool found = seek_level(d, static_cast<int>(l));
     if (!found && !(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
-    if (found && read_pixels(d, memory, out->pixels.data() + offset)) continue;
+    if (found && read_pixels(d, memory, *out)) {
+      advance(d, *out, 0, true);
+      continue;
+    }
     out->info.flags |= SHD_BITMAP_PARTIAL;
     out->level_count = l;
   }
@@ -317,14 +336,14 @@ void describe(const Decoder& d, Bitmap* out) {
   std::memcpy(out->color_space, name.c_str(), std::min(name.size(), sizeof out->color_space - 1));
   if (out->format == SHD_FORMAT_RGBA8 && name == "sRGB") out->format = SHD_FORMAT_RGBA8_SRGB;
   const bool straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-  const bool always = d.format == SHD_FILE_FORMAT_EXR;
-  const bool may = always || d.format == SHD_FILE_FORMAT_TIFF || d.format == SHD_FILE_FORMAT_ANY;
-  out->info.file_format = d.format;
+  const bool always = d.file.format == SHD_FILE_FORMAT_EXR;
+  const bool may = always || d.file.format == SHD_FILE_FORMAT_TIFF || d.file.format == SHD_FILE_FORMAT_ANY;
+  out->info.file_format = d.file.format;
   out->info.channels = static_cast<uint32_t>(spec.nchannels);
   if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 
-Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool complete, const Memory& memory) {
+Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
   open_input(d, file);
   d.input.handle->threads(1);
   check_spec(d);
@@ -341,14 +360,15 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool co
   out.level_count = count_levels(d);
   const size_t pixel = bitmap_pixel_size(out.format);
   check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width) * static_cast<uint64_t>(d.spec.height), pixel,
-              file_size);
+              d.file.file_size);
   const uint64_t total = level_pixels(out.width, out.height, out.level_count);
-  const size_t bytes = check_bytes(d.options.limits, total, pixel, file_size);
+  const size_t bytes = check_bytes(d.options.limits, total, pixel, d.file.file_size);
   out.pixels = Buffer(memory, bytes);
   if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
   describe(d, &out);
+  if (!d.file.complete) out.info.flags |= SHD_BITMAP_PARTIAL;
+  if (d.sink) d.sink->begin(d.sink->owner, out);
   read_levels(d, memory, &out);
-  if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   return out;
 }
 
@@ -389,19 +409,19 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
 
 }  // namespace
 
-Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
-              const LoadOptions& options, const Memory& memory, const Deadline& deadline) {
+Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
+              const Sink* sink) {
   try {
-    OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes), size);
-    const MemoryFile file(format == SHD_FILE_FORMAT_ANY, bytes, size);
-    Decoder decoder{format, options, deadline, bytes, size, &proxy, {}, {}, 0, {}, 0, 0, {}};
-    return decode_with(decoder, file, file_size, complete, memory);
+    OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
+    const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
+    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}};
+    return decode_with(decoder, file, memory);
   } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(format), printable(error.what()).c_str());
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(input.format), printable(error.what()).c_str());
   }
 }
 

@@ -13,7 +13,9 @@ namespace shd::io {
 // receives one WorkerRequest for each load with three descriptors:
 //   0  control, a socket (SOCK_SEQPACKET): the server sends WorkerStarted when it has forked a child for the load, and
 //      WorkerEnded when this child has ended. It kills the child when the host closes its end.
-//   1  data, a pipe: the child alone writes to it, one WorkerReply and the pixels.
+//   1  data, a pipe: the child alone writes to it. It sends a WorkerReply as soon as the file is described; if its code is
+//      SHD_OK, pieces of the pixels in order while it decodes, each behind its size as a uint64_t, the size 0, and the
+//      final WorkerReply. The host copies them to its own memory, and uses nothing before the final reply.
 //   2  file, which the child reads from its start.
 // Both ends must be of one build.
 
@@ -42,7 +44,8 @@ struct WorkerEnded {
   int32_t status;  // status of waitpid()
 };
 
-/// Followed by `size` bytes of pixels, those of all levels, if code is SHD_OK.
+/// The size is that of the pixels of all levels [bytes]. In the final reply, damage may have changed the code, the flags,
+/// and level_count with the size, which are then smaller; surplus pixels count as absent.
 struct WorkerReply {
   uint32_t magic;
   uint32_t code;
@@ -56,6 +59,6 @@ struct WorkerReply {
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686433;  // "shd3"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686434;  // "shd4"; must change with these structs
 
 }  // namespace shd::io

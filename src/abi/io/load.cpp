@@ -130,7 +130,7 @@ io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& 
       return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
     }
     const io::Buffer bytes = io::read_bytes(file.file.fd, file.size, memory);
-    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline);
+    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline, nullptr);
   } catch (const Failure& failure) {
     refuse(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
   }
@@ -153,7 +153,7 @@ io::Bitmap load_copy(shd_context* context, const void* bytes, size_t size, const
   }
   const io::Buffer copy(memory, size);
   std::memcpy(copy.data(), data, size);
-  return io::load(copy.data(), size, request.options, memory, deadline);
+  return io::load(copy.data(), size, request.options, memory, deadline, nullptr);
 }
 
 /// Texels of all levels of a bitmap whose numbers no texture format means, linear.
