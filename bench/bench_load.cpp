@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // load/<object>/<content>/<where>/edge:2048: loading a PNG of 2048 x 2048 pixels in this process or by the worker,
-// which runs already. Time is wall time; median_ms is its median. Loads by the worker alternate with loads in this process; ratio is
-// the median time of the former by that of the latter.
+// which runs already. Time is wall time; median_ms is its median. Loads by the worker alternate with loads in this
+// process; ratio is the median time of the former by that of the latter.
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 

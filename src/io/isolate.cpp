@@ -32,6 +32,9 @@ Bitmap load_isolated(const char*, const Source&, const LoadOptions&, const Memor
 
 namespace {
 
+/// The host reports that it waits for more pixels than this [bytes].
+constexpr size_t kManyPixels = size_t{1} << 21;
+
 /// Size of the pipe for pixels, if the system grants it [bytes].
 constexpr int kPipeSize = 1 << 20;
 
@@ -178,6 +181,10 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   Bitmap out;
   out.pixels = Buffer(memory, check_reply(first, options, file_size));
   (void)check_info(first.info);
+  const WorkerWaits waits = {kWorkerMagic};
+  // It may fail: the fork is no part of this load.
+  if (out.pixels.size() > kManyPixels)
+    (void)::send(channel.control.ours.fd, &waits, sizeof waits, MSG_NOSIGNAL | MSG_DONTWAIT);
   const size_t received = receive_pixels(channel, out.pixels, deadline);
   WorkerReply last;
   require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);

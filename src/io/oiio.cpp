@@ -24,9 +24,9 @@ namespace shd::io {
 namespace {
 
 constexpr int kMaxChannels = 1024;
-// Decoded between two checks of the deadline. RGBA pixels of one band fit into the pipe of a worker, whose child would
-// otherwise wait for the host.
-constexpr size_t kBandBytes = size_t{1} << 19;
+// Decoded between two checks of the deadline. Small bands keep the child of a worker and its host busy concurrently.
+// The formats with blocks of rows get larger ones, which OpenEXR decodes by several threads.
+constexpr size_t kBandBytes = size_t{1} << 18;
 constexpr size_t kMaxBandBytes = size_t{1} << 22;
 
 struct Reader {
@@ -184,15 +184,18 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
                                         band);
 }
 
-/// Number of rows read between two checks of the deadline: a multiple of whole tiles or of 64 rows, OpenEXR's usual
-/// blocks, of about kBandBytes; fewer rows only if 64 of them are above kMaxBandBytes.
+/// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of 64 rows, OpenEXR's
+/// usual blocks, or of 16 rows of formats without blocks, if they fit.
 int band_height(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels) * d.type.size();
   const auto rows_of = [&](size_t bytes) { return static_cast<int>(std::clamp<size_t>(bytes / row, 1, kMaxSide)); };
-  const int step = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
-  const int blocks = std::max(rows_of(kBandBytes) / step, 1);
-  return spec.tile_width > 0 ? blocks * step : std::min(blocks * step, rows_of(kMaxBandBytes));
+  const bool tiled = spec.tile_width > 0;
+  const bool blocks = tiled || d.file.format == SHD_FILE_FORMAT_EXR || d.file.format == SHD_FILE_FORMAT_TIFF ||
+                      d.file.format == SHD_FILE_FORMAT_ANY;
+  const int step = tiled ? std::max(spec.tile_height, 1) : blocks ? 64 : 16;
+  const int rows = std::max(rows_of(blocks ? kMaxBandBytes : kBandBytes) / step, 1) * step;
+  return tiled ? rows : std::min(rows, rows_of(kMaxBandBytes));
 }
 
 /// Copies rows of the data window to their position in the display window `out`.

@@ -156,7 +156,7 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
   std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
 }
 
-/// What the host receives.
+/// State of the answer to a request.
 struct Answer {
   int pipe;
   WorkerReply reply;

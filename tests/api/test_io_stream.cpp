@@ -70,7 +70,7 @@ std::string write_file(const File &file)
     return path;
 }
 
-/// What a load gives.
+/// Result of a load.
 struct Outcome {
     shd_result result;
     std::string message;
