@@ -55,7 +55,7 @@ void send_pixels(const std::string &mode, int pipe)
     const bool drips = mode == "drips";
     const std::vector<char> pixels(mode == "short" ? 79 : mode == "few" ? 40 : mode == "long" ? 96 : 80, 'x');
     for (size_t at = 0; at < pixels.size();) {
-        const size_t size = drips ? 1 : mode == "short" ? 79 : 16;
+        const size_t size = drips ? 1 : mode == "short" ? 79 : 8;
         const uint64_t announced = mode == "short" ? 80 : mode == "huge_piece" ? ~uint64_t{0} : size;
         send_bytes(pipe, &announced, sizeof announced);
         send_bytes(pipe, pixels.data() + at, size);
