@@ -28,19 +28,19 @@ const auto kU8 = OIIO::TypeDesc::UINT8, kU16 = OIIO::TypeDesc::UINT16;
 const auto kHalf = OIIO::TypeDesc::HALF, kFloat = OIIO::TypeDesc::FLOAT;
 
 const File k_files[] = {
-    {"png/rgb", kU8, 3, 0, 0, 1024, 1024, 1024, 1024, 0, false},
-    {"png/rgba16", kU16, 4, 0, 0, 701, 503, 701, 503, 0, false},
-    {"png/row", kU8, 4, 0, 0, 65536, 1, 65536, 1, 0, false},
-    {"png/column", kU8, 4, 0, 0, 1, 65536, 1, 65536, 0, false},
-    {"tif/float", kFloat, 4, 0, 0, 701, 503, 701, 503, 0, false},
-    {"exr/half", kHalf, 4, 0, 0, 1024, 700, 1024, 700, 0, false},
-    {"exr/inside", kHalf, 4, 100, 300, 400, 600, 800, 1200, 0, false},
-    {"exr/overscan", kHalf, 4, -100, -300, 1000, 1800, 800, 1200, 0, false},
-    {"exr/below", kFloat, 1, 0, 1100, 800, 600, 800, 1200, 0, false},
-    {"exr/outside", kFloat, 3, 0, 1300, 800, 600, 800, 1200, 0, false},
-    {"exr/tiles", kHalf, 4, 100, 300, 400, 600, 800, 1200, 64, false},
-    {"exr/levels", kHalf, 4, 0, 0, 900, 700, 900, 700, 64, true},
-    {"tif/levels", kU8, 4, 0, 0, 1024, 1024, 1024, 1024, 64, true},
+    {"png/rgb", kU8, 3, 0, 0, 512, 512, 512, 512, 0, false},
+    {"png/rgba16", kU16, 4, 0, 0, 301, 253, 301, 253, 0, false},
+    {"png/row", kU8, 4, 0, 0, 20000, 1, 20000, 1, 0, false},
+    {"png/column", kU8, 4, 0, 0, 1, 600, 1, 600, 0, false},
+    {"tif/float", kFloat, 4, 0, 0, 1101, 303, 1101, 303, 0, false},
+    {"exr/half", kHalf, 4, 0, 0, 2100, 300, 2100, 300, 0, false},
+    {"exr/inside", kHalf, 4, 100, 150, 2000, 300, 2400, 600, 0, false},
+    {"exr/overscan", kHalf, 4, -100, -150, 2600, 900, 2400, 600, 0, false},
+    {"exr/below", kFloat, 1, 0, 550, 2400, 300, 2400, 600, 0, false},
+    {"exr/outside", kFloat, 3, 0, 650, 400, 300, 400, 600, 0, false},
+    {"exr/tiles", kHalf, 4, 100, 150, 200, 300, 400, 600, 64, false},
+    {"exr/levels", kHalf, 4, 0, 0, 450, 350, 450, 350, 64, true},
+    {"tif/levels", kU8, 4, 0, 0, 512, 512, 512, 512, 64, true},
 };
 
 std::string write_file(const File &file)
@@ -122,7 +122,11 @@ void test_file(void **state)
     const io_bytes whole = io_read(write_file(file).c_str());
     int loaded = 0, refused = 0;
     for (const uint32_t flags : {0, SHD_LOAD_FLIP_V + 0, SHD_LOAD_PARTIAL + 0, SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V}) {
-        for (const size_t percent : {100, 97, 60, 20}) {
+        for (const size_t percent : {100, 60}) {
+#if defined(__SANITIZE_ADDRESS__)
+            // OpenImageIO 2.4 leaks a text when the end of a PNG file is missing, because libpng leaves it by longjmp().
+            if (percent < 100 && (flags & SHD_LOAD_PARTIAL) && strncmp(file.name, "png/", 4) == 0) continue;
+#endif
             const std::vector<unsigned char> bytes(whole.data, whole.data + whole.size * percent / 100);
             shd_load_desc desc = shd_load_desc_default();
             desc.flags = flags | (file.levels ? SHD_LOAD_FILE_LEVELS : 0);
