@@ -124,7 +124,7 @@ void test_file(void **state)
     for (const uint32_t flags : {0, SHD_LOAD_FLIP_V + 0, SHD_LOAD_PARTIAL + 0, SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V}) {
         for (const size_t percent : {100, 60}) {
 #if defined(__SANITIZE_ADDRESS__)
-            // OpenImageIO 2.4 leaks a text when the end of a PNG file is missing, because libpng leaves it by longjmp().
+            // OpenImageIO 2.4 leaks a text if the end of a PNG file is missing: libpng leaves it by longjmp().
             if (percent < 100 && (flags & SHD_LOAD_PARTIAL) && strncmp(file.name, "png/", 4) == 0) continue;
 #endif
             const std::vector<unsigned char> bytes(whole.data, whole.data + whole.size * percent / 100);
