@@ -57,5 +57,6 @@ void register_frame();
 void register_surface();
 void register_lights();
 void register_mesh();
+void register_load();
 
 }  // namespace shd::bench

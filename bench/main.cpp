@@ -72,6 +72,9 @@ int main(int argc, char** argv) {
   shd::bench::register_shadow();
   shd::bench::register_quality();
   shd::bench::register_mesh();
+#ifdef SHD_BENCH_OIIO
+  shd::bench::register_load();
+#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

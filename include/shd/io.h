@@ -96,6 +96,15 @@ typedef enum shd_load_flag {
     SHD_LOAD_IN_PROCESS = 1,
     SHD_LOAD_PARTIAL = 2, /**< a damaged file loads: rows above the damage, zero below, and SHD_BITMAP_PARTIAL is set */
     SHD_LOAD_FLIP_V = 4,  /**< bottom row first */
+    /**
+     * Textures: take the mip levels of the file, unchanged, instead of averages of its base. OpenEXR, DDS and TIFF as
+     * written by maketx (`.tx`) can have levels. If they end before 1 x 1, the mipmap of the texture ends there, too.
+     * If the file has none, shd builds all of them. Level l must be max(1, size >> l) wide and high: OpenEXR files of
+     * rounding mode ROUND_UP whose sizes differ are SHD_ERROR_UNSUPPORTED, and so are levels of a file whose data
+     * window is not its display window. A damaged level is SHD_ERROR_CORRUPT; with SHD_LOAD_PARTIAL it and all smaller
+     * levels count as absent. Needs SHD_TABLE_MIPMAP in `tables`. Bitmaps have no levels.
+     */
+    SHD_LOAD_FILE_LEVELS = 8,
     SHD_LOAD_FLAG_MAX_ENUM = 0x7fffffff
 } shd_load_flag;
 typedef uint32_t shd_load_flags; /**< shd_load_flag bits */
@@ -109,8 +118,9 @@ typedef struct shd_load_desc {
     shd_table_flags tables;         /**< tables of textures; default SHD_TABLE_MIPMAP */
     uint32_t subimage;              /**< part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0 */
     uint64_t max_file_bytes;        /**< size of the file; 0 = 2^30 */
-    uint64_t max_pixels;            /**< width * height, of the data and of the display window; 0 = 2^28 */
-    uint64_t max_bytes;             /**< decoded, as RGBA; 0 = 2^32 */
+    uint64_t max_pixels;            /**< width * height, of the data and of the display window, and the pixels of all
+                                         levels with SHD_LOAD_FILE_LEVELS; 0 = 2^28 */
+    uint64_t max_bytes;             /**< decoded, as RGBA, all levels; 0 = 2^32 */
     double max_ratio;               /**< decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000 */
     double time_limit;              /**< [s], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
                                          checked between bands of rows */
@@ -223,6 +233,9 @@ SHD_NODISCARD SHD_API shd_result shd_bitmap_get_info(const shd_bitmap *bitmap, s
  * with the same numbers. All others (16-bit integers, other transfer curves) are linearised to RGBA32F. Primaries and
  * alpha are not converted; callers who need this use shd_bitmap_load(). A colour space that shd_bitmap_color_space()
  * does not list is SHD_ERROR_UNSUPPORTED unless desc.color_space overrides it.
+ *
+ * The mip levels are those of shd_texture_create(): exact averages of the base in linear light. Levels in the file are
+ * ignored unless SHD_LOAD_FILE_LEVELS is set; then they are converted like the base.
  * @param out_texture  owned; NULL on failure
  * @since 0.1
  */

@@ -3,6 +3,7 @@
 
 #include "core/failure.h"
 #include "io/byte_reader.h"
+#include "io/levels.h"
 
 namespace shd::io {
 
@@ -42,6 +43,34 @@ size_t block_size(ByteReader& in, size_t* header) {
   return 0;
 }
 
+/// Where the pixels begin, and how they are stored.
+struct Storage {
+  size_t header = kHeader;
+  size_t block = 0;   // bytes per 4 x 4 texels; 0 = plain pixels
+  uint32_t bits = 0;  // per plain pixel
+};
+
+/// Throws Failure for an unknown storage.
+Storage storage_of(ByteReader& in) {
+  Storage storage;
+  const uint32_t flags = in.u32(80);
+  if (flags & kFourCcFlag) {
+    storage.block = block_size(in, &storage.header);
+    if (storage.block == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: unknown compression");
+    return storage;
+  }
+  storage.bits = in.u32(88);
+  const uint32_t bits = storage.bits;
+  const bool known = (flags & kPlainFlags) != 0 && (bits == 8 || bits == 16 || bits == 24 || bits == 32);
+  if (!known) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: pixels of %u bits and flags 0x%x", bits, flags);
+  return storage;
+}
+
+uint64_t byte_size(const Storage& storage, uint64_t width, uint64_t height) {
+  if (storage.block) return (width + 3) / 4 * ((height + 3) / 4) * storage.block;
+  return width * height * (storage.bits / 8);
+}
+
 }  // namespace
 
 void check_dds_header(const unsigned char* bytes, size_t size) {
@@ -53,20 +82,23 @@ void check_dds_header(const unsigned char* bytes, size_t size) {
     core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: cube maps and volumes are not supported");
   }
   if (in.u32(28) > 32) core::refuse(SHD_ERROR_CORRUPT, "DDS: %u levels", in.u32(28));
-  size_t header = kHeader;
-  uint64_t needed = 0;
-  const uint32_t flags = in.u32(80);
-  if (flags & kFourCcFlag) {
-    const size_t block = block_size(in, &header);
-    if (block == 0) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: unknown compression");
-    needed = (width + 3) / 4 * ((height + 3) / 4) * block;
-  } else {
-    const uint32_t bits = in.u32(88);
-    const bool known = (flags & kPlainFlags) != 0 && (bits == 8 || bits == 16 || bits == 24 || bits == 32);
-    if (!known) core::refuse(SHD_ERROR_UNSUPPORTED, "DDS: pixels of %u bits and flags 0x%x", bits, flags);
-    needed = width * height * (bits / 8);
+  const Storage storage = storage_of(in);
+  if (!in.has(storage.header, byte_size(storage, width, height))) core::refuse(SHD_ERROR_CORRUPT, "DDS: cut off");
+}
+
+uint32_t dds_whole_levels(const unsigned char* bytes, size_t size) {
+  ByteReader in{bytes, size, false};
+  const uint32_t width = in.u32(16), height = in.u32(12);
+  const Storage storage = storage_of(in);
+  const uint32_t full = full_level_count(width, height);
+  uint64_t end = storage.header;
+  uint32_t count = 0;
+  for (; count < full; ++count) {
+    const uint64_t level = byte_size(storage, level_side(width, count), level_side(height, count));
+    if (!in.has(end, level)) break;
+    end += level;
   }
-  if (!in.has(header, needed)) core::refuse(SHD_ERROR_CORRUPT, "DDS: cut off");
+  return count;
 }
 
 }  // namespace shd::io

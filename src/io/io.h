@@ -23,6 +23,7 @@
 /// | jpeg_header.h    | checks of a JPEG frame header and the number of scans                |
 /// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
+/// | levels.h         | sizes of mip levels                                                  |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
 /// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
@@ -57,14 +58,25 @@ struct LoadOptions {
   Limits limits;
 };
 
-/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top.
+/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top; the same of every further level
+/// behind it. With SHD_LOAD_PARTIAL the buffer may be longer.
 struct Bitmap {
   shd_format format = SHD_FORMAT_NONE;
   uint32_t width = 0;
   uint32_t height = 0;
+  uint32_t level_count = 1;  // mip levels, the base included; sizes as in io/levels.h
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
   Buffer pixels;
+};
+
+/// Receives a bitmap while it is decoded; the bitmap and its pixels stay where they are until decode() returns.
+struct Sink {
+  void* owner;
+  /// The description is complete. Later, damage may add SHD_BITMAP_PARTIAL and lower level_count.
+  void (*begin)(void* owner, const Bitmap& bitmap);
+  /// The first `size` bytes of the pixels are final.
+  void (*advance)(void* owner, const Bitmap& bitmap, size_t size);
 };
 
 /// Size of one RGBA pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.

@@ -13,6 +13,7 @@
 #include "core/failure.h"
 #include "core/printable.h"
 #include "io/child_process.h"
+#include "io/levels.h"
 #include "io/packet.h"
 #include "io/printable.h"
 #include "io/worker_link.h"
@@ -30,6 +31,9 @@ Bitmap load_isolated(const char*, const Source&, const LoadOptions&, const Memor
 #else
 
 namespace {
+
+/// The host reports that it waits for more pixels than this [bytes].
+constexpr size_t kManyPixels = size_t{1} << 21;
 
 /// Size of the pipe for pixels, if the system grants it [bytes].
 constexpr int kPipeSize = 1 << 20;
@@ -130,7 +134,13 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
   if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
   check_extent(options.limits, "image", reply.width, reply.height);
-  const size_t size = check_bytes(options.limits, reply.width, reply.height, pixel, file_size);
+  const bool levels = (options.flags & SHD_LOAD_FILE_LEVELS) != 0;
+  const uint32_t most = levels ? full_level_count(reply.width, reply.height) : 1;
+  if (reply.level_count < 1 || reply.level_count > most) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u mip levels", reply.level_count);
+  }
+  const uint64_t total = level_pixels(reply.width, reply.height, reply.level_count);
+  const size_t size = check_bytes(options.limits, total, pixel, file_size);
   if (size != reply.size) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
   for (char* c = reply.color_space; *c; ++c) {
     if (*c < 0x20 || *c > 0x7e) *c = '?';
@@ -151,6 +161,45 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
   return info;
 }
 
+/// Receives the pieces of the pixels until the child ends them. Returns their size.
+size_t receive_pixels(const Channel& channel, const Buffer& pixels, const Deadline& deadline) {
+  size_t done = 0;
+  while (true) {
+    uint64_t piece = 0;
+    require_done(receive_all(channel.data.ours.fd, &piece, sizeof piece, deadline), channel, deadline);
+    if (piece == 0) return done;
+    if (piece > pixels.size() - done) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent too many pixels");
+    const auto size = static_cast<size_t>(piece);
+    require_done(receive_all(channel.data.ours.fd, pixels.data() + done, size, deadline), channel, deadline);
+    done += size;
+  }
+}
+
+/// Receives the pixels that `first` describes, and the final reply.
+Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOptions& options, size_t file_size,
+                      const Memory& memory, const Deadline& deadline) {
+  Bitmap out;
+  out.pixels = Buffer(memory, check_reply(first, options, file_size));
+  (void)check_info(first.info);
+  const WorkerWaits waits = {kWorkerMagic};
+  // It may fail: the fork is no part of this load.
+  if (out.pixels.size() > kManyPixels)
+    (void)::send(channel.control.ours.fd, &waits, sizeof waits, MSG_NOSIGNAL | MSG_DONTWAIT);
+  const size_t received = receive_pixels(channel, out.pixels, deadline);
+  WorkerReply last;
+  require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);
+  const size_t size = check_reply(last, options, file_size);
+  const bool same = last.format == first.format && last.width == first.width && last.height == first.height;
+  if (!same || size > received) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
+  out.format = static_cast<shd_format>(last.format);
+  out.width = last.width;
+  out.height = last.height;
+  out.level_count = last.level_count;
+  out.info = check_info(last.info);
+  std::memcpy(out.color_space, last.color_space, sizeof out.color_space);
+  return out;
+}
+
 Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptions& options, const Memory& memory,
                    const Deadline& deadline) {
   WorkerReply reply;
@@ -159,16 +208,7 @@ Bitmap finish_load(const Channel& channel, const Source& source, const LoadOptio
   // A child that refuses a file need not have read all of it.
   if (stream != Stream::kLate) stream = receive_all(channel.data.ours.fd, &reply, sizeof reply, deadline);
   require_done(stream, channel, deadline);
-  const size_t pixels = check_reply(reply, options, source.size);
-  Bitmap out;
-  out.format = static_cast<shd_format>(reply.format);
-  out.width = reply.width;
-  out.height = reply.height;
-  out.info = check_info(reply.info);
-  std::memcpy(out.color_space, reply.color_space, sizeof out.color_space);
-  out.pixels = Buffer(memory, pixels);
-  require_done(receive_all(channel.data.ours.fd, out.pixels.data(), pixels, deadline), channel, deadline);
-  return out;
+  return receive_bitmap(channel, reply, options, source.size, memory, deadline);
 }
 
 }  // namespace

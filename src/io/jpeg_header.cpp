@@ -64,7 +64,7 @@ void check_jpeg_header(const unsigned char* bytes, size_t size, size_t file_size
   const uint64_t width = in.u16(frame + 5);
   if (!in.ok) core::refuse(SHD_ERROR_CORRUPT, "JPEG header is cut off");
   check_extent(limits, "image", width, height);
-  check_bytes(limits, width, height, 4, file_size);
+  check_bytes(limits, width * height, 4, file_size);
 }
 
 void check_jpeg_scans(const unsigned char* bytes, size_t size) {

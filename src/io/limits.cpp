@@ -30,8 +30,12 @@ void check_extent(const Limits& limits, const char* what, uint64_t width, uint64
   }
 }
 
-size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size) {
-  const uint64_t bytes = width * height * pixel_size;  // at most 2^32 * 16 after check_extent
+size_t check_bytes(const Limits& limits, uint64_t pixels, size_t pixel_size, size_t file_size) {
+  if (pixels > limits.pixels) {
+    core::refuse(SHD_ERROR_LIMIT, "all mip levels have %llu pixels, above load.max_pixels %llu", wide(pixels),
+                 wide(limits.pixels));
+  }
+  const uint64_t bytes = pixels * pixel_size;  // at most 4/3 * 2^32 * 16 after check_extent
   if (bytes > limits.bytes || bytes > PTRDIFF_MAX) {
     core::refuse(SHD_ERROR_LIMIT, "%llu decoded bytes are above load.max_bytes %llu", wide(bytes), wide(limits.bytes));
   }

@@ -25,8 +25,9 @@ constexpr uint64_t kMaxSide = 65536;
 /// Throws Failure unless a window of this size is within the budgets. `what` names the window in the message.
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
 
-/// Size in bytes of width * height pixels after check_extent(). Throws Failure beyond limits.bytes or limits.ratio.
-size_t check_bytes(const Limits& limits, uint64_t width, uint64_t height, size_t pixel_size, size_t file_size);
+/// Size in bytes of all levels of a bitmap, `pixels` in total, after check_extent() of its base. Throws Failure beyond
+/// limits.pixels, limits.bytes or limits.ratio.
+size_t check_bytes(const Limits& limits, uint64_t pixels, size_t pixel_size, size_t file_size);
 
 /// The time at which a load must be finished.
 class Deadline {

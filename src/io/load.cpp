@@ -25,7 +25,7 @@ shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOption
 }
 
 Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
-            const Deadline& deadline) {
+            const Deadline& deadline, const Sink* sink) {
   const shd_file_format format = accept(bytes, size, options);
   const bool complete = format != SHD_FILE_FORMAT_JPEG || jpeg_is_complete(bytes, size);
   const bool strict = (options.flags & SHD_LOAD_PARTIAL) == 0;
@@ -36,7 +36,7 @@ Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const
     check_jpeg_header(bytes, scrubbed, size, options.limits);
     check_jpeg_scans(bytes, scrubbed);
   }
-  return decode(format, bytes, scrubbed, size, complete, options, memory, deadline);
+  return decode({format, bytes, scrubbed, size, complete}, options, memory, deadline, sink);
 }
 
 }  // namespace shd::io

@@ -11,6 +11,8 @@
 
 #include "core/failure.h"
 #include "io/channels.h"
+#include "io/dds_header.h"
+#include "io/levels.h"
 #include "io/memory_file.h"
 #include "io/printable.h"
 #include "io/silence.h"
@@ -22,7 +24,10 @@ namespace shd::io {
 namespace {
 
 constexpr int kMaxChannels = 1024;
-constexpr size_t kBandBytes = size_t{1} << 22;  // decoded between two checks of the deadline
+// Decoded between two checks of the deadline. Small bands keep the child of a worker and its host busy concurrently.
+// The formats with blocks of rows get larger ones, which OpenEXR decodes by several threads.
+constexpr size_t kBandBytes = size_t{1} << 18;
+constexpr size_t kMaxBandBytes = size_t{1} << 22;
 
 struct Reader {
   shd_file_format format;
@@ -63,12 +68,14 @@ struct Quiet {
 
 /// State of one decode.
 struct Decoder {
-  shd_file_format format;
+  const DecodeInput& file;
   const LoadOptions& options;
   const Deadline& deadline;
+  const Sink* sink;
   OIIO::Filesystem::IOMemReader* proxy;
   Quiet<OIIO::ImageInput> input;
-  OIIO::ImageSpec spec;
+  OIIO::ImageSpec spec;  // describes `level`
+  int level = 0;         // mip level of the file
   ChannelMap map = {};
   int first = 0;  // channels [first, end) of the file are read
   int end = 0;
@@ -76,14 +83,18 @@ struct Decoder {
 };
 
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
-  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.format), action, printable(d.input.error()).c_str());
+  if (d.level > 0) {
+    core::refuse(SHD_ERROR_CORRUPT, "%s: mip level %d: %s: %s", format_name(d.file.format), d.level, action,
+                 printable(d.input.error()).c_str());
+  }
+  core::refuse(SHD_ERROR_CORRUPT, "%s: %s: %s", format_name(d.file.format), action, printable(d.input.error()).c_str());
 }
 
 void open_input(Decoder& d, const MemoryFile& file) {
   silence_libtiff(reinterpret_cast<const void*>(OIIO::openimageio_version));
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  if (d.format == SHD_FILE_FORMAT_ANY) {
+  if (d.file.format == SHD_FILE_FORMAT_ANY) {
     d.input.handle = OIIO::ImageInput::open(file.path(), &config);
     if (!d.input.handle) {
       core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO has no reader for the file: %s",
@@ -92,11 +103,11 @@ void open_input(Decoder& d, const MemoryFile& file) {
     d.spec = d.input.handle->spec();
     return;
   }
-  const auto* reader =
-      std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& row) { return row.format == d.format; });
+  const auto* reader = std::find_if(std::begin(kReaders), std::end(kReaders),
+                                    [&](const Reader& row) { return row.format == d.file.format; });
   d.input.handle = OIIO::ImageInput::create(reader->name, false, nullptr, nullptr, "");
   if (!d.input.handle)
-    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.format));
+    core::refuse(SHD_ERROR_UNSUPPORTED, "%s: OpenImageIO was built without this format", format_name(d.file.format));
   OIIO::Filesystem::IOProxy* proxy = d.proxy;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   if (!d.input.handle->open(std::string("memory.") + reader->name, d.spec, config)) refuse_decode(d, "cannot open");
@@ -128,7 +139,7 @@ void choose_channels(Decoder& d) {
   std::vector<std::string> names(spec.channelnames.begin(), spec.channelnames.end());
   names.resize(static_cast<size_t>(spec.nchannels));
   int alpha = spec.alpha_channel < spec.nchannels ? spec.alpha_channel : -1;
-  if (d.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
+  if (d.file.format == SHD_FILE_FORMAT_TGA && spec.nchannels == 2) {  // OpenImageIO 2.4 calls grey and alpha R and G
     names = {"Y", "A"};
     alpha = 1;
   }
@@ -166,27 +177,32 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const OIIO::ImageSpec& spec = d.spec;
   const int subimage = static_cast<int>(d.options.subimage);
   if (spec.tile_width > 0) {
-    return d.input.handle->read_tiles(subimage, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end, spec.z,
-                                      spec.z + 1, d.first, d.end, d.type, band);
+    return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
+                                      spec.z, spec.z + 1, d.first, d.end, d.type, band);
   }
-  return d.input.handle->read_scanlines(subimage, 0, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type, band);
+  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type,
+                                        band);
 }
 
-/// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of OpenEXR's largest block
-/// if it fits.
+/// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of 64 rows, OpenEXR's
+/// usual blocks, or of 16 rows of formats without blocks, if they fit.
 int band_height(const Decoder& d) {
   const OIIO::ImageSpec& spec = d.spec;
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels) * d.type.size();
-  const auto fitting = static_cast<int>(std::clamp<size_t>(kBandBytes / row, 1, static_cast<size_t>(spec.height)));
-  const int step = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 64;
-  if (fitting >= step) return fitting / step * step;
-  return spec.tile_width > 0 ? step : fitting;
+  const auto rows_of = [&](size_t bytes) { return static_cast<int>(std::clamp<size_t>(bytes / row, 1, kMaxSide)); };
+  const bool tiled = spec.tile_width > 0;
+  const bool blocks = tiled || d.file.format == SHD_FILE_FORMAT_EXR || d.file.format == SHD_FILE_FORMAT_TIFF ||
+                      d.file.format == SHD_FILE_FORMAT_ANY;
+  const int step = tiled ? std::max(spec.tile_height, 1) : blocks ? 64 : 16;
+  const int rows = std::max(rows_of(blocks ? kMaxBandBytes : kBandBytes) / step, 1) * step;
+  return tiled ? rows : std::min(rows, rows_of(kMaxBandBytes));
 }
 
-/// Copies rows of the data window to their position in the display window.
-void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, Bitmap* out) {
+/// Copies rows of the data window to their position in the display window `out`.
+void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, unsigned char* out) {
   const OIIO::ImageSpec& spec = d.spec;
-  const size_t pixel = bitmap_pixel_size(out->format);
+  const shd_format format = bitmap_format(d.type);
+  const size_t pixel = bitmap_pixel_size(format);
   const auto channels = static_cast<size_t>(d.end - d.first);
   const int64_t shift_x = int64_t{spec.x} - spec.full_x;
   const int64_t shift_y = int64_t{spec.y} - spec.full_y;
@@ -200,34 +216,116 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, B
     const unsigned char* in =
         band + (static_cast<size_t>(row - y) * static_cast<size_t>(spec.width) + static_cast<size_t>(begin)) *
                    channels * d.type.size();
-    unsigned char* to =
-        out->pixels.data() + (static_cast<size_t>(target) * out->width + static_cast<size_t>(begin + shift_x)) * pixel;
-    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), out->format, to);
+    unsigned char* to = out + (static_cast<size_t>(target) * static_cast<size_t>(spec.full_width) +
+                               static_cast<size_t>(begin + shift_x)) *
+                                  pixel;
+    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), format, to);
   }
 }
 
 /// Reads the rows of a damaged band one by one, up to the damage.
-void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, Bitmap* out) {
-  out->info.flags |= SHD_BITMAP_PARTIAL;
+void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, unsigned char* out) {
   if (d.spec.tile_width > 0) return;
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
 
-void read_pixels(Decoder& d, const Memory& memory, Bitmap* out) {
+/// Reports which pixels of the current level are final: those above row y_end of the file, or all of them. Rows that
+/// SHD_LOAD_FLIP_V stores from the bottom are reported at the end of their level.
+void advance(const Decoder& d, const Bitmap& out, int y_end, bool all) {
+  if (!d.sink || (!all && (d.options.flags & SHD_LOAD_FLIP_V))) return;
+  const OIIO::ImageSpec& spec = d.spec;
+  const int64_t rows =
+      all ? spec.full_height : std::clamp<int64_t>(y_end + int64_t{spec.y} - spec.full_y, 0, spec.full_height);
+  const uint64_t above = level_pixels(out.width, out.height, static_cast<uint32_t>(d.level));
+  const uint64_t pixels = above + static_cast<uint64_t>(rows) * static_cast<uint64_t>(spec.full_width);
+  d.sink->advance(d.sink->owner, out, static_cast<size_t>(pixels) * bitmap_pixel_size(out.format));
+}
+
+/// Reads the pixels of the current level. Returns false if SHD_LOAD_PARTIAL is set and rows are missing.
+bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
   const OIIO::ImageSpec& spec = d.spec;
   const int step = band_height(d);
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
   const Buffer band(memory, row * static_cast<size_t>(std::min(step, spec.height)));
+  const auto above = static_cast<size_t>(level_pixels(out.width, out.height, static_cast<uint32_t>(d.level)));
+  unsigned char* const pixels = out.pixels.data() + above * bitmap_pixel_size(out.format);
   for (int y = 0; y < spec.height; y += step) {
     d.deadline.check();
     const int y_end = std::min(spec.height, y + step);
     std::memset(band.data(), 0, band.size());  // a decoder may succeed without writing all of it
     if (!read_rows(d, y, y_end, band.data())) {
       if (!(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
-      salvage_rows(d, band.data(), y, y_end, out);
-      return;
+      salvage_rows(d, band.data(), y, y_end, pixels);
+      return false;
     }
-    place_rows(d, band.data(), y, y_end, out);
+    place_rows(d, band.data(), y, y_end, pixels);
+    advance(d, out, y_end, false);
+  }
+  return true;
+}
+
+/// Makes a level of the chosen part the current one. Returns false if there is none.
+bool seek_level(Decoder& d, int level) {
+  d.level = level;
+  if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), level)) return false;
+  d.spec = d.input.handle->spec();
+  check_spec(d);
+  return true;
+}
+
+bool fills_window(const OIIO::ImageSpec& spec) {
+  return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+         spec.height == spec.full_height;
+}
+
+/// Refuses a level that cannot be one of a texture with this base.
+void check_level(const Decoder& d, const OIIO::ImageSpec& base) {
+  const auto level = static_cast<uint32_t>(d.level);
+  const uint32_t width = level_side(static_cast<uint32_t>(base.width), level);
+  const uint32_t height = level_side(static_cast<uint32_t>(base.height), level);
+  if (!fills_window(base) || !fills_window(d.spec)) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "mip levels of a file whose data window is not its display window");
+  }
+  if (static_cast<uint32_t>(d.spec.width) != width || static_cast<uint32_t>(d.spec.height) != height) {
+    core::refuse(SHD_ERROR_UNSUPPORTED, "mip level %u has %d x %d pixels, not %u x %u (rounded down)", level,
+                 d.spec.width, d.spec.height, width, height);
+  }
+  bool same = d.spec.nchannels == base.nchannels;
+  for (int c = 0; same && c < base.nchannels; ++c) same = d.spec.channelformat(c) == base.channelformat(c);
+  if (!same) core::refuse(SHD_ERROR_UNSUPPORTED, "mip level %u has other channels than the base", level);
+}
+
+/// Number of levels that the load takes from the file, the base included. The base is current, before and after.
+uint32_t count_levels(Decoder& d) {
+  const bool may = d.file.format == SHD_FILE_FORMAT_EXR || d.file.format == SHD_FILE_FORMAT_TIFF ||
+                   d.file.format == SHD_FILE_FORMAT_DDS || d.file.format == SHD_FILE_FORMAT_ANY;
+  if (!may || !(d.options.flags & SHD_LOAD_FILE_LEVELS)) return 1;
+  const OIIO::ImageSpec base = d.spec;
+  const uint32_t full = full_level_count(static_cast<uint32_t>(base.width), static_cast<uint32_t>(base.height));
+  uint32_t count = 1;
+  for (; count < full && seek_level(d, static_cast<int>(count)); ++count) check_level(d, base);
+  (void)d.input.error();  // the reason why there is no further level
+  if (!seek_level(d, 0)) refuse_decode(d, "cannot read");
+  const uint32_t whole = d.file.format == SHD_FILE_FORMAT_DDS ? dds_whole_levels(d.file.bytes, d.file.size) : count;
+  if (whole < count && !(d.options.flags & SHD_LOAD_PARTIAL)) {
+    core::refuse(SHD_ERROR_CORRUPT, "DDS: mip level %u is cut off", whole);
+  }
+  return std::min(whole, count);
+}
+
+/// Reads all levels of `out`. With SHD_LOAD_PARTIAL, levels from the first damaged one on are left out.
+void read_levels(Decoder& d, const Memory& memory, Bitmap* out) {
+  if (!read_pixels(d, memory, *out)) out->info.flags |= SHD_BITMAP_PARTIAL;
+  advance(d, *out, 0, true);
+  for (uint32_t l = 1; l < out->level_count; ++l) {
+    const bool found = seek_level(d, static_cast<int>(l));
+    if (!found && !(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
+    if (found && read_pixels(d, memory, *out)) {
+      advance(d, *out, 0, true);
+      continue;
+    }
+    out->info.flags |= SHD_BITMAP_PARTIAL;
+    out->level_count = l;
   }
 }
 
@@ -241,38 +339,39 @@ void describe(const Decoder& d, Bitmap* out) {
   std::memcpy(out->color_space, name.c_str(), std::min(name.size(), sizeof out->color_space - 1));
   if (out->format == SHD_FORMAT_RGBA8 && name == "sRGB") out->format = SHD_FORMAT_RGBA8_SRGB;
   const bool straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
-  const bool always = d.format == SHD_FILE_FORMAT_EXR;
-  const bool may = always || d.format == SHD_FILE_FORMAT_TIFF || d.format == SHD_FILE_FORMAT_ANY;
-  out->info.file_format = d.format;
+  const bool always = d.file.format == SHD_FILE_FORMAT_EXR;
+  const bool may = always || d.file.format == SHD_FILE_FORMAT_TIFF || d.file.format == SHD_FILE_FORMAT_ANY;
+  out->info.file_format = d.file.format;
   out->info.channels = static_cast<uint32_t>(spec.nchannels);
   if (d.map.index[3] >= 0 && (always || (may && !straight))) out->info.flags |= SHD_BITMAP_PREMULTIPLIED;
 }
 
-Bitmap decode_with(Decoder& d, const MemoryFile& file, size_t file_size, bool complete, const Memory& memory) {
+Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
   open_input(d, file);
   d.input.handle->threads(1);
   check_spec(d);
   if (d.options.subimage > 0) {
-    if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), 0)) {
+    if (!seek_level(d, 0)) {
       core::refuse(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
     }
-    d.spec = d.input.handle->spec();
-    check_spec(d);
   }
   choose_channels(d);
   Bitmap out;
   out.format = bitmap_format(d.type);
   out.width = static_cast<uint32_t>(d.spec.full_width);
   out.height = static_cast<uint32_t>(d.spec.full_height);
+  out.level_count = count_levels(d);
   const size_t pixel = bitmap_pixel_size(out.format);
-  check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width), static_cast<uint64_t>(d.spec.height), pixel,
-              file_size);
-  const size_t bytes = check_bytes(d.options.limits, out.width, out.height, pixel, file_size);
+  check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width) * static_cast<uint64_t>(d.spec.height), pixel,
+              d.file.file_size);
+  const uint64_t total = level_pixels(out.width, out.height, out.level_count);
+  const size_t bytes = check_bytes(d.options.limits, total, pixel, d.file.file_size);
   out.pixels = Buffer(memory, bytes);
   if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
-  read_pixels(d, memory, &out);
   describe(d, &out);
-  if (!complete) out.info.flags |= SHD_BITMAP_PARTIAL;
+  if (!d.file.complete) out.info.flags |= SHD_BITMAP_PARTIAL;
+  if (d.sink) d.sink->begin(d.sink->owner, out);
+  read_levels(d, memory, &out);
   return out;
 }
 
@@ -313,19 +412,19 @@ OIIO::ImageSpec encode_spec(const EncodeJob& job) {
 
 }  // namespace
 
-Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
-              const LoadOptions& options, const Memory& memory, const Deadline& deadline) {
+Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
+              const Sink* sink) {
   try {
-    OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(bytes), size);
-    const MemoryFile file(format == SHD_FILE_FORMAT_ANY, bytes, size);
-    Decoder decoder{format, options, deadline, &proxy, {}, {}, {}, 0, 0, {}};
-    return decode_with(decoder, file, file_size, complete, memory);
+    OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
+    const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
+    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}};
+    return decode_with(decoder, file, memory);
   } catch (const core::Failure&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(format), printable(error.what()).c_str());
+    core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(input.format), printable(error.what()).c_str());
   }
 }
 

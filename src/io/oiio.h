@@ -9,11 +9,19 @@
 
 namespace shd::io {
 
-/// Decodes a file whose header has been checked. Refuses damaged files, unless SHD_LOAD_PARTIAL allows missing rows.
-/// @param file_size  size of the file before scrubbing
-/// @param complete   false if the file is known to be cut off
-Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
-              const LoadOptions& options, const Memory& memory, const Deadline& deadline);
+/// A file whose header has been checked.
+struct DecodeInput {
+  shd_file_format format;
+  const unsigned char* bytes;
+  size_t size;
+  size_t file_size;  // before scrubbing
+  bool complete;     // false if the file is known to be cut off
+};
+
+/// Decodes a file. Refuses damaged files, unless SHD_LOAD_PARTIAL allows missing rows.
+/// @param sink  or null
+Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
+              const Sink* sink);
 
 /// Storage of one channel of a file.
 enum class Sample : uint32_t { kU8, kU16, kHalf, kFloat, kU32 };

@@ -22,10 +22,8 @@ shd_result contain(char* text, Body&& body) noexcept {
 }
 
 shd_result module_decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
-                         const Deadline& deadline, Bitmap* out, char* text) {
-  return contain(text, [&] {
-    *out = decode(input.format, input.bytes, input.size, input.file_size, input.complete, options, memory, deadline);
-  });
+                         const Deadline& deadline, const Sink* sink, Bitmap* out, char* text) {
+  return contain(text, [&] { *out = decode(input, options, memory, deadline, sink); });
 }
 
 shd_result module_encode(const EncodeJob& job, std::vector<unsigned char>* out, char* text) {

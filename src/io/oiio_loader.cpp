@@ -52,12 +52,11 @@ void require_ok(shd_result result, const char* text) {
 
 }  // namespace
 
-Bitmap decode(shd_file_format format, const unsigned char* bytes, size_t size, size_t file_size, bool complete,
-              const LoadOptions& options, const Memory& memory, const Deadline& deadline) {
+Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory, const Deadline& deadline,
+              const Sink* sink) {
   Bitmap out;
   char text[core::kErrorTextSize] = "";
-  const DecodeInput input = {format, bytes, size, file_size, complete};
-  require_ok(module().decode(input, options, memory, deadline, &out, text), text);
+  require_ok(module().decode(input, options, memory, deadline, sink, &out, text), text);
   return out;
 }
 

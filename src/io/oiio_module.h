@@ -7,21 +7,12 @@
 
 namespace shd::io {
 
-/// The arguments of decode() except its options.
-struct DecodeInput {
-  shd_file_format format;
-  const unsigned char* bytes;
-  size_t size;
-  size_t file_size;
-  bool complete;
-};
-
 /// The functions of the module libshd_io_oiio. Both ends must be of one build. No exception leaves them: a failure is a
 /// result and a text of at most core::kErrorTextSize bytes.
 struct OiioModule {
   const char* version;
   shd_result (*decode)(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
-                       const Deadline& deadline, Bitmap* out, char* text);
+                       const Deadline& deadline, const Sink* sink, Bitmap* out, char* text);
   shd_result (*encode)(const EncodeJob& job, std::vector<unsigned char>* out, char* text);
 };
 

@@ -173,7 +173,7 @@ void check_header(shd_file_format format, const unsigned char* bytes, size_t siz
   if (fixed || (format != SHD_FILE_FORMAT_TIFF && format != SHD_FILE_FORMAT_HDR && format != SHD_FILE_FORMAT_PNM &&
                 format != SHD_FILE_FORMAT_NONE)) {
     check_extent(limits, "image", extent.width, extent.height);
-    check_bytes(limits, extent.width, extent.height, 4, size);
+    check_bytes(limits, extent.width * extent.height, 4, size);
   }
   if (format == SHD_FILE_FORMAT_DDS) check_dds_header(bytes, size);
   if (format == SHD_FILE_FORMAT_BMP) check_bmp_header(bytes, size);

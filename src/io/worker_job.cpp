@@ -20,6 +20,7 @@
 #include <cstring>
 
 #include "core/guard.h"
+#include "io/levels.h"
 #include "io/load.h"
 #include "io/oiio.h"
 #include "io/packet.h"
@@ -29,9 +30,9 @@ namespace shd::io {
 
 namespace {
 
-/// Largest size of a bitmap that a request allows; cannot overflow for any request [bytes].
+/// Largest size of a bitmap with its mip levels that a request allows; cannot overflow for any request [bytes].
 uint64_t decoded_bytes(const WorkerRequest& request) {
-  return std::min(request.limits.bytes, std::min(request.limits.pixels, kMaxSide * kMaxSide) * 16);
+  return std::min(request.limits.bytes, std::min(request.limits.pixels, 2 * kMaxSide * kMaxSide) * 16);
 }
 
 constexpr size_t kHugePage = size_t{1} << 21;
@@ -144,26 +145,61 @@ LoadOptions options_of(const WorkerRequest& request) {
   return options;
 }
 
-/// Decodes the file of a request; a failure is stored in the reply.
-Bitmap answer(const WorkerRequest& request, int file, WorkerReply* reply) {
+void describe(const Bitmap& bitmap, WorkerReply* reply) {
+  reply->code = SHD_OK;
+  reply->format = static_cast<uint32_t>(bitmap.format);
+  reply->width = bitmap.width;
+  reply->height = bitmap.height;
+  reply->level_count = bitmap.level_count;
+  reply->size = level_pixels(bitmap.width, bitmap.height, bitmap.level_count) * bitmap_pixel_size(bitmap.format);
+  reply->info = bitmap.info;
+  std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
+}
+
+/// State of the answer to a request.
+struct Answer {
+  int pipe;
+  WorkerReply reply;
+  bool begun;   // the first reply has been sent
+  size_t sent;  // bytes of the pixels
+};
+
+/// Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
+void require_sent(bool sent) {
+  if (!sent) _exit(3);
+}
+
+void send_description(void* owner, const Bitmap& bitmap) {
+  auto* answer = static_cast<Answer*>(owner);
+  describe(bitmap, &answer->reply);
+  require_sent(send_all(answer->pipe, &answer->reply, sizeof answer->reply));
+  answer->begun = true;
+}
+
+void send_piece(void* owner, const Bitmap& bitmap, size_t end) {
+  auto* answer = static_cast<Answer*>(owner);
+  const uint64_t piece = end - answer->sent;
+  if (piece == 0) return;
+  require_sent(send_all(answer->pipe, &piece, sizeof piece) &&
+               lend_all(answer->pipe, bitmap.pixels.data() + answer->sent, piece));
+  answer->sent = end;
+}
+
+/// Decodes the file of a request and sends it; a failure is stored in the reply. Returns what must stay in memory.
+Bitmap answer_request(const WorkerRequest& request, int file, Answer* answer) {
   Bitmap bitmap;
   const auto report = [&](shd_result code, const char* text) {
-    reply->code = static_cast<uint32_t>(code);
+    answer->reply.code = static_cast<uint32_t>(code);
     if (code == SHD_ERROR_OUT_OF_MEMORY) text = "out of memory in the worker";
-    std::strncpy(reply->message, text, sizeof reply->message - 1);
+    std::strncpy(answer->reply.message, text, sizeof answer->reply.message - 1);
     return code;
   };
   core::guard(report, [&] {
     const Deadline deadline(request.limits.seconds);
     const Buffer bytes = read_bytes(file, request.size, kPlain);
-    bitmap = load(bytes.data(), bytes.size(), options_of(request), kPlain, deadline);
-    reply->code = SHD_OK;
-    reply->format = static_cast<uint32_t>(bitmap.format);
-    reply->width = bitmap.width;
-    reply->height = bitmap.height;
-    reply->size = bitmap.pixels.size();
-    reply->info = bitmap.info;
-    std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
+    const Sink sink = {answer, send_description, send_piece};
+    bitmap = load(bytes.data(), bytes.size(), options_of(request), kPlain, deadline, &sink);
+    describe(bitmap, &answer->reply);
     return SHD_OK;
   });
   return bitmap;
@@ -184,14 +220,15 @@ void run_job(int socket) {
   FileDescriptor handed[2];
   if (receive_packet(socket, &request, sizeof request, handed, 2, Deadline(1e9)) != Stream::kDone) _exit(2);
   ::close(socket);
-  const int data = handed[0].fd;
   confine(request);
-  static WorkerReply reply;
-  reply.magic = kWorkerMagic;
-  const Bitmap bitmap = answer(request, handed[1].fd, &reply);
-  const bool sent = send_all(data, &reply, sizeof reply) && lend_all(data, bitmap.pixels.data(), bitmap.pixels.size());
-  // Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
-  _exit(sent ? 0 : 3);
+  static Answer answer;
+  answer.pipe = handed[0].fd;
+  answer.reply.magic = kWorkerMagic;
+  const Bitmap bitmap = answer_request(request, handed[1].fd, &answer);
+  constexpr uint64_t kEnd = 0;
+  if (answer.begun) require_sent(send_all(answer.pipe, &kEnd, sizeof kEnd));
+  require_sent(send_all(answer.pipe, &answer.reply, sizeof answer.reply));
+  _exit(0);
 }
 
 }  // namespace shd::io

@@ -25,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kHost = 0;  // descriptor of the socket to the host
 constexpr int kMaxJobs = 512;
+constexpr int kSpareDelay = 20;  // until the next spare child is forked without a reason to do so earlier [ms]
 
 /// A child that runs, and the descriptor that its host listens on; -1 once the child has been killed.
 struct Job {
@@ -43,6 +44,7 @@ struct Server {
   Job jobs[kMaxJobs];
   int count = 0;
   Spare spare;
+  bool spare_due = false;  // the last spare child has got a file, and no other has been forked
   int signals = -1;
   bool host = true;  // the host may still send requests
 };
@@ -86,6 +88,7 @@ void say_hello() {
 
 /// Forks a spare child. Returns errno or 0.
 int make_spare() {
+  g_server.spare_due = false;
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return errno;
   FileDescriptor ours(ends[0]);
@@ -121,6 +124,7 @@ int start_job(const WorkerRequest& request, FileDescriptor& control, const int* 
     if (sent == Stream::kDone) {
       g_server.jobs[g_server.count++] = {g_server.spare.pid, std::exchange(control.fd, -1), end_of(request)};
       drop_spare();
+      g_server.spare_due = true;
       return 0;
     }
     drop_spare();
@@ -140,7 +144,6 @@ void read_request() {
     tell(control, started);
     handed[1].reset();
     handed[2].reset();
-    if (started.error == 0) (void)make_spare();
   } else if (handed[0].fd < 0) {
     g_server.host = false;  // closed, or not a host of this version
   }
@@ -171,25 +174,49 @@ void reap() {
   }
 }
 
-/// Waits for something to do. Returns the number of jobs that were polled.
-int wait_for_events() {
+/// Result of a wait.
+struct Events {
+  int polled;   // number of jobs
+  bool silent;  // a timeout has passed
+};
+
+Events wait_for_events() {
   const Clock::time_point now = Clock::now();
-  int64_t timeout = -1;
+  int64_t timeout = g_server.spare_due ? kSpareDelay : -1;
   g_polls[0] = {g_server.host ? kHost : -1, POLLIN, 0};
   g_polls[1] = {g_server.signals, POLLIN, 0};
   for (int i = 0; i < g_server.count; ++i) {
     const Job& job = g_server.jobs[i];
-    g_polls[2 + i] = {job.control, 0, 0};  // reports the end of the connection alone
+    g_polls[2 + i] = {job.control, POLLIN, 0};
     if (job.control < 0) continue;
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(job.end - now).count();
     const int64_t wait = std::clamp<int64_t>(left + 1, 0, 1 << 30);
     timeout = timeout < 0 ? wait : std::min(timeout, wait);
   }
   const int polled = g_server.count;
-  if (::poll(g_polls, static_cast<nfds_t>(2 + polled), static_cast<int>(timeout)) < 0) {
+  const int ready = ::poll(g_polls, static_cast<nfds_t>(2 + polled), static_cast<int>(timeout));
+  if (ready < 0) {
     for (int i = 0; i < 2 + polled; ++i) g_polls[i].revents = 0;
   }
-  return polled;
+  return {polled, ready == 0};
+}
+
+/// Kills the jobs that are late or whose host has gone. Returns whether a host waits for a child.
+bool check_jobs(int polled) {
+  const Clock::time_point now = Clock::now();
+  bool waits = false;
+  for (int i = 0; i < polled; ++i) {
+    Job& job = g_server.jobs[i];
+    if (job.control < 0) continue;
+    WorkerWaits message;
+    const short events = g_polls[2 + i].revents;
+    if ((events & ~POLLIN) != 0 || now >= job.end) {
+      kill_job(job);
+    } else if (events != 0) {
+      waits = ::recv(job.control, &message, sizeof message, MSG_DONTWAIT) == sizeof message || waits;
+    }
+  }
+  return waits;
 }
 
 }  // namespace
@@ -205,14 +232,14 @@ int serve() {
   (void)make_spare();
   say_hello();
   while (g_server.host || g_server.count > 0) {
-    const int polled = wait_for_events();
-    const Clock::time_point now = Clock::now();
-    for (int i = 0; i < polled; ++i) {
-      Job& job = g_server.jobs[i];
-      if (job.control >= 0 && (g_polls[2 + i].revents != 0 || now >= job.end)) kill_job(job);
+    const Events events = wait_for_events();
+    bool may_fork = check_jobs(events.polled) || events.silent;
+    if (g_polls[1].revents) {
+      reap();
+      may_fork = true;
     }
-    if (g_polls[1].revents) reap();
     if (g_polls[0].revents) read_request();
+    if (may_fork && g_server.spare_due && g_server.host) (void)make_spare();
   }
   return 0;
 }

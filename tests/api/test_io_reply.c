@@ -19,7 +19,16 @@ struct reply_case {
 
 static const struct reply_case k_cases[] = {
     {"good", SHD_OK, ""},
-    {"long", SHD_OK, ""}, /* more pixels than announced */
+    {"long", SHD_ERROR_CORRUPT, "the decoder sent too many pixels"},
+    {"huge_piece", SHD_ERROR_CORRUPT, "the decoder sent too many pixels"},
+    {"few", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
+    {"no_final", SHD_ERROR_CORRUPT, "the decoder died on the file (signal 9)"},
+    {"final_magic", SHD_ERROR_CORRUPT, "the decoder sent a wrong reply"},
+    {"final_refuses", SHD_ERROR_CORRUPT, "row 3 is damaged"},
+    {"final_turned", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
+    {"final_format", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
+    {"final_grows", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
+    {"final_info", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},
     {"color_space", SHD_OK, ""},
     {"reply_magic", SHD_ERROR_CORRUPT, "the decoder sent a wrong reply"},
     {"code", SHD_ERROR_CORRUPT, "the decoder sent a wrong reply"},
@@ -28,6 +37,8 @@ static const struct reply_case k_cases[] = {
     {"zero", SHD_ERROR_CORRUPT, "image of 0 x 4 pixels"},
     {"wide", SHD_ERROR_LIMIT, "image of 70000 x 4 pixels"},
     {"pixels", SHD_ERROR_LIMIT, "above load.max_pixels"},
+    {"no_level", SHD_ERROR_CORRUPT, "the decoder sent 0 mip levels"},
+    {"levels", SHD_ERROR_CORRUPT, "the decoder sent 2 mip levels"}, /* the load did not ask for levels */
     {"size", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"overflow", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"info_format", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},

@@ -39,13 +39,17 @@ static void load_well(int sample)
 }
 
 /* Waits until the worker has its spare child and no other, no zombie, and only the descriptors that it always has: the
- * socket of the host, /dev/null twice, signals and the socket of the spare child. */
+ * socket of the host, /dev/null twice, signals and the socket of the spare child. The spare child has its end of that
+ * socket and /dev/null twice; a child that still ends has others. */
 static io_worker settle(void)
 {
     const double end = io_seconds() + 10;
     io_worker worker = io_await_worker(g_worker, 1);
-    while (io_count_descriptors(worker.server) != 5) {
-        if (io_seconds() > end) fail_msg("%d descriptors", io_count_descriptors(worker.server));
+    while (io_count_descriptors(worker.server) != 5 || io_count_descriptors(worker.children[0]) != 3) {
+        if (io_seconds() > end) {
+            fail_msg("%d and %d descriptors", io_count_descriptors(worker.server),
+                     io_count_descriptors(worker.children[0]));
+        }
         io_sleep(0.01);
         worker = io_await_worker(g_worker, 1);
     }

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/packet.h"
@@ -38,6 +39,7 @@ WorkerReply make_reply(const std::string &mode)
     reply.format = mode == "format" ? 77u : uint32_t{SHD_FORMAT_RGBA8};
     reply.width = mode == "zero" ? 0 : mode == "wide" ? 70000 : mode == "pixels" ? 60000 : 5;
     reply.height = mode == "pixels" ? 60000 : 4;
+    reply.level_count = mode == "no_level" ? 0 : mode == "levels" ? 2 : 1;
     reply.size = mode == "size" ? 81 : mode == "overflow" ? ~uint64_t{0} : 80;
     reply.info.file_format = static_cast<shd_file_format>(mode == "info_format" ? 3 : SHD_FILE_FORMAT_PNG);
     reply.info.flags = mode == "info_flags" ? 1u << 30 : 0;
@@ -45,6 +47,38 @@ WorkerReply make_reply(const std::string &mode)
     std::memset(reply.color_space, mode == "color_space" ? 7 : 0, sizeof reply.color_space);
     std::memset(reply.message, mode == "text" ? 0x1b : 0, sizeof reply.message);
     return reply;
+}
+
+/// Sends pieces of `size` bytes in total, each behind its announced size.
+void send_pixels(const std::string &mode, int pipe)
+{
+    const bool drips = mode == "drips";
+    const std::vector<char> pixels(mode == "short" ? 79 : mode == "few" ? 40 : mode == "long" ? 96 : 80, 'x');
+    for (size_t at = 0; at < pixels.size();) {
+        const size_t size = drips ? 1 : mode == "short" ? 79 : 8;
+        const uint64_t announced = mode == "short" ? 80 : mode == "huge_piece" ? ~uint64_t{0} : size;
+        send_bytes(pipe, &announced, sizeof announced);
+        send_bytes(pipe, pixels.data() + at, size);
+        at += size;
+        if (drips) (void)::usleep(50000);
+    }
+}
+
+/// Ends the pixels, and sends the final reply.
+void send_final(const std::string &mode, int pipe, WorkerReply reply)
+{
+    const uint64_t end = 0;
+    send_bytes(pipe, &end, sizeof end);
+    if (mode == "final_magic") reply.magic = 7;
+    if (mode == "final_refuses") {
+        reply.code = SHD_ERROR_CORRUPT;
+        std::strcpy(reply.message, "row 3 is damaged");
+    }
+    if (mode == "final_turned") std::swap(reply.width, reply.height);
+    if (mode == "final_format") reply.format = SHD_FORMAT_RGBA8_SRGB;
+    if (mode == "final_grows") reply.size = 160, reply.height = 8;
+    if (mode == "final_info") reply.info.flags = 1u << 30;
+    send_bytes(pipe, &reply, sizeof reply);
 }
 
 /// Answers one request. Returns false if the worker shall end.
@@ -63,17 +97,12 @@ void answer(const std::string &mode, FileDescriptor &control, FileDescriptor &da
         return;
     }
     const WorkerReply reply = make_reply(mode);
-    const std::vector<char> pixels(mode == "short" ? 79 : mode == "long" ? 8000 : 80, 'x');
     send_bytes(data.fd, &reply, mode == "cut" ? sizeof reply - 1 : sizeof reply);
-    if (mode == "drips") {
-        for (const char pixel : pixels) {
-            send_bytes(data.fd, &pixel, 1);
-            (void)::usleep(50000);
-        }
-    }
-    if (mode != "cut") send_bytes(data.fd, pixels.data(), pixels.size());
+    if (mode != "cut") send_pixels(mode, data.fd);
+    if (mode != "cut" && mode != "short" && mode != "no_final") send_final(mode, data.fd, reply);
     const WorkerEnded ended = {9};
-    if (mode == "short" || mode == "cut") (void)send_packet(control.fd, &ended, sizeof ended, nullptr, 0, kLong);
+    if (mode == "short" || mode == "cut" || mode == "no_final")
+        (void)send_packet(control.fd, &ended, sizeof ended, nullptr, 0, kLong);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "abi/io/common.h"
 #include "io/io.h"
 #include "io/isolate.h"
+#include "io/levels.h"
 #include "io/load.h"
 #include "io/printable.h"
 #include "io/read_file.h"
@@ -19,6 +20,7 @@ using namespace shd;
 using namespace shd::extension;
 
 constexpr uint32_t kBitmapType = 0x424d4150;  // 'BMAP'
+constexpr uint32_t kMaxLevels = 16;           // below a base of io::kMaxSide
 
 /// Body of a shd_bitmap, in memory of its context.
 struct BitmapBody {
@@ -75,7 +77,8 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   read_desc("load", in, &desc);
   constexpr uint32_t kFormats = 0x1fff | SHD_FILE_FORMAT_ANY;
   require_flags("load.formats", desc.formats, kFormats);
-  require_flags("load.flags", desc.flags, SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V);
+  require_flags("load.flags", desc.flags,
+                SHD_LOAD_IN_PROCESS | SHD_LOAD_PARTIAL | SHD_LOAD_FLIP_V | SHD_LOAD_FILE_LEVELS);
   if (static_cast<uint32_t>(desc.color_space) > SHD_COLOR_ENCODING_DATA) {
     refuse(SHD_ERROR_INVALID_ARGUMENT, "load.color_space: %d is not a shd_color_encoding",
            static_cast<int>(desc.color_space));
@@ -96,6 +99,22 @@ LoadRequest read_load_desc(const shd_load_desc* in) {
   return request;
 }
 
+/// A load desc of a bitmap, which has the base level alone.
+LoadRequest read_bitmap_load(const shd_load_desc* in) {
+  LoadRequest request = read_load_desc(in);
+  request.options.flags &= ~uint32_t{SHD_LOAD_FILE_LEVELS};
+  return request;
+}
+
+LoadRequest read_texture_load(const shd_load_desc* in) {
+  const LoadRequest request = read_load_desc(in);
+  if ((request.desc.flags & SHD_LOAD_FILE_LEVELS) && !(request.desc.tables & SHD_TABLE_MIPMAP)) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "load.flags: SHD_LOAD_FILE_LEVELS, but load.tables 0x%x has no SHD_TABLE_MIPMAP",
+           request.desc.tables);
+  }
+  return request;
+}
+
 bool in_process(const LoadRequest& request) {
   return (request.desc.flags & SHD_LOAD_IN_PROCESS) != 0;
 }
@@ -111,7 +130,7 @@ io::Bitmap load_path(shd_context* context, const char* path, const LoadRequest& 
       return io::load_isolated(request.desc.worker_path, source, request.options, memory, deadline);
     }
     const io::Buffer bytes = io::read_bytes(file.file.fd, file.size, memory);
-    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline);
+    return io::load(bytes.data(), bytes.size(), request.options, memory, deadline, nullptr);
   } catch (const Failure& failure) {
     refuse(failure.code, "\"%s\": %s", io::printable(path).c_str(), failure.what());
   }
@@ -134,17 +153,17 @@ io::Bitmap load_copy(shd_context* context, const void* bytes, size_t size, const
   }
   const io::Buffer copy(memory, size);
   std::memcpy(copy.data(), data, size);
-  return io::load(copy.data(), size, request.options, memory, deadline);
+  return io::load(copy.data(), size, request.options, memory, deadline, nullptr);
 }
 
-/// Texels of a bitmap whose numbers no texture format means, linear.
+/// Texels of all levels of a bitmap whose numbers no texture format means, linear.
 io::Buffer linear_texels(const io::Bitmap& bitmap, const io::Memory& memory) {
   const io::Transfer transfer = io::transfer_of(bitmap.color_space);
   if (transfer.curve == io::Curve::kUnknown) {
     refuse(SHD_ERROR_UNSUPPORTED, "colour space \"%s\" of the file is not known: set load.color_space",
            bitmap.color_space);
   }
-  const size_t pixels = size_t{bitmap.width} * bitmap.height;
+  const auto pixels = static_cast<size_t>(io::level_pixels(bitmap.width, bitmap.height, bitmap.level_count));
   const bool as_stored = transfer.curve == io::Curve::kLinear && bitmap.format != SHD_FORMAT_RGBA16;
   if (as_stored || bitmap.format == SHD_FORMAT_RGBA8_SRGB) return io::Buffer();
   io::Buffer texels(memory, pixels * 16);
@@ -160,6 +179,19 @@ shd_result make_texture(shd_context* context, const io::Bitmap& bitmap, uint32_t
   texture.height = bitmap.height;
   texture.texels = linear.size() ? linear.data() : bitmap.pixels.data();
   texture.tables = tables;
+  shd_image levels[kMaxLevels];
+  texture.level_count = bitmap.level_count - 1;
+  texture.levels = bitmap.level_count > 1 ? levels : nullptr;
+  const size_t pixel = shd_format_size(texture.format);
+  const auto* next = static_cast<const unsigned char*>(texture.texels);
+  for (uint32_t l = 1; l < bitmap.level_count; ++l) {
+    next += pixel * io::level_side(bitmap.width, l - 1) * io::level_side(bitmap.height, l - 1);
+    shd_image& level = levels[l - 1] = shd_image_default();
+    level.format = texture.format;
+    level.width = io::level_side(bitmap.width, l);
+    level.height = io::level_side(bitmap.height, l);
+    level.pixels = const_cast<unsigned char*>(next);
+  }
   return shd_texture_create(context, &texture, out_texture);
 }
 
@@ -172,7 +204,7 @@ shd_result shd_bitmap_load(shd_context* context, const char* path, const shd_loa
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
-    *out_bitmap = make_bitmap(context, load_path(context, path, read_load_desc(desc)));
+    *out_bitmap = make_bitmap(context, load_path(context, path, read_bitmap_load(desc)));
     return SHD_OK;
   });
 }
@@ -183,7 +215,7 @@ shd_result shd_bitmap_load_memory(shd_context* context, const void* bytes, size_
     if (!out_bitmap) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_bitmap: NULL");
     *out_bitmap = nullptr;
     require_context(context);
-    *out_bitmap = make_bitmap(context, load_copy(context, bytes, size, read_load_desc(desc)));
+    *out_bitmap = make_bitmap(context, load_copy(context, bytes, size, read_bitmap_load(desc)));
     return SHD_OK;
   });
 }
@@ -229,7 +261,7 @@ shd_result shd_texture_load(shd_context* context, const char* path, const shd_lo
     if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
     *out_texture = nullptr;
     require_context(context);
-    const LoadRequest request = read_load_desc(desc);
+    const LoadRequest request = read_texture_load(desc);
     return make_texture(context, load_path(context, path, request), request.desc.tables, out_texture);
   });
 }
@@ -240,7 +272,7 @@ shd_result shd_texture_load_memory(shd_context* context, const void* bytes, size
     if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
     *out_texture = nullptr;
     require_context(context);
-    const LoadRequest request = read_load_desc(desc);
+    const LoadRequest request = read_texture_load(desc);
     return make_texture(context, load_copy(context, bytes, size, request), request.desc.tables, out_texture);
   });
 }
