@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kEdge = 64;
 constexpr size_t kCounts[] = {1, 4, 16, 64};
-constexpr size_t kLookups = 4096;  // of each pass
+constexpr size_t kLookups = 4096;  // in one pass
 
 bool is_measured(const Filter& filter) {
   switch (filter.filter) {
