@@ -61,6 +61,7 @@ Surface
   --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern, "none"
   --filter F            nearest, bilinear, trilinear, bicubic, nearest-mip, bilinear-mip, ripmap, summed-area,
                         anisotropic, ewa, stochastic, exact (default trilinear)
+  --lod-bias B          added to the level of detail: below 0 sharper, above 0 smoother (default 0)
   --uv-scale S          textures S times as often
   --normal-map FILE     tangent-space normals on everything, instead of the model's
   --keep-roughness K    what its mip levels do about bumps that they lose: none, toksvig, lean (default none)

@@ -31,6 +31,7 @@ void grow(Box& box, const float* m, const float* p) {
 Scene load_scene(shd_context* context, const Options& options) {
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = options.filter;
+  sampler.lod_bias = options.lod_bias;
   shd_load_desc texture = shd_load_desc_default();
   texture.tables = tables_of(options.filter);
   shd_scene_desc desc = shd_scene_desc_default();

@@ -289,6 +289,7 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   if (name == "--metallic") return out.metallic = read_number(name, value, 0, 1, "a number 0..1"), true;
   if (name == "--roughness") return out.roughness = read_number(name, value, 0, 1, "a number 0..1"), true;
   if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
+  if (name == "--lod-bias") return out.lod_bias = read_number(name, value, -15, 15, "a number -15..15"), true;
   if (name == "--texture") return out.texture = value, true;
   if (name == "--uv-scale") return out.uv_scale = read_scale(name, value), true;
   if (name == "--normal-map") return out.normal_map = value, true;

@@ -36,6 +36,7 @@ struct Options {
   std::optional<uint32_t> camera;            // number of a camera of the file; replaces the fields above
   uint32_t turntable = 0;                    // pictures once around; 0 = one picture
   shd_filter filter = SHD_FILTER_TRILINEAR;
+  float lod_bias = 0.0f;
   shd_debug_view debug_view = SHD_DEBUG_VIEW_NONE;
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;

@@ -93,6 +93,8 @@ other --lights course -- --lights studio
 same --lamps 64 --threads 1 --simd baseline -- --lamps 64 --threads 3
 same --texture checker --uv-scale 1 -- --texture checker
 other --texture checker --uv-scale 2 -- --texture checker
+other --texture checker --uv-scale 20 -- --texture checker --uv-scale 20 --lod-bias -2
+same --texture checker --lod-bias 0 -- --texture checker
 same --shape sphere -- --shape sphere --height checker
 same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0
 for form in gradient texel; do other --shape sphere -- --shape sphere --height checker --bump $form --bump-scale 0.2; done
