@@ -122,8 +122,8 @@ typedef enum shd_normal_encoding {
      *   Efficient Computation of Posterior Distributions", 1982): the sum of the lobes of four normals along the longer
      *   axis of S. Normals and weights suit the Gaussian of slopes times a Gaussian around h with the precision
      *   2 (0.2 + r^2) / (1 + r^2) / alpha^2, r = s / (6 alpha^2) for the larger variance s of S.
-     * GOOCH and TOON use the mean normal only. SHD_FILTER_EWA with a lod_bias of -0.5 to -0.25 is closest to shading many
-     * samples a pixel: its default footprint is wider than a pixel
+     * GOOCH and TOON use the mean normal only. SHD_FILTER_EWA with a lod_bias of -0.5 to -0.25 is closest to shading
+     * many samples a pixel: its default footprint is wider than a pixel
      */
     SHD_NORMAL_ENCODING_MOMENTS = 3,
     SHD_NORMAL_ENCODING_MAX_ENUM = 0x7fffffff
