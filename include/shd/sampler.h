@@ -146,6 +146,26 @@ typedef enum shd_profile {
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
 } shd_profile;
 
+/** Arithmetic of lookups: exact to the last bits, or fast. Both give the same bits on every SIMD target. */
+typedef enum shd_precision {
+    /** Weights and sums are binary32 floats. */
+    SHD_PRECISION_FULL = 0,
+    /**
+     * Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
+     * SHD_PRECISION_FULL, an eighth of a step of 8 bits, and usually within 2^-13. Where all texels are equal, the
+     * values are equal to the last bit. Places, levels of detail and probes are the same.
+     *
+     * It applies to 8-bit formats, unorm and sRGB, of one to four channels, with the filters BILINEAR, BILINEAR_MIP,
+     * TRILINEAR and ANISOTROPIC with SHD_PROBE_WEIGHTS_EQUAL, and every wrap but SHD_WRAP_BORDER. Other lookups,
+     * derivatives of values and shd_texture_explain() use SHD_PRECISION_FULL.
+     *
+     * Choose it for pictures of 8 bits, and where lookups take most of the time. Choose SHD_PRECISION_FULL for values
+     * that later steps amplify, such as heights, and for measurements.
+     */
+    SHD_PRECISION_FAST = 1,
+    SHD_PRECISION_MAX_ENUM = 0x7fffffff
+} shd_precision;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -176,7 +196,8 @@ typedef struct shd_sampler_desc {
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter stochastic_filter;
-    uint32_t seed; /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
+    uint32_t seed;           /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
+    shd_precision precision; /**< default SHD_PRECISION_FULL */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

@@ -25,6 +25,7 @@
 
 #include "texture/explain/record.h"
 #include "texture/footprint/block.h"
+#include "texture/format/fixed.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -112,6 +113,7 @@ struct FormatKernels {
   Consume values;    // values, for samplers without border colour
   Consume bordered;  // values, for samplers whose lookups may read the border colour
   Consume gradient;  // derivatives in u and v
+  FixedKernels fixed;  // values in fixed point; null if the format has none
 };
 
 /// Arguments of a filter: one batch of lookups and the consumers of the format.
@@ -135,6 +137,7 @@ using RunFilter = size_t (*)(const FilterCall& call);
 struct Kernels {
   RunFilter run;
   RunFilter fused;  // null, or filter and format compiled together for values without border (fused.cpp)
+  RunFilter fixed;  // null, or the filter in fixed point, for values without border (fixed.cpp)
   FormatKernels format;
   Consume record;
 };

@@ -140,6 +140,7 @@ struct Sampler {
   float tolerance;
   shd_profile profile;
   bool rounded_weights;  // weights of bilinear lookups are rounded to 8 bits
+  shd_precision precision;
 };
 
 /// Copies a sampler and removes width and blur from the copy.
