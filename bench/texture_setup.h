@@ -27,8 +27,8 @@ struct Filter {
 /// A row of a filter of kFilters with SHD_PRECISION_FAST.
 constexpr Filter fast(const char* name, shd_filter filter, bool reads_derivatives, const char* peer_row,
                       PeerFilter peer, bool on_all_formats) {
-  return {name, filter, SHD_TABLE_MIPMAP, reads_derivatives, peer_row, peer, 1, on_all_formats, SHD_FILTER_TRILINEAR,
-          SHD_BOX_BOUNDING, SHD_PROFILE_EXACT, SHD_PRECISION_FAST};
+  return {name, filter,         SHD_TABLE_MIPMAP,     reads_derivatives, peer_row,          peer,
+          1,    on_all_formats, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING,  SHD_PROFILE_EXACT, SHD_PRECISION_FAST};
 }
 
 constexpr Filter kFilters[] = {

@@ -146,21 +146,20 @@ typedef enum shd_profile {
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
 } shd_profile;
 
-/** Arithmetic of lookups: exact to the last bits, or fast. Both give the same bits on every SIMD target. */
+/** Arithmetic of lookups. Each has the same bits on every SIMD target. */
 typedef enum shd_precision {
-    /** Weights and sums are binary32 floats. */
-    SHD_PRECISION_FULL = 0,
+    SHD_PRECISION_FULL = 0, /**< weights and sums are binary32 floats */
     /**
      * Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
-     * SHD_PRECISION_FULL, an eighth of a step of 8 bits, and usually within 2^-13. Where all texels are equal, the
-     * values are equal to the last bit. Places, levels of detail and probes are the same.
+     * SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
+     * of detail and probes are the same.
      *
-     * It applies to 8-bit formats, unorm and sRGB, of one to four channels, with the filters BILINEAR, BILINEAR_MIP,
-     * TRILINEAR and ANISOTROPIC with SHD_PROBE_WEIGHTS_EQUAL, and every wrap but SHD_WRAP_BORDER. Other lookups,
-     * derivatives of values and shd_texture_explain() use SHD_PRECISION_FULL.
+     * It applies to 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP, TRILINEAR and
+     * ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other lookups,
+     * derivatives of values, and shd_texture_explain() have SHD_PRECISION_FULL.
      *
-     * Choose it for pictures of 8 bits, and where lookups take most of the time. Choose SHD_PRECISION_FULL for values
-     * that later steps amplify, such as heights, and for measurements.
+     * Choose it for pictures of 8 bits. Keep SHD_PRECISION_FULL for measurements, and for values whose differences
+     * matter, such as heights and normals.
      */
     SHD_PRECISION_FAST = 1,
     SHD_PRECISION_MAX_ENUM = 0x7fffffff

@@ -10,9 +10,6 @@ namespace shd::image {
 /// Linear value of every 8-bit sRGB code: IEC 61966-2-1 at c / 255, correctly rounded.
 extern const float kSrgb8ToLinear[256];
 
-/// The same in units of 1 / 32767, rounded to nearest. No two are equal.
-extern const uint16_t kSrgb8ToLinear15[256];
-
 /// [k] = smallest float that encodes to at least k, for k = 0..255; the last entry is above all floats. An entry is the
 /// inverse of the encoding curve at code k - 1/2, solved exactly and rounded up. No float lies exactly on such a tie.
 extern const float kLinearToSrgb8Threshold[257];

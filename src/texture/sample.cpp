@@ -16,8 +16,8 @@
 
 #include "texture/explain/record-inl.h"
 #include "texture/filter/filters-inl.h"
-#include "texture/format/formats-inl.h"
 #include "texture/fixed-inl.h"
+#include "texture/format/formats-inl.h"
 #include "texture/fused-inl.h"
 
 HWY_BEFORE_NAMESPACE();

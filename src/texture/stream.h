@@ -25,7 +25,6 @@
 
 #include "texture/explain/record.h"
 #include "texture/footprint/block.h"
-#include "texture/format/fixed.h"
 #include "texture/texture.h"
 
 namespace shd::texture {
@@ -108,12 +107,22 @@ struct Consumption {
 /// Consumes elements 0..end - 1.
 using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
+struct FixedVector;
+
+/// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
+struct FixedKernels {
+  /// Adds the quads of vectors of lookups to their sums.
+  void (*sum)(const TexelSource& source, FixedVector* vectors, size_t count);
+  /// Writes the channels of vectors of lookups, nothing from lookup `end` on.
+  void (*store)(const FixedVector* vectors, size_t count, size_t end, const Texels& out);
+};
+
 /// The consumers of one format on one target.
 struct FormatKernels {
-  Consume values;    // values, for samplers without border colour
-  Consume bordered;  // values, for samplers whose lookups may read the border colour
-  Consume gradient;  // derivatives in u and v
-  FixedKernels fixed;  // values in fixed point; null if the format has none
+  Consume values;      // values, for samplers without border colour
+  Consume bordered;    // values, for samplers whose lookups may read the border colour
+  Consume gradient;    // derivatives in u and v
+  FixedKernels fixed;  // values in fixed point
 };
 
 /// Arguments of a filter: one batch of lookups and the consumers of the format.

@@ -35,46 +35,20 @@ inline FixedAxis fixed_axis(shd_wrap wrap, float reduced, int64_t size) {
   return {wrap_index(rest, i, size), wrap_index(rest, i + 1, size), s};
 }
 
-/// Integer value of a channel of a texel.
-inline int64_t fixed_value(shd_format format, const uint8_t* texel, int c) {
-  if (layout(format).component == Layout::kUnorm8) return texel[c];
-  return c == 3 ? texel[c] * 128 : llround(srgb_to_linear(texel[c] / 255.0) * 32767);
-}
-
-/// Sum of the quads of one level, and the codes that went into it.
-struct FixedSum {
-  int64_t sum = 0;
-  int code = -1;  // code of the first texel
-  bool equal = true;
-
-  void see(int of_texel) {
-    if (code < 0) code = of_texel;
-    equal = equal && code == of_texel;
-  }
-};
-
-inline void add_quad(const Image& image, int level, float u, float v, int c, FixedSum* sum) {
+/// Adds the weighted codes of the four texels around a place.
+inline void add_quad(const Image& image, int level, float u, float v, int c, int64_t* sum) {
   const Level& l = image.levels[level];
   const FixedAxis x = fixed_axis(image.sampler->wrap_u, u, l.width), y = fixed_axis(image.sampler->wrap_v, v, l.height);
   const int64_t w11 = (x.s * y.s + kFixedOne / 2) / kFixedOne;
   const int64_t w10 = x.s - w11, w01 = y.s - w11, w00 = kFixedOne - x.s - y.s + w11;
   const auto size = static_cast<int64_t>(shd_format_size(image.format));
   const auto texel = [&](int64_t i, int64_t j) { return l.texels + (j * l.width + i) * size; };
-  const uint8_t *t00 = texel(x.i0, y.i0), *t10 = texel(x.i1, y.i0), *t01 = texel(x.i0, y.i1), *t11 = texel(x.i1, y.i1);
-  const auto value = [&](const uint8_t* t) { return fixed_value(image.format, t, c); };
-  const int64_t quad = w00 * value(t00) + w10 * value(t10) + w01 * value(t01) + w11 * value(t11);
-  const bool srgb = layout(image.format).component == Layout::kSrgb8;
-  sum->sum += srgb ? (quad + 32) >> 6 : quad;
-  sum->see(t00[c]);
-  sum->see(t01[c]);
-  if (w10 != 0 || w11 != 0) {
-    sum->see(t10[c]);
-    sum->see(t11[c]);
-  }
+  *sum +=
+      w00 * texel(x.i0, y.i0)[c] + w10 * texel(x.i1, y.i0)[c] + w01 * texel(x.i0, y.i1)[c] + w11 * texel(x.i1, y.i1)[c];
 }
 
 /// Sum over the probes of one level.
-inline FixedSum fixed_sum(const Image& image, const FixedPoint& p, int level, int c) {
+inline int64_t fixed_sum(const Image& image, const FixedPoint& p, int level, int c) {
   const shd_sampler_desc& s = *image.sampler;
   const auto probe = [&](shd_wrap wrap, float centre, float step, int k) {
     if (p.probes == 1) return centre;
@@ -82,7 +56,7 @@ inline FixedSum fixed_sum(const Image& image, const FixedPoint& p, int level, in
     const float x = centre + static_cast<float>(2 * k + 1 - p.probes) * distance;
     return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - floorf(x) : x;
   };
-  FixedSum sum;
+  int64_t sum = 0;
   for (int k = 0; k < p.probes; ++k) {
     add_quad(image, level, probe(s.wrap_u, p.u, p.step_u, k), probe(s.wrap_v, p.v, p.step_v, k), c, &sum);
   }
@@ -105,19 +79,9 @@ inline float fixed_value(const Image& image, const FixedPoint& p, bool blended, 
   const int high = static_cast<int>(floorf(p.lod));
   const int low = high + 1 < image.level_count ? high + 1 : image.level_count - 1;
   const float fraction = blended ? p.lod - floorf(p.lod) : 0.0f;
-  const FixedSum a = fixed_sum(image, p, high, c);
-  auto value = static_cast<float>(a.sum);
-  bool equal = a.equal;
-  if (fraction != 0.0f) {
-    const FixedSum b = fixed_sum(image, p, low, c);
-    value = value + fraction * (static_cast<float>(b.sum) - value);
-    equal = equal && b.equal && a.code == b.code;
-  }
-  const auto probes = static_cast<float>(p.probes);
-  if (layout(image.format).component == Layout::kUnorm8) return fixed_quotient(value, probes * (255.0f * 8192.0f));
-  if (c == 3) return fixed_quotient(value, probes * (255.0f * 128.0f * 128.0f));
-  if (equal) return static_cast<float>(srgb_to_linear(a.code / 255.0));
-  return value * (1.0f / (probes * (32767.0f * 128.0f)));
+  auto value = static_cast<float>(fixed_sum(image, p, high, c));
+  if (fraction != 0.0f) value = value + fraction * (static_cast<float>(fixed_sum(image, p, low, c)) - value);
+  return fixed_quotient(value, static_cast<float>(p.probes) * (255.0f * 8192.0f));
 }
 
 }  // namespace ref

@@ -3,7 +3,6 @@
 // SHD_PRECISION_FULL; equal texels; what falls back to SHD_PRECISION_FULL.
 #include "filter_cases.h"
 
-#include "image/srgb.h"
 #include "ref/fixed_ref.h"
 #include "texture/footprint/lod.h"
 #include "texture/footprint/probes.h"
@@ -12,8 +11,7 @@ namespace {
 
 using namespace fixture;
 
-constexpr shd_format kFixedFormats[] = {SHD_FORMAT_R8,      SHD_FORMAT_RG8,      SHD_FORMAT_RGBA8,
-                                        SHD_FORMAT_R8_SRGB, SHD_FORMAT_RG8_SRGB, SHD_FORMAT_RGBA8_SRGB};
+constexpr shd_format kFixedFormats[] = {SHD_FORMAT_R8, SHD_FORMAT_RG8, SHD_FORMAT_RGBA8};
 constexpr shd_filter kFixedFilters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
                                         SHD_FILTER_ANISOTROPIC};
 constexpr shd_wrap kFixedWraps[] = {SHD_WRAP_REPEAT, SHD_WRAP_CLAMP, SHD_WRAP_MIRROR, SHD_WRAP_MIRROR_ONCE};
@@ -114,7 +112,7 @@ void test_size(void** state) {
 
 /// Derivatives of every size, to infinity, and up to 64 probes.
 void test_hostile(void**) {
-  for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RGBA8_SRGB}) {
+  for (const shd_format format : {SHD_FORMAT_RGBA8, SHD_FORMAT_RG8}) {
     Texture* texture = random_texture(format, 61, 37, true);
     make_hostile_points(&t_fast);
     for (uint32_t pair = 0; pair < 16; ++pair) {
@@ -135,19 +133,17 @@ void test_bound(void**) {
   constexpr uint32_t kWidth = 65536, kHeight = 4;
   auto* texels = static_cast<uint8_t*>(malloc(size_t{kWidth} * kHeight));
   for (size_t i = 0; i < size_t{kWidth} * kHeight; ++i) texels[i] = (i + i / kWidth) % 2 ? 255 : 0;
-  for (const shd_format format : {SHD_FORMAT_R8, SHD_FORMAT_R8_SRGB}) {
-    Texture* texture = make_texture(format, kWidth, kHeight, texels, true);
-    make_hostile_points(&t_fast);
-    Random random{77};
-    for (size_t i = 0; i < t_fast.count; ++i) {
-      t_fast.u[i] = random.real(0, 1);
-      t_fast.v[i] = random.real(-1, 2);
-    }
-    for (uint32_t pair = 0; pair < 16; ++pair) {
-      for (const shd_filter filter : kFixedFilters) check_fast("bound", *texture, fast_desc(filter, pair), false);
-    }
-    free_texture(texture);
+  Texture* texture = make_texture(SHD_FORMAT_R8, kWidth, kHeight, texels, true);
+  make_hostile_points(&t_fast);
+  Random random{77};
+  for (size_t i = 0; i < t_fast.count; ++i) {
+    t_fast.u[i] = random.real(0, 1);
+    t_fast.v[i] = random.real(-1, 2);
   }
+  for (uint32_t pair = 0; pair < 16; ++pair) {
+    for (const shd_filter filter : kFixedFilters) check_fast("bound", *texture, fast_desc(filter, pair), false);
+  }
+  free_texture(texture);
   free(texels);
 }
 
@@ -278,12 +274,12 @@ bool same_bits(const Texture& texture, const shd_sampler_desc& desc) {
   return memcmp(t_fast.out, t_full.out, sizeof t_fast.out) == 0;
 }
 
-/// What is documented to use SHD_PRECISION_FULL has its bits, and fixed point is used everywhere else.
+/// Formats, filters and wraps without fixed point have the bits of SHD_PRECISION_FULL, and the others do not.
 void test_fallback(void**) {
   Texture* rgba8 = random_texture(SHD_FORMAT_RGBA8, 64, 32, true);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 64, 32, true);
-    const bool bytes = shd::image::format_info(format).channel_size == 1;
+    const bool bytes = shd::image::format_info(format).component == Component::kUnorm8;
     for (const shd_filter filter : kFixedFilters) assert_int_equal(same_bits(*texture, fast_desc(filter, 0)), !bytes);
     free_texture(texture);
   }
@@ -321,8 +317,8 @@ void test_gradient(void**) {
           out.du[c] = gradient[precision][0][c];
           out.dv[c] = gradient[precision][1][c];
         }
-        const size_t nonfinite = shd::texture::sample(
-            *texture, make_sampler(precision == 0 ? desc : full_desc(desc)), simd, lookups, out);
+        const size_t nonfinite =
+            shd::texture::sample(*texture, make_sampler(precision == 0 ? desc : full_desc(desc)), simd, lookups, out);
         assert_int_equal(nonfinite, kNonfinitePoints);
       }
       assert_memory_equal(gradient[0], gradient[1], sizeof gradient[0]);
@@ -335,14 +331,6 @@ void test_gradient(void**) {
                                         shd::core::baseline_target(), t_fast.lookups(true, false), none),
                    kNonfinitePoints);
   free_texture(texture);
-}
-
-/// The table of 15-bit values.
-void test_table(void**) {
-  for (int code = 0; code < 256; ++code) {
-    assert_int_equal(shd::image::kSrgb8ToLinear15[code], lround(ref::srgb_to_linear(code / 255.0) * 32767));
-    if (code > 0) assert_true(shd::image::kSrgb8ToLinear15[code] > shd::image::kSrgb8ToLinear15[code - 1]);
-  }
 }
 
 }  // namespace
@@ -361,6 +349,5 @@ int main() {
   tests[n++] = {"profiles", test_profiles, nullptr, nullptr, nullptr};
   tests[n++] = {"fallback", test_fallback, nullptr, nullptr, nullptr};
   tests[n++] = {"gradient", test_gradient, nullptr, nullptr, nullptr};
-  tests[n++] = {"table", test_table, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.texture.fixed", tests, n, nullptr, nullptr);
 }
