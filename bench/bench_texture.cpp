@@ -108,6 +108,8 @@ void for_each_workload(Body body) {
 
 /// Whether a row is run. Slow and irrelevant rows are left out: all filters run on RGBA8 at the larger size.
 bool is_measured(const Filter& filter, const Format& format, uint32_t edge) {
+  const bool is_unorm8 = format.format == SHD_FORMAT_R8 || format.format == SHD_FORMAT_RGBA8;
+  if (filter.precision == SHD_PRECISION_FAST && !is_unorm8) return false;  // it would be SHD_PRECISION_FULL
   return filter.on_all_formats || (format.format == kRgba8.format && edge == kEdges[1]);
 }
 

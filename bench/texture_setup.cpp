@@ -39,6 +39,7 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   sampler.stochastic_filter = filter.stochastic_filter;
   sampler.box = filter.box;
   sampler.profile = filter.profile;
+  sampler.precision = filter.precision;
   check(shd_sampler_create(context_, &sampler, &sampler_));
   const std::vector<uint8_t> converted = convert(texels, format);
   shd_texture_desc texture = shd_texture_desc_default();

@@ -21,7 +21,15 @@ struct Filter {
   shd_filter stochastic_filter = SHD_FILTER_TRILINEAR;
   shd_box box = SHD_BOX_BOUNDING;
   shd_profile profile = SHD_PROFILE_EXACT;
+  shd_precision precision = SHD_PRECISION_FULL;
 };
+
+/// A row of a filter of kFilters with SHD_PRECISION_FAST.
+constexpr Filter fast(const char* name, shd_filter filter, bool reads_derivatives, const char* peer_row,
+                      PeerFilter peer, bool on_all_formats) {
+  return {name, filter,         SHD_TABLE_MIPMAP,     reads_derivatives, peer_row,          peer,
+          1,    on_all_formats, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING,  SHD_PROFILE_EXACT, SHD_PRECISION_FAST};
+}
 
 constexpr Filter kFilters[] = {
     {"nearest", SHD_FILTER_NEAREST, SHD_TABLE_MIPMAP, false, "nearest", PeerFilter::kNearest, 1, true},
@@ -46,6 +54,10 @@ constexpr Filter kFilters[] = {
      false, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_D3D11},
     {"anisotropic_oiio", SHD_FILTER_ANISOTROPIC, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1,
      false, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING, SHD_PROFILE_OIIO},
+    fast("bilinear_fast", SHD_FILTER_BILINEAR, false, "bilinear", PeerFilter::kBilinear, true),
+    fast("bilinear_mip_fast", SHD_FILTER_BILINEAR_MIP, true, "bilinear_mip", PeerFilter::kBilinearMip, false),
+    fast("trilinear_fast", SHD_FILTER_TRILINEAR, true, "trilinear", PeerFilter::kTrilinear, true),
+    fast("anisotropic_fast", SHD_FILTER_ANISOTROPIC, true, "anisotropic", PeerFilter::kAnisotropic16, true),
     {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
     {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,

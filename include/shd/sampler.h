@@ -146,6 +146,25 @@ typedef enum shd_profile {
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
 } shd_profile;
 
+/** Arithmetic of lookups. Each has the same bits on every SIMD target. */
+typedef enum shd_precision {
+    SHD_PRECISION_FULL = 0, /**< weights and sums are binary32 floats */
+    /**
+     * Weights of texels are integers of 13 bits, and texels are summed in integers. Values are within 2^-11 of
+     * SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
+     * of detail and probes are the same.
+     *
+     * It applies to 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP, TRILINEAR and
+     * ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other lookups,
+     * derivatives of values, and shd_texture_explain() have SHD_PRECISION_FULL.
+     *
+     * Choose it for pictures of 8 bits. Keep SHD_PRECISION_FULL for measurements, and for values whose differences
+     * matter, such as heights and normals.
+     */
+    SHD_PRECISION_FAST = 1,
+    SHD_PRECISION_MAX_ENUM = 0x7fffffff
+} shd_precision;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -176,7 +195,8 @@ typedef struct shd_sampler_desc {
      * default SHD_FILTER_TRILINEAR.
      */
     shd_filter stochastic_filter;
-    uint32_t seed; /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
+    uint32_t seed;           /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
+    shd_precision precision; /**< default SHD_PRECISION_FULL */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

@@ -58,6 +58,7 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
   SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_EXACT, SHD_PROFILE_OIIO));
+  SHD_TRY(check_enum("sampler.precision", desc.precision, SHD_PRECISION_FULL, SHD_PRECISION_FAST));
   SHD_TRY(check_stochastic_filter(desc.stochastic_filter));
   return check_stochastic_cubic(desc);
 }

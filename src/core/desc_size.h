@@ -44,7 +44,7 @@ SHD_SIZED(shd_image, pixels, row_stride, 32);
 SHD_SIZED(shd_texture_desc, texels, levels, 96);
 SHD_SIZED(shd_texture_info, height, byte_size, 40);
 SHD_SIZED(shd_mip_desc, content, alpha_cutoff, 28);
-SHD_SIZED(shd_sampler_desc, filter, seed, 96);
+SHD_SIZED(shd_sampler_desc, filter, precision, 100);
 SHD_SIZED(shd_lookups, v, random, 160);
 SHD_SIZED(shd_texels, channel, nonfinite_count, 208);
 SHD_SIZED(shd_levels, lod, level, 40);

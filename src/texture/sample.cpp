@@ -16,6 +16,7 @@
 
 #include "texture/explain/record-inl.h"
 #include "texture/filter/filters-inl.h"
+#include "texture/fixed-inl.h"
 #include "texture/format/formats-inl.h"
 #include "texture/fused-inl.h"
 
@@ -33,9 +34,11 @@ RunFilter FilterOf(shd_filter filter) {
   return nullptr;
 }
 
-Kernels KernelsOf(shd_filter filter, image::Component component) {
-  const FormatKernels format = {ValuesOf(component), BorderedOf(component), GradientOf(component)};
-  return {FilterOf(filter), FusedOf(filter, component), format, ConsumeStream<RecordedBlend, Recorded, true>};
+Kernels KernelsOf(const Sampler& sampler, image::Component component) {
+  const FormatKernels format = {ValuesOf(component), BorderedOf(component), GradientOf(component), FixedOf(component)};
+  const RunFilter fixed = format.fixed.sum ? FixedFilterOf(sampler) : nullptr;
+  return {FilterOf(sampler.filter), FusedOf(sampler.filter, component), fixed, format,
+          ConsumeStream<RecordedBlend, Recorded, true>};
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
@@ -59,6 +62,15 @@ Texels stored_columns(const Texture& texture, const Texels& out) {
   return stored;
 }
 
+Texels without_values(Texels columns) {
+  for (float*& channel : columns.channel) channel = nullptr;
+  return columns;
+}
+Texels without_gradient(Texels columns) {
+  for (size_t i = 4; i < kOutputColumns; ++i) columns.column(i) = nullptr;
+  return columns;
+}
+
 /// Writes the columns that stored_columns() left out: constants, and copies of other columns.
 void complete_columns(const Texture& texture, const Texels& stored, size_t count, const Texels& out) {
   for (size_t i = 0; i < kOutputColumns; ++i) {
@@ -77,13 +89,20 @@ void complete_columns(const Texture& texture, const Texels& stored, size_t count
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
-  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler.filter, texture.component);
+  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler, texture.component);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const Texels stored = stored_columns(texture, out);
-  const bool is_fused = kernels.fused && !recording && !stored.wants_gradient() && !has_border(sampler);
-  const RunFilter run = is_fused ? kernels.fused : kernels.run;
-  const size_t nonfinite =
-      run({texture, sampler, lookups, stored, kernels.format, recording ? kernels.record : nullptr, recording});
+  const auto run = [&](RunFilter filter, const Texels& to) {
+    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});
+  };
+  size_t nonfinite = 0;
+  if (kernels.fixed && !recording) {
+    if (stored.wants_values() || !stored.wants_gradient()) nonfinite = run(kernels.fixed, without_gradient(stored));
+    if (stored.wants_gradient()) nonfinite = run(kernels.run, without_values(stored));
+  } else {
+    const bool is_fused = kernels.fused && !recording && !stored.wants_gradient() && !has_border(sampler);
+    nonfinite = run(is_fused ? kernels.fused : kernels.run, stored);
+  }
   complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
 }

@@ -44,6 +44,8 @@ struct Recording;
 /// bilinear on l by 2 - clamp(a 2^(bias - lod_min), 1, 2). The area of the ellipse is below 10.4 max_anisotropy + 8;
 /// with one more row along its edge it holds at most 16 (max_anisotropy + 1) texels, and at least two.
 ///
+/// SHD_PRECISION_FAST: the bound of the filter plus 2^-11 (format/fixed.h; measured 2^-12).
+///
 /// Profiles (profile.h): levels of detail and positions of probes are within 4e-6 of the profile's, 3e-6 max_anisotropy
 /// for anisotropic. Weights and fractions that a profile rounds to 8 bits are rounded to nearest.
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,

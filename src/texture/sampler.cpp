@@ -38,6 +38,7 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.tolerance = desc.tolerance;
   sampler.profile = desc.profile;
   sampler.rounded_weights = has_rounded_weights(desc);
+  sampler.precision = desc.precision;
   return sampler;
 }
 

@@ -107,11 +107,22 @@ struct Consumption {
 /// Consumes elements 0..end - 1.
 using Consume = void (*)(const Stream& stream, size_t end, Consumption* consumption);
 
+struct FixedVector;
+
+/// The fixed-point kernels of a format on one target (format/fixed.h); null if it has none.
+struct FixedKernels {
+  /// Adds the quads of vectors of lookups to their sums.
+  void (*sum)(const TexelSource& source, FixedVector* vectors, size_t count);
+  /// Writes the channels of vectors of lookups, nothing from lookup `end` on.
+  void (*store)(const FixedVector* vectors, size_t count, size_t end, const Texels& out);
+};
+
 /// The consumers of one format on one target.
 struct FormatKernels {
-  Consume values;    // values, for samplers without border colour
-  Consume bordered;  // values, for samplers whose lookups may read the border colour
-  Consume gradient;  // derivatives in u and v
+  Consume values;      // values, for samplers without border colour
+  Consume bordered;    // values, for samplers whose lookups may read the border colour
+  Consume gradient;    // derivatives in u and v
+  FixedKernels fixed;  // values in fixed point
 };
 
 /// Arguments of a filter: one batch of lookups and the consumers of the format.
@@ -135,6 +146,7 @@ using RunFilter = size_t (*)(const FilterCall& call);
 struct Kernels {
   RunFilter run;
   RunFilter fused;  // null, or filter and format compiled together for values without border (fused.cpp)
+  RunFilter fixed;  // null, or the filter in fixed point, for values without border (fixed.cpp)
   FormatKernels format;
   Consume record;
 };

@@ -30,6 +30,7 @@
 /// | sampler.cpp                                  | the sampler of a checked desc                              |
 /// | stream.h                                     | the elements of a stream; the interface of consumers       |
 /// | fused.cpp, fused-inl.h                       | hot pairs of a filter and a format, compiled together      |
+/// | fixed.cpp, fixed-inl.h                       | filters in fixed point (SHD_PRECISION_FAST)                |
 /// | kernel_part.h                                | macros that control inlining                               |
 /// | store/storage.h                              | layout of levels; copy of the base level                   |
 /// | store/update.cpp                             | a rectangle of the base rewritten, and its tables rebuilt  |
@@ -63,12 +64,14 @@
 /// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel by the weights of a filter        |
 /// | filter/summed_area.cpp, box-inl.h            | boxes of a summed-area table                               |
 /// | filter/exact.cpp                             | the integral over the footprint, in doubles                |
+/// | filter/fixed-inl.h                           | the sink of filters in fixed point                         |
 /// | filter/magnify.h                             | another filter where a texel is magnified                  |
 /// | format/formats.h, formats-inl.h              | table of formats; their consumers                          |
 /// | format/consume-inl.h, gradient-inl.h         | the consumer of a stream; blends of values, of derivatives |
 /// | format/values.cpp, bordered.cpp              | consumers of values, without and with border colour        |
 /// | format/gradient.cpp                          | consumers of derivatives                                   |
 /// | format/unorm8, srgb8, unorm16, float16, float32 | one format each (-inl.h)                                |
+/// | format/fixed.h, fixed.cpp, fixed_sums-inl.h  | sums of quads of 8-bit texels in fixed point               |
 /// | format/codec.h                               | texels from and to doubles                                 |
 /// | format/words-inl.h, gather-inl.h             | texels of one or two words; loads of neighbouring texels   |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
@@ -140,6 +143,7 @@ struct Sampler {
   float tolerance;
   shd_profile profile;
   bool rounded_weights;  // weights of bilinear lookups are rounded to 8 bits
+  shd_precision precision;
 };
 
 /// Copies a sampler and removes width and blur from the copy.

@@ -380,6 +380,73 @@ static void test_filters(void **state)
     }
 }
 
+/* Fixed point: every filter and format that has it, in calls of `piece` lookups. */
+static const shd_filter k_fast_filters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR,
+                                            SHD_FILTER_ANISOTROPIC};
+static const shd_format k_fast_formats[] = {SHD_FORMAT_R8, SHD_FORMAT_RG8, SHD_FORMAT_RGB8, SHD_FORMAT_RGBA8};
+enum { k_fast_cases = 16 };
+
+static uint64_t hash_fast(shd_context *context, const float *in, size_t filter, size_t format, size_t piece)
+{
+    static float out[4 * k_filter_lookups];
+    shd_texture *texture = make_filter_texture(context, k_fast_formats[format]);
+    shd_sampler *sampler = NULL;
+    shd_sampler_desc sd = shd_sampler_desc_default();
+    size_t first, c;
+    sd.filter = k_fast_filters[filter];
+    sd.precision = SHD_PRECISION_FAST;
+    sd.max_anisotropy = 64.0f;
+    sd.wrap_u = filter % 2 ? SHD_WRAP_MIRROR : SHD_WRAP_REPEAT;
+    sd.wrap_v = format % 2 ? SHD_WRAP_CLAMP : SHD_WRAP_MIRROR_ONCE;
+    shd_assert_ok(shd_sampler_create(context, &sd, &sampler));
+    for (first = 0; first < k_filter_lookups; first += piece) {
+        shd_lookups lookups = shd_lookups_default();
+        shd_f32_in *const column[6] = {&lookups.u,    &lookups.v,    &lookups.dudx,
+                                       &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
+        shd_texels texels;
+        memset(&texels, 0, sizeof texels);
+        lookups.count = k_filter_lookups - first < piece ? k_filter_lookups - first : piece;
+        for (c = 0; c < 6; ++c) column[c]->data = in + c * k_lookups + first;
+        for (c = 0; c < 4; ++c) texels.channel[c].data = out + c * k_filter_lookups + first;
+        shd_assert_ok(shd_texture_sample(texture, sampler, &lookups, &texels));
+    }
+    for (c = 0; c < 4 * (size_t)k_filter_lookups; ++c) assert_true(isfinite(out[c]));
+    shd_sampler_release(sampler);
+    shd_texture_release(texture);
+    return shd_hash(SHD_HASH_START, out, sizeof out);
+}
+
+static void fast_on(const shd_context_desc *desc, size_t piece, uint64_t hashes[k_fast_cases])
+{
+    float *in = (float *)shd_scene_memory(6 * k_lookups * sizeof(float));
+    shd_context *context = NULL;
+    size_t i;
+    fill_lookups(in);
+    shd_assert_ok(shd_context_create(desc, &context));
+    for (i = 0; i < k_fast_cases; ++i) hashes[i] = hash_fast(context, in, i / 4, i % 4, piece);
+    shd_context_release(context);
+    free(in);
+}
+
+static void test_fast(void **state)
+{
+    uint64_t want[k_fast_cases], got[k_fast_cases];
+    int simd;
+    size_t i;
+    (void)state;
+    fast_on(NULL, k_filter_lookups, want);
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        shd_context_desc desc = shd_context_desc_default();
+        if (!can_run(simd)) continue;
+        desc.simd = (shd_simd)simd;
+        desc.worker_count = (uint32_t)(1 + simd % 3);
+        fast_on(&desc, (size_t)(61 + 100 * simd), got);
+        for (i = 0; i < k_fast_cases; ++i) {
+            if (got[i] != want[i]) fail_msg("case %zu: differs on SIMD target %d", i, simd);
+        }
+    }
+}
+
 static void test_shadows(void **state)
 {
     const uint64_t want = shd_shadow_hash(NULL);
@@ -457,26 +524,29 @@ struct golden_row {
 };
 static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},     {"glass", 0},
                                        {"moved", 0},   {"lines", 0},    {"surface", 0}, {"lookups", 0},
-                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}, {"pixels", 0}};
+                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
+                                       {"fast", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
 {
-    uint64_t filters[k_filter_cases];
+    uint64_t filters[k_filter_cases], fast[k_fast_cases];
     int kind;
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_LINES);
-    k_golden[k_golden_count - 6].hash = shd_scene_reference(SHD_SCENE_SURFACE);
-    k_golden[k_golden_count - 5].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 9].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_SURFACE);
+    k_golden[k_golden_count - 6].hash = lookups_on(NULL);
     filters_on(NULL, filters);
-    k_golden[k_golden_count - 4].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 3].hash =
+    k_golden[k_golden_count - 5].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 4].hash =
         shd_hash(SHD_HASH_START, filters + k_plain_cases, sizeof filters - k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 2].hash = shd_shadow_hash(NULL);
-    k_golden[k_golden_count - 1].hash = pixels_on(NULL);
+    k_golden[k_golden_count - 3].hash = shd_shadow_hash(NULL);
+    k_golden[k_golden_count - 2].hash = pixels_on(NULL);
+    fast_on(NULL, k_filter_lookups, fast);
+    k_golden[k_golden_count - 1].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
 }
 
 static void test_golden(void **state)
@@ -522,6 +592,7 @@ int main(int argc, char **argv)
         {"orders", test_orders, NULL, NULL, NULL},
         {"lookups", test_lookups, NULL, NULL, NULL},
         {"filters", test_filters, NULL, NULL, NULL},
+        {"fast", test_fast, NULL, NULL, NULL},
         {"shadows", test_shadows, NULL, NULL, NULL},
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},

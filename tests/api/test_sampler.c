@@ -62,6 +62,9 @@ static void edit_profile(shd_sampler_desc *d) { d->profile = SHD_PROFILE_OIIO; }
 static void edit_profile_unknown(shd_sampler_desc *d) { d->profile = (shd_profile)4; }
 static void edit_profile_negative(shd_sampler_desc *d) { d->profile = (shd_profile)-1; }
 static void edit_tolerance_0(shd_sampler_desc *d) { d->tolerance = 0; }
+static void edit_precision_fast(shd_sampler_desc *d) { d->precision = SHD_PRECISION_FAST; }
+static void edit_precision_unknown(shd_sampler_desc *d) { d->precision = (shd_precision)2; }
+static void edit_precision_negative(shd_sampler_desc *d) { d->precision = (shd_precision)-1; }
 static void edit_tolerance_2(shd_sampler_desc *d) { d->tolerance = 2; }
 
 static const struct create_case k_create[] = {
@@ -112,6 +115,10 @@ static const struct create_case k_create[] = {
     {"create/profile_negative", edit_profile_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4294967295"},
     {"create/tolerance_0", edit_tolerance_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 0 is not in"},
     {"create/tolerance_2", edit_tolerance_2, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 2"},
+    {"create/precision_fast", edit_precision_fast, SHD_OK, ""},
+    {"create/precision_unknown", edit_precision_unknown, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.precision: 2 is not in 0..1"},
+    {"create/precision_negative", edit_precision_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.precision: 4294967295"},
 };
 
 static void test_create(void **state)

@@ -117,6 +117,7 @@ inline void choose_sampler(Source& source, shd_sampler_desc& desc) {
   desc.lod_bias = source.one_in(4) ? source.real(-15, 15) : 0.0f;
   desc.lod_min = source.one_in(4) ? source.real(0, 32) : 0.0f;
   desc.lod_max = source.one_in(4) ? source.real(0, 32) : 32.0f;
+  desc.precision = source.constant<shd_precision>(2);
 }
 
 }  // namespace shd::fuzz

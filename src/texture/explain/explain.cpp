@@ -139,7 +139,9 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   out->filter = taken.filter;
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
   const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
-  sample(texture, sampler, context.simd, lookups, result);
+  Sampler full = sampler;  // the tree of blends has no other precision
+  full.precision = SHD_PRECISION_FULL;
+  sample(texture, full, context.simd, lookups, result);
   find_lods(texture, sampler, lod_range(texture, sampler), LodAxis::kLonger, context.simd, lookups, &out->lod);
   float axes[4];
   find_axes(texture, sampler, context.simd, lookups, axes);

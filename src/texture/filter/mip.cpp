@@ -8,6 +8,7 @@
 
 #include "texture/filter/bases-inl.h"
 #include "texture/filter/filters-inl.h"
+#include "texture/filter/mip-inl.h"
 #include "texture/filter/nearest-inl.h"
 #include "texture/filter/runner-inl.h"
 
@@ -15,13 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-/// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
-template <class D>
-HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& block, size_t i) {
-  const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
-  return LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Max(level, hn::Zero(d)));
-}
 
 struct NearestMip : OnMipLevels {
   using OnMipLevels::OnMipLevels;
@@ -32,17 +26,6 @@ struct NearestMip : OnMipLevels {
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
     emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);
-  }
-};
-
-struct BilinearMip : OnMipLevels {
-  using OnMipLevels::OnMipLevels;
-
-  template <class D, class Sink>
-  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
-    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    sink.quad(d, kStart, NearestLevel(d, texture, block, i), u, v);
-    sink.finish();
   }
 };
 

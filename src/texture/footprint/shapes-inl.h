@@ -176,6 +176,14 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
 /// them, cost 5 dB.
 constexpr float kSlack = 0.125f;
 
+/// Returns length / size. The reciprocal of a power of two is exact, so that a product has the same bits.
+template <class D>
+HWY_INLINE hn::Vec<D> DividedBySize(D d, hn::Vec<D> length, float size) {
+  const auto whole = static_cast<uint32_t>(size);
+  if (HWY_LIKELY((whole & (whole - 1)) == 0)) return length * hn::Set(d, 1.0f / size);
+  return length / hn::Set(d, size);
+}
+
 /// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile (McCormack,
 /// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). `query`: as above.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
@@ -192,7 +200,7 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
     const auto lambda = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
     const auto probes = hn::Ceil(ratio - hn::Set(d, kSlack));
     const auto half_step = f.length / (probes + probes);
-    const auto step_u = half_step * f.u / hn::Set(d, width), step_v = half_step * f.v / hn::Set(d, height);
+    const auto step_u = DividedBySize(d, half_step * f.u, width), step_v = DividedBySize(d, half_step * f.v, height);
     hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);
     hn::Store(hn::Max(hn::Min(step_v, limit), hn::Neg(limit)), d, out->step_v + to);
     hn::Store(probes, d, out->probes + to);

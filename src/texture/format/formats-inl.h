@@ -20,6 +20,9 @@ Consume ValuesOf(image::Component component);
 Consume BorderedOf(image::Component component);
 Consume GradientOf(image::Component component);
 
+/// Returns the fixed-point kernels of a component type; null if it has none.
+FixedKernels FixedOf(image::Component component);
+
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -63,6 +63,9 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
 /// that begin at `first`.
 template <class D>
 HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
+#if HWY_TARGET == HWY_AVX3
+  if constexpr (hn::MaxLanes(D()) == 16) return Ints<D>{_mm512_permutex2var_epi32(low.raw, index.raw, high.raw)};
+#endif
   const hn::RebindToSigned<D> di;
   const auto lanes = hn::Set(di, static_cast<int32_t>(hn::Lanes(di)));
   const auto in_low = hn::Lt(index, lanes);
