@@ -522,10 +522,9 @@ struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},     {"glass", 0},
-                                       {"moved", 0},   {"lines", 0},    {"surface", 0}, {"lookups", 0},
-                                       {"filters", 0}, {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
-                                       {"fast", 0}};
+static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},   {"lit", 0},     {"glass", 0},   {"moved", 0},
+                                       {"lines", 0},   {"surface", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0},
+                                       {"shadows", 0}, {"pixels", 0},  {"fast", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
