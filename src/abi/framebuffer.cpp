@@ -34,6 +34,7 @@ shd_result check_framebuffer_desc(const shd_framebuffer_desc& desc) {
   SHD_TRY(check_count("framebuffer.width", desc.width, 1, 16384));
   SHD_TRY(check_count("framebuffer.height", desc.height, 1, 16384));
   SHD_TRY(check_samples("framebuffer.samples", desc.samples));
+  SHD_TRY(check_enum("framebuffer.color_format", desc.color_format, SHD_FORMAT_NONE, SHD_FORMAT_RGB32F));
   if (!film::can_draw(desc.color_format)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "framebuffer.color_format: %d is not RGBA32F, RGBA16F, RGBA8_SRGB or RGBA8",
