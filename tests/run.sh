@@ -89,7 +89,7 @@ stage_asan() {
   build asan -DSHD_BUILD_EXAMPLES=OFF &&
     ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:allocator_may_return_null=1 \
       LSAN_OPTIONS=suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0 \
-      UBSAN_OPTIONS=print_stacktrace=1 run_tests asan -E '^(abi|style|consumer)\.'
+      UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -E '^(abi|style|consumer)\.'
 }
 # Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
 # kernels from one thread; the large frames of four tests and the failures of api.call_faults take minutes here, and

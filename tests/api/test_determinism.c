@@ -30,15 +30,21 @@ static void expect_scene(const char *what, const shd_context_desc *desc, shd_sce
     shd_context_release(context);
 }
 
+/* The thread sanitizer sees the same threads on every target: it skips SSE4 and AVX2. */
 static int can_run(int simd)
 {
+#ifdef __SANITIZE_THREAD__
+    const int skipped = simd == SHD_SIMD_SSE4 || simd == SHD_SIMD_AVX2;
+#else
+    const int skipped = 0;
+#endif
     shd_context_desc desc = shd_context_desc_default();
     shd_context *context = NULL;
     shd_result result;
     desc.simd = (shd_simd)simd;
     result = shd_context_create(&desc, &context);
     shd_context_release(context);
-    return result == SHD_OK;
+    return result == SHD_OK && !skipped;
 }
 
 static void test_targets_and_workers(void **state)
