@@ -92,7 +92,7 @@ stage_asan() {
       UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -E '^(abi|style|consumer)\.'
 }
 # Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
-# kernels from one thread; the large frames of four tests and the failures of api.call_faults take minutes here, and
+# kernels from one thread; the frames of five tests and the failures of api.call_faults take minutes here, and
 # api.threads and api.faults are of their kind.
 # What does not run is not built.
 stage_tsan() {
@@ -100,7 +100,8 @@ stage_tsan() {
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
   build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
-      run_tests tsan -R '^(api|unit\.raster\.bin)' -E '^api\.(call_faults|render_(painter|passes|supersampling|window))$'
+      run_tests tsan -R '^(api|unit\.raster\.bin)' \
+        -E '^api\.(call_faults|framebuffer_formats|render_(painter|passes|supersampling|window))$'
 }
 # The release stage has built shd as a part of another project.
 stage_core() { build core -DSHD_SIMD=scalar && run_tests core -E '^consumer\.add_subdirectory$'; }
