@@ -30,7 +30,7 @@ static void expect_scene(const char *what, const shd_context_desc *desc, shd_sce
     shd_context_release(context);
 }
 
-/* The thread sanitizer sees the same threads on every target: it skips SSE4 and AVX2. */
+/* Threads are the same on every target, so the thread sanitizer skips SSE4 and AVX2. */
 static int can_run(int simd)
 {
 #ifdef __SANITIZE_THREAD__
