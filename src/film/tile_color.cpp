@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "film/pixels.h"
-
 namespace shd::film {
 namespace {
 
@@ -35,59 +33,7 @@ Destination at(float* color) {
   return {{color, color + 1, color + 2, color + 3}};
 }
 
-/// The planes first..first + 3 of the framebuffer.
-ColorPlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuffer) {
-  const size_t corner = size_t{area.top} * framebuffer->stride + area.left;
-  ColorPlanes planes;
-  for (uint32_t c = 0; c < 4; ++c) planes.plane[c] = framebuffer->plane[first + c].data() + corner;
-  planes.stride = framebuffer->stride;
-  return planes;
-}
-
-/// The planes from pixel (x, y) of the tile on.
-ColorPlanes offset(const ColorPlanes& planes, size_t x, size_t y) {
-  ColorPlanes moved = planes;
-  for (float*& plane : moved.plane) plane += y * planes.stride + x;
-  return moved;
-}
-
 }  // namespace
-
-void ColorBlock::allocate(const core::Allocator& allocator, const Framebuffer& framebuffer) {
-  if (!has_color_planes(framebuffer)) planes_ = core::Array<float>(allocator, 4 * raster::kTilePixels);
-}
-
-ColorPlanes ColorBlock::planes(const TileArea& area, Framebuffer* framebuffer) {
-  if (has_color_planes(*framebuffer)) return planes_of(area, SHD_PLANE_R, framebuffer);
-  float* const first = planes_.data();
-  return {{first, first + raster::kTilePixels, first + 2 * raster::kTilePixels, first + 3 * raster::kTilePixels},
-          raster::kTile};
-}
-
-void fill_color(const TileArea& area, const TileArea& part, const float color[4], const ColorPlanes& planes) {
-  for (uint32_t y = 0; y < part.height; ++y) {
-    const ColorPlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
-    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], part.width, color[c]);
-  }
-}
-
-void load_color(const TileArea& area, const Framebuffer& framebuffer, const ColorPlanes& planes) {
-  if (has_color_planes(framebuffer)) return;
-  for (uint32_t y = 0; y < area.height; ++y) {
-    const ColorPlanes row = offset(planes, 0, y);
-    decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width, row.plane);
-  }
-}
-
-void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const ColorPlanes& planes,
-                 Framebuffer* framebuffer) {
-  if (has_color_planes(*framebuffer)) return;
-  for (uint32_t y = 0; y < part.height; ++y) {
-    const ColorPlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
-    encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
-                  pixel_at(framebuffer, part.left, part.top + y));
-  }
-}
 
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out) {
   if (samples == 1) return;
@@ -96,7 +42,7 @@ void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targe
   out->is_split = core::Array<uint8_t>(allocator, raster::kTilePixels);
 }
 
-TileColor::TileColor(const TileArea& area, const ColorPlanes& color, Framebuffer* framebuffer, SplitSamples* split)
+TileColor::TileColor(const TileArea& area, const TilePlanes& color, Framebuffer* framebuffer, SplitSamples* split)
     : samples_(framebuffer->samples), all_((1u << framebuffer->samples) - 1), split_(*split) {
   for (uint32_t targets = targets_of(*framebuffer); targets; targets &= targets - 1) {
     const auto target = static_cast<uint32_t>(__builtin_ctz(targets));

@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "core/allocator.h"
-#include "core/simd_target.h"
 #include "film/blend.h"
 #include "film/framebuffer.h"
 #include "film/tile_area.h"
+#include "film/tile_planes.h"
 #include "shade/columns.h"
 
 namespace shd::film {
@@ -20,33 +20,6 @@ struct SplitSamples {
   core::Array<uint8_t> is_split;  // [kTilePixels]
 };
 
-/// Planes of colour, r, g, b and a, from the first pixel of a tile on.
-struct ColorPlanes {
-  float* plane[4];
-  size_t stride;  // elements between rows
-};
-
-/// Colours of a tile whose framebuffer has interleaved pixels: they are planes while the tile is drawn, and encoded
-/// once.
-class ColorBlock {
- public:
-  /// Allocates memory if the framebuffer has interleaved pixels. Throws std::bad_alloc.
-  void allocate(const core::Allocator& allocator, const Framebuffer& framebuffer);
-  /// The planes in which the tile is drawn: those of the framebuffer if it has planes.
-  ColorPlanes planes(const TileArea& area, Framebuffer* framebuffer);
-
- private:
-  core::Array<float> planes_;  // [4][kTilePixels]
-};
-
-/// Fills a part of a tile. `part` lies in `area`, both in pixels of the framebuffer.
-void fill_color(const TileArea& area, const TileArea& part, const float color[4], const ColorPlanes& planes);
-
-/// Reads and writes the colour of a part of a tile, if the framebuffer has interleaved pixels.
-void load_color(const TileArea& area, const Framebuffer& framebuffer, const ColorPlanes& planes);
-void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const ColorPlanes& planes,
-                 Framebuffer* framebuffer);
-
 /// @param targets  bit t is set if target t exists
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targets, SplitSamples* out);
@@ -56,7 +29,7 @@ void allocate(const core::Allocator& allocator, uint32_t samples, uint32_t targe
 /// tile, samples are bits of a mask.
 class TileColor {
  public:
-  TileColor(const TileArea& area, const ColorPlanes& color, Framebuffer* framebuffer, SplitSamples* split);
+  TileColor(const TileArea& area, const TilePlanes& color, Framebuffer* framebuffer, SplitSamples* split);
 
   /// Marks every pixel as stored in planes.
   void load();
@@ -102,8 +75,8 @@ class TileColor {
 
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;
-  uint32_t target_[shade::kMaxTargets];     // indices of the existing targets
-  ColorPlanes planes_[shade::kMaxTargets];  // [target_count_] planes of these targets
+  uint32_t target_[shade::kMaxTargets];    // indices of the existing targets
+  TilePlanes planes_[shade::kMaxTargets];  // [target_count_] planes of these targets
   SplitSamples& split_;
 };
 

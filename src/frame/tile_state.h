@@ -94,7 +94,7 @@ class TileState {
   const film::TileArea area;  // position and size in the framebuffer
   const int32_t left, top;    // position in the picture
   Worker& worker;
-  const film::ColorPlanes color_planes;
+  const film::TilePlanes color_planes;
   film::TileColor color;
   bool color_is_unclear = false;  // clearing the tile's colour is still pending
 };

@@ -98,6 +98,31 @@ HWY_INLINE V FilteredCosine(D d, const SlopeSpread<V>& spread, const Vec3V<V>& l
   return (hn::Max(n_dot_l, zero) + beyond) * spread.mean_length;
 }
 
+/// The slopes A A^T w, A = (a b) and S = A A^T, at which the density of the slopes times a lobe is largest: a Gaussian
+/// around h with covariance 1 / k, so that w = (1 / k + S)^-1 h.
+template <class V>
+struct SlopePeak {
+  V along_a, along_b;  // A^T w
+  V det;               // det(1 + k S)
+};
+
+/// @param sum     wo + l
+/// @param length  |wo + l|, not 0
+/// @param k       precision of the lobe, 0..2e6: 1 / variance of a slope
+template <class D, class V>
+HWY_INLINE SlopePeak<V> FindPeak(D d, const SlopeSpread<V>& s, const Vec3V<V>& sum, V length, V k) {
+  const V one = hn::Set(d, 1.0f);
+  const V inverse_up = one / hn::Max(Dot(sum, s.n), hn::Set(d, 1e-3f) * length);
+  const V hx = Dot(sum, s.t) * inverse_up, hy = Dot(sum, s.s) * inverse_up;
+  // w = k (h + k adj(S) h) / det(1 + k S), with adj(S) = a' a'^T + b' b'^T for a', b' turned by 90 degrees.
+  const V turned_a = s.ax * hy - s.ay * hx, turned_b = s.bx * hy - s.by * hx;
+  const V det = one + k * (s.trace + k * s.determinant);
+  const V scale = k / det;
+  const V wx = scale * (hx - k * (s.ay * turned_a + s.by * turned_b));
+  const V wy = scale * (hy + k * (s.ax * turned_a + s.bx * turned_b));
+  return {s.ax * wx + s.ay * wy, s.bx * wx + s.by * wy, det};
+}
+
 /// The normals near the half vector h, which reflect wo to l: their mean, and their contribution to a lobe.
 template <class V>
 struct Reflector {
@@ -115,16 +140,8 @@ struct Reflector {
 template <class D, class V>
 HWY_INLINE Reflector<V> FindReflector(D d, const SlopeSpread<V>& s, const Vec3V<V>& sum, V length, V k) {
   const V one = hn::Set(d, 1.0f);
-  const V up = hn::Max(Dot(sum, s.n), hn::Set(d, 1e-3f) * length);
-  const V inverse_up = one / up;
-  const V hx = Dot(sum, s.t) * inverse_up, hy = Dot(sum, s.s) * inverse_up;
-  // w = k (h + k adj(S) h) / det(1 + k S), with adj(S) = a' a'^T + b' b'^T for a', b' turned by 90 degrees.
-  const V turned_a = s.ax * hy - s.ay * hx, turned_b = s.bx * hy - s.by * hx;
-  const V det = one + k * (s.trace + k * s.determinant);
-  const V scale = k / det;
-  const V wx = scale * (hx - k * (s.ay * turned_a + s.by * turned_b));
-  const V wy = scale * (hy + k * (s.ax * turned_a + s.bx * turned_b));
-  const V along_a = s.ax * wx + s.ay * wy, along_b = s.bx * wx + s.by * wy;
+  const SlopePeak<V> peak = FindPeak(d, s, sum, length, k);
+  const V along_a = peak.along_a, along_b = peak.along_b;
   const V ux = s.ax * along_a + s.bx * along_b, uy = s.ay * along_a + s.by * along_b;
   const V squared = one + (ux * ux + uy * uy);
   const V inverse = one / squared;
@@ -162,17 +179,9 @@ struct NormalRule {
 template <class D, class V>
 HWY_INLINE NormalRule<V> MakeNormalRule(D d, const SlopeSpread<V>& s, const Vec3V<V>& sum, V length, V k) {
   const V one = hn::Set(d, 1.0f);
-  const V inverse_up = one / hn::Max(Dot(sum, s.n), hn::Set(d, 1e-3f) * length);
-  const V hx = Dot(sum, s.t) * inverse_up, hy = Dot(sum, s.s) * inverse_up;
-  // (p, q) = A^T w with w = k (1 + k S)^-1 h = k (h + k adj(S) h) / det(1 + k S), S = A A^T for A = (a b) and
-  // adj(S) = a' a'^T + b' b'^T for a', b' turned by 90 degrees.
-  const V turned_a = s.ax * hy - s.ay * hx, turned_b = s.bx * hy - s.by * hx;
-  const V det = one + k * (s.trace + k * s.determinant);
-  const V scale = k / det;
-  const V wx = scale * (hx - k * (s.ay * turned_a + s.by * turned_b));
-  const V wy = scale * (hy + k * (s.ax * turned_a + s.bx * turned_b));
+  const SlopePeak<V> peak = FindPeak(d, s, sum, length, k);
   const V step = one / hn::Sqrt(one + k * s.longest);
-  return {s.ax * wx + s.ay * wy, s.bx * wx + s.by * wy, step, one / hn::Sqrt(det)};
+  return {peak.along_a, peak.along_b, step, one / hn::Sqrt(peak.det)};
 }
 
 /// A normal and its weight in the mean over normals. The weights add up to about 1 where k is 0.

@@ -11,9 +11,8 @@ namespace shd::shade {
 /// Replaces the points' normals by the values of a normal map without moments, [4] columns, in the frame of tangent t
 /// and bitangent tw (n x t). Where t is 0, within 1e-4 of the line of n, or has a non-finite square, any frame around n
 /// is used. Writes to `variance` the variance of slopes removed by filtering the map, scaled like its slopes, at most
-/// 1e30; it is 0 unless the encoding contains it. A normal is not replaced by a zero or non-finite result. |error| <=
-/// 6e-7 |m| /
-/// |result| for texels m; for SHD_NORMAL_ENCODING_XY also divided by z.
+/// 1e30; it is 0 unless the encoding contains it. A normal is not replaced by a zero or non-finite result.
+/// |error| <= 6e-7 |m| / |result| for texels m; for SHD_NORMAL_ENCODING_XY also divided by z.
 void map_normals(const core::SimdTarget& simd, const material::Material& material, const float* const map[4],
                  raster::Fragments* points, float* variance);
 

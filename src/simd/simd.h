@@ -14,4 +14,6 @@
 /// | finite-inl.h   | tests for finite values                              | exact                            |
 /// | hash-inl.h     | hashes of 32-bit words                               | exact                            |
 /// | gather-inl.h   | pairs of adjacent 32-bit words at an index           | exact                            |
+/// | integer-inl.h  | products of 16-bit integers                          | exact                            |
+/// | tail-inl.h     | stores of the first lanes                            | exact                            |
 #pragma once

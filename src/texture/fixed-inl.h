@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#if defined(SHD_TEXTURE_FIXED_PAIRS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SHD_TEXTURE_FIXED_PAIRS_INL_H_
-#undef SHD_TEXTURE_FIXED_PAIRS_INL_H_
+#if defined(SHD_TEXTURE_FIXED_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FIXED_INL_H_
+#undef SHD_TEXTURE_FIXED_INL_H_
 #else
-#define SHD_TEXTURE_FIXED_PAIRS_INL_H_
+#define SHD_TEXTURE_FIXED_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -19,4 +19,4 @@ RunFilter FixedFilterOf(const Sampler& sampler);
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#endif  // SHD_TEXTURE_FIXED_PAIRS_INL_H_
+#endif  // SHD_TEXTURE_FIXED_INL_H_

@@ -9,7 +9,7 @@
 
 #include "texture/filter/anisotropic-inl.h"
 #include "texture/filter/bilinear-inl.h"
-#include "texture/filter/fixed-inl.h"
+#include "texture/filter/fixed_sink-inl.h"
 #include "texture/filter/mip-inl.h"
 #include "texture/filter/trilinear-inl.h"
 #include "texture/fixed-inl.h"

@@ -64,7 +64,7 @@
 /// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel by the weights of a filter        |
 /// | filter/summed_area.cpp, box-inl.h            | boxes of a summed-area table                               |
 /// | filter/exact.cpp                             | the integral over the footprint, in doubles                |
-/// | filter/fixed-inl.h                           | the sink of filters in fixed point                         |
+/// | filter/fixed_sink-inl.h                      | the sink of filters in fixed point                         |
 /// | filter/magnify.h                             | another filter where a texel is magnified                  |
 /// | format/formats.h, formats-inl.h              | table of formats; their consumers                          |
 /// | format/consume-inl.h, gradient-inl.h         | the consumer of a stream; blends of values, of derivatives |

@@ -31,11 +31,11 @@
 #define SHD_TEXTURE_CONSUME_INL_H_
 #endif
 
-#include <cstring>
 #include <type_traits>
 
 #include <hwy/highway.h>
 
+#include "simd/tail-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/store/wrap-inl.h"
 #include "texture/stream.h"
@@ -43,6 +43,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::StoreFirst;
 
 /// Returns a + s (b - a) for values whose difference cannot overflow. The result is exactly a if a == b or s == 0.
 template <class D, class V>
@@ -80,15 +81,6 @@ HWY_INLINE V Mix(D d, V a, V b, V s) {
   V mixed = a + s * (b - a);
   if (HWY_UNLIKELY(!hn::AllTrue(d, IsFinite(d, mixed)))) mixed = MixOverflowed(d, a, b, s, mixed);
   return hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a, mixed);
-}
-
-/// Writes up to `count` lanes.
-template <class D>
-HWY_INLINE void StoreFirst(D d, hn::Vec<D> value, size_t count, float* to) {
-  if (HWY_LIKELY(count >= hn::Lanes(d))) return hn::StoreU(value, d, to);
-  alignas(64) float lanes[hn::MaxLanes(D())];
-  hn::Store(value, d, lanes);
-  std::memcpy(to, lanes, count * sizeof(float));
 }
 
 /// A Blend for values of format F. With a border, texels leave the lerp domain of the format before they are blended,

@@ -2,8 +2,6 @@
 // Kernels of 8-bit unorm formats in fixed point.
 #include "texture/format/fixed.h"
 
-#include <cstring>
-
 #include "image/format.h"
 #include "texture/stream.h"
 
@@ -12,6 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/tail-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/format/fixed_sums-inl.h"
 #include "texture/format/formats-inl.h"
@@ -69,15 +68,6 @@ HWY_INLINE void BlendSums(D d, const FixedVector& vector, hn::Vec<D> (&value)[4]
   for (size_t c = 0; c < 4; ++c) value[c] = value[c] + fraction * (hn::ConvertTo(d, sum[c]) - value[c]);
 }
 
-/// Writes up to `count` lanes.
-template <class D>
-HWY_INLINE void StoreLanes(D d, hn::Vec<D> value, size_t count, float* to) {
-  if (HWY_LIKELY(count >= hn::Lanes(d))) return hn::StoreU(value, d, to);
-  alignas(64) float lanes[hn::MaxLanes(D())];
-  hn::Store(value, d, lanes);
-  std::memcpy(to, lanes, count * sizeof(float));
-}
-
 void StoreUnorms(const FixedVector* vectors, size_t count, size_t end, const Texels& out) {
   const BatchTag d;
   for (const FixedVector* vector = vectors; vector != vectors + count; ++vector) {
@@ -85,7 +75,8 @@ void StoreUnorms(const FixedVector* vectors, size_t count, size_t end, const Tex
     BlendSums(d, *vector, value);
     const Quotient<BatchTag> quotient(d, hn::Load(d, vector->probes), 255.0f * kWeightOne);
     for (size_t c = 0; c < 4; ++c) {
-      if (out.channel[c]) StoreLanes(d, quotient.of(value[c]), end - vector->at, out.channel[c] + vector->at);
+      if (out.channel[c])
+        simd::HWY_NAMESPACE::StoreFirst(d, quotient.of(value[c]), end - vector->at, out.channel[c] + vector->at);
     }
   }
 }

@@ -16,6 +16,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/integer-inl.h"
 #include "texture/footprint/shapes-inl.h"
 #include "texture/format/fixed.h"
 #include "texture/format/gather-inl.h"
@@ -24,6 +25,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::PairDot;
 
 /// Returns the place of the first channel of a lookup in the sums of a vector.
 HWY_INLINE size_t SumPlace(size_t lookup) {
@@ -38,18 +40,10 @@ HWY_INLINE void LoadSums(D, const int32_t* sums, Ints<D> (&channel)[4]) {
 #if HWY_TARGET == HWY_SCALAR
   for (size_t c = 0; c < 4; ++c) channel[c] = hn::LoadU(di, sums + c);
 #else
-  const hn::Repartition<int64_t, decltype(di)> wide;
   const size_t lanes = hn::Lanes(di);
-  const auto row0 = hn::Load(di, sums), row1 = hn::Load(di, sums + lanes);
-  const auto row2 = hn::Load(di, sums + 2 * lanes), row3 = hn::Load(di, sums + 3 * lanes);
-  const auto low01 = hn::BitCast(wide, hn::InterleaveLower(di, row0, row1));
-  const auto low23 = hn::BitCast(wide, hn::InterleaveLower(di, row2, row3));
-  const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(di, row0, row1));
-  const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(di, row2, row3));
-  channel[0] = hn::BitCast(di, hn::InterleaveLower(wide, low01, low23));
-  channel[1] = hn::BitCast(di, hn::InterleaveUpper(wide, low01, low23));
-  channel[2] = hn::BitCast(di, hn::InterleaveLower(wide, high01, high23));
-  channel[3] = hn::BitCast(di, hn::InterleaveUpper(wide, high01, high23));
+  const Ints<D> row[4] = {hn::Load(di, sums), hn::Load(di, sums + lanes), hn::Load(di, sums + 2 * lanes),
+                          hn::Load(di, sums + 3 * lanes)};
+  TransposeBlocks(row, channel);
 #endif
 }
 
@@ -211,15 +205,6 @@ HWY_INLINE void SumLookups(const Rows& rows, FixedVector* vector) {
 }
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-template <class V>
-HWY_INLINE V MulAddPairs(V a, V b) {
-#if HWY_TARGET == HWY_AVX3
-  return V{_mm512_madd_epi16(a.raw, b.raw)};
-#else
-  return V{_mm256_madd_epi16(a.raw, b.raw)};
-#endif
-}
-
 /// Sums of a vector of lookups as they are stored.
 template <class D>
 struct VectorSums {
@@ -242,10 +227,10 @@ struct VectorSums {
     const auto zero = hn::Zero(bytes), a = hn::BitCast(bytes, left), b = hn::BitCast(bytes, right);
     const auto low = hn::InterleaveLower(bytes, a, b), high = hn::InterleaveUpper(bytes, a, b);
     const auto words = [&](auto interleaved) SHD_INLINE_LAMBDA { return hn::BitCast(di, interleaved); };
-    row[0] = row[0] + MulAddPairs(words(hn::InterleaveLower(bytes, low, zero)), hn::Broadcast<0>(weights));
-    row[1] = row[1] + MulAddPairs(words(hn::InterleaveUpper(bytes, low, zero)), hn::Broadcast<1>(weights));
-    row[2] = row[2] + MulAddPairs(words(hn::InterleaveLower(bytes, high, zero)), hn::Broadcast<2>(weights));
-    row[3] = row[3] + MulAddPairs(words(hn::InterleaveUpper(bytes, high, zero)), hn::Broadcast<3>(weights));
+    row[0] = row[0] + PairDot(words(hn::InterleaveLower(bytes, low, zero)), hn::Broadcast<0>(weights));
+    row[1] = row[1] + PairDot(words(hn::InterleaveUpper(bytes, low, zero)), hn::Broadcast<1>(weights));
+    row[2] = row[2] + PairDot(words(hn::InterleaveLower(bytes, high, zero)), hn::Broadcast<2>(weights));
+    row[3] = row[3] + PairDot(words(hn::InterleaveUpper(bytes, high, zero)), hn::Broadcast<3>(weights));
   }
 };
 

@@ -162,6 +162,23 @@ HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, 
 }
 #endif
 
+#if HWY_TARGET != HWY_SCALAR
+/// Transposes each block of 4 x 4 words: word c of block b of row r becomes word r of block b of column[c].
+template <class V>
+HWY_INLINE void TransposeBlocks(const V (&row)[4], V (&column)[4]) {
+  const hn::DFromV<V> di;
+  const hn::Repartition<int64_t, decltype(di)> wide;
+  const auto low01 = hn::BitCast(wide, hn::InterleaveLower(di, row[0], row[1]));
+  const auto low23 = hn::BitCast(wide, hn::InterleaveLower(di, row[2], row[3]));
+  const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(di, row[0], row[1]));
+  const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(di, row[2], row[3]));
+  column[0] = hn::BitCast(di, hn::InterleaveLower(wide, low01, low23));
+  column[1] = hn::BitCast(di, hn::InterleaveUpper(wide, low01, low23));
+  column[2] = hn::BitCast(di, hn::InterleaveLower(wide, high01, high23));
+  column[3] = hn::BitCast(di, hn::InterleaveUpper(wide, high01, high23));
+}
+#endif
+
 /// Loads four consecutive words from each index, which counts units of `kStride` bytes, by one load of 16 bytes per
 /// lane. The indices are read from memory, because it is expensive to extract the elements of a vector.
 template <size_t kStride, class D>
@@ -175,8 +192,7 @@ HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, In
   static_assert(kLanes == 1);
   for (size_t k = 0; k < 4; ++k) word[k] = hn::LoadU(di, at(0) + k);
 #else
-  // Block b of vector r holds the four words of lane 4 b + r. After the transposition, word k of every lane is in one
-  // vector.
+  // Block b of lane[r] holds the four words of lane 4 b + r.
   Ints<D> lane[4];
   for (size_t r = 0; r < 4; ++r) {
     if constexpr (kLanes == 4) {
@@ -193,15 +209,7 @@ HWY_INLINE void LoadFourWords(D, const uint8_t* texels, const int32_t* index, In
       }
     }
   }
-  const hn::Repartition<int64_t, decltype(di)> wide;
-  const auto low01 = hn::BitCast(wide, hn::InterleaveLower(di, lane[0], lane[1]));
-  const auto low23 = hn::BitCast(wide, hn::InterleaveLower(di, lane[2], lane[3]));
-  const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(di, lane[0], lane[1]));
-  const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(di, lane[2], lane[3]));
-  word[0] = hn::BitCast(di, hn::InterleaveLower(wide, low01, low23));
-  word[1] = hn::BitCast(di, hn::InterleaveUpper(wide, low01, low23));
-  word[2] = hn::BitCast(di, hn::InterleaveLower(wide, high01, high23));
-  word[3] = hn::BitCast(di, hn::InterleaveUpper(wide, high01, high23));
+  TransposeBlocks(lane, word);
 #endif
 }
 

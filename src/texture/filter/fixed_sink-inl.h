@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Filters in fixed point: a sink that takes the quads of a filter as integer addresses and weights.
 
-#if defined(SHD_TEXTURE_FIXED_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SHD_TEXTURE_FIXED_INL_H_
-#undef SHD_TEXTURE_FIXED_INL_H_
+#if defined(SHD_TEXTURE_FIXED_SINK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_FIXED_SINK_INL_H_
+#undef SHD_TEXTURE_FIXED_SINK_INL_H_
 #else
-#define SHD_TEXTURE_FIXED_INL_H_
+#define SHD_TEXTURE_FIXED_SINK_INL_H_
 #endif
 
 #include <hwy/highway.h>
 
+#include "simd/integer-inl.h"
 #include "texture/filter/runner-inl.h"
 #include "texture/format/fixed.h"
 #include "texture/stream.h"
@@ -17,6 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::ShortProduct;
 
 /// The two taps of one axis in units of 2^-13 texels. Their weights are kWeightOne - s and s.
 template <class D>
@@ -63,20 +65,6 @@ HWY_NOINLINE FixedTaps<D> WrapRounded(D d, shd_wrap wrap, hn::Vec<D> reduced, co
   RoundWeights(d, &taps);
   const auto s = hn::ConvertTo(di, taps.s * hn::Set(d, static_cast<float>(kWeightOne)));
   return {taps.i0, taps.i1, s, hn::AllTrue(di, hn::Eq(taps.i1, taps.i0 + hn::Set(di, 1)))};
-}
-
-/// Returns the products of integers in 0..32767.
-template <class V>
-HWY_INLINE V ShortProduct(V a, V b) {
-#if HWY_TARGET == HWY_AVX3
-  return V{_mm512_madd_epi16(a.raw, b.raw)};
-#elif HWY_TARGET == HWY_AVX2
-  return V{_mm256_madd_epi16(a.raw, b.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-  return V{_mm_madd_epi16(a.raw, b.raw)};
-#else
-  return a * b;
-#endif
 }
 
 /// Sums the quads of each vector of lookups as integers; a sink of Run(). With kProbes, the quads of an average have
@@ -221,4 +209,4 @@ class FixedSink {
 }  // namespace shd::texture::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#endif  // SHD_TEXTURE_FIXED_INL_H_
+#endif  // SHD_TEXTURE_FIXED_SINK_INL_H_

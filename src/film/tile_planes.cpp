@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "film/tile_planes.h"
+
+#include <algorithm>
+
+#include "film/pixels.h"
+
+namespace shd::film {
+namespace {
+
+/// The planes from pixel (x, y) of the tile on.
+TilePlanes offset(const TilePlanes& planes, size_t x, size_t y) {
+  TilePlanes moved = planes;
+  for (float*& plane : moved.plane) plane += y * planes.stride + x;
+  return moved;
+}
+
+}  // namespace
+
+TilePlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuffer) {
+  const size_t corner = size_t{area.top} * framebuffer->stride + area.left;
+  TilePlanes planes;
+  for (uint32_t c = 0; c < 4; ++c) planes.plane[c] = framebuffer->plane[first + c].data() + corner;
+  planes.stride = framebuffer->stride;
+  return planes;
+}
+
+void ColorBlock::allocate(const core::Allocator& allocator, const Framebuffer& framebuffer) {
+  if (!has_color_planes(framebuffer)) planes_ = core::Array<float>(allocator, 4 * raster::kTilePixels);
+}
+
+TilePlanes ColorBlock::planes(const TileArea& area, Framebuffer* framebuffer) {
+  if (has_color_planes(*framebuffer)) return planes_of(area, SHD_PLANE_R, framebuffer);
+  float* const first = planes_.data();
+  return {{first, first + raster::kTilePixels, first + 2 * raster::kTilePixels, first + 3 * raster::kTilePixels},
+          raster::kTile};
+}
+
+void fill_color(const TileArea& area, const TileArea& part, const float color[4], const TilePlanes& planes) {
+  for (uint32_t y = 0; y < part.height; ++y) {
+    const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
+    for (uint32_t c = 0; c < 4; ++c) std::fill_n(row.plane[c], part.width, color[c]);
+  }
+}
+
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes) {
+  if (has_color_planes(framebuffer)) return;
+  for (uint32_t y = 0; y < area.height; ++y) {
+    const TilePlanes row = offset(planes, 0, y);
+    decode_pixels(framebuffer.color_format, pixel_at(framebuffer, area.left, area.top + y), area.width, row.plane);
+  }
+}
+
+void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
+                 Framebuffer* framebuffer) {
+  if (has_color_planes(*framebuffer)) return;
+  for (uint32_t y = 0; y < part.height; ++y) {
+    const TilePlanes row = offset(planes, part.left - area.left, part.top - area.top + y);
+    encode_pixels(simd, framebuffer->color_format, row.plane, part.width,
+                  pixel_at(framebuffer, part.left, part.top + y));
+  }
+}
+
+}  // namespace shd::film

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "core/allocator.h"
+#include "core/simd_target.h"
+#include "film/framebuffer.h"
+#include "film/tile_area.h"
+
+namespace shd::film {
+
+/// Planes of colour, r, g, b and a, from the first pixel of a tile on.
+struct TilePlanes {
+  float* plane[4];
+  size_t stride;  // elements between rows
+};
+
+/// Colours of a tile whose framebuffer has interleaved pixels: they are planes while the tile is drawn, and encoded
+/// once.
+class ColorBlock {
+ public:
+  /// Allocates memory if the framebuffer has interleaved pixels. Throws std::bad_alloc.
+  void allocate(const core::Allocator& allocator, const Framebuffer& framebuffer);
+  /// The planes in which the tile is drawn: those of the framebuffer if it has planes.
+  TilePlanes planes(const TileArea& area, Framebuffer* framebuffer);
+
+ private:
+  core::Array<float> planes_;  // [4][kTilePixels]
+};
+
+/// The planes first..first + 3 of the framebuffer.
+TilePlanes planes_of(const TileArea& area, uint32_t first, Framebuffer* framebuffer);
+
+/// Fills a part of a tile. `part` lies in `area`, both in pixels of the framebuffer.
+void fill_color(const TileArea& area, const TileArea& part, const float color[4], const TilePlanes& planes);
+
+/// Reads and writes the colour of a part of a tile, if the framebuffer has interleaved pixels.
+void load_color(const TileArea& area, const Framebuffer& framebuffer, const TilePlanes& planes);
+void store_color(const core::SimdTarget& simd, const TileArea& area, const TileArea& part, const TilePlanes& planes,
+                 Framebuffer* framebuffer);
+
+}  // namespace shd::film
