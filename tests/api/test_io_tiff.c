@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* TIFF directories with hostile strips: refused at once, before libtiff reads them. Layout: Adobe, "TIFF 6.0". */
+/* Hostile TIFF directories: refused at once, before libtiff reads them. Layout: Adobe, "TIFF 6.0". */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 
@@ -59,6 +59,8 @@ static const struct tiff_case k_cases[] = {
      DIRECTORY},
     /* Every directory of a circle lists the strips again. */
     {"circle", BEYOND, KEPT, KEPT, DIRECTORY},
+    /* To remove its metadata would change the header. */
+    {"directory_in_header", SHD_ERROR_CORRUPT, "TIFF: a directory at byte 7, in the header", KEPT, KEPT, 7},
 };
 
 static void put(unsigned char *to, uint32_t value, int bytes)
