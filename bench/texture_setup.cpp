@@ -40,6 +40,8 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   sampler.box = filter.box;
   sampler.profile = filter.profile;
   sampler.precision = filter.precision;
+  sampler.probe_slack = filter.probe_slack;
+  sampler.level_blend = filter.level_blend;
   check(shd_sampler_create(context_, &sampler, &sampler_));
   const std::vector<uint8_t> converted = convert(texels, format);
   shd_texture_desc texture = shd_texture_desc_default();

@@ -22,13 +22,15 @@ struct Filter {
   shd_box box = SHD_BOX_BOUNDING;
   shd_profile profile = SHD_PROFILE_EXACT;
   shd_precision precision = SHD_PRECISION_FULL;
+  float probe_slack = 0.125f, level_blend = 1.0f;
 };
 
 /// A row of a filter of kFilters with SHD_PRECISION_FAST.
 constexpr Filter fast(const char* name, shd_filter filter, bool reads_derivatives, const char* peer_row,
-                      PeerFilter peer, bool on_all_formats) {
-  return {name, filter,         SHD_TABLE_MIPMAP,     reads_derivatives, peer_row,          peer,
-          1,    on_all_formats, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING,  SHD_PROFILE_EXACT, SHD_PRECISION_FAST};
+                      PeerFilter peer, bool on_all_formats, float probe_slack = 0.125f, float level_blend = 1.0f) {
+  return {name,        filter,         SHD_TABLE_MIPMAP,     reads_derivatives, peer_row,          peer,
+          1,           on_all_formats, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING,  SHD_PROFILE_EXACT, SHD_PRECISION_FAST,
+          probe_slack, level_blend};
 }
 
 constexpr Filter kFilters[] = {
@@ -58,6 +60,8 @@ constexpr Filter kFilters[] = {
     fast("bilinear_mip_fast", SHD_FILTER_BILINEAR_MIP, true, "bilinear_mip", PeerFilter::kBilinearMip, false),
     fast("trilinear_fast", SHD_FILTER_TRILINEAR, true, "trilinear", PeerFilter::kTrilinear, true),
     fast("anisotropic_fast", SHD_FILTER_ANISOTROPIC, true, "anisotropic", PeerFilter::kAnisotropic16, true),
+    fast("anisotropic_one_level_fast", SHD_FILTER_ANISOTROPIC, true, "anisotropic", PeerFilter::kAnisotropic16, false,
+         0.35f, 0.03125f),
     {"ewa", SHD_FILTER_EWA, SHD_TABLE_MIPMAP, true, "anisotropic", PeerFilter::kAnisotropic16, 1, false},
     {"stochastic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false},
     {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,

@@ -197,6 +197,24 @@ typedef struct shd_sampler_desc {
     shd_filter stochastic_filter;
     uint32_t seed;           /**< seed of SHD_FILTER_STOCHASTIC; default 0 */
     shd_precision precision; /**< default SHD_PRECISION_FULL */
+    /**
+     * Largest number of texels that a lookup of ANISOTROPIC or EWA reads: 0 = no limit besides max_anisotropy, or 32 or
+     * more; default 0. It limits the ratio of the footprint's axes as max_anisotropy does: longer footprints use
+     * coarser levels.
+     */
+    uint32_t max_texels;
+    /**
+     * Length by which a footprint may exceed the probes of ANISOTROPIC in SHD_PROFILE_EXACT before another one is
+     * added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
+     * probes.
+     */
+    float probe_slack;
+    /**
+     * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in SHD_PROFILE_EXACT blend them, 0..1;
+     * default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
+     * level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
+     */
+    float level_blend;
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 
@@ -209,6 +227,8 @@ static inline shd_sampler_desc shd_sampler_desc_default(void)
     desc.width_x = desc.width_y = 1.0f;
     desc.max_anisotropy = 16.0f;
     desc.tolerance = 0.015625f;
+    desc.probe_slack = 0.125f;
+    desc.level_blend = 1.0f;
     return desc;
 }
 

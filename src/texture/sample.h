@@ -32,8 +32,8 @@ struct Recording;
 ///              footprint shortened to the limit on the coarsest level
 ///
 /// Anisotropic: a >= b are the half axes of the footprint in base texels (footprint-inl.h), r = min(a / b,
-/// max_anisotropy). The result is the average of N = ceil(r - 1/8) trilinear lookups on the level log2(a / r) + bias.
-/// Probe k = 0..N - 1 lies at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N). Gaussian
+/// max_anisotropy). The result is the average of N = ceil(r 2^(l - m) - probe_slack) trilinear lookups on the level m.
+/// l is log2(a / r) + bias, clamped, and m is l with the fraction of level_blend: l itself by default. Probe k = 0..N - 1 lies at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N). Gaussian
 /// weights are exp(-2 x^2), x = 2 t. The probes are averaged on each of the two levels; the two averages are then
 /// blended. N = 1 with r = 1 has the bits of trilinear.
 ///

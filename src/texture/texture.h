@@ -144,6 +144,8 @@ struct Sampler {
   shd_profile profile;
   bool rounded_weights;  // weights of bilinear lookups are rounded to 8 bits
   shd_precision precision;
+  float probe_slack;
+  float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
 };
 
 /// Copies a sampler and removes width and blur from the copy.

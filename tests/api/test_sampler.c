@@ -49,6 +49,15 @@ static void edit_anisotropy_64(shd_sampler_desc *d) { d->max_anisotropy = 64; }
 static void edit_anisotropy_negative(shd_sampler_desc *d) { d->max_anisotropy = -16; }
 static void edit_anisotropy_nan(shd_sampler_desc *d) { d->max_anisotropy = NAN; }
 static void edit_anisotropy_1e9(shd_sampler_desc *d) { d->max_anisotropy = 1e9f; }
+static void edit_max_texels_31(shd_sampler_desc *d) { d->max_texels = 31; }
+static void edit_max_texels_32(shd_sampler_desc *d) { d->max_texels = 32; }
+static void edit_max_texels_most(shd_sampler_desc *d) { d->max_texels = 0xffffffffu; }
+static void edit_probe_slack_negative(shd_sampler_desc *d) { d->probe_slack = -0.25f; }
+static void edit_probe_slack_nan(shd_sampler_desc *d) { d->probe_slack = NAN; }
+static void edit_probe_slack_1(shd_sampler_desc *d) { d->probe_slack = 1; }
+static void edit_level_blend_0(shd_sampler_desc *d) { d->level_blend = 0; }
+static void edit_level_blend_1_5(shd_sampler_desc *d) { d->level_blend = 1.5f; }
+static void edit_level_blend_nan(shd_sampler_desc *d) { d->level_blend = NAN; }
 static void edit_probe_weights(shd_sampler_desc *d) { d->probe_weights = (shd_probe_weights)2; }
 static void edit_cubic(shd_sampler_desc *d) { d->cubic = (shd_cubic)3; }
 static void edit_box(shd_sampler_desc *d) { d->box = (shd_box)-1; }
@@ -103,6 +112,18 @@ static const struct create_case k_create[] = {
     {"create/anisotropy_0", edit_anisotropy_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: 0 is not in 1..64"},
     {"create/anisotropy_negative", edit_anisotropy_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: -16"},
     {"create/anisotropy_nan", edit_anisotropy_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: nan"},
+    {"create/max_texels_31", edit_max_texels_31, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.max_texels: 31 is neither 0 nor 32 or more"},
+    {"create/max_texels_32", edit_max_texels_32, SHD_OK, ""},
+    {"create/max_texels_most", edit_max_texels_most, SHD_OK, ""},
+    {"create/probe_slack_negative", edit_probe_slack_negative, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.probe_slack: -0.25 is not in 0..1"},
+    {"create/probe_slack_nan", edit_probe_slack_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.probe_slack: nan"},
+    {"create/probe_slack_1", edit_probe_slack_1, SHD_OK, ""},
+    {"create/level_blend_0", edit_level_blend_0, SHD_OK, ""},
+    {"create/level_blend_1.5", edit_level_blend_1_5, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.level_blend: 1.5 is not in 0..1"},
+    {"create/level_blend_nan", edit_level_blend_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.level_blend: nan"},
     {"create/anisotropy_1e9", edit_anisotropy_1e9, SHD_ERROR_INVALID_ARGUMENT, "sampler.max_anisotropy: 1e+09"},
     {"create/probe_weights_unknown", edit_probe_weights, SHD_ERROR_INVALID_ARGUMENT, "sampler.probe_weights: 2"},
     {"create/cubic_unknown", edit_cubic, SHD_ERROR_INVALID_ARGUMENT, "sampler.cubic: 3 is not in 0..2"},

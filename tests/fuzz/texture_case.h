@@ -118,6 +118,9 @@ inline void choose_sampler(Source& source, shd_sampler_desc& desc) {
   desc.lod_min = source.one_in(4) ? source.real(0, 32) : 0.0f;
   desc.lod_max = source.one_in(4) ? source.real(0, 32) : 32.0f;
   desc.precision = source.constant<shd_precision>(2);
+  desc.max_texels = source.one_in(4) ? source.word() >> source.below(32) : 0;
+  desc.probe_slack = source.one_in(4) ? source.real(0, 1) : 0.125f;
+  desc.level_blend = source.one_in(4) ? source.real(0, 1) : 1.0f;
 }
 
 }  // namespace shd::fuzz

@@ -152,8 +152,15 @@ inline double clamp_lod(const Image& image, double lod) {
   return fmin(fmax(clamped, 0), image.level_count - 1);
 }
 
+/// A level of detail whose fraction is the share of the coarser level (shd_sampler_desc::level_blend).
+inline double blend_levels(const shd_sampler_desc& s, double lod) {
+  const double blend = static_cast<double>(s.level_blend), fraction = lod - floor(lod);
+  if (blend == 0) return fraction > 0.5 ? floor(lod) + 1 : floor(lod);
+  return floor(lod) + fmin(fmax((fraction - 0.5) / blend + 0.5, 0), 1);
+}
+
 inline double trilinear(const Image& image, double u, double v, double lod, int c) {
-  const double d = clamp_lod(image, lod);
+  const double d = blend_levels(*image.sampler, clamp_lod(image, lod));
   const int high = static_cast<int>(floor(d));
   const int low = high + 1 < image.level_count ? high + 1 : image.level_count - 1;
   return mix(bilinear(image, high, u, v, c), bilinear(image, low, u, v, c), d - floor(d));

@@ -155,6 +155,17 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
 }
 
+/// Returns a level of detail whose fraction is the share of the coarser level (shd_sampler_desc::level_blend).
+template <class D, class V>
+HWY_INLINE V BlendLevels(D d, const Sampler& sampler, V lod) {
+  if (HWY_LIKELY(sampler.level_steepness == 1.0f)) return lod;
+  const V half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
+  if (sampler.level_steepness == 0.0f) return hn::Ceil(lod - half);
+  const V floor = hn::Floor(lod);
+  const V share = (lod - floor - half) * hn::Set(d, sampler.level_steepness) + half;
+  return floor + hn::Min(hn::Max(share, hn::Zero(d)), one);
+}
+
 /// Finds the levels of detail of the longer axis according to the sampler's profile. They are clamped to `query` and
 /// not rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
@@ -166,15 +177,10 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const bool lod_given = in.lod != nullptr;
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
-    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
+    const auto lod = ClampLod(d, lambda, sampler.lod_bias, range);
+    hn::Store(query ? lod : BlendLevels(d, sampler, lod), d, out->lod + to);
   });
 }
-
-/// Part of a probe's width that the footprint may exceed its probes by before it gets another probe. Alternatives on a
-/// receding floor (2048^2 checkerboard): 1/2 in place of 1/8 costs 3.3 dB. More than one probe per width of the shorter
-/// axis is slower and gains at most 0.6 dB. Probes up to the ends of the footprint, instead of half a width before
-/// them, cost 5 dB.
-constexpr float kSlack = 0.125f;
 
 /// Returns length / size. The reciprocal of a power of two is exact, so that a product has the same bits.
 template <class D>
@@ -185,7 +191,10 @@ HWY_INLINE hn::Vec<D> DividedBySize(D d, hn::Vec<D> length, float size) {
 }
 
 /// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile (McCormack,
-/// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). `query`: as above.
+/// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). More than one probe
+/// per width of the shorter axis is slower and gains at most 0.6 dB on a receding floor (2048^2 checkerboard). Probes up
+/// to the ends of the footprint, instead of half a width before them, cost 5 dB. Where the levels are not blended
+/// (shd_sampler_desc::level_blend), a probe is as wide as a texel of the level that it reads. `query`: as above.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                       ProbeBlock* out, const LodRange* query = nullptr) {
   const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
@@ -198,14 +207,20 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
     const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
     const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
     const auto lambda = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
-    const auto probes = hn::Ceil(ratio - hn::Set(d, kSlack));
+    const auto lod = ClampLod(d, lambda, sampler.lod_bias, range);
+    auto blended = lod, widths = ratio;
+    if (!query && HWY_UNLIKELY(sampler.level_steepness != 1.0f)) {
+      blended = BlendLevels(d, sampler, lod);
+      widths = ratio * simd::HWY_NAMESPACE::Exp2(d, lod - blended);
+    }
+    const auto probes = hn::Max(hn::Ceil(widths - hn::Set(d, sampler.probe_slack)), one);
     const auto half_step = f.length / (probes + probes);
     const auto step_u = DividedBySize(d, half_step * f.u, width), step_v = DividedBySize(d, half_step * f.v, height);
     hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);
     hn::Store(hn::Max(hn::Min(step_v, limit), hn::Neg(limit)), d, out->step_v + to);
     hn::Store(probes, d, out->probes + to);
     hn::Store(probes, d, out->reach + to);
-    hn::Store(ClampLod(d, lambda, sampler.lod_bias, range), d, out->lod + to);
+    hn::Store(blended, d, out->lod + to);
   });
 }
 

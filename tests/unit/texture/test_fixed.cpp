@@ -29,6 +29,8 @@ shd_sampler_desc fast_desc(shd_filter filter, uint32_t pair) {
   desc.wrap_v = kFixedWraps[pair / 4 % 4];
   desc.max_anisotropy = limits[(pair + pair / 4) % 5];
   desc.precision = SHD_PRECISION_FAST;
+  desc.level_blend = pair % 3 == 0 ? 1.0f : pair % 3 == 1 ? 0.25f : 0.0f;
+  desc.probe_slack = pair % 3 == 0 ? 0.125f : 0.4f;
   return desc;
 }
 
@@ -48,11 +50,19 @@ void find_shapes(const Texture& texture, const shd_sampler_desc& desc, const Loo
   for (size_t i = 0; i < lookups.count; ++i) t_probes.probes[i] = 1;
 }
 
-ref::FixedPoint point_of(shd_filter filter, size_t i) {
+/// The level of detail after shd_sampler_desc::level_blend.
+float blend_levels(const shd_sampler_desc& desc, float lod) {
+  if (desc.level_blend == 0.0f) return ceilf(lod - 0.5f);
+  const float share = (lod - floorf(lod) - 0.5f) * (1.0f / desc.level_blend) + 0.5f;
+  return floorf(lod) + fminf(fmaxf(share, 0.0f), 1.0f);
+}
+
+ref::FixedPoint point_of(const shd_sampler_desc& desc, size_t i) {
   const shd::texture::ProbeBlock& b = t_probes;
   float lod = b.lod[i];
-  if (filter == SHD_FILTER_BILINEAR) lod = 0;
-  if (filter == SHD_FILTER_BILINEAR_MIP) lod = fmaxf(ceilf(lod + 0.5f) - 1.0f, 0.0f);
+  if (desc.filter == SHD_FILTER_BILINEAR) lod = 0;
+  if (desc.filter == SHD_FILTER_TRILINEAR && desc.level_blend < 1.0f) lod = blend_levels(desc, lod);
+  if (desc.filter == SHD_FILTER_BILINEAR_MIP) lod = fmaxf(ceilf(lod + 0.5f) - 1.0f, 0.0f);
   return {b.u[i], b.v[i], lod, b.step_u[i], b.step_v[i], static_cast<int>(b.probes[i])};
 }
 
@@ -89,7 +99,7 @@ void check_fast(const char* what, const Texture& texture, const shd_sampler_desc
   const bool blended = desc.filter == SHD_FILTER_TRILINEAR || desc.filter == SHD_FILTER_ANISOTROPIC;
   for (size_t i = 0; i < lookups.count; i += SHD_ORACLE_STRIDE) {
     for (int c = 0; c < 4; ++c) {
-      const float want = ref::fixed_value(image, point_of(desc.filter, i), blended, c);
+      const float want = ref::fixed_value(image, point_of(desc, i), blended, c);
       check_bits(what, i, c, t_fast.out[c][i], want);
     }
   }
