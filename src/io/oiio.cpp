@@ -80,6 +80,7 @@ struct Decoder {
   int first = 0;  // channels [first, end) of the file are read
   int end = 0;
   OIIO::TypeDesc type;
+  OIIO::TypeDesc request;  // `type`, or unknown if the file has no other: then OpenImageIO does not convert
 };
 
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
@@ -178,10 +179,10 @@ bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const int subimage = static_cast<int>(d.options.subimage);
   if (spec.tile_width > 0) {
     return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
-                                      spec.z, spec.z + 1, d.first, d.end, d.type, band);
+                                      spec.z, spec.z + 1, d.first, d.end, d.request, band);
   }
-  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type,
-                                        band);
+  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end,
+                                        d.request, band);
 }
 
 /// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of 64 rows, OpenEXR's
@@ -356,6 +357,8 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
     }
   }
   choose_channels(d);
+  const bool one_type = d.spec.channelformats.empty() && d.spec.format == d.type;
+  d.request = one_type ? OIIO::TypeDesc(OIIO::TypeUnknown) : d.type;
   Bitmap out;
   out.format = bitmap_format(d.type);
   out.width = static_cast<uint32_t>(d.spec.full_width);
@@ -417,7 +420,7 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
     const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
-    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}};
+    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}, {}};
     return decode_with(decoder, file, memory);
   } catch (const core::Failure&) {
     throw;
