@@ -33,9 +33,6 @@ Bitmap load_isolated(const char*, const Source&, const LoadOptions&, const Memor
 
 namespace {
 
-/// The host reports that it waits for more pixels than this [bytes].
-constexpr size_t kManyPixels = size_t{1} << 21;
-
 /// Pixels that are received and then expanded while the processor's cache holds them.
 constexpr size_t kChunkPixels = size_t{1} << 14;
 
@@ -244,10 +241,6 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   Bitmap out;
   out.pixels = Buffer(memory, check_reply(first, options, file_size));
   (void)check_info(first.info);
-  const WorkerWaits waits = {kWorkerMagic};
-  // It may fail: the fork is no part of this load.
-  if (out.pixels.size() > kManyPixels)
-    (void)::send(channel.control.ours.fd, &waits, sizeof waits, MSG_NOSIGNAL | MSG_DONTWAIT);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(first.format));
   const size_t absent = PixelReceiver(channel, first, out.pixels, memory, deadline).receive() * pixel;
   WorkerReply last;

@@ -12,10 +12,7 @@ namespace shd::io {
 // The worker is a fork server. Its descriptor 0 is a socket (SOCK_SEQPACKET) to the host. It sends one WorkerHello, and
 // receives one WorkerRequest for each load with three descriptors:
 //   0  control, a socket (SOCK_SEQPACKET): the server sends WorkerStarted when a child has got the load, and
-//      WorkerEnded when this child has ended. It kills the child when the host closes its end. The host sends
-//      WorkerWaits if it will wait for many pixels: the server then forks the child for the next load, which takes
-//      3 ms. The kernel wakes the server on the processor of the host, which has nothing to do; a fork at another time
-//      may delay the child or the host. Without WorkerWaits the server forks when a child has ended, or after a while.
+//      WorkerEnded when this child has ended. It kills the child when the host closes its end.
 //   1  data, a pipe: the child alone writes to it. It sends a WorkerReply as soon as the file is described; if its code
 //      is SHD_OK, pieces of the pixels in order while it decodes, each behind its size as a uint64_t, the size 0, and
 //      the final WorkerReply. A piece is whole pixels of the `channels` of the reply. The host expands them to RGBA in
@@ -42,10 +39,6 @@ struct WorkerRequest {
 
 struct WorkerStarted {
   int32_t error;  // errno if there is no child
-};
-
-struct WorkerWaits {
-  uint32_t magic;
 };
 
 struct WorkerEnded {
