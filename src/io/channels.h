@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,19 @@ namespace shd::io {
 struct ChannelMap {
   int index[4];
 };
+
+/// Pixels before their expansion to RGBA: `channels` values of the bitmap's type, 1..4, to which the map refers.
+struct Packing {
+  int channels;
+  ChannelMap map;
+};
+
+/// Pixels that are RGBA already.
+constexpr Packing kExpanded = {4, {{0, 1, 2, 3}}};
+
+inline bool operator==(const Packing& a, const Packing& b) {
+  return a.channels == b.channels && std::equal(std::begin(a.map.index), std::end(a.map.index), b.map.index);
+}
 
 /// Finds the channels by name (any case), otherwise uses the first channels. `alpha` is the file's own alpha channel
 /// or -1.

@@ -37,6 +37,7 @@
 /// | packet.h         | sending and receiving with deadlines                                 |
 /// | child_process.h  | starting and ending a program                                        |
 /// | worker_job.h     | the worker: the server (worker_serve.cpp) and its children           |
+/// | worker_memory.h  | memory of these children                                             |
 #pragma once
 
 #include <cstddef>
@@ -44,6 +45,7 @@
 
 #include <shd/io.h>
 
+#include "io/channels.h"
 #include "io/limits.h"
 #include "io/memory.h"
 
@@ -70,13 +72,16 @@ struct Bitmap {
   Buffer pixels;
 };
 
-/// Receives a bitmap while it is decoded; the bitmap and its pixels stay where they are until decode() returns.
+/// Receives the pixels of a bitmap while it is decoded. The bitmap itself may have none.
 struct Sink {
   void* owner;
-  /// The description is complete. Later, damage may add SHD_BITMAP_PARTIAL and lower level_count.
-  void (*begin)(void* owner, const Bitmap& bitmap);
-  /// The first `size` bytes of the pixels are final.
-  void (*advance)(void* owner, const Bitmap& bitmap, size_t size);
+  /// The description is complete, and the pixels will have this packing. Later, damage may add SHD_BITMAP_PARTIAL and
+  /// lower level_count.
+  void (*begin)(void* owner, const Bitmap& bitmap, const Packing& packing);
+  /// Memory for the next bytes of the pixels. It is used again after some more calls.
+  unsigned char* (*room)(void* owner, size_t size);
+  /// The next bytes of the pixels, in memory from room() or of the bitmap, which does not change any more.
+  void (*take)(void* owner, const unsigned char* bytes, size_t size);
 };
 
 /// Size of one RGBA pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.

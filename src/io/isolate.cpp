@@ -12,6 +12,7 @@
 
 #include "core/failure.h"
 #include "core/printable.h"
+#include "io/channels.h"
 #include "io/child_process.h"
 #include "io/levels.h"
 #include "io/packet.h"
@@ -32,8 +33,8 @@ Bitmap load_isolated(const char*, const Source&, const LoadOptions&, const Memor
 
 namespace {
 
-/// The host reports that it waits for more pixels than this [bytes].
-constexpr size_t kManyPixels = size_t{1} << 21;
+/// Pixels that are received and then expanded while the processor's cache holds them.
+constexpr size_t kChunkPixels = size_t{1} << 14;
 
 /// Size of the pipe for pixels, if the system grants it [bytes].
 constexpr int kPipeSize = 1 << 20;
@@ -121,6 +122,16 @@ void require_done(Stream stream, const Channel& channel, const Deadline& deadlin
   core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
+void check_packing(const WorkerReply& reply) {
+  if (reply.channels < 1 || reply.channels > 4) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u channels", reply.channels);
+  }
+  for (const int32_t index : reply.map) {
+    if (index >= -1 && index < static_cast<int32_t>(reply.channels)) continue;
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent channel %d of %u", index, reply.channels);
+  }
+}
+
 /// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
 /// pixels.
 size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_size) {
@@ -133,6 +144,7 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
   if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
+  check_packing(reply);
   check_extent(options.limits, "image", reply.width, reply.height);
   const bool levels = (options.flags & SHD_LOAD_FILE_LEVELS) != 0;
   const uint32_t most = levels ? full_level_count(reply.width, reply.height) : 1;
@@ -161,19 +173,67 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
   return info;
 }
 
-/// Receives the pieces of the pixels until the child ends them. Returns their size.
-size_t receive_pixels(const Channel& channel, const Buffer& pixels, const Deadline& deadline) {
-  size_t done = 0;
-  while (true) {
-    uint64_t piece = 0;
-    require_done(receive_all(channel.data.ours.fd, &piece, sizeof piece, deadline), channel, deadline);
-    if (piece == 0) return done;
-    if (piece > pixels.size() - done) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent too many pixels");
-    const auto size = static_cast<size_t>(piece);
-    require_done(receive_all(channel.data.ours.fd, pixels.data() + done, size, deadline), channel, deadline);
-    done += size;
-  }
+Packing packing_of(const WorkerReply& reply) {
+  return {static_cast<int>(reply.channels), {{reply.map[0], reply.map[1], reply.map[2], reply.map[3]}}};
 }
+
+/// Receives the pixels that a checked reply describes, and expands them to RGBA.
+class PixelReceiver {
+ public:
+  PixelReceiver(const Channel& channel, const WorkerReply& reply, const Buffer& pixels, const Memory& memory,
+                const Deadline& deadline)
+      : channel_(channel),
+        deadline_(deadline),
+        format_(static_cast<shd_format>(reply.format)),
+        packing_(packing_of(reply)),
+        expanded_(bitmap_pixel_size(format_)),
+        packed_(expanded_ / 4 * reply.channels),
+        next_(pixels.data()),
+        left_(pixels.size() / expanded_),
+        chunk_(memory, packing_ == kExpanded ? 0 : std::min(left_, kChunkPixels) * packed_) {}
+
+  /// Receives pieces until the child ends them. Returns the number of pixels that are absent.
+  size_t receive() {
+    while (true) {
+      uint64_t piece = 0;
+      receive_bytes(&piece, sizeof piece);
+      if (piece == 0) return left_;
+      if (piece > left_ * packed_) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent too many pixels");
+      if (piece % packed_ != 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a part of a pixel");
+      receive_piece(static_cast<size_t>(piece / packed_));
+    }
+  }
+
+ private:
+  void receive_bytes(void* bytes, size_t size) {
+    require_done(receive_all(channel_.data.ours.fd, bytes, size, deadline_), channel_, deadline_);
+  }
+
+  void receive_piece(size_t pixels) {
+    left_ -= pixels;
+    if (!chunk_.size()) {
+      receive_bytes(next_, pixels * expanded_);
+      next_ += pixels * expanded_;
+      return;
+    }
+    while (pixels > 0) {
+      const size_t count = std::min(pixels, kChunkPixels);
+      receive_bytes(chunk_.data(), count * packed_);
+      expand_pixels(packing_.map, 0, chunk_.data(), static_cast<size_t>(packing_.channels), count, format_, next_);
+      next_ += count * expanded_;
+      pixels -= count;
+    }
+  }
+
+  const Channel& channel_;
+  const Deadline& deadline_;
+  const shd_format format_;
+  const Packing packing_;
+  const size_t expanded_, packed_;  // size of a pixel after and before its expansion [bytes]
+  unsigned char* next_;
+  size_t left_;         // pixels that have not been announced
+  const Buffer chunk_;  // for pixels that are not RGBA
+};
 
 /// Receives the pixels that `first` describes, and the final reply.
 Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOptions& options, size_t file_size,
@@ -181,16 +241,14 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   Bitmap out;
   out.pixels = Buffer(memory, check_reply(first, options, file_size));
   (void)check_info(first.info);
-  const WorkerWaits waits = {kWorkerMagic};
-  // It may fail: the fork is no part of this load.
-  if (out.pixels.size() > kManyPixels)
-    (void)::send(channel.control.ours.fd, &waits, sizeof waits, MSG_NOSIGNAL | MSG_DONTWAIT);
-  const size_t received = receive_pixels(channel, out.pixels, deadline);
+  const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(first.format));
+  const size_t absent = PixelReceiver(channel, first, out.pixels, memory, deadline).receive() * pixel;
   WorkerReply last;
   require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);
   const size_t size = check_reply(last, options, file_size);
   const bool same = last.format == first.format && last.width == first.width && last.height == first.height;
-  if (!same || size > received) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
+  if (!same || size > out.pixels.size() - absent) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
+  if (!(packing_of(last) == packing_of(first))) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent other channels");
   out.format = static_cast<shd_format>(last.format);
   out.width = last.width;
   out.height = last.height;

@@ -80,6 +80,9 @@ struct Decoder {
   int first = 0;  // channels [first, end) of the file are read
   int end = 0;
   OIIO::TypeDesc type;
+  OIIO::TypeDesc request;  // `type`, or unknown if the file has no other: then OpenImageIO does not convert
+  bool streams = false;    // rows go to the sink as they are read; otherwise they are placed in the bitmap first
+  size_t sent = 0;         // bytes of the bitmap that the sink has got, unless `streams`
 };
 
 [[noreturn]] void refuse_decode(Decoder& d, const char* action) {
@@ -172,16 +175,37 @@ shd_format bitmap_format(const OIIO::TypeDesc& type) {
   return type == OIIO::TypeHalf ? SHD_FORMAT_RGBA16F : SHD_FORMAT_RGBA32F;
 }
 
+bool fills_window(const OIIO::ImageSpec& spec) {
+  return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+         spec.height == spec.full_height;
+}
+
+/// Finds out whether rows can be read as the file stores them, and whether they can go to the sink like that: all of
+/// the picture from the top, or nothing.
+void choose_path(Decoder& d) {
+  const OIIO::ImageSpec& spec = d.spec;
+  d.request = spec.channelformats.empty() && spec.format == d.type ? OIIO::TypeDesc(OIIO::TypeUnknown) : d.type;
+  const bool plain = (d.options.flags & (SHD_LOAD_FLIP_V | SHD_LOAD_PARTIAL)) == 0;
+  d.streams = d.sink && plain && fills_window(spec) && d.end - d.first <= 4;
+}
+
+Packing packing_of(const Decoder& d) {
+  if (!d.streams) return kExpanded;
+  Packing packing = {d.end - d.first, d.map};
+  for (int& index : packing.map.index) index = index < 0 ? -1 : index - d.first;
+  return packing;
+}
+
 /// Reads rows [y, y_end) of the file into `band`; row 0 is the first row of the data window.
 bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const OIIO::ImageSpec& spec = d.spec;
   const int subimage = static_cast<int>(d.options.subimage);
   if (spec.tile_width > 0) {
     return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
-                                      spec.z, spec.z + 1, d.first, d.end, d.type, band);
+                                      spec.z, spec.z + 1, d.first, d.end, d.request, band);
   }
-  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end, d.type,
-                                        band);
+  return d.input.handle->read_scanlines(subimage, d.level, spec.y + y, spec.y + y_end, spec.z, d.first, d.end,
+                                        d.request, band);
 }
 
 /// Number of rows read between two checks of the deadline: whole tiles, otherwise a multiple of 64 rows, OpenEXR's
@@ -229,16 +253,18 @@ void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, unsigned ch
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
 
-/// Reports which pixels of the current level are final: those above row y_end of the file, or all of them. Rows that
-/// SHD_LOAD_FLIP_V stores from the bottom are reported at the end of their level.
-void advance(const Decoder& d, const Bitmap& out, int y_end, bool all) {
-  if (!d.sink || (!all && (d.options.flags & SHD_LOAD_FLIP_V))) return;
+/// Sends the pixels of the current level that are final: those above row y_end of the file, or all of them. Rows that
+/// SHD_LOAD_FLIP_V stores from the bottom are sent at the end of their level.
+void advance(Decoder& d, const Bitmap& out, int y_end, bool all) {
+  if (!d.sink || d.streams || (!all && (d.options.flags & SHD_LOAD_FLIP_V))) return;
   const OIIO::ImageSpec& spec = d.spec;
   const int64_t rows =
       all ? spec.full_height : std::clamp<int64_t>(y_end + int64_t{spec.y} - spec.full_y, 0, spec.full_height);
   const uint64_t above = level_pixels(out.width, out.height, static_cast<uint32_t>(d.level));
   const uint64_t pixels = above + static_cast<uint64_t>(rows) * static_cast<uint64_t>(spec.full_width);
-  d.sink->advance(d.sink->owner, out, static_cast<size_t>(pixels) * bitmap_pixel_size(out.format));
+  const size_t end = static_cast<size_t>(pixels) * bitmap_pixel_size(out.format);
+  if (end > d.sent) d.sink->take(d.sink->owner, out.pixels.data() + d.sent, end - d.sent);
+  d.sent = end;
 }
 
 /// Reads the pixels of the current level. Returns false if SHD_LOAD_PARTIAL is set and rows are missing.
@@ -246,20 +272,26 @@ bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
   const OIIO::ImageSpec& spec = d.spec;
   const int step = band_height(d);
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
-  const Buffer band(memory, row * static_cast<size_t>(std::min(step, spec.height)));
+  const Buffer own(memory, d.streams ? 0 : row * static_cast<size_t>(std::min(step, spec.height)));
   const auto above = static_cast<size_t>(level_pixels(out.width, out.height, static_cast<uint32_t>(d.level)));
-  unsigned char* const pixels = out.pixels.data() + above * bitmap_pixel_size(out.format);
+  unsigned char* const pixels = d.streams ? nullptr : out.pixels.data() + above * bitmap_pixel_size(out.format);
   for (int y = 0; y < spec.height; y += step) {
     d.deadline.check();
     const int y_end = std::min(spec.height, y + step);
-    std::memset(band.data(), 0, band.size());  // a decoder may succeed without writing all of it
-    if (!read_rows(d, y, y_end, band.data())) {
+    const size_t size = row * static_cast<size_t>(y_end - y);
+    unsigned char* const band = d.streams ? d.sink->room(d.sink->owner, size) : own.data();
+    std::memset(band, 0, size);  // a decoder may succeed without writing all of it
+    if (!read_rows(d, y, y_end, band)) {
       if (!(d.options.flags & SHD_LOAD_PARTIAL)) refuse_decode(d, "damaged");
-      salvage_rows(d, band.data(), y, y_end, pixels);
+      salvage_rows(d, band, y, y_end, pixels);
       return false;
     }
-    place_rows(d, band.data(), y, y_end, pixels);
-    advance(d, out, y_end, false);
+    if (d.streams) {
+      d.sink->take(d.sink->owner, band, size);
+    } else {
+      place_rows(d, band, y, y_end, pixels);
+      advance(d, out, y_end, false);
+    }
   }
   return true;
 }
@@ -271,11 +303,6 @@ bool seek_level(Decoder& d, int level) {
   d.spec = d.input.handle->spec();
   check_spec(d);
   return true;
-}
-
-bool fills_window(const OIIO::ImageSpec& spec) {
-  return spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
-         spec.height == spec.full_height;
 }
 
 /// Refuses a level that cannot be one of a texture with this base.
@@ -366,11 +393,14 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
               d.file.file_size);
   const uint64_t total = level_pixels(out.width, out.height, out.level_count);
   const size_t bytes = check_bytes(d.options.limits, total, pixel, d.file.file_size);
-  out.pixels = Buffer(memory, bytes);
-  if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
+  choose_path(d);
+  if (!d.streams) {
+    out.pixels = Buffer(memory, bytes);
+    if (!memory.zeroed) std::memset(out.pixels.data(), 0, bytes);
+  }
   describe(d, &out);
   if (!d.file.complete) out.info.flags |= SHD_BITMAP_PARTIAL;
-  if (d.sink) d.sink->begin(d.sink->owner, out);
+  if (d.sink) d.sink->begin(d.sink->owner, out, packing_of(d));
   read_levels(d, memory, &out);
   return out;
 }
@@ -417,7 +447,7 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
     const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
-    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}};
+    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}, {}, false, 0};
     return decode_with(decoder, file, memory);
   } catch (const core::Failure&) {
     throw;

@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -25,6 +24,7 @@
 #include "io/oiio.h"
 #include "io/packet.h"
 #include "io/read_file.h"
+#include "io/worker_memory.h"
 
 namespace shd::io {
 
@@ -35,32 +35,8 @@ uint64_t decoded_bytes(const WorkerRequest& request) {
   return std::min(request.limits.bytes, std::min(request.limits.pixels, 2 * kMaxSide * kMaxSide) * 16);
 }
 
-constexpr size_t kHugePage = size_t{1} << 21;
-
-/// New memory of the process, with huge pages like those of the default allocator of a context.
-void* map_pages(size_t size) {
-  if (size > PTRDIFF_MAX - kHugePage) return nullptr;
-  void* const mapped =
-      ::mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (mapped == MAP_FAILED) return nullptr;
-  const size_t offset = (kHugePage - reinterpret_cast<uintptr_t>(mapped) % kHugePage) % kHugePage;
-  void* const memory = static_cast<unsigned char*>(mapped) + offset;
-#ifdef MADV_HUGEPAGE
-  (void)::madvise(memory, size, MADV_HUGEPAGE);
-#endif
-  return memory;
-}
-
-void* plain_allocate(void*, size_t size) {
-  if (size >= kHugePage) return map_pages(size);
-  void* memory = nullptr;
-  if (::posix_memalign(&memory, 64, size) != 0) return nullptr;
-  return std::memset(memory, 0, size);
-}
-void plain_free(void*, void* memory, size_t size) {
-  if (size < kHugePage) std::free(memory);  // larger blocks live as long as the process, which ends soon
-}
-constexpr Memory kPlain = {nullptr, plain_allocate, plain_free, true};
+/// More than any pipe holds that an unprivileged process makes [bytes].
+constexpr int kMaxPipe = 1 << 24;
 
 bool send_all(int pipe, const void* bytes, size_t size) {
   const auto* next = static_cast<const unsigned char*>(bytes);
@@ -74,9 +50,9 @@ bool send_all(int pipe, const void* bytes, size_t size) {
   return true;
 }
 
-/// Sends memory that stays unchanged until the process ends: the pipe refers to it instead of copying it.
-bool lend_all(int pipe, void* bytes, size_t size) {
-  auto* next = static_cast<unsigned char*>(bytes);
+/// Sends memory that stays unchanged until it has been read: the pipe refers to it instead of copying it.
+bool lend_all(int pipe, const void* bytes, size_t size) {
+  auto* next = static_cast<unsigned char*>(const_cast<void*>(bytes));
   while (size > 0) {
     const iovec part = {next, size};
     const ssize_t put = ::vmsplice(pipe, &part, 1, 0);
@@ -160,8 +136,8 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
 struct Answer {
   int pipe;
   WorkerReply reply;
-  bool begun;   // the first reply has been sent
-  size_t sent;  // bytes of the pixels
+  bool begun;  // the first reply has been sent
+  LentRing ring;
 };
 
 /// Destructors are skipped, because the decoders' libraries take longer to unload than to decode.
@@ -169,20 +145,28 @@ void require_sent(bool sent) {
   if (!sent) _exit(3);
 }
 
-void send_description(void* owner, const Bitmap& bitmap) {
+void send_description(void* owner, const Bitmap& bitmap, const Packing& packing) {
   auto* answer = static_cast<Answer*>(owner);
   describe(bitmap, &answer->reply);
+  answer->reply.channels = static_cast<uint32_t>(packing.channels);
+  std::copy(std::begin(packing.map.index), std::end(packing.map.index), answer->reply.map);
   require_sent(send_all(answer->pipe, &answer->reply, sizeof answer->reply));
   answer->begun = true;
 }
 
-void send_piece(void* owner, const Bitmap& bitmap, size_t end) {
-  auto* answer = static_cast<Answer*>(owner);
-  const uint64_t piece = end - answer->sent;
-  if (piece == 0) return;
-  require_sent(send_all(answer->pipe, &piece, sizeof piece) &&
-               lend_all(answer->pipe, bitmap.pixels.data() + answer->sent, piece));
-  answer->sent = end;
+unsigned char* make_room(void* owner, size_t size) {
+  return static_cast<Answer*>(owner)->ring.room(size);
+}
+
+void send_piece(void* owner, const unsigned char* bytes, size_t size) {
+  const auto* answer = static_cast<Answer*>(owner);
+  const uint64_t piece = size;
+  require_sent(send_all(answer->pipe, &piece, sizeof piece) && lend_all(answer->pipe, bytes, size));
+}
+
+size_t pipe_capacity(int pipe) {
+  const int size = ::fcntl(pipe, F_GETPIPE_SZ);
+  return static_cast<size_t>(size > 0 ? size : kMaxPipe);
 }
 
 /// Decodes the file of a request and sends it; a failure is stored in the reply. Returns what must stay in memory.
@@ -196,9 +180,9 @@ Bitmap answer_request(const WorkerRequest& request, int file, Answer* answer) {
   };
   core::guard(report, [&] {
     const Deadline deadline(request.limits.seconds);
-    const Buffer bytes = read_bytes(file, request.size, kPlain);
-    const Sink sink = {answer, send_description, send_piece};
-    bitmap = load(bytes.data(), bytes.size(), options_of(request), kPlain, deadline, &sink);
+    const Buffer bytes = read_bytes(file, request.size, kWorkerMemory);
+    const Sink sink = {answer, send_description, make_room, send_piece};
+    bitmap = load(bytes.data(), bytes.size(), options_of(request), kWorkerMemory, deadline, &sink);
     describe(bitmap, &answer->reply);
     return SHD_OK;
   });
@@ -221,8 +205,7 @@ void run_job(int socket) {
   if (receive_packet(socket, &request, sizeof request, handed, 2, Deadline(1e9)) != Stream::kDone) _exit(2);
   ::close(socket);
   confine(request);
-  static Answer answer;
-  answer.pipe = handed[0].fd;
+  static Answer answer = {handed[0].fd, {}, false, LentRing(pipe_capacity(handed[0].fd))};
   answer.reply.magic = kWorkerMagic;
   const Bitmap bitmap = answer_request(request, handed[1].fd, &answer);
   constexpr uint64_t kEnd = 0;

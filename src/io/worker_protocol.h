@@ -12,13 +12,11 @@ namespace shd::io {
 // The worker is a fork server. Its descriptor 0 is a socket (SOCK_SEQPACKET) to the host. It sends one WorkerHello, and
 // receives one WorkerRequest for each load with three descriptors:
 //   0  control, a socket (SOCK_SEQPACKET): the server sends WorkerStarted when a child has got the load, and
-//      WorkerEnded when this child has ended. It kills the child when the host closes its end. The host sends
-//      WorkerWaits if it will wait for many pixels: the server then forks the child for the next load, which takes
-//      3 ms. The kernel wakes the server on the processor of the host, which has nothing to do; a fork at another time
-//      may delay the child or the host. Without WorkerWaits the server forks when a child has ended, or after a while.
+//      WorkerEnded when this child has ended. It kills the child when the host closes its end.
 //   1  data, a pipe: the child alone writes to it. It sends a WorkerReply as soon as the file is described; if its code
 //      is SHD_OK, pieces of the pixels in order while it decodes, each behind its size as a uint64_t, the size 0, and
-//      the final WorkerReply. The host copies them to its own memory, and uses nothing before the final reply.
+//      the final WorkerReply. A piece is whole pixels of the `channels` of the reply. The host expands them to RGBA in
+//      its own memory, and uses nothing before the final reply.
 //   2  file, which the child reads from its start.
 // Both ends must be of one build.
 
@@ -43,16 +41,13 @@ struct WorkerStarted {
   int32_t error;  // errno if there is no child
 };
 
-struct WorkerWaits {
-  uint32_t magic;
-};
-
 struct WorkerEnded {
   int32_t status;  // status of waitpid()
 };
 
-/// The size is that of the pixels of all levels [bytes]. In the final reply, damage may have changed the code, the
-/// flags, and level_count with the size, which are then smaller; surplus pixels count as absent.
+/// The size is that of the RGBA pixels of all levels [bytes]. A pixel on the pipe has `channels` values, 1..4; `map`
+/// has the index of r, g, b and a among them, or -1. In the final reply, damage may have changed the code, the flags,
+/// and level_count with the size, which are then smaller; surplus pixels count as absent.
 struct WorkerReply {
   uint32_t magic;
   uint32_t code;
@@ -60,12 +55,15 @@ struct WorkerReply {
   uint32_t width;
   uint32_t height;
   uint32_t level_count;
+  uint32_t channels;
+  int32_t map[4];
+  uint32_t reserved;
   uint64_t size;
   shd_bitmap_info info;
   char color_space[64];
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686434;  // "shd4"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686435;  // "shd5"; must change with these structs
 
 }  // namespace shd::io

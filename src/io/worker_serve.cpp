@@ -2,6 +2,7 @@
 // The loop of the fork server. It reads nothing that a child or a file has written. It allocates no heap memory, so
 // that every child starts with the same heap.
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
@@ -25,7 +26,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kHost = 0;  // descriptor of the socket to the host
 constexpr int kMaxJobs = 512;
-constexpr int kSpareDelay = 20;  // until the next spare child is forked without a reason to do so earlier [ms]
+
+// Times until the next spare child is forked [ms]. A fork takes 3 ms of a processor. A load keeps one busy with the
+// child, and a third of another one with the host. If there is no third one, the fork waits until the child has ended
+// and the kernel has cleared its memory, but not longer for a slow child.
+constexpr int kAfterStart = 1;
+constexpr int kAfterStartOfTwo = 20;
+constexpr int kAfterEnd = 1;
 
 /// A child that runs, and the descriptor that its host listens on; -1 once the child has been killed.
 struct Job {
@@ -45,6 +52,8 @@ struct Server {
   int count = 0;
   Spare spare;
   bool spare_due = false;  // the last spare child has got a file, and no other has been forked
+  Clock::time_point spare_time = {};
+  std::chrono::milliseconds after_start{kAfterStart};
   int signals = -1;
   bool host = true;  // the host may still send requests
 };
@@ -125,6 +134,7 @@ int start_job(const WorkerRequest& request, FileDescriptor& control, const int* 
       g_server.jobs[g_server.count++] = {g_server.spare.pid, std::exchange(control.fd, -1), end_of(request)};
       drop_spare();
       g_server.spare_due = true;
+      g_server.spare_time = Clock::now() + g_server.after_start;
       return 0;
     }
     drop_spare();
@@ -171,52 +181,49 @@ void reap() {
     }
     *job = end[-1];
     --g_server.count;
+    g_server.spare_time = std::min(g_server.spare_time, Clock::now() + std::chrono::milliseconds(kAfterEnd));
   }
 }
 
-/// Result of a wait.
-struct Events {
-  int polled;   // number of jobs
-  bool silent;  // a timeout has passed
-};
+/// Number of processors that this process may use.
+int count_processors() {
+  cpu_set_t set;
+  return ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
 
-Events wait_for_events() {
+/// Time from now until `end`, rounded up [ms].
+int64_t milliseconds_until(Clock::time_point end, Clock::time_point now) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - now).count();
+  return std::clamp<int64_t>(left + 1, 0, 1 << 30);
+}
+
+/// Returns the number of jobs that were polled.
+int wait_for_events() {
   const Clock::time_point now = Clock::now();
-  int64_t timeout = g_server.spare_due ? kSpareDelay : -1;
+  int64_t timeout = g_server.spare_due ? milliseconds_until(g_server.spare_time, now) : -1;
   g_polls[0] = {g_server.host ? kHost : -1, POLLIN, 0};
   g_polls[1] = {g_server.signals, POLLIN, 0};
   for (int i = 0; i < g_server.count; ++i) {
     const Job& job = g_server.jobs[i];
     g_polls[2 + i] = {job.control, POLLIN, 0};
     if (job.control < 0) continue;
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(job.end - now).count();
-    const int64_t wait = std::clamp<int64_t>(left + 1, 0, 1 << 30);
+    const int64_t wait = milliseconds_until(job.end, now);
     timeout = timeout < 0 ? wait : std::min(timeout, wait);
   }
   const int polled = g_server.count;
-  const int ready = ::poll(g_polls, static_cast<nfds_t>(2 + polled), static_cast<int>(timeout));
-  if (ready < 0) {
+  if (::poll(g_polls, static_cast<nfds_t>(2 + polled), static_cast<int>(timeout)) < 0) {
     for (int i = 0; i < 2 + polled; ++i) g_polls[i].revents = 0;
   }
-  return {polled, ready == 0};
+  return polled;
 }
 
-/// Kills the jobs that are late or whose host has gone. Returns whether a host waits for a child.
-bool check_jobs(int polled) {
+/// Kills the jobs that are late or whose host has gone: it sends nothing.
+void check_jobs(int polled) {
   const Clock::time_point now = Clock::now();
-  bool waits = false;
   for (int i = 0; i < polled; ++i) {
     Job& job = g_server.jobs[i];
-    if (job.control < 0) continue;
-    WorkerWaits message;
-    const short events = g_polls[2 + i].revents;
-    if ((events & ~POLLIN) != 0 || now >= job.end) {
-      kill_job(job);
-    } else if (events != 0) {
-      waits = ::recv(job.control, &message, sizeof message, MSG_DONTWAIT) == sizeof message || waits;
-    }
+    if (job.control >= 0 && (g_polls[2 + i].revents != 0 || now >= job.end)) kill_job(job);
   }
-  return waits;
 }
 
 }  // namespace
@@ -229,17 +236,14 @@ int serve() {
   g_server.signals = ::signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK);
   if (g_server.signals < 0) return 6;
   (void)no_deadline();
+  if (count_processors() <= 2) g_server.after_start = std::chrono::milliseconds(kAfterStartOfTwo);
   (void)make_spare();
   say_hello();
   while (g_server.host || g_server.count > 0) {
-    const Events events = wait_for_events();
-    bool may_fork = check_jobs(events.polled) || events.silent;
-    if (g_polls[1].revents) {
-      reap();
-      may_fork = true;
-    }
+    check_jobs(wait_for_events());
+    if (g_polls[1].revents) reap();
     if (g_polls[0].revents) read_request();
-    if (may_fork && g_server.spare_due && g_server.host) (void)make_spare();
+    if (g_server.spare_due && g_server.host && Clock::now() >= g_server.spare_time) (void)make_spare();
   }
   return 0;
 }

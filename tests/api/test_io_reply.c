@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Workers that misbehave: replies with wrong fields, too few bytes or none, and workers that do not start. Each load
- * ends with its error before its time limit and a second more, and the next load with the real worker succeeds. */
+/* Workers that misbehave: replies with wrong fields, too few or too many bytes or none, and workers that do not start.
+ * Each load ends with its error before its time limit and a second more, and the next load with the real worker
+ * succeeds. */
 #define _GNU_SOURCE
 #include "support/io_files.h"
 #include "support/io_samples.h"
@@ -29,7 +30,23 @@ static const struct reply_case k_cases[] = {
     {"final_format", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"final_grows", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"final_info", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},
+    {"final_channels", SHD_ERROR_CORRUPT, "the decoder sent other channels"},
     {"color_space", SHD_OK, ""},
+    {"rgb", SHD_OK, ""}, /* three channels a pixel, which the host expands */
+    {"grey", SHD_OK, ""},
+    {"no_channels", SHD_ERROR_CORRUPT, "the decoder sent 0 channels"},
+    {"channels", SHD_ERROR_CORRUPT, "the decoder sent 5 channels"},
+    {"map_above", SHD_ERROR_CORRUPT, "the decoder sent channel 4 of 4"},
+    {"map_below", SHD_ERROR_CORRUPT, "the decoder sent channel -2 of 4"},
+    {"rgb_map", SHD_ERROR_CORRUPT, "the decoder sent channel 3 of 3"},
+    {"rgb_final_map", SHD_ERROR_CORRUPT, "the decoder sent other channels"},
+    {"rgb_long", SHD_ERROR_CORRUPT, "the decoder sent too many pixels"},
+    {"rgb_wide", SHD_ERROR_CORRUPT, "the decoder sent too many pixels"},
+    {"rgb_few", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
+    {"rgb_split", SHD_ERROR_CORRUPT, "the decoder sent a part of a pixel"},
+    {"rgb_short", SHD_ERROR_CORRUPT, "the decoder died on the file (signal 9)"},
+    {"grey_long", SHD_ERROR_CORRUPT, "the decoder sent too many pixels"},
+    {"grey_few", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"reply_magic", SHD_ERROR_CORRUPT, "the decoder sent a wrong reply"},
     {"code", SHD_ERROR_CORRUPT, "the decoder sent a wrong reply"},
     {"text", SHD_ERROR_CORRUPT, "????????"},
@@ -59,6 +76,22 @@ static const struct reply_case k_cases[] = {
     {"hello_late", SHD_ERROR_LIMIT, "load.time_limit 0.4 s"},
 };
 
+/* The channels of pixel i of a good reply: bytes of the wire, which counts from 1, and 255 for an absent alpha. */
+static void assert_pixels(const shd_bitmap *bitmap, int channels)
+{
+    shd_image image = shd_image_default();
+    int i, c;
+    shd_assert_ok(shd_bitmap_image(bitmap, &image));
+    assert_int_equal(image.width * image.height, 20);
+    for (i = 0; i < 20; ++i) {
+        for (c = 0; c < 4; ++c) {
+            const int from = channels == 2 ? c / 3 : c;
+            const int expected = from < channels ? i * channels + from + 1 : 255;
+            assert_int_equal(((const unsigned char *)image.pixels)[4 * i + c], expected);
+        }
+    }
+}
+
 static void test_case(void **state)
 {
     const struct reply_case *c = (const struct reply_case *)*state;
@@ -83,6 +116,7 @@ static void test_case(void **state)
         assert_int_equal(strlen(text), 63);
         assert_int_equal(strspn(text, "?"), 63);
     }
+    if (bitmap) assert_pixels(bitmap, strcmp(c->mode, "rgb") == 0 ? 3 : strcmp(c->mode, "grey") == 0 ? 2 : 4);
     shd_bitmap_release(bitmap);
     bitmap = NULL;
     desc.worker_path = SHD_IO_WORKER;

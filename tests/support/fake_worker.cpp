@@ -31,6 +31,19 @@ void send_bytes(int pipe, const void *bytes, size_t size)
     }
 }
 
+bool has(const std::string &mode, const char *part) { return mode.find(part) != std::string::npos; }
+
+/// Channels of the pixels on the wire, and their meaning.
+void set_channels(const std::string &mode, WorkerReply *reply)
+{
+    const bool rgb = has(mode, "rgb"), grey = has(mode, "grey");
+    reply->channels = rgb ? 3 : grey ? 2 : mode == "no_channels" ? 0 : mode == "channels" ? 5 : 4;
+    for (int c = 0; c < 4; ++c) reply->map[c] = grey ? c / 3 : rgb && c == 3 ? -1 : c;
+    if (mode == "map_above") reply->map[1] = 4;
+    if (mode == "map_below") reply->map[3] = -2;
+    if (mode == "rgb_map") reply->map[3] = 3;
+}
+
 /// A good reply for the 5 x 4 pixels that the test expects, and its faults.
 WorkerReply make_reply(const std::string &mode)
 {
@@ -44,23 +57,39 @@ WorkerReply make_reply(const std::string &mode)
     reply.info.file_format = static_cast<shd_file_format>(mode == "info_format" ? 3 : SHD_FILE_FORMAT_PNG);
     reply.info.flags = mode == "info_flags" ? 1u << 30 : 0;
     reply.code = mode == "code" ? 4711 : mode == "text" ? uint32_t{SHD_ERROR_CORRUPT} : uint32_t{SHD_OK};
+    set_channels(mode, &reply);
     std::memset(reply.color_space, mode == "color_space" ? 7 : 0, sizeof reply.color_space);
     std::memset(reply.message, mode == "text" ? 0x1b : 0, sizeof reply.message);
     return reply;
 }
 
-/// Sends pieces of `size` bytes in total, each behind its announced size.
+/// Pixels on the wire of every mode, and the size of a piece of them [bytes].
+struct Wire {
+    size_t total, piece;
+};
+
+Wire wire_of(const std::string &mode)
+{
+    const Wire by_mode = has(mode, "rgb") ? Wire{60, 15} : has(mode, "grey") ? Wire{40, 10} : Wire{80, 8};
+    if (has(mode, "short")) return {by_mode.total - 1, by_mode.total - 1};
+    if (has(mode, "few")) return {by_mode.total / 2, by_mode.piece};
+    if (has(mode, "long")) return {by_mode.total + 2 * by_mode.piece, by_mode.piece};
+    if (mode == "drips") return {80, 4};
+    if (mode == "rgb_split") return {60, 10};
+    return mode == "rgb_wide" ? Wire{80, 80} : by_mode;
+}
+
+/// Sends pieces of the pixels, each behind its announced size. Pixels on the wire are the bytes 1, 2, 3...
 void send_pixels(const std::string &mode, int pipe)
 {
-    const bool drips = mode == "drips";
-    const std::vector<char> pixels(mode == "short" ? 79 : mode == "few" ? 40 : mode == "long" ? 96 : 80, 'x');
-    for (size_t at = 0; at < pixels.size();) {
-        const size_t size = drips ? 1 : mode == "short" ? 79 : 8;
-        const uint64_t announced = mode == "short" ? 80 : mode == "huge_piece" ? ~uint64_t{0} : size;
+    const Wire wire = wire_of(mode);
+    std::vector<unsigned char> pixels(wire.total);
+    for (size_t i = 0; i < wire.total; ++i) pixels[i] = static_cast<unsigned char>(i + 1);
+    for (size_t at = 0; at < wire.total; at += wire.piece) {
+        const uint64_t announced = mode == "huge_piece" ? ~uint64_t{0} : wire.piece + (has(mode, "short") ? 1 : 0);
         send_bytes(pipe, &announced, sizeof announced);
-        send_bytes(pipe, pixels.data() + at, size);
-        at += size;
-        if (drips) (void)::usleep(50000);
+        send_bytes(pipe, pixels.data() + at, wire.piece);
+        if (mode == "drips") (void)::usleep(50000);
     }
 }
 
@@ -77,6 +106,8 @@ void send_final(const std::string &mode, int pipe, WorkerReply reply)
     if (mode == "final_turned") std::swap(reply.width, reply.height);
     if (mode == "final_format") reply.format = SHD_FORMAT_RGBA8_SRGB;
     if (mode == "final_grows") reply.size = 160, reply.height = 8;
+    if (mode == "final_channels") reply.channels = 3, reply.map[3] = -1;
+    if (mode == "rgb_final_map") std::swap(reply.map[0], reply.map[2]);
     if (mode == "final_info") reply.info.flags = 1u << 30;
     send_bytes(pipe, &reply, sizeof reply);
 }
@@ -99,9 +130,9 @@ void answer(const std::string &mode, FileDescriptor &control, FileDescriptor &da
     const WorkerReply reply = make_reply(mode);
     send_bytes(data.fd, &reply, mode == "cut" ? sizeof reply - 1 : sizeof reply);
     if (mode != "cut") send_pixels(mode, data.fd);
-    if (mode != "cut" && mode != "short" && mode != "no_final") send_final(mode, data.fd, reply);
+    if (mode != "cut" && !has(mode, "short") && mode != "no_final") send_final(mode, data.fd, reply);
     const WorkerEnded ended = {9};
-    if (mode == "short" || mode == "cut" || mode == "no_final")
+    if (has(mode, "short") || mode == "cut" || mode == "no_final")
         (void)send_packet(control.fd, &ended, sizeof ended, nullptr, 0, kLong);
 }
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "io/worker_memory.h"
+
+#include <sys/mman.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace shd::io {
+
+namespace {
+
+constexpr size_t kPage = 4096;  // smallest page of any system
+constexpr size_t kHugePage = size_t{1} << 21;
+
+/// New memory of the process, with huge pages like those of the default allocator of a context.
+void* map_pages(size_t size) {
+  if (size > PTRDIFF_MAX - kHugePage) return nullptr;
+  void* const mapped =
+      ::mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  const size_t offset = (kHugePage - reinterpret_cast<uintptr_t>(mapped) % kHugePage) % kHugePage;
+  void* const memory = static_cast<unsigned char*>(mapped) + offset;
+#ifdef MADV_HUGEPAGE
+  (void)::madvise(memory, size, MADV_HUGEPAGE);
+#endif
+  return memory;
+}
+
+void* plain_allocate(void*, size_t size) {
+  if (size >= kHugePage) return map_pages(size);
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, 64, size) != 0) return nullptr;
+  return std::memset(memory, 0, size);
+}
+
+void plain_free(void*, void* memory, size_t size) {
+  if (size < kHugePage) std::free(memory);  // larger blocks live as long as the process, which ends soon
+}
+
+}  // namespace
+
+const Memory kWorkerMemory = {nullptr, plain_allocate, plain_free, true};
+
+// What the pipe refers to ends at next_. It reaches back at most capacity_ bytes and the unused end of the last lap,
+// less than largest_. The ring has room for that and for another largest_.
+unsigned char* LentRing::room(size_t size) {
+  size = (size + kPage - 1) / kPage * kPage;
+  if (size > largest_) {  // an older, smaller ring stays mapped
+    size_ = capacity_ + 2 * size;
+    base_ = static_cast<unsigned char*>(map_pages(size_));
+    if (!base_) throw std::bad_alloc();
+    largest_ = size;
+    next_ = 0;
+  }
+  if (size > size_ - next_) next_ = 0;
+  unsigned char* const room = base_ + next_;
+  next_ += size;
+  return room;
+}
+
+}  // namespace shd::io
