@@ -11,9 +11,9 @@ namespace shd::io {
 extern const Memory kWorkerMemory;
 
 /// Memory for bytes that are lent to a pipe: the pipe refers to them until the other end has read them. A pipe of
-/// `capacity` bytes has that many places of a page each, so that it refers to at most the last `capacity` bytes of a
-/// ring of whole pages. What is further back can be overwritten: a picture goes through a few pages that stay in the
-/// processor's cache, and no new page is cleared.
+/// `capacity` bytes has one place for each page of them. So it refers to at most the last `capacity` bytes of a ring of
+/// whole pages. Older bytes can be overwritten: a picture goes through a few pages that stay in the processor's cache,
+/// and no new page is cleared.
 class LentRing {
  public:
   explicit LentRing(size_t capacity) : capacity_(capacity) {}

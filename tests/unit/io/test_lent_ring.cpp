@@ -83,7 +83,7 @@ void test_growth(void**) {
   std::vector<Piece> all;
   for (size_t size = 1000; size < 1000000; size = size * 5 / 4) {
     const Piece piece = {ring.room(size), size};
-    size_t later = 0;  // what the pieces after `other` take
+    size_t later = 0;  // places of the pieces after `other`
     for (size_t k = all.size(); k-- > 0; later += places_of(all[k].size)) {
       const Piece& other = all[k];
       if (later >= 65536) break;
