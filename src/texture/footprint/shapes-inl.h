@@ -211,7 +211,7 @@ HWY_INLINE V LambdaOfPart(D d, const Footprint<D>& f, V share, V ratio, bool rms
 /// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). More than one
 /// probe per width of the shorter axis is slower and gains at most 0.6 dB on a receding floor (2048^2 checkerboard).
 /// Probes up to the ends of the footprint, instead of half a width before them, cost 5 dB. Where the levels are not
-/// blended (shd_sampler_desc::level_blend), a probe is as wide as a texel of the level that it reads. `query`: as above.
+/// blended (shd_sampler_desc::level_blend), a probe is as wide as a texel of its level. `query`: as above.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                       ProbeBlock* out, const LodRange* query = nullptr) {
   const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
