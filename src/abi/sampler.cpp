@@ -56,7 +56,8 @@ shd_result check_footprint(const shd_sampler_desc& desc) {
   SHD_TRY(check_range("sampler.probe_slack", static_cast<double>(desc.probe_slack), 0, 1));
   SHD_TRY(check_range("sampler.level_blend", static_cast<double>(desc.level_blend), 0, 1));
   if (desc.max_texels != 0 && desc.max_texels < 32) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.max_texels: %u is neither 0 nor 32 or more", desc.max_texels);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.max_texels: %u is neither 0 nor 32 or more",
+                      desc.max_texels);
   }
   return check_range("sampler.tolerance", static_cast<double>(desc.tolerance), 0x1p-12, 1);
 }
