@@ -53,6 +53,7 @@ void register_calls();
 void register_scaling();
 void register_shadow();
 void register_quality();
+void register_defaults();
 void register_frame();
 void register_surface();
 void register_lights();

@@ -18,7 +18,7 @@ bool is_measured(const Filter& filter) {
     case SHD_FILTER_BILINEAR:
     case SHD_FILTER_TRILINEAR:
     case SHD_FILTER_ANISOTROPIC:
-    case SHD_FILTER_EWA: return filter.profile == SHD_PROFILE_EXACT;
+    case SHD_FILTER_EWA: return filter.profile == SHD_PROFILE_LEAST_ERROR;
     default: return false;
   }
 }

@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   shd::bench::register_scaling();
   shd::bench::register_shadow();
   shd::bench::register_quality();
+  shd::bench::register_defaults();
   shd::bench::register_mesh();
 #ifdef SHD_BENCH_OIIO
   shd::bench::register_load();

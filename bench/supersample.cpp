@@ -100,6 +100,10 @@ std::vector<float> supersample(const Floor& floor, const Picture& picture, int s
   return image;
 }
 
+void add_bilinear(const Picture& picture, double u, double v, double* sum) {
+  add_bilinear(picture, Taps(u, picture.edge), Taps(v, picture.edge), sum);
+}
+
 double psnr(const std::vector<float>& rgba, const std::vector<float>& truth) {
   double sum = 0.0;
   for (size_t i = 0; i < truth.size(); ++i) {

@@ -22,6 +22,9 @@ Picture make_noise(uint32_t edge);
 /// exactly, in doubles.
 std::vector<float> supersample(const Floor& floor, const Picture& picture, int samples);
 
+/// Adds the bilinear reconstruction of r, g, b at one point, in steps of 8 bits.
+void add_bilinear(const Picture& picture, double u, double v, double* sum);
+
 /// Peak signal-to-noise ratio of r, g, b clamped to [0, 1], for a peak of 1 [dB].
 double psnr(const std::vector<float>& rgba, const std::vector<float>& truth);
 

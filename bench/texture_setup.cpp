@@ -42,6 +42,10 @@ Sampling::Sampling(shd_simd simd, const Filter& filter, const Format& format, ui
   sampler.precision = filter.precision;
   sampler.probe_slack = filter.probe_slack;
   sampler.level_blend = filter.level_blend;
+  sampler.stochastic = filter.stochastic;
+  sampler.lod_bias = filter.bias;
+  sampler.width_x = sampler.width_y = filter.width;
+  sampler.max_anisotropy = filter.max_anisotropy;
   check(shd_sampler_create(context_, &sampler, &sampler_));
   const std::vector<uint8_t> converted = convert(texels, format);
   shd_texture_desc texture = shd_texture_desc_default();
@@ -69,6 +73,10 @@ shd_lookups columns_of(const Lookups& q, const Filter& filter) {
   columns.u = {q.u.data(), stride};
   columns.v = {q.v.data(), stride};
   if (!filter.reads_derivatives) return columns;
+  if (!q.lod.empty()) {
+    columns.lod = {q.lod.data(), stride};
+    return columns;
+  }
   columns.dudx = {q.dudx.data(), stride};
   columns.dvdx = {q.dvdx.data(), stride};
   columns.dudy = {q.dudy.data(), stride};

@@ -20,17 +20,31 @@ struct Filter {
   bool on_all_formats;  // has rows beyond RGBA8 at the larger size
   shd_filter stochastic_filter = SHD_FILTER_TRILINEAR;
   shd_box box = SHD_BOX_BOUNDING;
-  shd_profile profile = SHD_PROFILE_EXACT;
+  shd_profile profile = SHD_PROFILE_LEAST_ERROR;
   shd_precision precision = SHD_PRECISION_FULL;
   float probe_slack = 0.125f, level_blend = 1.0f;
+  float bias = 0.0f, width = 1.0f, max_anisotropy = 16.0f;
+  shd_stochastic stochastic = SHD_STOCHASTIC_TEXEL;
 };
 
-/// A row of a filter of kFilters with SHD_PRECISION_FAST.
+/// A row of a filter of kFilters with SHD_PRECISION_FAST. Other probes than the default ones are compared with
+/// SHD_PROFILE_EXACT.
 constexpr Filter fast(const char* name, shd_filter filter, bool reads_derivatives, const char* peer_row,
                       PeerFilter peer, bool on_all_formats, float probe_slack = 0.125f, float level_blend = 1.0f) {
-  return {name,        filter,         SHD_TABLE_MIPMAP,     reads_derivatives, peer_row,          peer,
-          1,           on_all_formats, SHD_FILTER_TRILINEAR, SHD_BOX_BOUNDING,  SHD_PROFILE_EXACT, SHD_PRECISION_FAST,
-          probe_slack, level_blend};
+  Filter row = {name, filter, SHD_TABLE_MIPMAP, reads_derivatives, peer_row, peer, 1, on_all_formats};
+  row.profile = level_blend < 1.0f ? SHD_PROFILE_EXACT : SHD_PROFILE_LEAST_ERROR;
+  row.precision = SHD_PRECISION_FAST;
+  row.probe_slack = probe_slack;
+  row.level_blend = level_blend;
+  return row;
+}
+
+/// A row of SHD_FILTER_STOCHASTIC that draws quads.
+constexpr Filter quads(const char* name, shd_filter stochastic_filter) {
+  Filter filter = {name,  SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1,
+                   false, stochastic_filter};
+  filter.stochastic = SHD_STOCHASTIC_QUAD;
+  return filter;
 }
 
 constexpr Filter kFilters[] = {
@@ -67,6 +81,8 @@ constexpr Filter kFilters[] = {
     {"stochastic_anisotropic", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false,
      SHD_FILTER_ANISOTROPIC},
     {"stochastic_ewa", SHD_FILTER_STOCHASTIC, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 1, false, SHD_FILTER_EWA},
+    quads("stochastic_quad", SHD_FILTER_TRILINEAR),
+    quads("stochastic_anisotropic_quad", SHD_FILTER_ANISOTROPIC),
     {"exact", SHD_FILTER_EXACT, SHD_TABLE_MIPMAP, true, "", PeerFilter::kNone, 61, false},
 };
 

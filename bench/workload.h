@@ -47,6 +47,7 @@ Surface quad_surface(float repeat);
 /// Columns of lookups with analytic derivatives, a whole number of frame rows, in frame order.
 struct Lookups {
   std::vector<float> u, v, dudx, dvdx, dudy, dvdy;
+  std::vector<float> lod;  // in place of the derivatives; may be empty
 
   size_t count() const { return u.size(); }
 };

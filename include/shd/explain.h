@@ -62,7 +62,7 @@ typedef struct shd_explanation {
     uint32_t blend_count;    /**< written: blends of the lookup; fewer than taps */
     shd_filter filter;       /**< written: the filter that was used, after magnification */
     float result[4];         /**< written: r, g, b, a of shd_texture_sample() with SHD_PRECISION_FULL */
-    float lod;               /**< written: level of detail of the longer axis, after bias and clamps */
+    float lod;               /**< written: level of detail of trilinear in the profile, after bias and clamps */
     float scale_high[4];     /**< written: factor from the blends' units to the result, by stored channel */
     float scale_low[4];      /**< written: lower bits of that factor */
     /** Written: the stored channel of r, g, b, a of the result; 4 = the texture's `fill`. */

@@ -4,10 +4,10 @@
  * @brief Filtered texture lookups, in batches of thousands of points per call.
  *
  * (u, v) = (0, 0) is the outer corner of the first texel of row 0; v grows downwards; texel centres lie at
- * (i + 0.5) / size. Let J be the 2 x 2 matrix of derivatives in texels of the base level and s its larger singular
- * value. The level of detail is lambda = clamp(log2(s) + lod_bias, lod_min, lod_max). At lambda <= 0 trilinear is
- * bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction of lambda. The
- * other profiles of a sampler compute levels as described at shd_profile.
+ * (i + 0.5) / size. Let J be the 2 x 2 matrix of derivatives in texels of the base level and s the root mean square of
+ * its singular values. The level of detail is lambda = clamp(log2(s) - 3/8 + lod_bias, lod_min, lod_max). At lambda
+ * <= 0 trilinear is bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction
+ * of lambda. shd_profile has the rules of the other filters and of other texture units.
  *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
@@ -106,8 +106,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_sample(const shd_texture *texture, 
 /** Columns for levels of detail; NULL = not wanted. */
 typedef struct shd_levels {
     uint32_t struct_size; /**< set by shd_levels_default() */
-    shd_f32_out lod;      /**< continuous level: log2 of the footprint's longer axis, or the profile's; after bias and
-                               clamps */
+    shd_f32_out lod;      /**< continuous level of trilinear in the sampler's profile, after bias and clamps */
     shd_u32_out level;    /**< nearest mip level: ceil(lod + 1/2) - 1, or the profile's */
     /* ---- end of 0.1; append below ---- */
 } shd_levels;

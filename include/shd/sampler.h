@@ -59,7 +59,7 @@ typedef enum shd_filter {
      * `lod` is a circle. Reads at most 16 (max_anisotropy + 1) texels.
      */
     SHD_FILTER_EWA = 9,
-    /** One texel, picked at random: an unbiased estimate of the filter that `stochastic_filter` names. */
+    /** An unbiased estimate of the filter that `stochastic_filter` names, from what shd_stochastic picks at random. */
     SHD_FILTER_STOCHASTIC = 10,
     /**
      * The average of the bilinear reconstruction over the footprint's parallelogram, computed in double: the ground
@@ -71,7 +71,10 @@ typedef enum shd_filter {
     SHD_FILTER_MAX_ENUM = 0x7fffffff
 } shd_filter;
 
-/** Filter for magnification: where the footprint is at most one texel long (level of detail 0 or below). */
+/**
+ * Filter for magnification: where the level of detail of NEAREST_MIP, BILINEAR_MIP and TRILINEAR is 0 or below, and
+ * where the footprint of all other filters is at most one texel long.
+ */
 typedef enum shd_magnification {
     SHD_MAGNIFICATION_DEFAULT = 0,  /**< the default of the filter: nearest for NEAREST and NEAREST_MIP, bicubic for
                                          BICUBIC, bilinear for all others */
@@ -111,12 +114,31 @@ typedef enum shd_box {
 /**
  * Definition of the level of detail, the levels and the probes of NEAREST_MIP, BILINEAR_MIP, TRILINEAR and ANISOTROPIC.
  *
- * The other filters are the same in all profiles. Below, x and y are the columns of the matrix J of derivatives in
- * base-level texels, a = max_anisotropy, and lambda is the level of detail before bias and clamps.
+ * LEAST_ERROR differs from EXACT in RIPMAP as well, and in STOCHASTIC of these filters. All other filters are the same
+ * in all profiles, because EWA, SUMMED_AREA and EXACT have the least error as they are.
+ *
+ * Mean PSNR [dB] of five scenes under a box of one pixel and a tent of two: four photographs, then checker, noise and
+ * zone plate. docs/filters.md has more rules and figures, measured by `SHD_BENCH_PHOTOGRAPHS=folder shd-bench
+ * --benchmark_filter=^default/` (bench/README.md).
+ *
+ * | filter | LEAST_ERROR | EXACT | OpenImageIO |
+ * |---|---|---|---|
+ * | BILINEAR_MIP | 41.0 41.2, 34.2 33.5 | 37.0 39.0, 31.9 33.1 | 34.5 36.3, 29.4 31.5 |
+ * | TRILINEAR | 42.7 43.0, 36.3 35.1 | 37.5 40.1, 33.3 34.5 | 39.5 41.5, 34.1 34.7 |
+ * | ANISOTROPIC (16) | 49.5 46.2, 43.4 37.6 | 46.1 46.6, 42.8 38.9 | 43.8 47.5, 38.1 39.0 |
+ * | RIPMAP | 44.4 44.9, 37.7 36.2 | 40.5 43.8, 36.9 37.1 | |
+ *
+ * Below, x and y are the columns of the matrix J of derivatives in base-level texels, a = max_anisotropy, and lambda is
+ * the level of detail before bias and clamps.
  */
 typedef enum shd_profile {
-    /** Singular values of J (shd/lookup.h); ceil(r - 1/8) probes for a footprint r times as long as wide. */
-    SHD_PROFILE_EXACT = 0,
+    /**
+     * The levels of least measured error, a little finer than the footprint. Let s1 >= s2 be the singular values of J,
+     * and rms(x, y) = sqrt((x^2 + y^2) / 2). lambda = log2(rms(s1, s2)) - 3/8. ANISOTROPIC: r = min(s1 / s2, a), lambda
+     * = log2(rms(s1 / r, s2)) - 1/8 - 1 / (4 r), and ceil(r - 1/8) probes along the longer axis. RIPMAP: log2 of the
+     * extent along each axis, less 3/8. The column `lod` of lookups is used as it is.
+     */
+    SHD_PROFILE_LEAST_ERROR = 0,
     /**
      * Vulkan 1.3 specification, "Image Operations": lambda = log2(max(|x|, |y|)). ANISOTROPIC: eta = min(longer /
      * shorter, a) for the longer and the shorter one of x and y, lambda = log2(longer / eta), and ceil(eta) probes of
@@ -143,6 +165,8 @@ typedef enum shd_profile {
      * `width_y` scale the derivatives of u and of v, as swidth and twidth do.
      */
     SHD_PROFILE_OIIO = 3,
+    /** As LEAST_ERROR with lambda = log2(s1), log2(s1 / r) for ANISOTROPIC, and without the 3/8 of a level. */
+    SHD_PROFILE_EXACT = 4,
     SHD_PROFILE_MAX_ENUM = 0x7fffffff
 } shd_profile;
 
@@ -165,6 +189,23 @@ typedef enum shd_precision {
     SHD_PRECISION_MAX_ENUM = 0x7fffffff
 } shd_precision;
 
+/**
+ * Random choice of SHD_FILTER_STOCHASTIC. The expected value of each is the named filter F = sum of w_k t_k, with the
+ * texels t_k and their weights w_k.
+ */
+typedef enum shd_stochastic {
+    /** One texel, with its weight as the probability. Variance: sum of w_k (t_k - F)^2. */
+    SHD_STOCHASTIC_TEXEL = 0,
+    /**
+     * One of the two levels of TRILINEAR, or one probe of ANISOTROPIC and one of its levels; then the bilinear lookup
+     * b_i of its four texels. With the probabilities p_i the variance is sum of p_i (b_i - F)^2: the variance of one
+     * texel less the mean variance within a quad. Where the level of detail is at most 0, trilinear has none. Other
+     * filters are refused.
+     */
+    SHD_STOCHASTIC_QUAD = 1,
+    SHD_STOCHASTIC_MAX_ENUM = 0x7fffffff
+} shd_stochastic;
+
 /** Settings of a sampler. */
 typedef struct shd_sampler_desc {
     uint32_t struct_size;            /**< set by shd_sampler_desc_default() */
@@ -175,8 +216,8 @@ typedef struct shd_sampler_desc {
     float border[4];                 /**< colour of texels outside with SHD_WRAP_BORDER: stored r, g, b, a, linear,
                                           before the swizzle of the texture; channels that come from its `fill` are
                                           `fill` outside, too; finite; default 0 */
-    shd_profile profile;             /**< default SHD_PROFILE_EXACT. It also determines which lookups are magnified:
-                                          lookups with lambda <= 0 after bias and clamps */
+    shd_profile profile;             /**< default SHD_PROFILE_LEAST_ERROR. It also determines which
+                                          lookups are magnified (shd_magnification) */
     float lod_bias;                  /**< added to the level of detail, -15..15; default 0 */
     float lod_min;                   /**< lowest level of detail, 0..32; default 0; it is used where lod_max is lower */
     float lod_max;                   /**< highest level of detail, 0..32; default 32 */
@@ -186,7 +227,7 @@ typedef struct shd_sampler_desc {
     float blur_v;                    /**< blur in v, 0..1, added to the footprint as covariance; default 0 */
     float max_anisotropy;            /**< largest ratio of the footprint's axes, 1..64; default 16 */
     shd_probe_weights
-        probe_weights; /**< weights of ANISOTROPIC in SHD_PROFILE_EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
+        probe_weights; /**< weights of ANISOTROPIC in LEAST_ERROR and EXACT; default SHD_PROBE_WEIGHTS_EQUAL */
     shd_cubic cubic;   /**< kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM */
     shd_box box;       /**< area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING */
     float tolerance;   /**< tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6 */
@@ -204,17 +245,18 @@ typedef struct shd_sampler_desc {
      */
     uint32_t max_texels;
     /**
-     * Length by which a footprint may exceed the probes of ANISOTROPIC in SHD_PROFILE_EXACT before another one is
+     * Length by which a footprint may exceed the probes of ANISOTROPIC in LEAST_ERROR and EXACT before another one is
      * added, in widths of a probe, 0..1; default 1/8. A footprint r times as long as wide has ceil(r - probe_slack)
      * probes.
      */
     float probe_slack;
     /**
-     * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in SHD_PROFILE_EXACT blend them, 0..1;
-     * default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
+     * Part of the way between two mip levels in which TRILINEAR and ANISOTROPIC in LEAST_ERROR and EXACT blend them,
+     * 0..1; default 1. If f is the fraction of the level of detail, the share of the coarser level is clamp((f - 1/2) /
      * level_blend + 1/2, 0, 1), and a level without share is not read. With 0, only the nearer level is read.
      */
     float level_blend;
+    shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

@@ -34,6 +34,16 @@ shd_result check_stochastic_cubic(const shd_sampler_desc& desc) {
                     enum_bits(desc.cubic));
 }
 
+/// Quads are the lookups of filters on mip levels.
+shd_result check_stochastic_quad(const shd_sampler_desc& desc) {
+  if (desc.filter != SHD_FILTER_STOCHASTIC || desc.stochastic != SHD_STOCHASTIC_QUAD) return SHD_OK;
+  if (desc.stochastic_filter == SHD_FILTER_TRILINEAR || desc.stochastic_filter == SHD_FILTER_ANISOTROPIC) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                    "sampler.stochastic: SHD_STOCHASTIC_QUAD needs SHD_FILTER_TRILINEAR or SHD_FILTER_ANISOTROPIC, not "
+                    "sampler.stochastic_filter: %u",
+                    enum_bits(desc.stochastic_filter));
+}
+
 shd_result check_footprint(const shd_sampler_desc& desc) {
   SHD_TRY(check_range("sampler.lod_bias", static_cast<double>(desc.lod_bias), -15, 15));
   SHD_TRY(check_range("sampler.lod_min", static_cast<double>(desc.lod_min), 0, 32));
@@ -46,7 +56,8 @@ shd_result check_footprint(const shd_sampler_desc& desc) {
   SHD_TRY(check_range("sampler.probe_slack", static_cast<double>(desc.probe_slack), 0, 1));
   SHD_TRY(check_range("sampler.level_blend", static_cast<double>(desc.level_blend), 0, 1));
   if (desc.max_texels != 0 && desc.max_texels < 32) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.max_texels: %u is neither 0 nor 32 or more", desc.max_texels);
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.max_texels: %u is neither 0 nor 32 or more",
+                      desc.max_texels);
   }
   return check_range("sampler.tolerance", static_cast<double>(desc.tolerance), 0x1p-12, 1);
 }
@@ -62,10 +73,12 @@ shd_result check_sampler_desc(const shd_sampler_desc& desc) {
   SHD_TRY(check_enum("sampler.probe_weights", desc.probe_weights, SHD_PROBE_WEIGHTS_EQUAL, SHD_PROBE_WEIGHTS_GAUSSIAN));
   SHD_TRY(check_enum("sampler.cubic", desc.cubic, SHD_CUBIC_CATMULL_ROM, SHD_CUBIC_MITCHELL));
   SHD_TRY(check_enum("sampler.box", desc.box, SHD_BOX_BOUNDING, SHD_BOX_ORIENTED));
-  SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_EXACT, SHD_PROFILE_OIIO));
+  SHD_TRY(check_enum("sampler.profile", desc.profile, SHD_PROFILE_LEAST_ERROR, SHD_PROFILE_EXACT));
   SHD_TRY(check_enum("sampler.precision", desc.precision, SHD_PRECISION_FULL, SHD_PRECISION_FAST));
   SHD_TRY(check_stochastic_filter(desc.stochastic_filter));
-  return check_stochastic_cubic(desc);
+  SHD_TRY(check_stochastic_cubic(desc));
+  SHD_TRY(check_enum("sampler.stochastic", desc.stochastic, SHD_STOCHASTIC_TEXEL, SHD_STOCHASTIC_QUAD));
+  return check_stochastic_quad(desc);
 }
 
 }  // namespace

@@ -33,9 +33,10 @@ struct Recording;
 ///
 /// Anisotropic: a >= b are the half axes of the footprint in base texels (footprint-inl.h), r = min(a / b,
 /// max_anisotropy). The result is the average of N = ceil(r 2^(l - m) - probe_slack) trilinear lookups on the level m.
-/// l is log2(a / r) + bias, clamped, and m is l with the fraction of level_blend: l itself by default. Probe k = 0..N - 1 lies at the point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N). Gaussian
-/// weights are exp(-2 x^2), x = 2 t. The probes are averaged on each of the two levels; the two averages are then
-/// blended. N = 1 with r = 1 has the bits of trilinear.
+/// l is log2(a / r) + bias, clamped; SHD_PROFILE_LEAST_ERROR has log2(sqrt(((a / r)^2 + b^2) / 2)) - 1/8 - 1/(4 r) in
+/// place of log2(a / r). m is l with the fraction of level_blend: l itself by default. Probe k = 0..N - 1 lies at the
+/// point + t a (unit vector of the longer axis), t = (2 k + 1 - N) / (2 N). Gaussian weights are exp(-2 x^2), x = 2 t.
+/// The probes are averaged on each of the two levels; the two averages are then blended. N = r = 1: bits of trilinear.
 ///
 /// EWA: the level is l = floor(log2(a / r) + bias), clamped. In its texels, a' = a 2^(bias - l) and b' = a' / r; if the
 /// clamp raised l, b' = 1 and a' >= 1. The ellipse has the half axes sqrt(0.84^2 a'^2 + c) and sqrt(0.84^2 b'^2 + c)

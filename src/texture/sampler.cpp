@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the weights of probes. A profile that places the probes also determines their weights.
 shd_probe_weights probe_weights_of(const shd_sampler_desc& desc) {
-  if (desc.filter != SHD_FILTER_ANISOTROPIC || desc.profile == SHD_PROFILE_EXACT) return desc.probe_weights;
+  if (desc.filter != SHD_FILTER_ANISOTROPIC || !is_foreign(desc.profile)) return desc.probe_weights;
   return desc.profile == SHD_PROFILE_OIIO ? SHD_PROBE_WEIGHTS_GAUSSIAN : SHD_PROBE_WEIGHTS_EQUAL;
 }
 
@@ -23,6 +23,7 @@ float max_anisotropy_of(const shd_sampler_desc& desc) {
   if (desc.filter != SHD_FILTER_ANISOTROPIC) return desc.max_anisotropy;
   const float probes = std::floor(texels / (desc.level_blend < 0x1p-24f ? 4.0f : 8.0f));
   switch (desc.profile) {
+    case SHD_PROFILE_LEAST_ERROR:
     case SHD_PROFILE_EXACT: {
       // A footprint of ratio r has at most ceil(sqrt(2) r - probe_slack) probes, or ceil(r - probe_slack) if all levels
       // are blended.
@@ -62,6 +63,7 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.precision = desc.precision;
   sampler.probe_slack = desc.probe_slack;
   sampler.level_steepness = desc.level_blend < 0x1p-24f ? 0.0f : 1.0f / desc.level_blend;
+  sampler.stochastic = desc.stochastic;
   return sampler;
 }
 

@@ -60,8 +60,8 @@
 /// | filter/trilinear, ripmap, anisotropic, ewa   | one filter each (.cpp, most with -inl.h)                   |
 /// | filter/cubic-inl.h                           | weights of bicubic                                         |
 /// | filter/ellipse-inl.h, walk-inl.h             | ellipses of EWA; walks over wrapped texels                 |
-/// | filter/stochastic.cpp, random-inl.h          | one random texel per lookup; random numbers                |
-/// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel by the weights of a filter        |
+/// | filter/stochastic.cpp, random-inl.h          | random texels or quads; random numbers                     |
+/// | filter/pick-inl.h, pick_ellipse-inl.h        | random choice of a texel, or of a level, by its weight     |
 /// | filter/summed_area.cpp, box-inl.h            | boxes of a summed-area table                               |
 /// | filter/exact.cpp                             | the integral over the footprint, in doubles                |
 /// | filter/fixed_sink-inl.h                      | the sink of filters in fixed point                         |
@@ -146,6 +146,7 @@ struct Sampler {
   shd_precision precision;
   float probe_slack;
   float level_steepness;  // 1 / level_blend, or 0 for the nearer level alone
+  shd_stochastic stochastic;
 };
 
 /// Copies a sampler and removes width and blur from the copy.

@@ -260,11 +260,19 @@ static const struct {
     {SHD_FILTER_TRILINEAR, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_DEFAULT},
     {SHD_FILTER_ANISOTROPIC, SHD_PROFILE_OIIO, SHD_MAGNIFICATION_DEFAULT},
 };
-enum { k_plain_count = sizeof k_filters / sizeof k_filters[0] };
+enum {
+    k_plain_count = sizeof k_filters / sizeof k_filters[0],
+    k_profiled_count = sizeof k_profiled / sizeof k_profiled[0],
+    k_default_count = k_plain_count + k_profiled_count /* cases from here on: k_filters with SHD_PROFILE_EXACT */
+};
 
 /** Sets the lookups of case `filter`; returns whether it has derivatives. */
 static int describe_filter(size_t filter, shd_sampler_desc *sd)
 {
+    if (filter >= k_default_count) {
+        sd->profile = SHD_PROFILE_EXACT;
+        filter -= k_default_count;
+    }
     if (filter < k_plain_count) {
         sd->filter = k_filters[filter].filter;
         sd->stochastic_filter = k_filters[filter].stochastic_filter;
@@ -317,7 +325,9 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
     shd_texels texels;
     size_t c;
     const int derivatives = describe_filter(filter, &sd);
-    const size_t row = filter < k_plain_count ? filter : filter - k_plain_count;
+    const size_t row = filter < k_plain_count     ? filter
+                       : filter < k_default_count ? filter - k_plain_count
+                                                  : filter - k_default_count;
     shd_assert_ok(shd_context_create(desc, &context));
     texture = make_filter_texture(context, k_filter_formats[format]);
     sd.wrap_u = (shd_wrap)((row + format) % 5);
@@ -346,9 +356,10 @@ static uint64_t hash_filter(const shd_context_desc *desc, uint64_t hash, const f
 }
 
 enum {
-    k_filter_count = k_plain_count + sizeof k_profiled / sizeof k_profiled[0],
+    k_filter_count = k_default_count + k_plain_count,
     k_filter_format_count = sizeof k_filter_formats / sizeof k_filter_formats[0],
     k_plain_cases = k_plain_count * k_filter_format_count,
+    k_profiled_cases = k_profiled_count * k_filter_format_count,
     k_filter_cases = k_filter_count * k_filter_format_count
 };
 
@@ -530,7 +541,7 @@ struct golden_row {
 };
 static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},   {"lit", 0},     {"glass", 0},   {"moved", 0},
                                        {"lines", 0},   {"surface", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0},
-                                       {"shadows", 0}, {"pixels", 0},  {"fast", 0}};
+                                       {"shadows", 0}, {"pixels", 0},  {"fast", 0},    {"exact", 0}};
 enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
 
 static void measure_golden(void)
@@ -540,18 +551,20 @@ static void measure_golden(void)
     for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
         k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
     }
-    k_golden[k_golden_count - 9].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_LINES);
-    k_golden[k_golden_count - 7].hash = shd_scene_reference(SHD_SCENE_SURFACE);
-    k_golden[k_golden_count - 6].hash = lookups_on(NULL);
+    k_golden[k_golden_count - 10].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[k_golden_count - 9].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_SURFACE);
+    k_golden[k_golden_count - 7].hash = lookups_on(NULL);
     filters_on(NULL, filters);
-    k_golden[k_golden_count - 5].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 4].hash =
-        shd_hash(SHD_HASH_START, filters + k_plain_cases, sizeof filters - k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 3].hash = shd_shadow_hash(NULL);
-    k_golden[k_golden_count - 2].hash = pixels_on(NULL);
+    k_golden[k_golden_count - 6].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 5].hash =
+        shd_hash(SHD_HASH_START, filters + k_plain_cases, k_profiled_cases * sizeof *filters);
+    k_golden[k_golden_count - 1].hash =
+        shd_hash(SHD_HASH_START, filters + k_plain_cases + k_profiled_cases, k_plain_cases * sizeof *filters);
+    k_golden[k_golden_count - 4].hash = shd_shadow_hash(NULL);
+    k_golden[k_golden_count - 3].hash = pixels_on(NULL);
     fast_on(NULL, k_filter_lookups, fast);
-    k_golden[k_golden_count - 1].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
+    k_golden[k_golden_count - 2].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
 }
 
 static void test_golden(void **state)

@@ -66,6 +66,10 @@ static const struct level_case k_cases[] = {
     {"levels/clamped", 0, 1.5f, 3.75f, 0, SHD_PROFILE_EXACT},
     {"levels/min_above_max", 0, 4, 2, 0, SHD_PROFILE_EXACT},
     {"levels/lod_column", -0.5f, 0, 32, 1, SHD_PROFILE_EXACT},
+    {"levels/least_error", 0, 0, 32, 0, SHD_PROFILE_LEAST_ERROR},
+    {"levels/least_error_bias", 1.25f, 0, 32, 0, SHD_PROFILE_LEAST_ERROR},
+    {"levels/least_error_clamped", 0, 1.5f, 3.75f, 0, SHD_PROFILE_LEAST_ERROR},
+    {"levels/least_error_lod_column", -0.5f, 0, 32, 1, SHD_PROFILE_LEAST_ERROR},
     {"levels/vulkan", 0, 0, 32, 0, SHD_PROFILE_VULKAN},
     {"levels/vulkan_bias", 0.75f, 0, 32, 0, SHD_PROFILE_VULKAN},
     {"levels/d3d11", -0.5f, 0.5f, 4, 0, SHD_PROFILE_D3D11},
@@ -80,6 +84,16 @@ static double longer_axis(int i)
     const double uy = (double)g_columns[4][i] * WIDTH, vy = (double)g_columns[5][i] * HEIGHT;
     const double mean = (ux * ux + vx * vx + uy * uy + vy * vy) / 2, det = ux * vy - uy * vx;
     return sqrt(mean + sqrt(fmax(mean * mean - det * det, 0)));
+}
+
+/** Root mean square of both axes. */
+static double size_of_footprint(int i)
+{
+    const double longer = longer_axis(i);
+    const double ux = (double)g_columns[2][i] * WIDTH, vx = (double)g_columns[3][i] * HEIGHT;
+    const double uy = (double)g_columns[4][i] * WIDTH, vy = (double)g_columns[5][i] * HEIGHT;
+    const double shorter = fabs(ux * vy - uy * vx) / longer;
+    return sqrt((longer * longer + shorter * shorter) / 2);
 }
 
 static double longer_derivative(int i)
@@ -103,6 +117,7 @@ static double oiio_lambda(int i)
 
 static double lambda_of(shd_profile profile, int i)
 {
+    if (profile == SHD_PROFILE_LEAST_ERROR) return log2(size_of_footprint(i)) - 0.375;
     if (profile == SHD_PROFILE_VULKAN) return log2(longer_derivative(i));
     return profile == SHD_PROFILE_OIIO ? oiio_lambda(i) : log2(longer_axis(i));
 }

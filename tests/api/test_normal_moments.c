@@ -229,6 +229,7 @@ static void look_up(shd_context *context, const shd_texture *texture, float u, f
     int c;
     desc.filter = SHD_FILTER_TRILINEAR;
     desc.lod_bias = lod; /* the footprint is one texel */
+    desc.profile = SHD_PROFILE_EXACT;
     shd_assert_ok(shd_sampler_create(context, &desc, &sampler));
     memset(&texels, 0, sizeof texels);
     lookups.count = 1;

@@ -220,6 +220,7 @@ static shd_material_desc make_textured(shd_frame *f, shd_slot *slot)
     sampler.filter = SHD_FILTER_TRILINEAR;
     sampler.wrap_u = sampler.wrap_v = SHD_WRAP_REPEAT;
     sampler.lod_bias = 0.25f;
+    sampler.profile = SHD_PROFILE_EXACT; /* log2 of the longer axis */
     shd_assert_ok(shd_sampler_create(f->context, &sampler, &slot->sampler));
     return material;
 }

@@ -67,8 +67,20 @@ static void edit_stochastic_cubic(shd_sampler_desc *d)
     d->stochastic_filter = SHD_FILTER_BICUBIC;
 }
 static void edit_stochastic_ripmap(shd_sampler_desc *d) { d->stochastic_filter = SHD_FILTER_RIPMAP; }
+static void edit_stochastic_quad(shd_sampler_desc *d)
+{
+    d->filter = SHD_FILTER_STOCHASTIC;
+    d->stochastic = SHD_STOCHASTIC_QUAD;
+    d->stochastic_filter = SHD_FILTER_ANISOTROPIC;
+}
+static void edit_stochastic_quad_ewa(shd_sampler_desc *d)
+{
+    edit_stochastic_quad(d);
+    d->stochastic_filter = SHD_FILTER_EWA;
+}
+static void edit_stochastic_unknown(shd_sampler_desc *d) { d->stochastic = (shd_stochastic)2; }
 static void edit_profile(shd_sampler_desc *d) { d->profile = SHD_PROFILE_OIIO; }
-static void edit_profile_unknown(shd_sampler_desc *d) { d->profile = (shd_profile)4; }
+static void edit_profile_unknown(shd_sampler_desc *d) { d->profile = (shd_profile)5; }
 static void edit_profile_negative(shd_sampler_desc *d) { d->profile = (shd_profile)-1; }
 static void edit_tolerance_0(shd_sampler_desc *d) { d->tolerance = 0; }
 static void edit_precision_fast(shd_sampler_desc *d) { d->precision = SHD_PRECISION_FAST; }
@@ -130,9 +142,15 @@ static const struct create_case k_create[] = {
     {"create/box_unknown", edit_box, SHD_ERROR_INVALID_ARGUMENT, "sampler.box: 4294967295"},
     {"create/stochastic_catmull_rom", edit_stochastic_cubic, SHD_ERROR_INVALID_ARGUMENT,
      "sampler.cubic: 0 is not SHD_CUBIC_B_SPLINE"},
+    {"create/stochastic_quad", edit_stochastic_quad, SHD_OK, ""},
+    {"create/stochastic_quad_ewa", edit_stochastic_quad_ewa, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.stochastic: SHD_STOCHASTIC_QUAD needs SHD_FILTER_TRILINEAR or SHD_FILTER_ANISOTROPIC, not "
+     "sampler.stochastic_filter: 9"},
+    {"create/stochastic_unknown", edit_stochastic_unknown, SHD_ERROR_INVALID_ARGUMENT,
+     "sampler.stochastic: 2 is not in 0..1"},
     {"create/stochastic_ripmap", edit_stochastic_ripmap, SHD_ERROR_INVALID_ARGUMENT, "sampler.stochastic_filter: 6"},
     {"create/profile_oiio", edit_profile, SHD_OK, ""},
-    {"create/profile_unknown", edit_profile_unknown, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4 is not in 0..3"},
+    {"create/profile_unknown", edit_profile_unknown, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 5 is not in 0..4"},
     {"create/profile_negative", edit_profile_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.profile: 4294967295"},
     {"create/tolerance_0", edit_tolerance_0, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 0 is not in"},
     {"create/tolerance_2", edit_tolerance_2, SHD_ERROR_INVALID_ARGUMENT, "sampler.tolerance: 2"},

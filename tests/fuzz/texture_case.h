@@ -103,7 +103,8 @@ inline void choose_sampler(Source& source, shd_sampler_desc& desc) {
                                        SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA,      SHD_FILTER_NEAREST};
   desc.stochastic_filter = kEstimated[source.below(6)];
   if (source.one_in(4)) desc.cubic = SHD_CUBIC_B_SPLINE;
-  desc.profile = source.constant<shd_profile>(4);
+  if (source.one_in(8)) desc.stochastic = SHD_STOCHASTIC_QUAD;
+  desc.profile = source.constant<shd_profile>(5);
   desc.seed = source.below(256);
   desc.width_x = source.one_in(8) ? source.real(0, 64) : 1.0f;
   desc.width_y = source.one_in(8) ? source.real(0, 64) : 1.0f;

@@ -57,20 +57,26 @@ inline double whole_period(shd_wrap wrap, double u) {
   return periodic || !isfinite(u) ? reduce(wrap, u) : u;
 }
 
-/// The average of `count` trilinear lookups along the longer axis.
-inline double anisotropic(const Image& image, const Ellipse& e, int count, double u, double v, int c) {
+/// The average of `count` trilinear lookups of level lambda along the longer axis.
+inline double anisotropic_at(const Image& image, const Ellipse& e, double lambda, int count, double u, double v,
+                             int c) {
   const double w = static_cast<double>(image.levels[0].width), h = static_cast<double>(image.levels[0].height);
-  const double ratio = aspect(e, static_cast<double>(image.sampler->max_anisotropy));
   double sum = 0, total = 0;
   for (int k = 0; k < count; ++k) {
     const double t = (2.0 * k + 1 - count) / (2.0 * count);
     const bool gaussian = image.sampler->probe_weights == SHD_PROBE_WEIGHTS_GAUSSIAN;
     const double weight = gaussian ? exp(-8 * t * t) : 1;
     sum += weight * trilinear(image, whole_period(image.sampler->wrap_u, u) + t * e.a * e.u / w,
-                              whole_period(image.sampler->wrap_v, v) + t * e.a * e.v / h, log2(e.a / ratio), c);
+                              whole_period(image.sampler->wrap_v, v) + t * e.a * e.v / h, lambda, c);
     total += weight;
   }
   return sum / total;
+}
+
+/// Anisotropic lookup on the level of SHD_PROFILE_EXACT.
+inline double anisotropic(const Image& image, const Ellipse& e, int count, double u, double v, int c) {
+  const double ratio = aspect(e, static_cast<double>(image.sampler->max_anisotropy));
+  return anisotropic_at(image, e, log2(e.a / ratio), count, u, v, c);
 }
 
 }  // namespace ref

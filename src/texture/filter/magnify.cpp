@@ -4,6 +4,7 @@
 #include "texture/filter/magnify.h"
 
 #include "texture/footprint/lod.h"
+#include "texture/footprint/profile.h"
 #include "texture/sample.h"
 
 namespace shd::texture {
@@ -17,13 +18,21 @@ LodRange free_range(const Sampler& sampler) {
   return {sampler.lod_min, sampler.lod_max};
 }
 
-/// Finds the levels of detail that decide between magnification and minification. They are those of the longer axis, or
-/// those of the probes if a profile places the probes. Returns the number of lookups that were not finite.
+/// Returns whether a filter, or the filter that it estimates, reads the levels of isotropic lookups.
+bool is_isotropic(const Sampler& sampler) {
+  const shd_filter filter = sampler.filter == SHD_FILTER_STOCHASTIC ? sampler.stochastic_filter : sampler.filter;
+  return filter == SHD_FILTER_NEAREST_MIP || filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR;
+}
+
+/// Finds the levels of detail that decide between magnification and minification: those of the filter if it is
+/// isotropic, those of the probes if the profile of another texture unit places them, or those of the longer axis.
+/// Returns the number of lookups that were not finite.
 size_t deciding_lod(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& in,
                     float* out) {
-  const bool by_probes = sampler.filter == SHD_FILTER_ANISOTROPIC && sampler.profile != SHD_PROFILE_EXACT;
-  return find_lods(texture, sampler, free_range(sampler), by_probes ? LodAxis::kProbes : LodAxis::kLonger, simd, in,
-                   out);
+  const bool by_probes = sampler.filter == SHD_FILTER_ANISOTROPIC && is_profiled(sampler);
+  Sampler rule = sampler;
+  if (sampler.profile == SHD_PROFILE_LEAST_ERROR && !is_isotropic(sampler)) rule.profile = SHD_PROFILE_EXACT;
+  return find_lods(texture, rule, free_range(sampler), by_probes ? LodAxis::kProbes : LodAxis::kLonger, simd, in, out);
 }
 
 /// Packed copies of some lookups of a block, and their results.

@@ -18,7 +18,7 @@ namespace {
 
 /// Returns log2 of the extent of the footprint along one axis in base texels, clamped to -32..31. The extent is
 /// sqrt(x^2 + y^2) of the derivatives of the axis: half the width of the bounding box of the ellipse that a circle of
-/// one pixel becomes. A footprint along the axes therefore has the levels of trilinear.
+/// one pixel becomes. A circle therefore has the levels of trilinear.
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V AxisLambda(D d, V along_x, V along_y, float size) {
   const V x = along_x * hn::Set(d, size), y = along_y * hn::Set(d, size);
@@ -37,12 +37,13 @@ size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups&
   const LodRange range_u = lod_range(texture.ripmap_columns, sampler);
   const LodRange range_v = lod_range(texture.ripmap_rows, sampler);
   const bool lod_given = in.lod != nullptr;
+  const float shift = level_shift(sampler, lod_given);
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto& j = p.derivatives;
     const auto lambda_u = lod_given ? p.lod : AxisLambda(d, j.dudx, j.dudy, width);
     const auto lambda_v = lod_given ? p.lod : AxisLambda(d, j.dvdx, j.dvdy, height);
-    hn::Store(ClampLod(d, lambda_u, sampler.lod_bias, range_u), d, out->lod_u + to);
-    hn::Store(ClampLod(d, lambda_v, sampler.lod_bias, range_v), d, out->lod_v + to);
+    hn::Store(ClampLod(d, lambda_u, shift, range_u), d, out->lod_u + to);
+    hn::Store(ClampLod(d, lambda_v, shift, range_v), d, out->lod_v + to);
   });
 }
 

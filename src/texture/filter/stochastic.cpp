@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stochastic filtering: one texel per lookup, picked by the weights of a filter. The result is an unbiased one-sample
-// estimate of this filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading With Stochastic Texture
-// Filtering", 2024).
+// Stochastic filtering: one texel or quad per lookup, picked by the weights of a filter. The result is an unbiased
+// one-sample estimate of this filter (Pharr, Wronski, Salvi and Fajardo, "Filtering After Shading With Stochastic
+// Texture Filtering", 2024).
 #include "texture/stream.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -72,11 +72,27 @@ struct PickOnBase : OnBaseLevel {
   }
 };
 
+/// Emits the quad of a level at reduced coordinates, or one of its texels, picked by its weight.
+template <bool kQuad, class D, class Sink>
+HWY_INLINE void EmitPoint(D d, const Sampler& sampler, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, Rng<D>* rng,
+                          Sink& sink) {
+  if constexpr (kQuad) {
+    sink.quad(d, kStart, level, u, v);
+    sink.finish();
+  } else {
+    const Pick<D> x = PickLinear(d, sampler.wrap_u, u, level.across, rng->next(d));
+    const Pick<D> y = PickLinear(d, sampler.wrap_v, v, level.down, rng->next(d));
+    emit_pick(d, level, x, y, sink);
+  }
+}
+
+/// Picks one level, and then one texel of its quad, or the whole quad.
+template <bool kQuad>
 struct PickTrilinear : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<LodBlock>;
 
-  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
+  /// Never prefetches: for one texel or quad per lookup, prefetches cost more than they save.
   static bool is_scattered(const Texture&, const PointBlock&) { return false; }
 
   template <class D, class Sink>
@@ -84,13 +100,12 @@ struct PickTrilinear : OnMipLevels {
     Rng<D> rng = RngOf(d, sampler, block, i);
     const auto first_texel = FirstTexel(d, texture, block, i);
     const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
-    const Pick<D> x = PickLinear(d, sampler.wrap_u, hn::Load(d, block.u + i), level.across, rng.next(d));
-    const Pick<D> y = PickLinear(d, sampler.wrap_v, hn::Load(d, block.v + i), level.down, rng.next(d));
-    emit_pick(d, level, x, y, sink);
+    EmitPoint<kQuad>(d, sampler, level, hn::Load(d, block.u + i), hn::Load(d, block.v + i), &rng, sink);
   }
 };
 
-/// Picks one probe, and then one texel of its trilinear lookup.
+/// Picks one probe, and then one texel of its trilinear lookup, or one of its two quads.
+template <bool kQuad>
 struct PickAnisotropic : OnMipLevels {
   using OnMipLevels::OnMipLevels;
   using Block = RandomBlock<ProbeBlock>;
@@ -105,9 +120,7 @@ struct PickAnisotropic : OnMipLevels {
                               : PickGaussian(d, line, x);
     const auto first_texel = FirstTexel(d, texture, block, i);
     const Level<D> level = PickLevel(d, texture, first_texel, hn::Load(d, block.lod + i), rng.next(d));
-    const Pick<D> column = PickLinear(d, sampler.wrap_u, line.u_at(position), level.across, rng.next(d));
-    const Pick<D> row = PickLinear(d, sampler.wrap_v, line.v_at(position), level.down, rng.next(d));
-    emit_pick(d, level, column, row, sink);
+    EmitPoint<kQuad>(d, sampler, level, line.u_at(position), line.v_at(position), &rng, sink);
   }
 
   /// Returns the position of the first probe whose running sum of weights is above x times the sum of all weights, or
@@ -155,12 +168,16 @@ struct PickEllipse {
 }  // namespace
 
 size_t RunStochastic(const FilterCall& call) {
+  if (call.sampler.stochastic == SHD_STOCHASTIC_QUAD) {
+    return call.sampler.stochastic_filter == SHD_FILTER_ANISOTROPIC ? Run<PickAnisotropic<true>>(call)
+                                                                    : Run<PickTrilinear<true>>(call);
+  }
   switch (call.sampler.stochastic_filter) {
     case SHD_FILTER_BILINEAR: return Run<PickOnBase<false>>(call);
     case SHD_FILTER_BICUBIC: return Run<PickOnBase<true>>(call);
-    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic>(call);
+    case SHD_FILTER_ANISOTROPIC: return Run<PickAnisotropic<false>>(call);
     case SHD_FILTER_EWA: return Run<PickEllipse>(call);
-    default: return Run<PickTrilinear>(call);
+    default: return Run<PickTrilinear<false>>(call);
   }
 }
 

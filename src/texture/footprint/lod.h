@@ -20,6 +20,20 @@ inline LodRange lod_range(const Texture& texture, const Sampler& sampler) {
   return lod_range(texture.level_count, sampler);
 }
 
+/// Levels by which SHD_PROFILE_LEAST_ERROR reads finer than the footprint's size. `shd-bench` measures it in the rows
+/// default/.
+constexpr float kFiner = 0.375f;
+
+/// Part of kFiner that probes along a line lose as their number grows: finer levels leave gaps between them.
+constexpr float kCoarser = 0.25f;
+
+/// Returns what is added to the log2 of a footprint's size: the bias, and the finer level of SHD_PROFILE_LEAST_ERROR.
+/// A level of detail that the caller gives is only biased.
+inline float level_shift(const Sampler& sampler, bool lod_given) {
+  const bool finer = sampler.profile == SHD_PROFILE_LEAST_ERROR && !lod_given;
+  return finer ? sampler.lod_bias - kFiner : sampler.lod_bias;
+}
+
 /// Source of a level of detail: the longer axis of the footprint, or the probes of anisotropic filtering.
 enum class LodAxis { kLonger, kProbes };
 

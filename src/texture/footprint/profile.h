@@ -9,17 +9,22 @@
 
 namespace shd::texture {
 
-/// Returns whether the profile of a sampler changes its filter.
+/// Returns whether a profile is that of another texture unit.
+inline bool is_foreign(shd_profile profile) {
+  return profile != SHD_PROFILE_LEAST_ERROR && profile != SHD_PROFILE_EXACT;
+}
+
+/// Returns whether the profile of another texture unit changes the filter of a sampler.
 inline bool is_profiled(const Sampler& sampler) {
-  if (sampler.profile == SHD_PROFILE_EXACT) return false;
+  if (!is_foreign(sampler.profile)) return false;
   return sampler.filter == SHD_FILTER_NEAREST_MIP || sampler.filter == SHD_FILTER_BILINEAR_MIP ||
          sampler.filter == SHD_FILTER_TRILINEAR || sampler.filter == SHD_FILTER_ANISOTROPIC;
 }
 
-/// Returns whether levels of detail follow the sampler's profile. Queries (kNone) always follow it; filters follow it
-/// if is_profiled().
+/// Returns whether levels of detail follow another texture unit. Queries (kNone) always follow the sampler's profile;
+/// filters follow it if is_profiled().
 inline bool uses_profile(const Sampler& sampler, LodRounding rounding) {
-  return rounding == LodRounding::kNone ? sampler.profile != SHD_PROFILE_EXACT : is_profiled(sampler);
+  return rounding == LodRounding::kNone ? is_foreign(sampler.profile) : is_profiled(sampler);
 }
 
 /// Returns the mip level that a level of detail >= 0 selects under the sampler's profile.

@@ -143,7 +143,7 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   return nonfinite;
 }
 
-/// Find levels of detail and probes for the profiles other than SHD_PROFILE_EXACT.
+/// Find levels of detail and probes for the profiles of other texture units.
 size_t FindProfiledLods(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
                         const Lookups& in, LodBlock* out);
 size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const LodRange& range, LodRounding rounding,
@@ -166,7 +166,7 @@ HWY_INLINE V BlendLevels(D d, const Sampler& sampler, V lod) {
   return floor + hn::Min(hn::Max(share, hn::Zero(d)), one);
 }
 
-/// Finds the levels of detail of the longer axis according to the sampler's profile. They are clamped to `query` and
+/// Finds the levels of detail of isotropic lookups according to the sampler's profile. They are clamped to `query` and
 /// not rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
                                       const LodRange* query = nullptr) {
@@ -175,9 +175,13 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   if (uses_profile(sampler, rounding)) return FindProfiledLods(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
+  const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
+  const float shift = level_shift(sampler, lod_given);
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto lambda = lod_given ? p.lod : LambdaOf(d, p.derivatives, width, height);
-    const auto lod = ClampLod(d, lambda, sampler.lod_bias, range);
+    const auto lambda = lod_given ? p.lod
+                        : rms     ? RmsLambda(d, p.derivatives, width, height)
+                                  : LambdaOf(d, p.derivatives, width, height);
+    const auto lod = ClampLod(d, lambda, shift, range);
     hn::Store(query ? lod : BlendLevels(d, sampler, lod), d, out->lod + to);
   });
 }
@@ -190,11 +194,24 @@ HWY_INLINE hn::Vec<D> DividedBySize(D d, hn::Vec<D> length, float size) {
   return length / hn::Set(d, size);
 }
 
+/// Returns log2 of the size of one of the 1 / share equal parts of a footprint: the longer axis of the part, or the
+/// root mean square of both axes of the part for SHD_PROFILE_LEAST_ERROR. Both are the shorter axis of the
+/// footprint unless max_anisotropy limits the number of parts. SHD_PROFILE_LEAST_ERROR takes back kCoarser (1 - share)
+/// of kFiner. Circles have the bits of trilinear.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V LambdaOfPart(D d, const Footprint<D>& f, V share, V ratio, bool rms) {
+  if (!rms) return f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
+  const V one = hn::Set(d, 1.0f), other = f.roundness * ratio;  // shorter axis of the part, divided by the longer one
+  const V squares = ratio * ratio * hn::Set(d, 2.0f) / (one + other * other);
+  const V lambda = f.lambda - hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::Log2(d, squares);
+  return lambda + hn::Set(d, kCoarser) * (one - share);
+}
+
 /// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile (McCormack,
-/// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). More than one probe
-/// per width of the shorter axis is slower and gains at most 0.6 dB on a receding floor (2048^2 checkerboard). Probes up
-/// to the ends of the footprint, instead of half a width before them, cost 5 dB. Where the levels are not blended
-/// (shd_sampler_desc::level_blend), a probe is as wide as a texel of the level that it reads. `query`: as above.
+/// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). More than one
+/// probe per width of the shorter axis is slower and gains at most 0.6 dB on a receding floor (2048^2 checkerboard).
+/// Probes up to the ends of the footprint, instead of half a width before them, cost 5 dB. Where the levels are not
+/// blended (shd_sampler_desc::level_blend), a probe is as wide as a texel of its level. `query`: as above.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                       ProbeBlock* out, const LodRange* query = nullptr) {
   const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
@@ -202,12 +219,15 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = in.lod != nullptr;
+  const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
+  const float shift = level_shift(sampler, lod_given);
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
-    const auto ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
-    const auto lambda = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
-    const auto lod = ClampLod(d, lambda, sampler.lod_bias, range);
+    const auto share = hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
+    const auto ratio = one / share;
+    const auto lambda = LambdaOfPart(d, f, share, ratio, rms);
+    const auto lod = ClampLod(d, lambda, shift, range);
     auto blended = lod, widths = ratio;
     if (!query && HWY_UNLIKELY(sampler.level_steepness != 1.0f)) {
       blended = BlendLevels(d, sampler, lod);

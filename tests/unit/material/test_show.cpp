@@ -72,6 +72,7 @@ void test_levels(void**) {
   texture::Texture* plain = make_texture(SHD_FORMAT_R8, kWidth, kWidth, texels);
   texture::Texture* const textures[] = {mipped, plain, nullptr};
   g->sampler = make_sampler(SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT);
+  g->sampler.profile = SHD_PROFILE_EXACT;
   g->points.count = kBatch;
   for (size_t i = 0; i < kBatch; ++i) {
     const float step = static_cast<float>(std::exp2(-9.0 + 12.0 * static_cast<double>(i) / kBatch));

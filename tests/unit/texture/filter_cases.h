@@ -26,11 +26,13 @@ inline size_t add_sizes(const char* prefix, CMUnitTestFunction test, CMUnitTest*
   return kSizeCount;
 }
 
-/// A filter with wrap pair 0..24, repeating, and a border colour that occurs in no texture.
+/// A filter with wrap pair 0..24, repeating, and a border colour that occurs in no texture. Its levels are those of the
+/// oracles: log2 of the longer axis.
 inline shd_sampler_desc wrap_desc(shd_filter filter, uint32_t pair) {
   const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = filter;
+  desc.profile = SHD_PROFILE_EXACT;
   desc.wrap_u = static_cast<shd_wrap>(pair % 5);
   desc.wrap_v = static_cast<shd_wrap>(pair / 5 % 5);
   memcpy(desc.border, border, sizeof border);

@@ -128,11 +128,12 @@ void test_max_texels(void**) {
   Texture* texture = random_texture(SHD_FORMAT_R8, 256, 128, true);
   const float blends[] = {1, 0.25f, 0};
   for (const uint32_t limit : {32u, 50u, 128u}) {
-    for (int k = 0; k < 7; ++k) {
+    for (int k = 0; k < 10; ++k) {
       shd_sampler_desc desc = shd_sampler_desc_default();
       desc.filter = k == 6 ? SHD_FILTER_EWA : SHD_FILTER_ANISOTROPIC;
       desc.profile = k < 3 || k == 6 ? SHD_PROFILE_EXACT : static_cast<shd_profile>(k - 2);
       if (k < 3) desc.level_blend = blends[k];
+      if (k > 6) desc.profile = SHD_PROFILE_LEAST_ERROR, desc.level_blend = blends[k - 7];
       desc.max_anisotropy = 64;
       desc.max_texels = limit;
       check_limit(desc, *texture);

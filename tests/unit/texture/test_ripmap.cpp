@@ -236,6 +236,7 @@ void test_lod(void** state) {
   }
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = SHD_FILTER_RIPMAP;
+  desc.profile = SHD_PROFILE_EXACT;
   t_batch.count = 19;
   bool finite = true;
   for (const float entry : c.j) finite = finite && isfinite(entry);
@@ -290,6 +291,7 @@ void test_layers(void**) {
   Texture* texture = random_ripmap(SHD_FORMAT_RGBA8, 17, 12, kLayers, SHD_TABLE_RIPMAP);
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = SHD_FILTER_RIPMAP;
+  desc.profile = SHD_PROFILE_EXACT;
   make_points(&t_batch);
   static uint32_t layer[kMaxPoints];
   for (uint32_t k = 0; k < kLayers + 1; ++k) {

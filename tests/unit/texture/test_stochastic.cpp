@@ -13,6 +13,7 @@ struct stochastic_case {
   const char* name;
   shd_filter stochastic_filter;
   uint32_t width, height;
+  shd_stochastic stochastic = SHD_STOCHASTIC_TEXEL;
 };
 const stochastic_case k_cases[] = {
     {"bilinear/1x7", SHD_FILTER_BILINEAR, 1, 7},
@@ -31,6 +32,12 @@ const stochastic_case k_cases[] = {
     {"anisotropic/64x64", SHD_FILTER_ANISOTROPIC, 64, 64},
     {"anisotropic/1023x511", SHD_FILTER_ANISOTROPIC, 1023, 511},
     {"anisotropic/4096x1", SHD_FILTER_ANISOTROPIC, 4096, 1},
+    {"quad_trilinear/1x1", SHD_FILTER_TRILINEAR, 1, 1, SHD_STOCHASTIC_QUAD},
+    {"quad_trilinear/5x3", SHD_FILTER_TRILINEAR, 5, 3, SHD_STOCHASTIC_QUAD},
+    {"quad_trilinear/1023x511", SHD_FILTER_TRILINEAR, 1023, 511, SHD_STOCHASTIC_QUAD},
+    {"quad_anisotropic/5x3", SHD_FILTER_ANISOTROPIC, 5, 3, SHD_STOCHASTIC_QUAD},
+    {"quad_anisotropic/64x64", SHD_FILTER_ANISOTROPIC, 64, 64, SHD_STOCHASTIC_QUAD},
+    {"quad_anisotropic/4096x1", SHD_FILTER_ANISOTROPIC, 4096, 1, SHD_STOCHASTIC_QUAD},
     {"ewa/1x1", SHD_FILTER_EWA, 1, 1},
     {"ewa/1x7", SHD_FILTER_EWA, 1, 7},
     {"ewa/5x3", SHD_FILTER_EWA, 5, 3},
@@ -40,6 +47,13 @@ const stochastic_case k_cases[] = {
 };
 constexpr shd_filter kStochasticFilters[] = {SHD_FILTER_BILINEAR, SHD_FILTER_BICUBIC, SHD_FILTER_TRILINEAR,
                                              SHD_FILTER_ANISOTROPIC, SHD_FILTER_EWA};
+constexpr struct {
+  shd_filter filter;
+  shd_stochastic stochastic;
+} kDraws[] = {{SHD_FILTER_BILINEAR, SHD_STOCHASTIC_TEXEL},  {SHD_FILTER_BICUBIC, SHD_STOCHASTIC_TEXEL},
+              {SHD_FILTER_TRILINEAR, SHD_STOCHASTIC_TEXEL}, {SHD_FILTER_ANISOTROPIC, SHD_STOCHASTIC_TEXEL},
+              {SHD_FILTER_EWA, SHD_STOCHASTIC_TEXEL},       {SHD_FILTER_TRILINEAR, SHD_STOCHASTIC_QUAD},
+              {SHD_FILTER_ANISOTROPIC, SHD_STOCHASTIC_QUAD}};
 constexpr size_t kRounds = 8;  // rounds of kMaxPoints samples
 
 Batch t_batch, t_first;
@@ -49,6 +63,7 @@ shd_sampler_desc make_desc(shd_filter stochastic_filter, uint32_t pair) {
   const float border[] = {0.25f, -1.5f, 2.0f, 0.75f};
   shd_sampler_desc desc = shd_sampler_desc_default();
   desc.filter = SHD_FILTER_STOCHASTIC;
+  desc.profile = SHD_PROFILE_EXACT;
   desc.stochastic_filter = stochastic_filter;
   desc.cubic = SHD_CUBIC_B_SPLINE;
   desc.wrap_u = static_cast<shd_wrap>(pair % 5);
@@ -172,7 +187,9 @@ void test_mean(void** state) {
         at.angle = random.real(-3, 3);
         at.aspect = floorf(random.real(1, 20)) + 0.5f;  // far from a change of the number of probes
         if (c.stochastic_filter == SHD_FILTER_EWA && pair % 6 == 0) at.aspect = 1;  // by level of detail
-        check_mean(c, *texture, make_desc(c.stochastic_filter, pair), at);
+        shd_sampler_desc desc = make_desc(c.stochastic_filter, pair);
+        desc.stochastic = c.stochastic;
+        check_mean(c, *texture, desc, at);
       }
     }
     free_texture(texture);
@@ -273,9 +290,11 @@ void test_targets_and_tails(void**) {
   for (size_t i = 0; i < kMaxPoints; ++i) t_random[i] = static_cast<uint32_t>(i * 7);
   for (const shd_format format : kFormats) {
     Texture* texture = random_texture(format, 64, 32, true);
-    for (const shd_filter stochastic_filter : kStochasticFilters) {
+    for (const auto& draw : kDraws) {
       for (const bool given : {false, true}) {
-        const Sampler sampler = make_sampler(make_desc(stochastic_filter, 7));
+        shd_sampler_desc desc = make_desc(draw.filter, 7);
+        desc.stochastic = draw.stochastic;
+        const Sampler sampler = make_sampler(desc);
         const auto lookups = [&](const Batch& batch) {
           Lookups in = batch.lookups(true, false);
           if (given) in.random = t_random;
@@ -299,6 +318,46 @@ void test_targets_and_tails(void**) {
     }
     free_texture(texture);
   }
+}
+
+/// Each quad is the bilinear lookup of one of the two levels, as often as the fraction between them requires. The
+/// variance is that of two values, and below the variance of texels. At whole levels, and below 0, there is none.
+void test_quads(void**) {
+  constexpr double kSamples = kRounds * kMaxPoints;
+  Texture* texture = random_texture(SHD_FORMAT_R32F, 64, 64, true);
+  shd_sampler_desc desc = make_desc(SHD_FILTER_TRILINEAR, 0);
+  ref::Level levels[shd::texture::kMaxLevels];
+  const ref::Image image = oracle_image(*texture, desc, levels);
+  for (const float lod : {-2.0f, 0.3f, 1.75f, 3.0f}) {
+    const int fine = static_cast<int>(floorf(fmaxf(lod, 0)));
+    const double part = static_cast<double>(fmaxf(lod, 0)) - fine;
+    const double u = static_cast<double>(0.37f), v = static_cast<double>(0.61f);
+    const double value[2] = {ref::bilinear(image, fine, u, v, 0), ref::bilinear(image, fine + 1, u, v, 0)};
+    const double mean = ref::mix(value[0], value[1], part);
+    double variance[2] = {0, 0};
+    for (const shd_stochastic choice : {SHD_STOCHASTIC_TEXEL, SHD_STOCHASTIC_QUAD}) {
+      desc.stochastic = choice;
+      size_t coarse = 0;
+      for (size_t round = 0; round < kRounds; ++round) {
+        make_samples(0.37f, 0.61f, lod, static_cast<uint32_t>(round * kMaxPoints));
+        run(*texture, make_sampler(desc), hwy::SupportedAndGeneratedTargets()[0], randomized(t_batch, false), &t_batch);
+        for (size_t i = 0; i < kMaxPoints; ++i) {
+          const double got = static_cast<double>(t_batch.out[0][i]);
+          variance[choice] += (got - mean) * (got - mean) / kSamples;
+          if (choice == SHD_STOCHASTIC_TEXEL) continue;
+          const bool second = fabs(got - value[1]) < fabs(got - value[0]);
+          coarse += second;
+          shd_assert_close("quad", i, got, value[second], 8 * (3e-7 + 8e-7 * 128), 0);
+        }
+      }
+      if (choice == SHD_STOCHASTIC_TEXEL) continue;
+      shd_assert_close("share", fine, static_cast<double>(coarse) / kSamples, part, hoeffding(1, kSamples), 0);
+    }
+    const double step = value[1] - value[0], want = part * (1 - part) * step * step;
+    shd_assert_close("variance", fine, variance[1], want, step * step * hoeffding(1, kSamples) + 1e-3, 0);
+    assert_true(variance[1] < variance[0]);
+  }
+  free_texture(texture);
 }
 
 /// Another seed picks other texels; without random words, other coordinates do.
@@ -374,6 +433,7 @@ int main() {
   for (const ellipse_case& c : k_ellipses) {
     tests[n++] = {c.name, test_ellipse, nullptr, nullptr, const_cast<ellipse_case*>(&c)};
   }
+  tests[n++] = {"quads", test_quads, nullptr, nullptr, nullptr};
   tests[n++] = {"outside", test_outside, nullptr, nullptr, nullptr};
   tests[n++] = {"targets_and_tails", test_targets_and_tails, nullptr, nullptr, nullptr};
   tests[n++] = {"seeds", test_seeds, nullptr, nullptr, nullptr};
