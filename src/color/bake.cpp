@@ -13,6 +13,7 @@ constexpr float kLargestTableValue = 1e16f;
 constexpr double kLargestNumber = 1e18;  // squares and their sums are still finite
 
 constexpr int kCurveShift[kTableSizes] = {14, 11};  // keys of a curve's step, as a power of two
+constexpr float kNoLimit = 3e38f;
 constexpr size_t kMostCodeWords = size_t{1} << 20;
 
 float from_key(int32_t key) {
@@ -33,6 +34,12 @@ int32_t round_down(int32_t value, int shift) {
   return static_cast<int32_t>(static_cast<uint32_t>(value) & (~uint32_t{0} << shift));
 }
 
+/// A number for a table: NaN becomes 0, others are clamped.
+float clean(float value) {
+  const float limit = kLargestTableValue;
+  return value == value ? std::min(std::max(value, -limit), limit) : 0.0f;
+}
+
 /// Three planes of numbers.
 struct Triple {
   std::vector<float> c[3];
@@ -41,19 +48,12 @@ struct Triple {
     for (auto& channel : c) channel.resize(count);
   }
   size_t count() const { return c[0].size(); }
-  /// NaN becomes 0; other numbers are clamped.
-  void clean() {
-    constexpr float kLimit = kLargestTableValue;
-    for (auto& channel : c) {
-      for (float& value : channel) value = value == value ? std::min(std::max(value, -kLimit), kLimit) : 0.0f;
-    }
-  }
   void apply(const Transform& transform) {
     constexpr size_t kPiece = 4096;
     for (size_t i = 0; i < count(); i += kPiece) {
       transform.apply(&c[0][i], &c[1][i], &c[2][i], std::min(kPiece, count() - i));
     }
-    clean();
+    for (auto& channel : c) std::transform(channel.begin(), channel.end(), channel.begin(), clean);
   }
 };
 
@@ -113,6 +113,7 @@ class Baker {
  private:
   /// False if there is no stage for the part, or if numbers could overflow.
   bool add_stage(const Part& part) {
+    if (join_clamp(part)) return true;
     Stage stage = {};
     switch (part.kind) {
       case PartKind::kMatrix: set_matrix(part, &stage); break;
@@ -146,9 +147,21 @@ class Baker {
         stage->matrix[row][column] = static_cast<float>(part.matrix[row][column]);
         if (column < 3) sum += std::fabs(part.matrix[row][column]) * bound_;
       }
-      largest = std::max(largest, sum);
+      largest = sum <= largest ? largest : sum;  // NaN stays
     }
     bound_ = largest;
+    stage->low = -kNoLimit;
+    stage->high = kNoLimit;
+  }
+
+  /// Joins a clamp with the matrix before it.
+  bool join_clamp(const Part& part) {
+    if (part.kind != PartKind::kClamp || program_->stages.empty()) return false;
+    Stage& before = program_->stages.back();
+    if (before.kind != StageKind::kMatrix || before.high != kNoLimit || before.low != -kNoLimit) return false;
+    before.low = part.low;
+    before.high = part.high;
+    return true;
   }
 
   void set_clamp(const Part& part, Stage* stage) {
@@ -217,17 +230,15 @@ class Baker {
     stage->exponent = part.exponent;
     const double gain = std::max(std::pow(static_cast<double>(part.floor), static_cast<double>(part.exponent)),
                                  std::pow(std::max(bound_, 1.0), static_cast<double>(part.exponent)));
-    bound_ *= std::max(gain, 1.0);
+    bound_ *= gain <= 1.0 ? 1.0 : gain;
   }
 
   void set_lut3d(const Part& part, Stage* stage) {
     float* nodes = allocate<float>(part.nodes.size());
-    std::copy(part.nodes.begin(), part.nodes.end(), nodes);
+    std::transform(part.nodes.begin(), part.nodes.end(), nodes, clean);
     stage->kind = StageKind::kLattice;
     stage->lattice = {nodes, static_cast<int32_t>(part.grid), part.tetrahedral};
-    bound_ = 0.0;
-    for (const float value : part.nodes) bound_ = std::max(bound_, std::fabs(static_cast<double>(value)));
-    if (!(bound_ <= kLargestNumber)) bound_ = HUGE_VAL;
+    bound_ = static_cast<double>(kLargestTableValue);
   }
 
   bool add_codes(const Transform* transform);

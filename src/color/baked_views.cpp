@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "color/bake.h"
+#include "core/failure.h"
 #include "core/fp_env.h"
 #include "core/printable.h"
 
@@ -33,8 +34,13 @@ const Program* BakedViews::find(const ViewKey& key, const Transform& exact) cons
 
 std::unique_ptr<Program> BakedViews::bake_within_bound(const ViewKey& key, const Transform& exact) const {
   const core::FpScope environment;
-  const std::vector<Part> parts = config_.display_parts(key.from, key.display, key.view);
   char reason[96] = "a part of it fits no table";
+  std::vector<Part> parts;
+  try {
+    parts = config_.display_parts(key.from, key.display, key.view);
+  } catch (const core::Failure&) {
+    parts.assign(1, Part());  // OpenColorIO cannot split it
+  }
   for (int size = 0; size < kTableSizes; ++size) {
     std::unique_ptr<Program> program = bake(context_, parts, size);
     if (!program) break;

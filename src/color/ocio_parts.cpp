@@ -44,7 +44,7 @@ bool read_clamp(const ocio::ConstTransformRcPtr& transform, Part* part) {
     part->high = static_cast<float>(range->getMaxInValue());
   }
   part->kind = PartKind::kClamp;
-  return true;
+  return part->low <= part->high;
 }
 
 void set_surround(const float (&luminance)[3], float floor, double gamma, Part* part) {

@@ -14,8 +14,8 @@ inline int32_t mirror_key(int32_t bits) {
   return bits ^ ((bits >> 31) & 0x7fffffff);  // its own inverse
 }
 
-/// Functions of one number per channel, at `first`, `first` + 2^shift and so on as keys; linear in the key between them,
-/// which is linear in the number. Constant outside.
+/// Functions of one number per channel, at `first`, `first` + 2^shift and so on as keys; linear in the key between
+/// them, which is linear in the number. Constant outside.
 struct Curves {
   const float* value[3];  // [steps + 1]
   int32_t first, last;    // keys
@@ -43,7 +43,7 @@ enum class StageKind { kMatrix, kClamp, kCurves, kGlow, kRedModifier, kSurround,
 struct Stage {
   StageKind kind;
   float matrix[3][4];
-  float low, high;
+  float low, high;  // of kClamp, and of results of kMatrix
   float luminance[3], floor, exponent;
   const float* hue_weight;  // [kHueSteps + 1]
   Curves curves;

@@ -91,12 +91,14 @@ HWY_INLINE void LoadBlock(const float* const plane[4], size_t count, Block* bloc
   }
 }
 
-HWY_INLINE void RunMatrix(const float (&m)[3][4], Block* block, size_t count) {
+HWY_INLINE void RunMatrix(const Stage& stage, Block* block, size_t count) {
+  const float(&m)[3][4] = stage.matrix;
+  const auto clamp = [&](VF v) HWY_ATTR { return hn::Min(hn::Max(v, Set(stage.low)), Set(stage.high)); };
   ForEach(block, count, [&](VF& r, VF& g, VF& b) HWY_ATTR {
     const VF x = r, y = g, z = b;
-    r = Set(m[0][0]) * x + Set(m[0][1]) * y + Set(m[0][2]) * z + Set(m[0][3]);
-    g = Set(m[1][0]) * x + Set(m[1][1]) * y + Set(m[1][2]) * z + Set(m[1][3]);
-    b = Set(m[2][0]) * x + Set(m[2][1]) * y + Set(m[2][2]) * z + Set(m[2][3]);
+    r = clamp(Set(m[0][0]) * x + Set(m[0][1]) * y + Set(m[0][2]) * z + Set(m[0][3]));
+    g = clamp(Set(m[1][0]) * x + Set(m[1][1]) * y + Set(m[1][2]) * z + Set(m[1][3]));
+    b = clamp(Set(m[2][0]) * x + Set(m[2][1]) * y + Set(m[2][2]) * z + Set(m[2][3]));
   });
 }
 
@@ -143,12 +145,14 @@ HWY_INLINE void RunGlow(Block* block, size_t count) {
     const VF squares = b * (b - g) + g * (g - r) + r * (r - b);
     const VF chroma = hn::Sqrt(hn::Max(squares, hn::Zero(d)));
     const VF yc = (b + g + r + Set(1.75f) * chroma) * Set(1.0f / 3.0f);
+    const auto is_bright = hn::Ge(yc, Set(0.16f));
+    if (hn::AllTrue(d, is_bright)) return;
     const VF x = (Saturation(r, g, b) - Set(0.4f)) * Set(5.0f);
     const VF t = hn::Max(one - half * hn::Abs(x), hn::Zero(d));
     const VF gain = Set(0.05f) * half * (one + hn::CopySign(one - t * t, x));
     const VF divisor = hn::Max(yc, Set(0.05f));
     VF glow = hn::IfThenElse(hn::Le(yc, Set(0.16f / 3.0f)), gain, gain * (Set(0.08f) / divisor - half));
-    glow = hn::IfThenZeroElse(hn::Ge(yc, Set(0.16f)), glow) + one;
+    glow = hn::IfThenZeroElse(is_bright, glow) + one;
     r = r * glow, g = g * glow, b = b * glow;
   });
 }
@@ -161,7 +165,9 @@ HWY_INLINE void RunRedModifier(const float* weights, Block* block, size_t count)
     const DI di;
     const VF x = Set(2.0f) * r - (g + b);
     const VF y = Set(1.73205081f) * (g - b);
-    const auto reddish = hn::Gt(x, hn::Zero(d));
+    // Weights are 0 from 67.5 degrees on, whose tangent is 2.41.
+    const auto reddish = hn::Gt(Set(2.5f) * x, hn::Abs(y));
+    if (hn::AllFalse(d, reddish)) return;
     const VF divisor = hn::IfThenElse(reddish, x + hn::Abs(y), Set(1.0f));
     const VF ratio = hn::IfThenElseZero(reddish, y / divisor);
     const VF at = ratio * Set(kHueSteps / 2.0f) + Set(kHueSteps / 2.0f);
@@ -262,7 +268,7 @@ HWY_INLINE void RunLattice(const Lattice& lattice, Block* block, size_t count) {
 
 HWY_INLINE void RunStage(const Stage& stage, Block* block, size_t count) {
   switch (stage.kind) {
-    case StageKind::kMatrix: return RunMatrix(stage.matrix, block, count);
+    case StageKind::kMatrix: return RunMatrix(stage, block, count);
     case StageKind::kClamp: return RunClamp(stage.low, stage.high, block, count);
     case StageKind::kCurves: return RunCurves(stage.curves, block, count);
     case StageKind::kGlow: return RunGlow(block, count);
