@@ -43,7 +43,7 @@ enum class StageKind { kMatrix, kClamp, kCurves, kGlow, kRedModifier, kSurround,
 struct Stage {
   StageKind kind;
   float matrix[3][4];
-  float low, high;  // of kClamp, and of results of kMatrix
+  float low, high;  // limits of kClamp, and of the results of kMatrix
   float luminance[3], floor, exponent;
   const float* hue_weight;  // [kHueSteps + 1]
   Curves curves;
