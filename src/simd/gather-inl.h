@@ -17,8 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Words at index and index + 1, |index| < 2^29, of a base of float or int32_t. The cost of a gather is proportional to
 /// its number of elements, so that both words form one element of 8 bytes on targets with such gathers. The bits are
 /// those of two plain gathers. PCF shadows with 7 x 7 taps do 70 million instead of 43 million lookups per second on
-/// AVX-512, and 60 instead of 28 on AVX2. Targets without gathers load 8 bytes for each lane: a display with three curves
-/// does 81 instead of 75 million pixels per second on SSE4.
+/// AVX-512, and 60 instead of 28 on AVX2. Targets without gathers load 8 bytes for each lane: an ACES display does 81
+/// instead of 75 million pixels per second on SSE4.
 template <class D>
 HWY_INLINE void GatherPairs(D d, const hn::TFromD<D>* base, hn::Vec<hn::RebindToSigned<D>> index, hn::Vec<D>* left,
                             hn::Vec<D>* right) {
