@@ -45,9 +45,10 @@ const Body& body_of(const shd_color* handle) {
   return *static_cast<const Body*>(body);
 }
 
-void check_precision(shd_display_precision precision) {
+/// Reads the bytes, because a load of an enum without such a value is undefined.
+void check_precision(const shd_color_desc& desc) {
   uint32_t value;
-  std::memcpy(&value, &precision, sizeof value);
+  std::memcpy(&value, &desc.display_precision, sizeof value);
   if (value <= SHD_DISPLAY_PRECISION_EXACT) return;
   refuse(SHD_ERROR_INVALID_ARGUMENT,
          "color.display_precision: %u is not SHD_DISPLAY_PRECISION_BAKED or SHD_DISPLAY_PRECISION_EXACT",
@@ -55,7 +56,7 @@ void check_precision(shd_display_precision precision) {
 }
 
 std::unique_ptr<Body> make_body(shd_context* context, const shd_color_desc& desc) {
-  check_precision(desc.display_precision);
+  check_precision(desc);
   auto body = std::make_unique<Body>();
   body->precision = desc.display_precision;
   body->config = color::load_config(color::read_source(desc));
