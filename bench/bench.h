@@ -59,5 +59,6 @@ void register_surface();
 void register_lights();
 void register_mesh();
 void register_load();
+void register_display();
 
 }  // namespace shd::bench

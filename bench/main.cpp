@@ -49,6 +49,9 @@ void add_context() {
 #ifdef SHD_BENCH_OIIO
   benchmark::AddCustomContext("openimageio", openimageio_description());
 #endif
+#ifdef SHD_BENCH_OCIO
+  benchmark::AddCustomContext("opencolorio", opencolorio_description());
+#endif
 }
 
 }  // namespace
@@ -75,6 +78,9 @@ int main(int argc, char** argv) {
   shd::bench::register_mesh();
 #ifdef SHD_BENCH_OIIO
   shd::bench::register_load();
+#endif
+#ifdef SHD_BENCH_COLOR
+  shd::bench::register_display();
 #endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

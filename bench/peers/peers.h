@@ -25,6 +25,7 @@ class Peer {
 /// Version and settings, for the context of the results.
 std::string llvmpipe_description();
 std::string openimageio_description();
+std::string opencolorio_description();
 
 /// Mesa llvmpipe: the frame with a GLSL shader of the same reflectance model, into RGBA8 with a 32-bit depth.
 std::unique_ptr<Peer> make_llvmpipe_spheres(const Spheres& spheres, const std::vector<uint8_t>& texels);
@@ -39,6 +40,10 @@ std::unique_ptr<Peer> make_openimageio(const Lookups& lookups, uint32_t edge, co
 /// The same lookups through the batched calls.
 std::unique_ptr<Peer> make_openimageio_batch(const Lookups& lookups, uint32_t edge, const std::vector<uint8_t>& texels,
                                              PeerFilter filter);
+
+/// OpenColorIO: edge x edge RGBA floats through a view of shd's built-in config, to RGBA8.
+std::unique_ptr<Peer> make_opencolorio(const std::vector<float>& rgba, uint32_t edge, const std::string& display,
+                                       const std::string& view);
 
 /// An image file as RGBA8, resized to edge x edge texels; empty if it cannot be read.
 std::vector<uint8_t> load_rgba8(const std::string& path, uint32_t edge);

@@ -14,6 +14,10 @@ namespace {
 /// Pixels of one task. The number is fixed, so that blocks start at the same pixels for any number of workers.
 constexpr size_t kTaskPixels = 16 * kBlockPixels;
 
+unsigned char* pixel_at(const shd_image& image, size_t row, size_t column) {
+  return static_cast<unsigned char*>(image.pixels) + row * image.row_stride + 4 * column;
+}
+
 /// Calls run(first, count, block) over all pixels, in blocks.
 template <class Run>
 void for_each_block(shd_context* context, size_t pixels, const Run& run) {
@@ -61,6 +65,31 @@ void apply_image(shd_context* context, const Transform& transform, const shd_ima
     unpremultiply(block, count);
     transform.apply(block->r, block->g, block->b, count);
     store_pixels(*block, out, first, count);
+  });
+}
+
+void apply_planes(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
+  const size_t target = find_target(shd_context_simd_target(context));
+  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock*) {
+    for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t, size_t pixels) {
+      const float* plane[4];
+      for (size_t c = 0; c < 4; ++c) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(in.plane[c]) + row * in.row_stride[c];
+        plane[c] = reinterpret_cast<const float*>(bytes) + column;
+      }
+      show(target, program, plane, pixels, pixel_at(out, row, column));
+    });
+  });
+}
+
+void apply_image(shd_context* context, const Program& program, const shd_image& in, const shd_image& out) {
+  const size_t target = find_target(shd_context_simd_target(context));
+  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
+    load_image(in, first, count, block);
+    for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t at, size_t pixels) {
+      const float* const plane[4] = {block->r + at, block->g + at, block->b + at, block->a + at};
+      show(target, program, plane, pixels, pixel_at(out, row, column));
+    });
   });
 }
 

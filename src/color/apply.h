@@ -6,6 +6,7 @@
 
 #include "color/config.h"
 #include "color/pixels.h"
+#include "color/program.h"
 
 namespace shd::color {
 
@@ -13,6 +14,12 @@ namespace shd::color {
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out);
 void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out);
+
+// To an RGBA8 or RGBA8_SRGB image by a baked transform. The bits do not depend on the machine.
+
+void apply_planes(shd_context* context, const Program& program, const Planes& in, const shd_image& out);
+void apply_image(shd_context* context, const Program& program, const shd_image& in, const shd_image& out);
+
 /// Leaves alpha unchanged.
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out);
 

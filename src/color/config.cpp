@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "color/config.h"
 
+#include "color/parts.h"
 #include "extension/error.h"
 
 namespace shd::color {
@@ -52,6 +53,12 @@ TransformRef Config::cached(const std::vector<std::string>& key, Build&& build) 
 
 TransformRef Config::to_display(const std::string& from, const std::string& display, const std::string& view) const {
   return cached({from, display, view}, [&] { return build_to_display(from, display, view); });
+}
+
+std::vector<Part> Config::display_parts(const std::string& from, const std::string& display,
+                                        const std::string& view) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return split_to_display(from, display, view);
 }
 
 TransformRef Config::between(const std::string& from, const std::string& to) const {

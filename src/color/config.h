@@ -21,6 +21,8 @@ class Transform {
 };
 using TransformRef = std::shared_ptr<const Transform>;
 
+struct Part;
+
 struct Display {
   std::string name;
   std::string default_view;
@@ -53,11 +55,15 @@ class Config {
   virtual std::string space(const char* field, const char* name) const = 0;
   /// Transform from colour space `from` to a display and view; the names must be names of the catalog.
   TransformRef to_display(const std::string& from, const std::string& display, const std::string& view) const;
+  /// The parts of that transform, for baking.
+  std::vector<Part> display_parts(const std::string& from, const std::string& display, const std::string& view) const;
   TransformRef between(const std::string& from, const std::string& to) const;
 
  protected:
   virtual TransformRef build_to_display(const std::string& from, const std::string& display,
                                         const std::string& view) const = 0;
+  virtual std::vector<Part> split_to_display(const std::string& from, const std::string& display,
+                                             const std::string& view) const = 0;
   virtual TransformRef build_between(const std::string& from, const std::string& to) const = 0;
   Catalog catalog_;
 

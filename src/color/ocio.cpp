@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The only file that includes OpenColorIO.
 #include <locale.h>
 
 #include <exception>
@@ -8,10 +7,9 @@
 #include <new>
 #include <sstream>
 
-#include <OpenColorIO/OpenColorIO.h>
-
 #include "color/config.h"
 #include "color/cycle.h"
+#include "color/ocio_transform.h"
 #include "extension/error.h"
 
 namespace shd::color {
@@ -112,18 +110,6 @@ auto call_ocio(const char* what, shd_result otherwise, Body&& body) {
     refuse(newer ? SHD_ERROR_UNSUPPORTED : otherwise, "%s: %s", what, error.what());
   }
 }
-
-class OcioTransform final : public Transform {
- public:
-  explicit OcioTransform(const ocio::ConstProcessorRcPtr& processor) : cpu_(processor->getDefaultCPUProcessor()) {}
-  void apply(float* r, float* g, float* b, size_t count) const override {
-    ocio::PlanarImageDesc planes(r, g, b, nullptr, static_cast<long>(count), 1);
-    cpu_->apply(planes);
-  }
-
- private:
-  ocio::ConstCPUProcessorRcPtr cpu_;
-};
 
 /// Collects the definitions that each definition of a config uses, for each direction, as OpenColorIO follows them.
 class ReferenceReader {
@@ -263,6 +249,14 @@ class OcioConfig final : public Config {
     return call_ocio("color transform", SHD_ERROR_CORRUPT, [&]() -> TransformRef {
       return std::make_shared<OcioTransform>(
           config_->getProcessor(from.c_str(), display.c_str(), view.c_str(), ocio::TRANSFORM_DIR_FORWARD));
+    });
+  }
+
+  std::vector<Part> split_to_display(const std::string& from, const std::string& display,
+                                     const std::string& view) const override {
+    return call_ocio("color transform", SHD_ERROR_CORRUPT, [&] {
+      return split_processor(
+          config_, config_->getProcessor(from.c_str(), display.c_str(), view.c_str(), ocio::TRANSFORM_DIR_FORWARD));
     });
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "color/pixels.h"
 
-#include <algorithm>
 #include <cfloat>
 
 #include "image/half.h"
@@ -10,18 +9,6 @@ namespace shd::color {
 namespace {
 
 constexpr float kLargestInput = 1e12f;
-
-/// Calls run(row, column, offset in the block, pixels) for each piece of a row in the range.
-template <class Run>
-void for_each_piece(uint32_t width, size_t first, size_t count, Run&& run) {
-  size_t row = first / width;
-  size_t column = first % width;
-  for (size_t done = 0; done < count; ++row, column = 0) {
-    const size_t piece = std::min(count - done, width - column);
-    run(row, column, done, piece);
-    done += piece;
-  }
-}
 
 template <class Channel>
 Channel* pixel_at(const shd_image& image, size_t row, size_t column) {

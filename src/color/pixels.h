@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,6 +26,18 @@ struct Planes {
   uint32_t width;
   uint32_t height;
 };
+
+/// Calls run(row, column, offset in the range, pixels) for each piece of a row in a range of pixels.
+template <class Run>
+void for_each_piece(uint32_t width, size_t first, size_t count, Run&& run) {
+  size_t row = first / width;
+  size_t column = first % width;
+  for (size_t done = 0; done < count; ++row, column = 0) {
+    const size_t piece = std::min(count - done, width - column);
+    run(row, column, done, piece);
+    done += piece;
+  }
+}
 
 // Pixels `first` .. `first + count` are numbered row by row from the top; count <= kBlockPixels.
 

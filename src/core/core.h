@@ -19,11 +19,12 @@
 /// | read_desc.h   | sized structs of the caller, in and out                           |
 /// | allocator.h   | the host's allocator; Array, Objects and Buffer, which own memory |
 /// | scratch.h     | working memory that is kept from call to call                     |
+/// | simd_name.h   | names of SIMD targets                                             |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
 /// | context.h     | Context: allocator, executor, log, target, handles, scratch       |
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |
 ///
 /// The headers up to read_desc.h, except status.h, need no library: libshd_color, libshd_io and its worker process
-/// include them as well.
+/// include them as well. simd_name.h needs Highway's headers only: libshd_color includes it.
 #pragma once

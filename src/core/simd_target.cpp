@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/failure.h"
+#include "core/simd_name.h"
 
 namespace shd::core {
 namespace {
@@ -46,11 +47,6 @@ constexpr bool has_choice(int64_t targets) {
 }
 static_assert(has_choice(HWY_TARGETS), "a compiled target has no shd_simd: see src/cmake/ShdTargets.cmake");
 
-/// Name of a target. Highway names AVX-512 by its number of operands.
-const char* name_of(int64_t bit) {
-  return bit == HWY_AVX3 ? "AVX512" : hwy::TargetName(bit);
-}
-
 /// Targets that are compiled in and can run on this machine. Highway caches hwy::SupportedTargets().
 int64_t available_targets() {
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
@@ -65,11 +61,9 @@ int64_t available_targets() {
 
 SimdTarget simd_target_from_bit(int64_t bit) {
   SimdTarget target;
-  target.name = name_of(bit);
+  target.name = simd_target_name(bit);
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0
-  hwy::ChosenTarget chosen;
-  chosen.Update(bit);
-  target.index = chosen.GetIndex();
+  target.index = simd_target_index(bit);
 #endif
   return target;
 }
@@ -93,7 +87,7 @@ SimdTarget find_simd_target(shd_simd choice) {
     char names[128] = "";
     size_t used = 0;
     for (int64_t rest = available; rest != 0 && used < sizeof names; rest &= rest - 1) {
-      const char* name = name_of(rest & -rest);
+      const char* name = simd_target_name(rest & -rest);
       used += static_cast<size_t>(std::snprintf(names + used, sizeof names - used, " %s", name));
     }
     refuse(SHD_ERROR_UNSUPPORTED, "context.simd: %d cannot run here; available:%s", static_cast<int>(choice), names);

@@ -17,7 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Words at index and index + 1, |index| < 2^29, of a base of float or int32_t. The cost of a gather is proportional to
 /// its number of elements, so that both words form one element of 8 bytes on targets with such gathers. The bits are
 /// those of two plain gathers. PCF shadows with 7 x 7 taps do 70 million instead of 43 million lookups per second on
-/// AVX-512, and 60 instead of 28 on AVX2.
+/// AVX-512, and 60 instead of 28 on AVX2. Targets without gathers load 8 bytes for each lane: an ACES display does 81
+/// instead of 75 million pixels per second on SSE4.
 template <class D>
 HWY_INLINE void GatherPairs(D d, const hn::TFromD<D>* base, hn::Vec<hn::RebindToSigned<D>> index, hn::Vec<D>* left,
                             hn::Vec<D>* right) {
@@ -31,6 +32,19 @@ HWY_INLINE void GatherPairs(D d, const hn::TFromD<D>* base, hn::Vec<hn::RebindTo
   const auto high = hn::BitCast(d, hn::GatherOffset(wide, pairs, hn::PromoteTo(wide, hn::UpperHalf(half, offset))));
   *left = hn::ConcatEven(d, high, low);
   *right = hn::ConcatOdd(d, high, low);
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    const hn::Half<D> half;
+    alignas(16) int32_t at[4];
+    hn::Store(index, di, at);
+    const auto low = hn::Combine(d, hn::LoadU(half, base + at[1]), hn::LoadU(half, base + at[0]));
+    const auto high = hn::Combine(d, hn::LoadU(half, base + at[3]), hn::LoadU(half, base + at[2]));
+    *left = hn::ConcatEven(d, high, low);
+    *right = hn::ConcatOdd(d, high, low);
+  } else {
+    *left = hn::GatherIndex(d, base, index);
+    *right = hn::GatherIndex(d, base, index + hn::Set(di, 1));
+  }
 #else
   *left = hn::GatherIndex(d, base, index);
   *right = hn::GatherIndex(d, base, index + hn::Set(di, 1));

@@ -22,7 +22,7 @@ SOURCE_FOLDERS = ["include", "src", "tests", "bench", "docs", "examples", "bindi
 DATA_FOLDERS = {"golden", "corpus"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
-    "OpenColorIO/": {"src/color/ocio.cpp"},
+    "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp"},
     "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
                 "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <shd/color.h>
 
+#include <cstring>
 #include <memory>
 #include <string>
 
 #include <shd/extension.h>
 
 #include "color/apply.h"
+#include "color/baked_views.h"
 #include "color/config.h"
 #include "color/default_config.h"
 #include "color/source.h"
@@ -25,6 +27,8 @@ constexpr uint32_t kColorType = 'C' << 24 | 'O' << 16 | 'L' << 8 | 'R';
 struct Body {
   std::unique_ptr<color::Config> config;
   std::string working_space;
+  shd_display_precision precision = SHD_DISPLAY_PRECISION_BAKED;
+  std::unique_ptr<color::BakedViews> baked;
 };
 
 const shd_object* object_of(const shd_color* handle) {
@@ -41,11 +45,24 @@ const Body& body_of(const shd_color* handle) {
   return *static_cast<const Body*>(body);
 }
 
-std::unique_ptr<Body> make_body(const shd_color_desc& desc) {
+/// Reads the bytes, because a load of an enum without such a value is undefined.
+void check_precision(const shd_color_desc& desc) {
+  uint32_t value;
+  std::memcpy(&value, &desc.display_precision, sizeof value);
+  if (value <= SHD_DISPLAY_PRECISION_EXACT) return;
+  refuse(SHD_ERROR_INVALID_ARGUMENT,
+         "color.display_precision: %u is not SHD_DISPLAY_PRECISION_BAKED or SHD_DISPLAY_PRECISION_EXACT",
+         static_cast<unsigned>(value));
+}
+
+std::unique_ptr<Body> make_body(shd_context* context, const shd_color_desc& desc) {
+  check_precision(desc);
   auto body = std::make_unique<Body>();
+  body->precision = desc.display_precision;
   body->config = color::load_config(color::read_source(desc));
   body->working_space =
       body->config->space("color.working_space", desc.working_space ? desc.working_space : "scene_linear");
+  body->baked = std::make_unique<color::BakedViews>(context, *body->config);
   return body;
 }
 
@@ -54,11 +71,20 @@ std::string read_space(const Body& body, const char* field, const char* name) {
   return name ? body.config->space(field, name) : body.working_space;
 }
 
-color::TransformRef to_display(const Body& body, const std::string& from, const char* display_name,
-                               const char* view_name) {
-  const color::Catalog& catalog = body.config->catalog();
-  const color::Display& display = catalog.display(display_name);
-  return body.config->to_display(from, display.name, color::Catalog::view(display, view_name));
+color::ViewKey find_view(const Body& body, const std::string& from, const char* display_name, const char* view_name) {
+  const color::Display& display = body.config->catalog().display(display_name);
+  return {from, display.name, color::Catalog::view(display, view_name)};
+}
+
+/// Calls apply(Program) for 8-bit images of views that are baked, otherwise apply(Transform).
+template <class Apply>
+void with_transform(const Body& body, const color::ViewKey& key, shd_format format, const Apply& apply) {
+  const color::TransformRef exact = body.config->to_display(key.from, key.display, key.view);
+  const bool is_8_bit = format == SHD_FORMAT_RGBA8 || format == SHD_FORMAT_RGBA8_SRGB;
+  const bool bakes = is_8_bit && body.precision == SHD_DISPLAY_PRECISION_BAKED;
+  const color::Program* program = bakes ? body.baked->find(key, *exact) : nullptr;
+  if (program) return apply(*program);
+  apply(*exact);
 }
 
 shd_image read_float_image(const char* name, const shd_image* in) {
@@ -143,7 +169,7 @@ shd_result shd_color_create(shd_context* context, const shd_color_desc* desc, sh
     extension::require_context(context);
     shd_color_desc read = shd_color_desc_default();
     extension::read_desc("color", desc, &read);
-    std::unique_ptr<Body> body = make_body(read);
+    std::unique_ptr<Body> body = make_body(context, read);
     const auto destroy = [](void* memory) { delete static_cast<Body*>(memory); };
     shd_object* object = nullptr;
     extension::require(shd_object_create(context, kColorType, body.get(), destroy, &object));
@@ -168,9 +194,11 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
     shd_context* context = shd_object_context(object_of(color));
     const shd_framebuffer_info info = read_framebuffer(framebuffer, context);
     const shd_image image = read_output_image("out", out, info.width, info.height);
-    const color::TransformRef transform = to_display(body, body.working_space, display, view);
-    const extension::ColorPlanes colors(framebuffer, info);
-    color::apply_planes(context, *transform, planes_of(colors, info), image);
+    const color::ViewKey key = find_view(body, body.working_space, display, view);
+    with_transform(body, key, image.format, [&](const auto& transform) {
+      const extension::ColorPlanes colors(framebuffer, info);
+      color::apply_planes(context, transform, planes_of(colors, info), image);
+    });
     return SHD_OK;
   });
 }
@@ -191,8 +219,9 @@ shd_result shd_color_apply_display_image(const shd_color* color, const shd_image
     const shd_image image = read_output_image("out", out, source.width, source.height);
     require_no_overlap(source, image);
     const std::string from = read_space(body, "from_space", from_space);
-    const color::TransformRef transform = to_display(body, from, display, view);
-    color::apply_image(shd_object_context(object_of(color)), *transform, source, image);
+    with_transform(body, find_view(body, from, display, view), image.format, [&](const auto& transform) {
+      color::apply_image(shd_object_context(object_of(color)), transform, source, image);
+    });
     return SHD_OK;
   });
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "color/config.h"
+#include "color/program.h"
+
+namespace shd::color {
+
+/// A display transform of a config by its names.
+struct ViewKey {
+  std::string from, display, view;
+  bool operator<(const ViewKey& other) const;
+};
+
+/// Programs baked so far. The context and the config outlive them.
+class BakedViews {
+ public:
+  BakedViews(shd_context* context, const Config& config) : context_(context), config_(config) {}
+
+  /// The program of a view, baked by the first call. Null if no program of it is near enough to `exact`: the first call
+  /// writes this in the context's log. Throws Failure and std::bad_alloc.
+  const Program* find(const ViewKey& key, const Transform& exact) const;
+
+ private:
+  std::unique_ptr<Program> bake_within_bound(const ViewKey& key, const Transform& exact) const;
+
+  shd_context* context_;
+  const Config& config_;
+  mutable std::mutex mutex_;  // guards programs_, and baking
+  mutable std::map<ViewKey, std::unique_ptr<Program>> programs_;
+};
+
+}  // namespace shd::color
