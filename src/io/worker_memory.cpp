@@ -44,8 +44,8 @@ void plain_free(void*, void* memory, size_t size) {
 
 const Memory kWorkerMemory = {nullptr, plain_allocate, plain_free, true};
 
-// The bytes that the pipe refers to end at next_. They reach back at most capacity_ bytes and the unused end of the last
-// lap, which is less than largest_. The ring has room for them and for another largest_ bytes.
+// The bytes that the pipe refers to end at next_. They reach back at most capacity_ bytes and the unused end of the
+// last lap, which is less than largest_. The ring has room for them and for another largest_ bytes.
 unsigned char* LentRing::room(size_t size) {
   size = (size + kPage - 1) / kPage * kPage;
   if (size > largest_) {  // an older, smaller ring stays mapped
