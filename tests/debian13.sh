@@ -4,82 +4,19 @@
 #
 #   tests/debian13.sh [preset...]
 #
-# The presets are those of CMakePresets.json; the default is core, libshd alone. The chroot is build/debian13: it is made
-# at the first call and reused later, with the packages and builds that are in it. Delete it while no call runs to start
-# afresh. The mirror is the one that the host's apt uses; SHD_MIRROR=<url> names another one. SHD_JOBS limits the number
-# of jobs (default: one per core).
+# The presets are those of CMakePresets.json; the default is core, libshd alone. tests/support/debian13_chroot.sh
+# describes the chroot. SHD_JOBS limits the number of jobs (default: one per core).
 set -euo pipefail
 cd "$(dirname "$0")/.."
+# shellcheck source=tests/support/debian13_chroot.sh
+. tests/support/debian13_chroot.sh
 
-suite=trixie
-root=$PWD/build/debian13
 jobs=${SHD_JOBS:-$(nproc)}
 presets=("${@:-core}")
-core_packages=(cmake g++ libcmocka-dev libhwy-dev ninja-build pkg-config python3)
-other_packages=(libassimp-dev libbenchmark-dev libopencolorio-dev libopenimageio-dev libtbb-dev)
-
-say() { printf '\n== %s\n' "$*"; }
-die() {
-  echo "$0: $*" >&2
-  exit 1
-}
-
-mirror() {
-  local url=${SHD_MIRROR:-}
-  # shellcheck disable=SC2016 # apt expands it
-  [ -n "$url" ] || url=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' \
-    'Label: Debian' | head -n 1)
-  [ -n "$url" ] || die "apt knows no mirror of Debian: run apt-get update, or set SHD_MIRROR"
-  echo "$url"
-}
-
-unmount() {
-  local folder
-  for folder in dev proc; do
-    if mountpoint -q "$root/$folder"; then umount -R "$root/$folder"; fi
-  done
-}
-
-mount_folders() {
-  mount -t proc proc "$root/proc"
-  mount --rbind /dev "$root/dev"
-  mount --make-rslave "$root/dev" # so that unmounting here leaves the host's /dev alone
-}
-
-# A chroot that is complete has a file .ready; a failed debootstrap leaves none behind.
-make_chroot() {
-  [ ! -e "$root/.ready" ] || return 0
-  local url
-  url=$(mirror)
-  say "debootstrap $suite from $url"
-  rm -rf --one-file-system "$root"
-  mkdir -p "$root"
-  debootstrap --variant=minbase "$suite" "$root" "$url"
-  touch "$root/.ready"
-}
-
-inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
-
-install_packages() {
-  local wanted=("${core_packages[@]}") preset
-  for preset in "${presets[@]}"; do
-    [ "$preset" = core ] || wanted=("${core_packages[@]}" "${other_packages[@]}")
-  done
-  # shellcheck disable=SC2016 # dpkg-query expands it
-  if inside dpkg-query -W -f '${db:Status-Abbrev}\n' "${wanted[@]}" 2>/dev/null | grep -qv '^ii' ||
-    ! inside dpkg-query -W "${wanted[@]}" >/dev/null 2>&1; then
-    say "packages: ${wanted[*]}"
-    inside apt-get update -q
-    inside DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${wanted[@]}"
-  fi
-}
-
-# The time stamps of the files stay, so that a later call builds what has changed.
-copy_sources() {
-  rm -rf "$root/shd"
-  mkdir -p "$root/shd" "$root/shd-build"
-  git ls-files -z | tar --create --null --files-from - | tar --extract --directory "$root/shd"
-}
+wanted=(cmake g++ libcmocka-dev libhwy-dev ninja-build pkg-config python3)
+for preset in "${presets[@]}"; do
+  [ "$preset" = core ] || wanted+=(libassimp-dev libbenchmark-dev libopencolorio-dev libopenimageio-dev libtbb-dev)
+done
 
 # consumer.add_subdirectory would build the library once more.
 build_and_test() {
@@ -91,11 +28,7 @@ build_and_test() {
     -E '^consumer\.add_subdirectory$'
 }
 
-[ "$(id -u)" -eq 0 ] || die "needs root, for chroot and mount"
-unmount # what a killed call may have left
-make_chroot
-trap unmount EXIT
-mount_folders
-install_packages
+open_chroot
+install_packages "${wanted[@]}"
 copy_sources
 for preset in "${presets[@]}"; do build_and_test "$preset"; done

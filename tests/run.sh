@@ -103,8 +103,8 @@ stage_tsan() {
       run_tests tsan -R '^(api|unit\.raster\.bin)' \
         -E '^api\.(call_faults|framebuffer_formats|render_(painter|passes|supersampling|window))$'
 }
-# The release stage has built shd as a part of another project.
-stage_core() { build core -DSHD_SIMD=scalar && run_tests core -E '^consumer\.add_subdirectory$'; }
+# The release stage has built shd as a part of another project, and has run the unit tests on the generic SIMD target.
+stage_core() { build core -DSHD_SIMD=scalar && run_tests core -E '^(consumer\.add_subdirectory$|unit\.)'; }
 # Only the golden hashes: the emulator takes a minute for them.
 stage_arm() {
   local missing targets=(test_api_determinism)

@@ -30,21 +30,32 @@ written() {
   fi
 }
 
+# picture OPTIONS...: draws a small picture unless these options have drawn one before. Its name is in `drawn`.
+small=(--size 48x32 --tessellation 4 --no-color)
+declare -A pictures=()
+picture() {
+  drawn=${pictures["options: $*"]:-}
+  [ -z "$drawn" ] || return 0
+  drawn=picture-${#pictures[@]}.png
+  pictures["options: $*"]=$drawn
+  expect 0 "" "${small[@]}" "$@" -o "$drawn"
+}
+
 # Compares two pictures, which must be equal or different: two lists of options, separated by --. With SHD_ONE_PICTURE
 # only the second one is drawn: a sanitizer looks for errors, and another run compares.
-small=(--size 48x32 --tessellation 4 --no-color)
 compare() {
-  local wanted=$1 first=()
+  local wanted=$1 first=() got=other one drawn
   shift
   while [ "$1" != -- ]; do first+=("$1") && shift; done
   shift
   if [ -n "${SHD_ONE_PICTURE:-}" ]; then
-    expect 0 "" "${small[@]}" "$@" -o second.png
+    picture "$@"
     return
   fi
-  expect 0 "" "${small[@]}" "${first[@]}" -o first.png
-  expect 0 "" "${small[@]}" "$@" -o second.png
-  if cmp -s first.png second.png; then got=same; else got=other; fi
+  picture "${first[@]}"
+  one=$drawn
+  picture "$@"
+  if cmp -s "$one" "$drawn"; then got=same; fi
   if [ "$got" != "$wanted" ]; then
     echo "the pictures of ${first[*]} and $* are the $got"
     failed=1
