@@ -66,6 +66,8 @@ FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter,
   shd_sampler_desc sampler = shd_sampler_desc_default();
   sampler.filter = filter;
   sampler.max_anisotropy = 16.0f;
+  sampler.profile =
+      SHD_PROFILE_EXACT;  // the levels of llvmpipe: the quad lies on one level, where the default reads two
   check(shd_sampler_create(context_, &sampler, &sampler_));
   shd_material_desc material = shd_material_desc_default();
   material.model = SHD_MODEL_UNLIT;
