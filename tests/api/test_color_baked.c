@@ -10,6 +10,7 @@
 
 #include "support/fault_allocator.h"
 #include "support/rows.h"
+#include "support/simd.h"
 
 enum { SIDE = 512, PIXELS = SIDE * SIDE, UNBAKED_VIEWS = sizeof k_unbaked_views / sizeof k_unbaked_views[0] };
 
@@ -69,6 +70,28 @@ static shd_color *make_color(const char *config, shd_simd simd, uint32_t workers
     color_desc.display_precision = precision;
     shd_assert_ok(shd_color_create(*out_context, &color_desc, &color));
     return color;
+}
+
+/* A config with baked displays, and with exact ones. */
+struct both_paths {
+    shd_context *baked_context, *exact_context;
+    shd_color *baked, *exact;
+};
+
+static struct both_paths open_paths(const char *config)
+{
+    struct both_paths paths = {NULL, NULL, NULL, NULL};
+    paths.baked = make_color(config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &paths.baked_context);
+    paths.exact = make_color(config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &paths.exact_context);
+    return paths;
+}
+
+static void close_paths(const struct both_paths *paths)
+{
+    shd_color_release(paths->baked);
+    shd_color_release(paths->exact);
+    shd_context_release(paths->baked_context);
+    shd_context_release(paths->exact_context);
 }
 
 static void apply(const shd_color *color, const float *rgba, uint32_t width, uint32_t height, const char *from,
@@ -136,9 +159,8 @@ static void check_bound(const shd_color *baked, const shd_color *exact, const ch
 static void test_bound(void **state)
 {
     const struct config_row *c = (const struct config_row *)*state;
-    shd_context *context = NULL, *other = NULL;
-    shd_color *baked = make_color(*c->config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &context);
-    shd_color *exact = make_color(*c->config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &other);
+    const struct both_paths paths = open_paths(*c->config);
+    const shd_color *const baked = paths.baked, *const exact = paths.exact;
     const int is_built_in = *c->config == g_default_config;
     uint32_t v;
     g_log_lines = 0;
@@ -153,10 +175,7 @@ static void test_bound(void **state)
         }
         if (g_log_lines != 0) fail_msg("%s", g_log_line);
     }
-    shd_color_release(baked);
-    shd_color_release(exact);
-    shd_context_release(context);
-    shd_context_release(other);
+    close_paths(&paths);
 }
 
 /** Views that are one curve per channel: every half float has the exact code. */
@@ -164,9 +183,8 @@ static void test_every_half(void **state)
 {
     static const char *const k_views[][2] = {
         {"sRGB", "Plain"}, {"sRGB", "Raw"}, {"Rec.709", "Plain"}, {"Rec.709", "Raw"}};
-    shd_context *context = NULL, *other = NULL;
-    shd_color *baked = make_color(g_default_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &context);
-    shd_color *exact = make_color(g_default_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &other);
+    const struct both_paths paths = open_paths(g_default_config);
+    const shd_color *const baked = paths.baked, *const exact = paths.exact;
     uint16_t *half = (uint16_t *)malloc(65536 * 8);
     uint8_t *got = (uint8_t *)malloc(65536 * 4), *want = (uint8_t *)malloc(65536 * 4);
     size_t i, v;
@@ -190,10 +208,7 @@ static void test_every_half(void **state)
     free(half);
     free(got);
     free(want);
-    shd_color_release(baked);
-    shd_color_release(exact);
-    shd_context_release(context);
-    shd_context_release(other);
+    close_paths(&paths);
 }
 
 /* ---- bad numbers and alpha ---- */
@@ -211,9 +226,8 @@ static void test_bad_numbers(void **state)
     const size_t pixels = (size_t)BAD * BAD * BAD;
     float *rgba = (float *)malloc(pixels * 16);
     uint8_t *got = (uint8_t *)malloc(pixels * 4), *want = (uint8_t *)malloc(pixels * 4);
-    shd_context *context = NULL, *other = NULL;
-    shd_color *baked = make_color(*c->config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &context);
-    shd_color *exact = make_color(*c->config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &other);
+    const struct both_paths paths = open_paths(*c->config);
+    const shd_color *const baked = paths.baked, *const exact = paths.exact;
     size_t i;
     uint32_t v;
     for (i = 0; i < pixels; ++i) {
@@ -238,24 +252,10 @@ static void test_bad_numbers(void **state)
     free(rgba);
     free(got);
     free(want);
-    shd_color_release(baked);
-    shd_color_release(exact);
-    shd_context_release(context);
-    shd_context_release(other);
+    close_paths(&paths);
 }
 
 /* ---- the same bits ---- */
-
-static int can_run(int simd)
-{
-    shd_context_desc desc = shd_context_desc_default();
-    shd_context *context = NULL;
-    shd_result result;
-    desc.simd = (shd_simd)simd;
-    result = shd_context_create(&desc, &context);
-    shd_context_release(context);
-    return result == SHD_OK;
-}
 
 /** Hash of a framebuffer with padding through all views of a display; also of RGBA8 and RGBA8_SRGB. */
 static uint64_t hash_views(const char *config, const char *display, shd_simd simd, uint32_t workers)
@@ -293,7 +293,7 @@ static void test_targets_and_workers(void **state)
     const uint64_t want = hash_views(*c->config, c->display, SHD_SIMD_BEST, 1);
     int simd, targets = 0;
     for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
-        if (!can_run(simd)) continue;
+        if (!shd_simd_can_run(simd)) continue;
         ++targets;
         assert_true(hash_views(*c->config, c->display, (shd_simd)simd, 3) == want);
     }
@@ -361,9 +361,8 @@ static void test_first_calls(void **state)
 static void test_unbaked(void **state)
 {
     const struct view_row *c = (const struct view_row *)*state;
-    shd_context *context = NULL, *other = NULL;
-    shd_color *baked = make_color(g_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &context);
-    shd_color *exact = make_color(g_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &other);
+    const struct both_paths paths = open_paths(g_config);
+    const shd_color *const baked = paths.baked, *const exact = paths.exact;
     uint8_t *got = (uint8_t *)malloc(4 * PIXELS), *want = (uint8_t *)malloc(4 * PIXELS);
     int round;
     g_log_lines = 0;
@@ -380,19 +379,15 @@ static void test_unbaked(void **state)
     print_message("%s\n", g_log_line);
     free(got);
     free(want);
-    shd_color_release(baked);
-    shd_color_release(exact);
-    shd_context_release(context);
-    shd_context_release(other);
+    close_paths(&paths);
 }
 
 /** Other formats do not depend on the precision, and a baked handle gives them without baking. */
 static void test_other_formats(void **state)
 {
     static const shd_format k_formats[] = {SHD_FORMAT_RGBA16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F};
-    shd_context *context = NULL, *other = NULL;
-    shd_color *baked = make_color(g_default_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_BAKED, &context);
-    shd_color *exact = make_color(g_default_config, SHD_SIMD_BEST, 1, SHD_DISPLAY_PRECISION_EXACT, &other);
+    const struct both_paths paths = open_paths(g_default_config);
+    const shd_color *const baked = paths.baked, *const exact = paths.exact;
     static unsigned char got[4096 * 16], want[4096 * 16];
     size_t f;
     (void)state;
@@ -403,10 +398,7 @@ static void test_other_formats(void **state)
         shd_assert_ok(shd_color_apply_display_image(exact, &source, NULL, NULL, NULL, &b));
         assert_memory_equal(got, want, 4096 * shd_format_size(k_formats[f]));
     }
-    shd_color_release(baked);
-    shd_color_release(exact);
-    shd_context_release(context);
-    shd_context_release(other);
+    close_paths(&paths);
 }
 
 static void test_bad_precision(void **state)

@@ -7,6 +7,7 @@
 #include "support/pool.h"
 #include "support/scene.h"
 #include "support/shadow_hash.h"
+#include "support/simd.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
                                                           "small", "moved", "lines", "surface"};
@@ -40,13 +41,7 @@ static int can_run(int simd)
 #else
     const int skipped = 0;
 #endif
-    shd_context_desc desc = shd_context_desc_default();
-    shd_context *context = NULL;
-    shd_result result;
-    desc.simd = (shd_simd)simd;
-    result = shd_context_create(&desc, &context);
-    shd_context_release(context);
-    return result == SHD_OK && !skipped;
+    return shd_simd_can_run(simd) && !skipped;
 }
 
 static void test_targets_and_workers(void **state)

@@ -59,6 +59,16 @@ inline size_t run_everywhere(const Texture& texture, const shd_sampler_desc& des
   return first_nonfinite;
 }
 
+/// Two samplers must give equal bits on every target, for the same points in both batches.
+inline void check_same_bits(const Texture& texture, const shd_sampler_desc& one, const shd_sampler_desc& other,
+                            bool lod, Batch* batch, Batch* other_batch) {
+  for_each_target([&](int64_t target) {
+    run(texture, make_sampler(one), target, batch->lookups(!lod, lod), batch);
+    run(texture, make_sampler(other), target, other_batch->lookups(!lod, lod), other_batch);
+    assert_memory_equal(other_batch->out, batch->out, sizeof batch->out);
+  });
+}
+
 /// Runs the points of make_points on every target, then check_point(image, i) for each point.
 template <class CheckPoint>
 void check_against_oracle(const Texture& texture, const shd_sampler_desc& desc, const Lookups& lookups, Batch* batch,
