@@ -7,6 +7,15 @@
 namespace shd::film {
 namespace {
 
+/// Copies few or many floats; a call of memcpy costs more than few.
+void copy_floats(const float* from, size_t count, float* to) {
+  if (count >= 16) {
+    std::memcpy(to, from, count * sizeof(float));
+  } else {
+    for (size_t i = 0; i < count; ++i) to[i] = from[i];
+  }
+}
+
 /// Averages colours spaced `stride` floats apart.
 void average(const float* from, uint32_t samples, size_t stride, float out[4]) {
   const float share = 1.0f / static_cast<float>(samples);
@@ -75,6 +84,20 @@ float* TileColor::split(uint32_t pixel) {
     }
   }
   return samples;
+}
+
+void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row) {
+  for (uint32_t t = 0; t < target_count_; ++t) {
+    const TilePlanes& to = planes_[t];
+    for (uint32_t c = 0; c < 4; ++c) {
+      const float* column = from.channel[4 * target_[t] + c] + row;
+      for (uint32_t p = begin, next; p < end; column += next - p, p = next) {
+        next = to.stride == raster::kTile ? end : std::min(end, p - p % raster::kTile + raster::kTile);
+        copy_floats(column, next - p, to.plane[c] + position(p, t));
+      }
+    }
+  }
+  if (samples_ > 1) std::fill(split_.is_split.data() + begin, split_.is_split.data() + end, uint8_t{0});
 }
 
 void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "core/allocator.h"
 #include "film/blend.h"
@@ -33,30 +32,10 @@ class TileColor {
 
   /// Marks every pixel as stored in planes.
   void load();
-  /// Writes colour and targets of a row of `from` to the samples in a mask.
-  void write(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
-    if (mask == all_) {
-      write_row(pixel, 1, from, row);
-    } else {
-      write_some(pixel, mask, from, row);
-    }
-  }
-  /// Writes rows of `from` to all samples of `count` adjacent pixels of a pixel row, from `pixel` on.
-  void write_row(uint32_t pixel, size_t count, const shade::Radiance& from, size_t row) {
-    for (uint32_t t = 0; t < target_count_; ++t) {
-      const size_t at = position(pixel, t);
-      for (uint32_t c = 0; c < 4; ++c) {
-        const float* column = from.channel[4 * target_[t] + c] + row;
-        float* const to = planes_[t].plane[c] + at;
-        if (count >= 16) {
-          std::memcpy(to, column, count * sizeof(float));
-        } else {
-          for (size_t i = 0; i < count; ++i) to[i] = column[i];
-        }
-      }
-    }
-    for (size_t i = 0; i < count && samples_ > 1; ++i) split_.is_split[pixel + i] = 0;
-  }
+  /// Writes rows of `from`, from `row` on, to all samples of the pixels begin..end - 1.
+  void write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row);
+  /// Writes colour and targets of a row of `from` to the samples in a mask that lacks some.
+  void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
   /// Blends a colour, and the targets of a row of `from`, over the samples in a mask.
   void blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color, const shade::Radiance& from,
              size_t row);
@@ -71,7 +50,6 @@ class TileColor {
   }
   Destination whole(uint32_t pixel, uint32_t t) const;
   float* split(uint32_t pixel);
-  void write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row);
 
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;

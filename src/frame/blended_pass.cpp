@@ -64,7 +64,7 @@ void cover_triangle(TileState* tile, const Draw& draw, const geometry::PixelBox&
   raster::cover_mask(tile->simd(), tile->cover_area(box), state, triangle, worker.tile, &worker.mask);
   worker.covered.clear();
   tile->for_each_masked([&](uint32_t pixel, uint32_t mask) {
-    worker.covered.push_back({static_cast<uint16_t>(pixel), static_cast<uint16_t>(mask)});
+    worker.covered.push_back({static_cast<uint16_t>(pixel), static_cast<uint16_t>(pixel + 1), mask});
   });
   if (tile->renderer.frame.counts_hidden) tile->count_hidden(tile->cover_area(box), triangle, tile->count_masked());
 }

@@ -47,7 +47,7 @@ void shade_run(TileState* tile, const Run& run, const geometry::PixelBox& box, c
   for (size_t i = 0; i < run.count; ++i) {
     const geometry::ScreenTriangle& triangle = run.triangles[run.entries[i]];
     cover_triangle(tile, tile->draw_of(run), box, triangle);
-    const core::Buffer<raster::VisiblePixel>& covered = tile->worker.covered;
+    const core::Buffer<raster::PixelRun>& covered = tile->worker.covered;
     if (covered.size()) batch.add(triangle, covered.data(), covered.size(), done);
   }
   batch.flush(run.draw, done);

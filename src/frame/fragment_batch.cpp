@@ -66,22 +66,22 @@ void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) co
 
 /// Appends pixels of the latest triangle to the table, which must have room for them.
 void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
-                           const raster::VisiblePixel* pixels, size_t count) {
+                           const raster::PixelRun& run) {
   raster::Fragments& f = worker_.workspace.fragments;
   const size_t begin = f.count;
-  uint32_t* __restrict pixel = f.pixel + begin, * __restrict mask = f.mask + begin;
-  for (size_t i = 0; i < count; ++i) {
-    pixel[i] = pixels[i].position;
-    mask[i] = pixels[i].mask;
-  }
-  std::fill_n(f.triangle + begin, count, triangle.primitive);
+  const uint32_t first = run.begin, count = uint32_t{run.end} - run.begin;
+  uint32_t* __restrict pixel = f.pixel + begin;
   float* __restrict x = f.x + begin, * __restrict y = f.y + begin;
   const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
-  for (size_t i = 0; i < count; ++i) {
-    x[i] = left + static_cast<float>(static_cast<int32_t>(pixel[i] % raster::kTile));
-    y[i] = top + static_cast<float>(static_cast<int32_t>(pixel[i] / raster::kTile));
+  for (uint32_t i = 0; i < count; ++i) {
+    pixel[i] = first + i;
+    x[i] = left + static_cast<float>(static_cast<int32_t>((first + i) % raster::kTile));
+    y[i] = top + static_cast<float>(static_cast<int32_t>((first + i) / raster::kTile));
   }
+  std::fill_n(f.mask + begin, count, run.mask);
+  std::fill_n(f.triangle + begin, count, triangle.primitive);
   f.count += count;
+  worker_.runs.run[worker_.runs.count++] = run;
   const Draw& draw = tile_.draw_of(triangle);
   for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) move_to_centroid(points, i);
   if (shade::runs_caller_code(*draw.material)) set_depths(triangle, draw, points, begin, f.count);

@@ -23,26 +23,15 @@ class FragmentBatch {
  public:
   explicit FragmentBatch(const TileState& tile) : tile_(tile), worker_(tile.worker) {}
 
-  /// Adds pixels of one triangle: one fragment per pixel, or one per sample.
+  /// Adds runs of pixels of one triangle: one fragment per pixel, or one per sample.
   template <class Done>
-  void add(const geometry::ScreenTriangle& triangle, const raster::VisiblePixel* pixels, size_t count,
-           const Done& done) {
+  void add(const geometry::ScreenTriangle& triangle, const raster::PixelRun* runs, size_t count, const Done& done) {
     BatchTriangles& triangles = worker_.triangles;
     if (triangles.count == max_triangles(triangle)) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
     const ShadingPoints points = shading_points(triangle);
-    for (size_t i = 0; i < count && points.per_sample; ++i) {
-      for (uint32_t mask = pixels[i].mask; mask; mask &= mask - 1) {
-        make_room(done);
-        const raster::VisiblePixel sample = {pixels[i].position, static_cast<uint16_t>(mask & ~(mask - 1))};
-        append(triangle, points, &sample, 1);
-      }
-    }
-    for (size_t i = 0; i < count && !points.per_sample;) {
-      const size_t more = std::min(count - i, make_room(done));
-      append(triangle, points, pixels + i, more);
-      i += more;
-    }
+    for (size_t i = 0; i < count; ++i) points.per_sample ? add_samples(triangle, points, runs[i], done)
+                                                         : add_pixels(triangle, points, runs[i], done);
   }
 
   /// Shades the table if it holds fragments, and empties it.
@@ -54,9 +43,30 @@ class FragmentBatch {
     }
     worker_.workspace.fragments.count = 0;
     worker_.triangles.count = 0;
+    worker_.runs.count = 0;
   }
 
  private:
+  template <class Done>
+  void add_samples(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run,
+                   const Done& done) {
+    for (uint16_t pixel = run.begin; pixel < run.end; ++pixel) {
+      for (uint32_t mask = run.mask; mask; mask &= mask - 1) {
+        make_room(done);
+        append(triangle, points, {pixel, static_cast<uint16_t>(pixel + 1), mask & ~(mask - 1)});
+      }
+    }
+  }
+
+  template <class Done>
+  void add_pixels(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, raster::PixelRun run,
+                  const Done& done) {
+    for (size_t end = run.end; run.begin < end; run.begin = run.end) {
+      run.end = static_cast<uint16_t>(std::min(end, run.begin + make_room(done)));
+      append(triangle, points, run);
+    }
+  }
+
   /// Makes room for fragments of the latest triangle. Returns the number of free rows.
   template <class Done>
   size_t make_room(const Done& done) {
@@ -75,8 +85,7 @@ class FragmentBatch {
   bool covers_centre(const ShadingPoints& points, uint32_t pixel) const;
   uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
   void move_to_centroid(const ShadingPoints& points, size_t row) const;
-  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::VisiblePixel* pixels,
-              size_t count);
+  void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
   void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);
   void shade(uint32_t draw);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/opaque_pass.h"
 
-#include <algorithm>
-
 #include "film/aovs.h"
 #include "frame/fragment_batch.h"
+#include "shade/combine.h"
 
 namespace shd::frame {
 namespace {
@@ -25,56 +24,26 @@ void cover_counted(TileState* tile, const Draw& draw, const Run& run, size_t i, 
   raster::cover(tile->simd(), area, draw.depth, run.triangles, run.entries + i, 1, slot, &worker.tile);
 }
 
-/// Counts rows with a non-finite channel: x - x is 0 only for finite x.
-uint64_t count_nonfinite(const raster::Fragments& f, const shade::Radiance& radiance) {
-  const float* __restrict r = radiance.channel[0], * __restrict g = radiance.channel[1];
-  const float* __restrict b = radiance.channel[2], * __restrict a = radiance.channel[3];
-  uint32_t finite = 0;
-  for (size_t i = 0; i < f.count; ++i) {
-    const float zero = ((r[i] - r[i]) + (g[i] - g[i])) + ((b[i] - b[i]) + (a[i] - a[i]));
-    finite += zero == 0.0f;
-  }
-  return f.count - finite;
-}
-
-/// Counts the rows from `begin` on that are adjacent in a pixel row and cover all samples. Long runs are compared in
-/// groups of 16 rows.
-size_t count_neighbours(const raster::Fragments& f, size_t begin, uint32_t all_samples) {
-  const uint32_t pixel = f.pixel[begin];
-  const uint32_t *pixels = f.pixel + begin, *masks = f.mask + begin;
-  const size_t max_count = std::min<size_t>(f.count - begin, raster::kTile - pixel % raster::kTile);
-  const auto goes_on = [&](size_t i) { return i < max_count && pixels[i] == pixel + i && masks[i] == all_samples; };
-  size_t count = 0;
-  while (goes_on(count) && count < 16) ++count;
-  for (uint32_t different = 0; goes_on(count) && count + 16 <= max_count; count += 16) {
-    const auto first = static_cast<uint32_t>(pixel + count);
-    for (uint32_t k = 0; k < 16; ++k) different |= (pixels[count + k] ^ (first + k)) | (masks[count + k] ^ all_samples);
-    if (different) break;
-  }
-  while (goes_on(count)) ++count;
-  return count;
-}
-
 /// Writes the colours of a shaded batch to its samples.
-void write_colors(const raster::Fragments& f, const shade::Radiance& radiance, uint32_t all_samples,
+void write_colors(const BatchRuns& runs, const shade::Radiance& radiance, uint32_t all_samples,
                   film::TileColor* tile_color) {
-  for (size_t i = 0; i < f.count;) {
-    const size_t neighbours = count_neighbours(f, i, all_samples);
-    if (neighbours > 1) {
-      tile_color->write_row(f.pixel[i], neighbours, radiance, i);
-      i += neighbours;
-      continue;
+  size_t row = 0;
+  for (size_t i = 0; i < runs.count; ++i) {
+    const raster::PixelRun& run = runs.run[i];
+    if (run.mask == all_samples) {
+      tile_color->write_run(run.begin, run.end, radiance, row);
+    } else {
+      for (uint32_t p = run.begin; p < run.end; ++p) tile_color->write_some(p, run.mask, radiance, row + p - run.begin);
     }
-    tile_color->write(f.pixel[i], f.mask[i], radiance, i);
-    ++i;
+    row += size_t{run.end} - run.begin;
   }
 }
 
 void write_batch(const Draw& draw, TileState* tile) {
   Worker& worker = tile->worker;
   const raster::Fragments& f = worker.workspace.fragments;
-  worker.nonfinite_fragments += count_nonfinite(f, worker.workspace.columns.radiance);
-  write_colors(f, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
+  worker.nonfinite_fragments += shade::count_nonfinite(tile->simd(), worker.workspace.columns.radiance, f.count);
+  write_colors(worker.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   film::find_rows(f, &worker.aovs);
   film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
@@ -119,7 +88,7 @@ void shade_visible(TileState* tile) {
     const geometry::ScreenTriangle& triangle = *worker.slots[slot];
     if (triangle.draw != draw) batch.flush(draw, done);
     draw = triangle.draw;
-    batch.add(triangle, worker.order.pixel.data() + begin, end - begin, done);
+    batch.add(triangle, worker.order.run.data() + begin, end - begin, done);
   }
   batch.flush(draw, done);
   worker.slots.clear();

@@ -24,17 +24,24 @@ struct BatchTriangles {
   uint16_t of[raster::kBatch];  // [fragment] index into `triangle`; unused for is_plain() materials
 };
 
+/// The rows of a batch as runs, in order: rows of a run are consecutive.
+struct BatchRuns {
+  size_t count = 0;
+  raster::PixelRun run[raster::kBatch];
+};
+
 /// Memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
   raster::Tile tile;
   raster::TileOrder order;
   raster::CoverMask mask;                               // mask of the latest triangle
-  core::Buffer<raster::VisiblePixel> covered;           // pixels of one blended triangle
+  core::Buffer<raster::PixelRun> covered;               // pixels of one blended triangle
   core::Buffer<const geometry::ScreenTriangle*> slots;  // [slot] triangle
   film::SplitSamples split;
   film::ColorBlock color;
   shade::Workspace workspace;
   BatchTriangles triangles;
+  BatchRuns runs;
   film::Unordered unordered;
   film::AovScratch aovs;
   uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;

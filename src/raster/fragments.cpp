@@ -23,7 +23,7 @@ void visit_columns(Fragments& f, Visit visit) {
 
 /// Adds a run for each triangle visible in a pixel. Returns the number of samples without a triangle.
 template <uint32_t kSamples>
-size_t add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* runs) {
+size_t add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<SlotRun>* runs) {
   const uint32_t* slots = tile.slot.data() + pixel * kSamples;
   const auto begin = static_cast<uint16_t>(pixel), end = static_cast<uint16_t>(pixel + 1);
   size_t bare = 0;
@@ -32,7 +32,7 @@ size_t add_mixed_pixel(const Tile& tile, size_t pixel, core::Buffer<PixelRun>* r
     uint32_t mask = 0;
     for (uint32_t k = 0; k < kSamples; ++k) mask |= static_cast<uint32_t>(slots[k] == slot) << k;
     if (slot != kNoSlot) {
-      runs->push_back({slot, begin, end, mask});
+      runs->push_back({slot, {begin, end, mask}});
     } else {
       bare = static_cast<size_t>(__builtin_popcount(mask));
     }
@@ -54,7 +54,7 @@ size_t next_bit(const uint64_t* bits, size_t from, size_t count) {
 /// Divides the covered pixels of a tile into runs. Returns the number of samples without a triangle.
 /// @param changes  bit i is set if slot i differs from slot i - 1
 template <uint32_t kSamples>
-size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
+size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<SlotRun>* runs) {
   constexpr uint32_t kAll = (1u << kSamples) - 1;
   size_t bare = 0;
   runs->clear();
@@ -69,14 +69,14 @@ size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRu
     if (slot == kNoSlot) {
       bare += (end - begin) * kSamples;
     } else {
-      runs->push_back({slot, static_cast<uint16_t>(begin), static_cast<uint16_t>(end), kAll});
+      runs->push_back({slot, {static_cast<uint16_t>(begin), static_cast<uint16_t>(end), kAll}});
     }
     begin = end;
   }
   return bare;
 }
 
-size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<PixelRun>* runs) {
+size_t find_runs(const Tile& tile, const uint64_t* changes, core::Buffer<SlotRun>* runs) {
   switch (tile.samples) {
     case 1: return find_runs<1>(tile, changes, runs);
     case 2: return find_runs<2>(tile, changes, runs);
@@ -103,35 +103,26 @@ void allocate(const core::Allocator& allocator, Fragments* out) {
 
 void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out) {
   out->changes = core::Array<uint64_t>(allocator, kTilePixels * samples / 64);
-  out->run.attach(allocator);
+  out->found.attach(allocator);
   out->start.attach(allocator);
-  out->pixel.attach(allocator);
+  out->run.attach(allocator);
 }
 
 void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out) {
   out->start.resize(slot_count + 1);
   for (size_t slot = 0; slot <= slot_count; ++slot) out->start[slot] = 0;
   find_changes(simd, tile.slot.data(), tile.slot.size(), out->changes.data());
-  out->covered_samples = tile.slot.size() - find_runs(tile, out->changes.data(), &out->run);
-  for (size_t i = 0; i < out->run.size(); ++i) {
-    out->start[out->run[i].slot] += uint32_t{out->run[i].end} - out->run[i].begin;
-  }
+  out->covered_samples = tile.slot.size() - find_runs(tile, out->changes.data(), &out->found);
+  for (size_t i = 0; i < out->found.size(); ++i) ++out->start[out->found[i].slot];
   uint32_t total = 0;
   for (size_t slot = 0; slot <= slot_count; ++slot) {
     const uint32_t count = out->start[slot];
     out->start[slot] = total;
     total += count;
   }
-  out->pixel.resize(total);
-  // While pixels are placed, each start advances to the start of the next slot; the loop after it restores the starts.
-  for (size_t i = 0; i < out->run.size(); ++i) {
-    const PixelRun& run = out->run[i];
-    VisiblePixel* pixel = out->pixel.data() + out->start[run.slot];
-    out->start[run.slot] += uint32_t{run.end} - run.begin;
-    for (uint32_t p = run.begin; p < run.end; ++p) {
-      *pixel++ = {static_cast<uint16_t>(p), static_cast<uint16_t>(run.mask)};
-    }
-  }
+  out->run.resize(total);
+  // While runs are placed, each start advances to the start of the next slot; the loop after it restores the starts.
+  for (size_t i = 0; i < out->found.size(); ++i) out->run[out->start[out->found[i].slot]++] = out->found[i].run;
   for (size_t slot = slot_count; slot > 0; --slot) out->start[slot] = out->start[slot - 1];
   out->start[0] = 0;
 }

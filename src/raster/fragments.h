@@ -44,32 +44,31 @@ struct Fragments {
 /// Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, Fragments* out);
 
-/// Adjacent pixels of a tile, in row-major order, with one triangle at the same samples.
+/// Consecutive pixels of a tile, numbered row-major, in which one triangle is visible at the same samples.
 struct PixelRun {
-  uint32_t slot;
   uint16_t begin, end;
-  uint32_t mask;
+  uint32_t mask;  // samples, as bits
 };
 
-/// A pixel in which a triangle is visible.
-struct VisiblePixel {
-  uint16_t position;  // row-major in the tile
-  uint16_t mask;      // samples at which it is visible, as bits
+/// A run of the triangle in a slot.
+struct SlotRun {
+  uint32_t slot;
+  PixelRun run;
 };
 
-/// Pixels of a tile in the order of their triangles; a pixel with several triangles is listed once for each.
+/// The visible pixels of a tile in the order of their triangles; a pixel with several triangles is in a run of each.
 struct TileOrder {
-  core::Array<uint64_t> changes;     // scratch
-  core::Buffer<PixelRun> run;        // scratch
-  core::Buffer<uint32_t> start;      // [slots + 1] first position of each slot
-  core::Buffer<VisiblePixel> pixel;  // sorted by slot, then by position
-  size_t covered_samples;            // samples with a triangle
+  core::Array<uint64_t> changes;  // scratch
+  core::Buffer<SlotRun> found;    // scratch: the runs by position
+  core::Buffer<uint32_t> start;   // [slots + 1] first run of each slot
+  core::Buffer<PixelRun> run;     // sorted by slot, then by position
+  size_t covered_samples;         // samples with a triangle
 };
 
 /// Allocates for tiles with `samples` samples per pixel. Throws std::bad_alloc.
 void allocate(const core::Allocator& allocator, uint32_t samples, TileOrder* out);
 
-/// Counting sort of the covered pixels of a tile by slot. Throws std::bad_alloc.
+/// Counting sort of the runs of covered pixels of a tile by slot. Throws std::bad_alloc.
 void sort_pixels(const core::SimdTarget& simd, const Tile& tile, size_t slot_count, TileOrder* out);
 
 }  // namespace shd::raster

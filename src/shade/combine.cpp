@@ -109,6 +109,21 @@ void SpreadCorners(const raster::Fragments& fragments, const uint32_t* points, c
   }
 }
 
+size_t CountNonfinite(const Radiance& radiance, size_t count) {
+  const hn::ScalableTag<float> d;
+  size_t finite = 0;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    auto zero = hn::Zero(d);  // x - x is 0 only for finite x
+    for (int c = 0; c < 4; ++c) {
+      const auto x = hn::Load(d, radiance.channel[c] + i);
+      zero = zero + (x - x);
+    }
+    const auto rows = hn::FirstN(d, count - i);
+    finite += hn::CountTrue(d, hn::And(rows, hn::Eq(zero, hn::Zero(d))));
+  }
+  return count - finite;
+}
+
 }  // namespace shd::shade::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -116,6 +131,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::shade {
 
 HWY_EXPORT(Combine);
+HWY_EXPORT(CountNonfinite);
 HWY_EXPORT(SpreadCorners);
 
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
@@ -126,6 +142,10 @@ void combine(const core::SimdTarget& simd, const material::Material& material, c
   float ambient[3];
   for (int c = 0; c < 3; ++c) ambient[c] = (has_ambient ? material.ambient[c] : 1.0f) * lights.ambient[c] * times;
   SHD_DISPATCH(Combine, simd)(material, ambient, light_count, lobes, material::complete(parameters), count, *out);
+}
+
+size_t count_nonfinite(const core::SimdTarget& simd, const Radiance& radiance, size_t count) {
+  return SHD_DISPATCH(CountNonfinite, simd)(radiance, count);
 }
 
 void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* points,

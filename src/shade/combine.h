@@ -17,6 +17,9 @@ namespace shd::shade {
 void combine(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
              const material::Lobes& lobes, const material::Parameters& parameters, size_t count, Radiance* out);
 
+/// Counts the rows whose colour has a channel that is not finite.
+size_t count_nonfinite(const core::SimdTarget& simd, const Radiance& radiance, size_t count);
+
 /// out[i] = b0 in[k] + b1 in[k + 1] + b2 in[k + 2] with k = points[i] and the barycentrics of fragment i.
 void spread_corners(const core::SimdTarget& simd, const raster::Fragments& fragments, const uint32_t* points,
                     const float* in, float* out);
