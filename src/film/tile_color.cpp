@@ -86,6 +86,17 @@ float* TileColor::split(uint32_t pixel) {
   return samples;
 }
 
+bool TileColor::point_to(const raster::PixelRun& run, shade::Radiance* out) {
+  if (target_count_ > 1 || planes_[0].stride != raster::kTile) return false;
+  for (size_t c = 0; c < 4; ++c) out->channel[c] = planes_[0].plane[c] + run.begin;
+  mark_whole(run.begin, run.end);
+  return true;
+}
+
+void TileColor::mark_whole(uint32_t begin, uint32_t end) {
+  if (samples_ > 1) std::fill(split_.is_split.data() + begin, split_.is_split.data() + end, uint8_t{0});
+}
+
 void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row) {
   for (uint32_t t = 0; t < target_count_; ++t) {
     const TilePlanes& to = planes_[t];
@@ -97,7 +108,7 @@ void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& f
       }
     }
   }
-  if (samples_ > 1) std::fill(split_.is_split.data() + begin, split_.is_split.data() + end, uint8_t{0});
+  mark_whole(begin, end);
 }
 
 void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {

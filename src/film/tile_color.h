@@ -9,6 +9,7 @@
 #include "film/framebuffer.h"
 #include "film/tile_area.h"
 #include "film/tile_planes.h"
+#include "raster/fragments.h"
 #include "shade/columns.h"
 
 namespace shd::film {
@@ -32,6 +33,9 @@ class TileColor {
 
   /// Marks every pixel as stored in planes.
   void load();
+  /// Points r, g, b and a to a run of pixels, all of whose samples are then written there, if colour is the only target
+  /// and the pixels of the tile are consecutive. Returns whether they are.
+  bool point_to(const raster::PixelRun& run, shade::Radiance* out);
   /// Writes rows of `from`, from `row` on, to all samples of the pixels begin..end - 1.
   void write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row);
   /// Writes colour and targets of a row of `from` to the samples in a mask that lacks some.
@@ -50,6 +54,8 @@ class TileColor {
   }
   Destination whole(uint32_t pixel, uint32_t t) const;
   float* split(uint32_t pixel);
+  /// Marks pixels as stored in planes.
+  void mark_whole(uint32_t begin, uint32_t end);
 
   const uint32_t samples_, all_;
   uint32_t target_count_ = 0;

@@ -103,17 +103,7 @@ void FragmentBatch::set_depths(const geometry::ScreenTriangle& triangle, const D
 }
 
 void FragmentBatch::shade(uint32_t draw) {
-  const Draw& d = tile_.renderer.frame.draws[draw];
-  const Scene& scene = tile_.renderer.scene;
-  const shade::DrawShading shading = {&scene.vertices[draw],
-                                      d.material,
-                                      d.frequency,
-                                      scene.transforms[draw].orientation,
-                                      d.index,
-                                      d.instance,
-                                      film::columns_of(tile_.framebuffer.aovs),
-                                      d.uniforms};
-  shade::shade_batch(tile_.simd(), shading, tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
+  shade::shade_batch(tile_.simd(), tile_.shading_of(draw), tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }
 

@@ -3,6 +3,7 @@
 
 #include "film/aovs.h"
 #include "frame/fragment_batch.h"
+#include "frame/texture_batch.h"
 #include "shade/combine.h"
 
 namespace shd::frame {
@@ -80,15 +81,19 @@ void shade_visible(TileState* tile) {
   if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // every sample is overwritten
   tile->clear_color();
   FragmentBatch batch(*tile);
+  TextureBatch textured(tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
   uint32_t draw = 0;
   for (size_t slot = 0; slot < worker.slots.size(); ++slot) {
-    const size_t begin = worker.order.start[slot], end = worker.order.start[slot + 1];
-    if (begin == end) continue;
+    raster::PixelRun* const runs = worker.order.run.data() + worker.order.start[slot];
+    size_t count = worker.order.start[slot + 1] - worker.order.start[slot];
+    if (count == 0) continue;
     const geometry::ScreenTriangle& triangle = *worker.slots[slot];
+    count = textured.draw(triangle, runs, count);
+    if (count == 0) continue;
     if (triangle.draw != draw) batch.flush(draw, done);
     draw = triangle.draw;
-    batch.add(triangle, worker.order.run.data() + begin, end - begin, done);
+    batch.add(triangle, runs, count, done);
   }
   batch.flush(draw, done);
   worker.slots.clear();

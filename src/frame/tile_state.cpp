@@ -15,6 +15,19 @@ TileState::TileState(const TileRenderer& tile_renderer, uint32_t tile, Worker* t
       color_planes(worker.color.planes(area, &framebuffer)),
       color(area, color_planes, &framebuffer, &worker.split) {}
 
+shade::DrawShading TileState::shading_of(uint32_t draw) const {
+  const Draw& d = renderer.frame.draws[draw];
+  const Scene& scene = renderer.scene;
+  return {&scene.vertices[draw],
+          d.material,
+          d.frequency,
+          scene.transforms[draw].orientation,
+          d.index,
+          d.instance,
+          film::columns_of(framebuffer.aovs),
+          d.uniforms};
+}
+
 geometry::PixelBox TileState::box() const {
   return geometry::intersection(geometry::pixel_rectangle(left, top, area.width, area.height),
                                 visible_box(renderer.frame));

@@ -37,6 +37,8 @@ class TileState {
   const Draw& draw_of(const geometry::ScreenTriangle& triangle) const { return renderer.frame.draws[triangle.draw]; }
   const core::SimdTarget& simd() const { return renderer.context.simd; }
 
+  shade::DrawShading shading_of(uint32_t draw) const;
+
   /// Pixels of the picture that may change.
   geometry::PixelBox box() const;
   raster::CoverArea cover_area(const geometry::PixelBox& box) const { return {pattern, left, top, box}; }

@@ -34,27 +34,34 @@ constexpr Parameters kUnset = make_unset();
 
 }  // namespace
 
-texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, bool has_footprint, float* const scratch[6]) {
-  const bool second = slot.uv_set == 1;
-  const float* in[6] = {second ? f.u1 : f.u,       second ? f.v1 : f.v,       second ? f.du1dx : f.dudx,
-                        second ? f.dv1dx : f.dvdx, second ? f.du1dy : f.dudy, second ? f.dv1dy : f.dvdy};
+texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_t count, float* const scratch[6]) {
+  const float* in[6];
+  std::copy_n(uv, 6, in);
   if (slot.is_transformed) {
     const float* t = slot.uv_transform;
     for (int k = 0; k < 6; k += 2) {
-      transform(in[k], in[k + 1], t, k ? 0.0f : t[2], f.count, scratch[k]);
-      transform(in[k], in[k + 1], t + 3, k ? 0.0f : t[5], f.count, scratch[k + 1]);
+      transform(in[k], in[k + 1], t, k ? 0.0f : t[2], count, scratch[k]);
+      transform(in[k], in[k + 1], t + 3, k ? 0.0f : t[5], count, scratch[k + 1]);
     }
     std::copy_n(scratch, 6, in);
   }
   texture::Lookups lookups = {};
-  lookups.count = f.count;
+  lookups.count = count;
   lookups.u = in[0];
   lookups.v = in[1];
-  if (!has_footprint) return lookups;
   lookups.dudx = in[2];
   lookups.dvdx = in[3];
   lookups.dudy = in[4];
   lookups.dvdy = in[5];
+  return lookups;
+}
+
+texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, bool has_footprint, float* const scratch[6]) {
+  const bool second = slot.uv_set == 1;
+  const float* uv[6] = {second ? f.u1 : f.u,       second ? f.v1 : f.v,       second ? f.du1dx : f.dudx,
+                        second ? f.dv1dx : f.dvdx, second ? f.du1dy : f.dudy, second ? f.dv1dy : f.dvdy};
+  texture::Lookups lookups = lookups_of(slot, uv, f.count, scratch);
+  if (!has_footprint) lookups.dudx = lookups.dvdx = lookups.dudy = lookups.dvdy = nullptr;
   return lookups;
 }
 

@@ -49,16 +49,33 @@ struct Barycentric {
   V b0;
 };
 
-/// Barycentric coordinates of raster position (px, py) and their derivatives.
-template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE Barycentric<V> Weights(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], V px, V py) {
-  // With the vertices translated so that the pixel is the origin, the weights are their cross products.
+/// Homogeneous raster positions of the corners of triangles.
+template <class V>
+struct Corners {
   V x[3], y[3], w[3];
+};
+
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const Rows (&rows)[3]) {
+  Corners<V> corners;
   for (int k = 0; k < 3; ++k) {
     const float* raster = vertices.raster.data();
-    w[k] = rows[k].Get(d, raster, 3);
-    x[k] = rows[k].Get(d, raster, 0) - px * w[k];
-    y[k] = rows[k].Get(d, raster, 1) - py * w[k];
+    corners.x[k] = rows[k].Get(d, raster, 0);
+    corners.y[k] = rows[k].Get(d, raster, 1);
+    corners.w[k] = rows[k].Get(d, raster, 3);
+  }
+  return corners;
+}
+
+/// Barycentric coordinates of raster position (px, py) and their derivatives.
+template <class D, class V>
+HWY_INLINE Barycentric<V> Weights(D d, const Corners<V>& corners, V px, V py) {
+  // With the vertices translated so that the pixel is the origin, the weights are their cross products.
+  V x[3], y[3];
+  const V(&w)[3] = corners.w;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = corners.x[k] - px * w[k];
+    y[k] = corners.y[k] - py * w[k];
   }
   V e[3], e_dx[3], e_dy[3];
   for (int k = 0; k < 3; ++k) {
@@ -96,17 +113,26 @@ HWY_INLINE V Attribute(D d, const float* values, int c, const Rows (&rows)[3], c
   return Blend(d, rows[0].Get(d, values, c), rows[1].Get(d, values, c), rows[2].Get(d, values, c), b.b1, b.b2);
 }
 
-/// Interpolates a texture coordinate and its derivatives.
+/// A texture coordinate at the corners of triangles.
+template <class V>
+struct CornerValues {
+  V a[3];
+};
+
 template <class D, class Rows, class V = hn::Vec<D>>
-HWY_INLINE void Coordinate(D d, const geometry::RowComponent& from, const Rows (&rows)[3], const Barycentric<V>& b,
-                           size_t at, float* out, float* out_dx, float* out_dy) {
+HWY_INLINE CornerValues<V> ValuesOf(D d, const geometry::RowComponent& from, const Rows (&rows)[3]) {
   const auto c = static_cast<int>(from.component);
-  const V a0 = rows[0].Get(d, from.rows, c);
-  const V corner1 = rows[1].Get(d, from.rows, c), corner2 = rows[2].Get(d, from.rows, c);
-  const V a1 = corner1 - a0, a2 = corner2 - a0;
-  hn::Store(Blend(d, a0, corner1, corner2, b.b1, b.b2), d, out + at);
-  hn::Store(FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), d, out_dx + at);
-  hn::Store(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
+  return {{rows[0].Get(d, from.rows, c), rows[1].Get(d, from.rows, c), rows[2].Get(d, from.rows, c)}};
+}
+
+/// Interpolates a texture coordinate and its derivatives.
+template <class D, class V>
+HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out,
+                           float* out_dx, float* out_dy) {
+  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
+  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
+  hn::StoreU(FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), d, out_dx + at);
+  hn::StoreU(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
 }
 
 /// Interpolates position, normal and wo of one vector of rows.
@@ -134,8 +160,8 @@ template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
                                   const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
   if (wanted & kTexture1 && vertices.texture1.size()) {
-    Coordinate(d, geometry::u1_of(vertices), rows, b, at, f.u1, f.du1dx, f.du1dy);
-    Coordinate(d, geometry::v1_of(vertices), rows, b, at, f.v1, f.dv1dx, f.dv1dy);
+    Coordinate(d, ValuesOf(d, geometry::u1_of(vertices), rows), b, at, f.u1, f.du1dx, f.du1dy);
+    Coordinate(d, ValuesOf(d, geometry::v1_of(vertices), rows), b, at, f.v1, f.dv1dx, f.dv1dy);
   }
   if (wanted & kTangent && vertices.tangent.size()) {
     float* const out[4] = {f.tx, f.ty, f.tz, f.tw};
@@ -151,7 +177,7 @@ HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const
 template <class D, class Rows>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
                                 uint32_t wanted, size_t at, Fragments& f) {
-  const auto b = Weights(d, vertices, rows, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
+  const auto b = Weights(d, CornersOf(d, vertices, rows), hn::Load(d, f.x + at), hn::Load(d, f.y + at));
   if (wanted & kBarycentrics) {
     hn::Store(b.b0, d, f.bary[0] + at);
     hn::Store(b.b1, d, f.bary[1] + at);
@@ -159,8 +185,8 @@ HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const R
   }
   InterpolateSpace(d, vertices, rows, b, eye, wanted, at, f);
   if (wanted & kTexture) {
-    Coordinate(d, geometry::u_of(vertices), rows, b, at, f.u, f.dudx, f.dudy);
-    Coordinate(d, geometry::v_of(vertices), rows, b, at, f.v, f.dvdx, f.dvdy);
+    Coordinate(d, ValuesOf(d, geometry::u_of(vertices), rows), b, at, f.u, f.dudx, f.dudy);
+    Coordinate(d, ValuesOf(d, geometry::v_of(vertices), rows), b, at, f.v, f.dvdx, f.dvdy);
   }
   InterpolateExtras(d, vertices, rows, b, wanted, at, f);
 }
@@ -184,6 +210,29 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
   }
 }
 
+void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
+  const auto corners = CornersOf(d, vertices, rows);
+  const auto u = ValuesOf(d, geometry::u_of(vertices), rows), v = ValuesOf(d, geometry::v_of(vertices), rows);
+  const auto lane = hn::Iota(di, 0);
+  const auto left = hn::Set(d, pixels.left + 0.5f), top = hn::Set(d, pixels.top + 0.5f);
+  size_t row = 0;
+  for (size_t i = 0; i < pixels.run_count; ++i) {
+    const size_t count = size_t{pixels.run[i].end} - pixels.run[i].begin;
+    for (size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const auto pixel = hn::Set(di, static_cast<int32_t>(pixels.run[i].begin + k)) + lane;
+      const auto x = left + hn::ConvertTo(d, hn::And(pixel, hn::Set(di, kTile - 1)));
+      const auto y = top + hn::ConvertTo(d, hn::ShiftRight<kTileBits>(pixel));
+      const auto b = Weights(d, corners, x, y);
+      Coordinate(d, u, b, row + k, f.u, f.dudx, f.dudy);
+      Coordinate(d, v, b, row + k, f.v, f.dvdx, f.dvdy);
+    }
+    row += count;
+  }
+}
+
 }  // namespace shd::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -191,6 +240,7 @@ HWY_AFTER_NAMESPACE();
 namespace shd::raster {
 
 HWY_EXPORT(Interpolate);
+HWY_EXPORT(InterpolateTexture);
 
 void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertices, const float eye[3], uint32_t wanted,
                  Fragments* fragments) {
@@ -203,6 +253,11 @@ void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertice
   float* const tangent[] = {f.tx, f.ty, f.tz, f.tw};
   if (wanted & kTexture1 && vertices.texture1.size() == 0) clear(std::begin(texture1), std::end(texture1));
   if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
+}
+
+void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices,
+                         const TrianglePixels& pixels, Fragments* out) {
+  SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
 }
 
 }  // namespace shd::raster

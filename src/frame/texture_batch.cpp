@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "frame/texture_batch.h"
+
+#include <algorithm>
+
+#include "geometry/vertex.h"
+#include "shade/one_texture.h"
+
+namespace shd::frame {
+namespace {
+
+/// Triangles with fewer pixels in a tile share a table with others: a batch has costs of its own.
+constexpr size_t kFewPixels = 64;
+
+size_t length_of(const raster::PixelRun& run) {
+  return size_t{run.end} - run.begin;
+}
+
+}  // namespace
+
+bool TextureBatch::takes(const Draw& draw) const {
+  const bool per_sample = tile_.pattern.count > 1 && draw.sample_shading;
+  return !tile_.framebuffer.aovs && !per_sample && shade::is_one_texture(*draw.material);
+}
+
+size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count) {
+  size_t pixels = 0, rest = 0;
+  for (size_t i = 0; i < count; ++i) pixels += length_of(runs[i]);
+  if (pixels < kFewPixels || !takes(tile_.draw_of(triangle))) return count;
+  for (size_t i = 0; i < count; ++i) {
+    if (runs[i].mask != tile_.all_samples()) {
+      runs[rest++] = runs[i];
+      continue;
+    }
+    for (raster::PixelRun run = runs[i]; run.begin < runs[i].end; run.begin = run.end) {
+      if (rows_ == raster::kMaxTextureRows) flush(triangle);
+      const size_t end = std::min<size_t>(runs[i].end, run.begin + (raster::kMaxTextureRows - rows_));
+      run.end = static_cast<uint16_t>(end);
+      runs_.run[runs_.count++] = run;
+      rows_ += length_of(run);
+    }
+  }
+  flush(triangle);
+  return rest;
+}
+
+/// Shades the rows and empties the batch.
+void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
+  if (rows_ == 0) return;
+  Worker& worker = tile_.worker;
+  const shade::DrawShading shading = tile_.shading_of(triangle.draw);
+  raster::TrianglePixels pixels = {{}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run,
+                                   runs_.count};
+  for (size_t k = 0; k < 3; ++k) pixels.row[k] = geometry::row_of(*shading.vertices, triangle.primitive, k);
+  shade::Radiance colors = worker.workspace.columns.radiance;
+  const bool in_place = runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);
+  shade::shade_one_texture(tile_.simd(), shading, pixels, rows_, &worker.workspace, colors.channel);
+  std::fill_n(colors.channel[3], rows_, 1.0f);
+  size_t row = 0;
+  for (size_t i = 0; i < runs_.count && !in_place; ++i) {
+    tile_.color.write_run(runs_.run[i].begin, runs_.run[i].end, colors, row);
+    row += length_of(runs_.run[i]);
+  }
+  worker.fragments += rows_;
+  runs_.count = rows_ = 0;
+}
+
+}  // namespace shd::frame

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "shade/one_texture.h"
+
+#include "material/slot_lookup.h"
+#include "texture/sample.h"
+#include "texture/store/storage.h"
+
+namespace shd::shade {
+namespace {
+
+bool has_normalised_integers(const texture::Texture& texture) {
+  return texture.component != image::Component::kFloat16 && texture.component != image::Component::kFloat32;
+}
+
+}  // namespace
+
+bool is_one_texture(const material::Material& material) {
+  if (material.model != SHD_MODEL_UNLIT || material.slots != 1u << SHD_SLOT_DIFFUSE) return false;
+  const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
+  if (!slot.texture || slot.uv_set != 0 || texture::has_border(*slot.sampler)) return false;
+  for (float emitted : material.emission) {
+    if (emitted > 0.0f) return false;
+  }
+  return has_normalised_integers(*slot.texture);
+}
+
+void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading, const raster::TrianglePixels& pixels,
+                       size_t rows, Workspace* workspace, float* const out[3]) {
+  const material::Material& material = *shading.material;
+  const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
+  raster::Fragments& f = workspace->fragments;
+  raster::interpolate_texture(simd, *shading.vertices, pixels, &f);
+  const float* const uv[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
+  texture::Texels texels = {};
+  for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];
+  texture::sample(*slot.texture, *slot.sampler, simd, material::lookups_of(slot, uv, rows, workspace->columns.uv),
+                  texels);
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 0; i < rows && material.diffuse[c] != 1.0f; ++i) out[c][i] *= material.diffuse[c];
+  }
+}
+
+}  // namespace shd::shade
