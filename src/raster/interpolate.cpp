@@ -67,26 +67,40 @@ HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const R
   return corners;
 }
 
-/// Barycentric coordinates of raster position (px, py) and their derivatives.
-template <class D, class V>
-HWY_INLINE Barycentric<V> Weights(D d, const Corners<V>& corners, V px, V py) {
-  // With the vertices translated so that the pixel is the origin, the weights are their cross products.
-  V x[3], y[3];
+/// What the barycentric coordinates of all pixels of a row share. With the vertices translated so that the pixel is the
+/// origin, the weights e[k] of the vertices are their cross products.
+template <class V>
+struct PixelRow {
+  V y[3];             // of the translated vertices
+  V e_dx[3], sum_dx;  // derivatives of the weights, and of their sum
+};
+
+template <class V>
+HWY_INLINE PixelRow<V> PixelRowAt(const Corners<V>& corners, V py) {
+  PixelRow<V> row;
   const V(&w)[3] = corners.w;
+  for (int k = 0; k < 3; ++k) row.y[k] = corners.y[k] - py * w[k];
   for (int k = 0; k < 3; ++k) {
-    x[k] = corners.x[k] - px * w[k];
-    y[k] = corners.y[k] - py * w[k];
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    row.e_dx[k] = w[j] * row.y[i] - w[i] * row.y[j];
   }
-  V e[3], e_dx[3], e_dy[3];
+  row.sum_dx = row.e_dx[0] + row.e_dx[1] + row.e_dx[2];
+  return row;
+}
+
+/// Barycentric coordinates of raster position px in a row of pixels, and their derivatives.
+template <class D, class V>
+HWY_INLINE Barycentric<V> Weights(D d, const Corners<V>& corners, const PixelRow<V>& row, V px) {
+  V x[3], e[3], e_dy[3];
+  const V(&w)[3] = corners.w, (&y)[3] = row.y, (&e_dx)[3] = row.e_dx;
+  for (int k = 0; k < 3; ++k) x[k] = corners.x[k] - px * w[k];
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     e[k] = x[i] * y[j] - x[j] * y[i];
-    e_dx[k] = w[j] * y[i] - w[i] * y[j];
     e_dy[k] = x[j] * w[i] - x[i] * w[j];
   }
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), sum_dx = row.sum_dx;
   const V sum = e[0] + e[1] + e[2];
-  const V sum_dx = e_dx[0] + e_dx[1] + e_dx[2];
   const V sum_dy = e_dy[0] + e_dy[1] + e_dy[2];
   const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
   // A smaller sum has no finite inverse; NaN fails both comparisons.
@@ -177,7 +191,8 @@ HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const
 template <class D, class Rows>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
                                 uint32_t wanted, size_t at, Fragments& f) {
-  const auto b = Weights(d, CornersOf(d, vertices, rows), hn::Load(d, f.x + at), hn::Load(d, f.y + at));
+  const auto corners = CornersOf(d, vertices, rows);
+  const auto b = Weights(d, corners, PixelRowAt(corners, hn::Load(d, f.y + at)), hn::Load(d, f.x + at));
   if (wanted & kBarycentrics) {
     hn::Store(b.b0, d, f.bary[0] + at);
     hn::Store(b.b1, d, f.bary[1] + at);
@@ -217,19 +232,22 @@ void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels
   const auto corners = CornersOf(d, vertices, rows);
   const auto u = ValuesOf(d, geometry::u_of(vertices), rows), v = ValuesOf(d, geometry::v_of(vertices), rows);
   const auto lane = hn::Iota(di, 0);
-  const auto left = hn::Set(d, pixels.left + 0.5f), top = hn::Set(d, pixels.top + 0.5f);
-  size_t row = 0;
+  const auto left = hn::Set(d, pixels.left + 0.5f);
+  size_t at = 0;
   for (size_t i = 0; i < pixels.run_count; ++i) {
-    const size_t count = size_t{pixels.run[i].end} - pixels.run[i].begin;
-    for (size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const auto pixel = hn::Set(di, static_cast<int32_t>(pixels.run[i].begin + k)) + lane;
-      const auto x = left + hn::ConvertTo(d, hn::And(pixel, hn::Set(di, kTile - 1)));
-      const auto y = top + hn::ConvertTo(d, hn::ShiftRight<kTileBits>(pixel));
-      const auto b = Weights(d, corners, x, y);
-      Coordinate(d, u, b, row + k, f.u, f.dudx, f.dudy);
-      Coordinate(d, v, b, row + k, f.v, f.dvdx, f.dvdy);
+    // One row of pixels at a time.
+    for (uint32_t begin = pixels.run[i].begin, end; begin < pixels.run[i].end; begin = end) {
+      end = std::min<uint32_t>(pixels.run[i].end, begin - begin % kTile + kTile);
+      const float y = static_cast<float>(static_cast<int32_t>(begin / kTile));
+      const auto row = PixelRowAt(corners, hn::Set(d, (pixels.top + 0.5f) + y));
+      for (size_t k = 0; k < end - begin; k += hn::Lanes(d)) {
+        const auto x = hn::Set(di, static_cast<int32_t>(begin % kTile + k)) + lane;
+        const auto b = Weights(d, corners, row, left + hn::ConvertTo(d, x));
+        Coordinate(d, u, b, at + k, f.u, f.dudx, f.dudy);
+        Coordinate(d, v, b, at + k, f.v, f.dvdx, f.dvdy);
+      }
+      at += end - begin;
     }
-    row += count;
   }
 }
 
