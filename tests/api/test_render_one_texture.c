@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+/* Materials whose colour is one lookup have a path of their own, which frames with further planes do not take: both
+   give the same bits. */
+#include "support/scene.h"
+#include "support/simd.h"
+
+enum { WIDTH = 203, HEIGHT = 151, PIXELS = WIDTH * HEIGHT };
+
+static unsigned char g_got[16 * PIXELS], g_want[16 * PIXELS];
+
+struct way {
+    const char *name;
+    shd_format texture;
+    shd_filter filter;
+    shd_wrap wrap;
+    shd_precision precision;
+    float diffuse[3];
+    int moved; /* the slot has a uv transform */
+    shd_format color;
+    uint32_t samples, workers, supersampling;
+    int window; /* scissor, or a part of a larger picture */
+};
+#define WHITE   \
+    {           \
+        1, 1, 1 \
+    }
+static const struct way k_ways[] = {
+    {"planes", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA32F, 1, 1, 0, 0},
+    {"pixels", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FAST, WHITE, 0, SHD_FORMAT_RGBA8,
+     1, 4, 0, 0},
+    {"srgb",
+     SHD_FORMAT_RGBA8_SRGB,
+     SHD_FILTER_ANISOTROPIC,
+     SHD_WRAP_MIRROR,
+     SHD_PRECISION_FULL,
+     {0.5f, 0, 3},
+     1,
+     SHD_FORMAT_RGBA8_SRGB,
+     1,
+     1,
+     0,
+     0},
+    {"one channel",
+     SHD_FORMAT_R8,
+     SHD_FILTER_NEAREST,
+     SHD_WRAP_CLAMP,
+     SHD_PRECISION_FULL,
+     {0.25f, 1, 1},
+     0,
+     SHD_FORMAT_RGBA16F,
+     1,
+     1,
+     0,
+     2},
+    {"words", SHD_FORMAT_RGBA16, SHD_FILTER_EWA, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 1, SHD_FORMAT_RGBA32F, 1,
+     2, 0, 1},
+    {"samples",
+     SHD_FORMAT_RGBA8,
+     SHD_FILTER_BILINEAR,
+     SHD_WRAP_REPEAT,
+     SHD_PRECISION_FULL,
+     {1, 0.5f, 1},
+     0,
+     SHD_FORMAT_RGBA8,
+     4,
+     1,
+     0,
+     0},
+    {"samples, planes", SHD_FORMAT_RGBA8, SHD_FILTER_BICUBIC, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA32F, 16, 1, 0, 2},
+    {"supersampling", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 1, 1, 2, 1},
+    {"border", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_BORDER, SHD_PRECISION_FULL, WHITE, 0, SHD_FORMAT_RGBA8,
+     1, 1, 0, 0},
+    {"floats", SHD_FORMAT_RGBA16F, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA32F, 1, 1, 0, 0},
+};
+
+static shd_texture *make_texture(shd_context *context, shd_format format)
+{
+    shd_texture_desc desc = shd_texture_desc_default();
+    shd_texture *texture = NULL;
+    unsigned char texels[64 * 32 * 8];
+    uint32_t seed = 3;
+    size_t i;
+    for (i = 0; i < sizeof texels; ++i) texels[i] = (unsigned char)(255.0f * shd_scene_random(&seed));
+    for (i = 0; format == SHD_FORMAT_RGBA16F && i < sizeof texels; i += 2) texels[i + 1] &= 0x3b; /* below 1 */
+    desc.format = format;
+    desc.width = 64;
+    desc.height = 32;
+    desc.texels = texels;
+    desc.tables = SHD_TABLE_MIPMAP;
+    shd_assert_ok(shd_texture_create(context, &desc, &texture));
+    return texture;
+}
+
+static shd_material *make_material(shd_context *context, const struct way *way, shd_texture *texture,
+                                   shd_sampler *sampler)
+{
+    static const float k_moved[6] = {0.75f, 0.25f, 0.125f, -0.5f, 1.5f, 2};
+    shd_material_desc desc = shd_material_desc_default();
+    shd_material *material = NULL;
+    shd_slot_list slots;
+    shd_slot *slot;
+    slots.count = 0;
+    desc.model = SHD_MODEL_UNLIT;
+    memcpy(desc.diffuse, way->diffuse, sizeof desc.diffuse);
+    slot = shd_slot_list_add(&slots, &desc, shd_slot_texture(SHD_SLOT_DIFFUSE, texture, sampler));
+    if (way->moved) memcpy(slot->uv_transform, k_moved, sizeof k_moved);
+    shd_assert_ok(shd_material_create(context, &desc, &material));
+    return material;
+}
+
+static void draw(const struct way *way, const shd_scene *scene, uint32_t aovs, unsigned char *out,
+                 shd_render_stats *stats)
+{
+    static const shd_region k_scissor = {37, 21, 100, 77};
+    shd_framebuffer_desc desc = shd_framebuffer_desc_default();
+    shd_framebuffer *framebuffer = NULL;
+    shd_render_desc frame = scene->desc;
+    shd_image view = shd_image_default();
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    desc.samples = way->samples;
+    desc.color_format = way->color;
+    desc.aovs = aovs;
+    shd_assert_ok(shd_framebuffer_create(scene->context, &desc, &framebuffer));
+    frame.framebuffer = framebuffer;
+    frame.stats = stats;
+    frame.supersampling = way->supersampling;
+    if (way->window == 1) frame.scissor = &k_scissor;
+    if (way->window == 2) {
+        frame.picture_width = WIDTH + 99;
+        frame.picture_height = HEIGHT + 50;
+        frame.crop_x = 31;
+        frame.crop_y = 29;
+    }
+    shd_assert_ok(shd_render(scene->context, &frame));
+    view.format = way->color;
+    view.width = WIDTH;
+    view.height = HEIGHT;
+    view.pixels = out;
+    shd_assert_ok(shd_framebuffer_read_color(framebuffer, &view));
+    shd_framebuffer_release(framebuffer);
+}
+
+static void test_way(void **state)
+{
+    const struct way *way = (const struct way *)*state;
+    int simd;
+    for (simd = SHD_SIMD_SCALAR; simd <= SHD_SIMD_WASM; ++simd) {
+        shd_context_desc desc = shd_context_desc_default();
+        shd_sampler_desc sampler_desc = shd_sampler_desc_default();
+        shd_context *context = NULL;
+        shd_sampler *sampler = NULL;
+        shd_texture *texture;
+        shd_material *material;
+        shd_scene scene;
+        shd_render_stats own = shd_render_stats_default(), general = shd_render_stats_default();
+        size_t i;
+        if (!shd_simd_can_run(simd)) continue;
+        desc.simd = (shd_simd)simd;
+        desc.worker_count = way->workers;
+        shd_assert_ok(shd_context_create(&desc, &context));
+        shd_scene_open(&scene, SHD_SCENE_MIXED, context);
+        sampler_desc.filter = way->filter;
+        sampler_desc.wrap_u = sampler_desc.wrap_v = way->wrap;
+        sampler_desc.precision = way->precision;
+        shd_assert_ok(shd_sampler_create(context, &sampler_desc, &sampler));
+        texture = make_texture(context, way->texture);
+        material = make_material(context, way, texture, sampler);
+        for (i = 0; i < scene.desc.draw_count; ++i) scene.draw[i].material = material;
+        draw(way, &scene, 0, g_got, &own);
+        draw(way, &scene, SHD_AOV_OVERDRAW, g_want, &general);
+        if (memcmp(g_got, g_want, PIXELS * shd_format_size(way->color))) {
+            fail_msg("%s: the paths differ on target %d", way->name, simd);
+        }
+        assert_int_equal(own.fragments, general.fragments);
+        assert_int_equal(own.nonfinite_fragments, general.nonfinite_fragments);
+        assert_true(own.fragments > (way->window == 1 ? 5000u : 10000u));
+        shd_material_release(material);
+        shd_texture_release(texture);
+        shd_sampler_release(sampler);
+        shd_scene_close(&scene);
+        shd_context_release(context);
+    }
+}
+
+int main(void)
+{
+    struct CMUnitTest tests[sizeof k_ways / sizeof k_ways[0]];
+    size_t i;
+    memset(tests, 0, sizeof tests);
+    for (i = 0; i < sizeof k_ways / sizeof k_ways[0]; ++i) {
+        tests[i].name = k_ways[i].name;
+        tests[i].test_func = test_way;
+        tests[i].initial_state = (void *)&k_ways[i];
+    }
+    return _cmocka_run_group_tests("api.render_one_texture", tests, sizeof tests / sizeof tests[0], NULL, NULL);
+}
