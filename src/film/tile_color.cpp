@@ -7,13 +7,18 @@
 namespace shd::film {
 namespace {
 
-/// Copies few or many floats; a call of memcpy costs more than few.
+/// Copies floats in blocks of kBlock, the last of which overlaps the one before it; at least one block.
+template <size_t kBlock>
+void copy_blocks(const float* from, size_t count, float* to) {
+  for (size_t i = 0; i + kBlock < count; i += kBlock) std::memcpy(to + i, from + i, kBlock * sizeof(float));
+  std::memcpy(to + count - kBlock, from + count - kBlock, kBlock * sizeof(float));
+}
+
+/// Copies the few floats of a run: a call of memcpy takes longer than the copies of most.
 void copy_floats(const float* from, size_t count, float* to) {
-  if (count >= 16) {
-    std::memcpy(to, from, count * sizeof(float));
-  } else {
-    for (size_t i = 0; i < count; ++i) to[i] = from[i];
-  }
+  if (count >= 16) return copy_blocks<16>(from, count, to);
+  if (count >= 4) return copy_blocks<4>(from, count, to);
+  for (size_t i = 0; i < count; ++i) to[i] = from[i];
 }
 
 /// Averages colours spaced `stride` floats apart.

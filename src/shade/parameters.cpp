@@ -11,9 +11,13 @@ namespace {
 
 using material::Slot;
 
-/// Adds the columns of a slot to the channels of its texture. Returns false if a channel is already in use.
-bool add_outputs(const Slot& slot, uint32_t index, const Columns& columns, texture::Texels* out) {
-  const uint32_t channels = material::slot_channels(index);
+/// Number of columns of a slot that the material reads: the alpha of the diffuse slot has no effect on opaque ones.
+uint32_t read_channels(const material::Material& material, uint32_t index) {
+  return index == SHD_SLOT_DIFFUSE && !material::has_opacity(material) ? 3 : material::slot_channels(index);
+}
+
+/// Adds columns of a slot to the channels of its texture. Returns false if a channel is already in use.
+bool add_outputs(const Slot& slot, uint32_t index, uint32_t channels, const Columns& columns, texture::Texels* out) {
   if (channels == 1) {
     if (out->channel[slot.channel]) return false;
     out->channel[slot.channel] = columns.slot[index][0];
@@ -35,7 +39,8 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
     texture::Texels out = {};
     for (uint32_t i = first; i < material::kSlotCount; ++i) {
       const bool shares = slots >> i & 1 && material::share_lookups(slot, material.slot[i]);
-      if (shares && add_outputs(material.slot[i], i, *columns, &out)) slots &= ~(1u << i);
+      if (!shares) continue;
+      if (add_outputs(material.slot[i], i, read_channels(material, i), *columns, &out)) slots &= ~(1u << i);
     }
     texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, context, columns), out);
   }
@@ -75,7 +80,7 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
   for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (!(slots >> i & 1)) continue;
     const Slot& slot = material.slot[i];
-    std::copy_n(columns->slot[i], 4, out->value[i]);
+    std::copy_n(columns->slot[i], read_channels(material, i), out->value[i]);
     if (slot.source == SHD_SLOT_SOURCE_TEXTURE) textured |= 1u << i;
     if (slot.source == SHD_SLOT_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
     if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
