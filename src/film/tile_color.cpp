@@ -105,12 +105,11 @@ void TileColor::mark_whole(uint32_t begin, uint32_t end) {
 void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& from, size_t row) {
   for (uint32_t t = 0; t < target_count_; ++t) {
     const TilePlanes& to = planes_[t];
-    for (uint32_t c = 0; c < 4; ++c) {
-      const float* column = from.channel[4 * target_[t] + c] + row;
-      for (uint32_t p = begin, next; p < end; column += next - p, p = next) {
-        next = to.stride == raster::kTile ? end : std::min(end, p - p % raster::kTile + raster::kTile);
-        copy_floats(column, next - p, to.plane[c] + position(p, t));
-      }
+    const float* const* column = from.channel + 4 * target_[t];
+    for (uint32_t p = begin, next; p < end; p = next) {
+      next = to.stride == raster::kTile ? end : std::min(end, p - p % raster::kTile + raster::kTile);
+      const size_t first = row + (p - begin), at = position(p, t);
+      for (uint32_t c = 0; c < 4; ++c) copy_floats(column[c] + first, next - p, to.plane[c] + at);
     }
   }
   mark_whole(begin, end);

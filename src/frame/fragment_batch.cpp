@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/fragment_batch.h"
 
+#include "data/data.h"
 #include "shade/needs.h"
 
 namespace shd::frame {
@@ -8,17 +9,44 @@ namespace {
 
 constexpr raster::SamplePoint kCentre = {geometry::kSubpixels / 2, geometry::kSubpixels / 2};
 
+/// Values of consecutive pixels.
+struct RowValues {
+  uint32_t first;  // pixel
+  uint32_t mask, triangle;
+  float left, top;  // centre of the tile's first pixel
+};
+
+/// Sets kCount rows of a run that begins at row `begin`, from its pixel i on.
+template <uint32_t kCount>
+void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragments* f) {
+  const size_t row = begin + i;
+  uint32_t *__restrict pixel = f->pixel + row, *__restrict mask = f->mask + row, *__restrict triangle = f->triangle + row;
+  float *__restrict x = f->x + row, *__restrict y = f->y + row;
+  for (uint32_t k = 0; k < kCount; ++k) {
+    const uint32_t at = values.first + i + k;
+    pixel[k] = at;
+    mask[k] = values.mask;
+    triangle[k] = values.triangle;
+    x[k] = values.left + static_cast<float>(static_cast<int32_t>(at % raster::kTile));
+    y[k] = values.top + static_cast<float>(static_cast<int32_t>(at / raster::kTile));
+  }
+}
+
 }  // namespace
 
-size_t FragmentBatch::max_triangles(const geometry::ScreenTriangle& triangle) const {
-  return tile_.draw_of(triangle).frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
+void FragmentBatch::begin(uint32_t draw) {
+  const Draw& d = tile_.renderer.frame.draws[draw];
+  draw_ = draw;
+  max_triangles_ = d.frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
+  per_sample_ = tile_.pattern.count > 1 && d.sample_shading;
+  sets_depths_ = shade::runs_caller_code(*d.material);
+  keeps_triangles_ = !is_plain(*d.material);
 }
 
 ShadingPoints FragmentBatch::shading_points(const geometry::ScreenTriangle& triangle) const {
   ShadingPoints points;
-  const bool several = tile_.pattern.count > 1;
-  points.per_sample = several && tile_.draw_of(triangle).sample_shading;
-  for (int k = 0; k < 3 && several; ++k) {
+  points.per_sample = per_sample_;
+  for (int k = 0; k < 3 && tile_.pattern.count > 1; ++k) {
     points.line[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
     points.at_centre[k] = raster::edge_at(points.line[k], kCentre);
   }
@@ -70,22 +98,18 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   raster::Fragments& f = worker_.workspace.fragments;
   const size_t begin = f.count;
   const uint32_t first = run.begin, count = uint32_t{run.end} - run.begin;
-  uint32_t* __restrict pixel = f.pixel + begin;
-  float* __restrict x = f.x + begin, * __restrict y = f.y + begin;
-  const float left = static_cast<float>(tile_.left) + 0.5f, top = static_cast<float>(tile_.top) + 0.5f;
-  for (uint32_t i = 0; i < count; ++i) {
-    pixel[i] = first + i;
-    x[i] = left + static_cast<float>(static_cast<int32_t>((first + i) % raster::kTile));
-    y[i] = top + static_cast<float>(static_cast<int32_t>((first + i) / raster::kTile));
+  const RowValues values = {first, run.mask, triangle.primitive, static_cast<float>(tile_.left) + 0.5f,
+                            static_cast<float>(tile_.top) + 0.5f};
+  if (begin + data::padded(count) <= raster::kBatch) {
+    for (uint32_t i = 0; i < count; i += 4) set_rows<4>(values, i, begin, &f);
+  } else {
+    for (uint32_t i = 0; i < count; ++i) set_rows<1>(values, i, begin, &f);
   }
-  std::fill_n(f.mask + begin, count, run.mask);
-  std::fill_n(f.triangle + begin, count, triangle.primitive);
   f.count += count;
   worker_.runs.run[worker_.runs.count++] = run;
-  const Draw& draw = tile_.draw_of(triangle);
   for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) move_to_centroid(points, i);
-  if (shade::runs_caller_code(*draw.material)) set_depths(triangle, draw, points, begin, f.count);
-  if (is_plain(*draw.material)) return;
+  if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
+  if (!keeps_triangles_) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
   for (size_t i = begin; i < f.count; ++i) worker_.triangles.of[i] = latest;
 }

@@ -27,7 +27,8 @@ class FragmentBatch {
   template <class Done>
   void add(const geometry::ScreenTriangle& triangle, const raster::PixelRun* runs, size_t count, const Done& done) {
     BatchTriangles& triangles = worker_.triangles;
-    if (triangles.count == max_triangles(triangle)) flush(triangle.draw, done);
+    if (triangle.draw != draw_) begin(triangle.draw);
+    if (triangles.count == max_triangles_) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
     const ShadingPoints points = shading_points(triangle);
     for (size_t i = 0; i < count; ++i) points.per_sample ? add_samples(triangle, points, runs[i], done)
@@ -80,7 +81,7 @@ class FragmentBatch {
     return raster::kBatch - f.count;
   }
 
-  size_t max_triangles(const geometry::ScreenTriangle& triangle) const;
+  void begin(uint32_t draw);
   ShadingPoints shading_points(const geometry::ScreenTriangle& triangle) const;
   bool covers_centre(const ShadingPoints& points, uint32_t pixel) const;
   uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
@@ -92,6 +93,10 @@ class FragmentBatch {
 
   const TileState& tile_;
   Worker& worker_;
+  // Of the draw whose triangles are added.
+  uint32_t draw_ = ~0u;
+  size_t max_triangles_ = 0;
+  bool per_sample_ = false, sets_depths_ = false, keeps_triangles_ = false;
 };
 
 }  // namespace shd::frame

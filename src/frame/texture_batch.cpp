@@ -18,15 +18,20 @@ size_t length_of(const raster::PixelRun& run) {
 
 }  // namespace
 
-bool TextureBatch::takes(const Draw& draw) const {
-  const bool per_sample = tile_.pattern.count > 1 && draw.sample_shading;
-  return !tile_.framebuffer.aovs && !per_sample && shade::is_one_texture(*draw.material);
+bool TextureBatch::takes(uint32_t draw) {
+  if (draw == draw_) return takes_;
+  const Draw& d = tile_.renderer.frame.draws[draw];
+  const bool per_sample = tile_.pattern.count > 1 && d.sample_shading;
+  draw_ = draw;
+  takes_ = !tile_.framebuffer.aovs && !per_sample && shade::is_one_texture(*d.material);
+  return takes_;
 }
 
 size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count) {
+  if (!takes(triangle.draw)) return count;
   size_t pixels = 0, rest = 0;
   for (size_t i = 0; i < count; ++i) pixels += length_of(runs[i]);
-  if (pixels < kFewPixels || !takes(tile_.draw_of(triangle))) return count;
+  if (pixels < kFewPixels) return count;
   for (size_t i = 0; i < count; ++i) {
     if (runs[i].mask != tile_.all_samples()) {
       runs[rest++] = runs[i];

@@ -16,12 +16,14 @@ class TextureBatch {
   size_t draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count);
 
  private:
-  bool takes(const Draw& draw) const;
+  bool takes(uint32_t draw);
   void flush(const geometry::ScreenTriangle& triangle);
 
   TileState& tile_;
   BatchRuns runs_;
   size_t rows_ = 0;
+  uint32_t draw_ = ~0u;  // the latest draw
+  bool takes_ = false;   // whether its colour is one lookup
 };
 
 }  // namespace shd::frame

@@ -25,58 +25,30 @@ struct Inputs {
   size_t count;
 };
 
-/// Writes the ambient light of all points, with occlusion.
-void CombineAmbient(const Inputs& in, Radiance& out) {
-  using D = hn::ScalableTag<float>;
-  const D d;
-  const auto one = hn::Set(d, 1.0f), strength = hn::Set(d, in.material.occlusion_strength);
-  for (int c = 0; c < 3; ++c) {
-    for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
-      const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-      const auto lost = slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one;
-      const auto kept = one + strength * lost;
-      hn::Store(slots.Get(in.ambient[c], in.material.ambient_slot, c) * kept, d, out.channel[c] + i);
-    }
-  }
-}
-
-/// Replaces the ambient light of all points by their colour without emission.
+/// Radiance of all points. a multiplies the colour if the blend mode is premultiplied.
 template <class Combination>
 HWY_NOINLINE void CombineColor(const Inputs& in, Radiance& out) {
   using D = hn::ScalableTag<float>;
-  const D d;
-  for (int c = 0; c < 3; ++c) {
-    for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
-      const material::HWY_NAMESPACE::ChannelAt<D> channel = {
-          in.material, {in.parameters, d, i}, in.lobes, c, in.light_count, hn::Load(d, out.channel[c] + i)};
-      hn::Store(Combination::Combine(d, channel), d, out.channel[c] + i);
-    }
-  }
-}
-
-void AddEmission(const Inputs& in, int c, float* out) {
-  using D = hn::ScalableTag<float>;
-  const D d;
-  for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
-    const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-    hn::Store(hn::Load(d, out + i) + slots.Get(in.material.emission[c], SHD_SLOT_EMISSION, c), d, out + i);
-  }
-}
-
-/// Writes a, and multiplies the colour by a if the blend mode is premultiplied.
-void CombineOpacity(const Inputs& in, Radiance& out) {
-  using D = hn::ScalableTag<float>;
+  using V = hn::Vec<D>;
   const D d;
   const material::Material& m = in.material;
+  const bool has_opacity = material::has_opacity(m);
   const bool premultiplied = m.blend != SHD_BLEND_OPAQUE && m.blend != SHD_BLEND_STRAIGHT;
-  const auto one = hn::Set(d, 1.0f);
+  const V one = hn::Set(d, 1.0f), strength = hn::Set(d, m.occlusion_strength);
   for (size_t i = 0; i < in.count; i += hn::Lanes(d)) {
     const material::HWY_NAMESPACE::SlotsAt<D> slots = {in.parameters, d, i};
-    const auto a = slots.Get(m.opacity, SHD_SLOT_OPACITY, 0) * slots.Get(1.0f, SHD_SLOT_DIFFUSE, 3);
-    hn::Store(material::has_opacity(m) ? a : one, d, out.channel[3] + i);
-    for (int c = 0; premultiplied && c < 3; ++c) {
-      hn::Store(a * hn::Load(d, out.channel[c] + i), d, out.channel[c] + i);
+    const V lost = slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one;
+    const V kept = one + strength * lost;
+    V a = one;
+    if (has_opacity) a = slots.Get(m.opacity, SHD_SLOT_OPACITY, 0) * slots.Get(1.0f, SHD_SLOT_DIFFUSE, 3);
+    for (int c = 0; c < 3; ++c) {
+      const V ambient = slots.Get(in.ambient[c], m.ambient_slot, c) * kept;
+      const material::HWY_NAMESPACE::ChannelAt<D> channel = {m, slots, in.lobes, c, in.light_count, ambient};
+      V color = Combination::Combine(d, channel);
+      if (m.emission[c] > 0.0f) color = color + slots.Get(m.emission[c], SHD_SLOT_EMISSION, c);
+      hn::Store(premultiplied ? a * color : color, d, out.channel[c] + i);
     }
+    hn::Store(a, d, out.channel[3] + i);
   }
 }
 
@@ -85,13 +57,8 @@ void CombineOpacity(const Inputs& in, Radiance& out) {
 void Combine(const material::Material& material, const float* ambient, float light_count, const material::Lobes& lobes,
              const material::Parameters& parameters, size_t count, Radiance& out) {
   const Inputs in = {material, parameters, lobes, ambient, light_count, count};
-  CombineAmbient(in, out);
   material::HWY_NAMESPACE::VisitModel(
       material.model, [&](auto model) { CombineColor<typename decltype(model)::Combination>(in, out); });
-  for (int c = 0; c < 3; ++c) {
-    if (material.emission[c] > 0.0f) AddEmission(in, c, out.channel[c]);
-  }
-  CombineOpacity(in, out);
 }
 
 void SpreadCorners(const raster::Fragments& fragments, const uint32_t* points, const float* in, float* out) {
