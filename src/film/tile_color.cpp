@@ -7,7 +7,7 @@
 namespace shd::film {
 namespace {
 
-/// Copies floats in blocks of kBlock, the last of which overlaps the one before it; at least one block.
+/// Copies at least kBlock floats in blocks; the last block may overlap the block before it.
 template <size_t kBlock>
 void copy_blocks(const float* from, size_t count, float* to) {
   for (size_t i = 0; i + kBlock < count; i += kBlock) std::memcpy(to + i, from + i, kBlock * sizeof(float));

@@ -20,8 +20,9 @@ struct RowValues {
 template <uint32_t kCount>
 void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragments* f) {
   const size_t row = begin + i;
-  uint32_t *__restrict pixel = f->pixel + row, *__restrict mask = f->mask + row, *__restrict triangle = f->triangle + row;
-  float *__restrict x = f->x + row, *__restrict y = f->y + row;
+  uint32_t* __restrict pixel = f->pixel + row;
+  uint32_t* __restrict mask = f->mask + row, * __restrict triangle = f->triangle + row;
+  float* __restrict x = f->x + row, * __restrict y = f->y + row;
   for (uint32_t k = 0; k < kCount; ++k) {
     const uint32_t at = values.first + i + k;
     pixel[k] = at;
@@ -127,7 +128,8 @@ void FragmentBatch::set_depths(const geometry::ScreenTriangle& triangle, const D
 }
 
 void FragmentBatch::shade(uint32_t draw) {
-  shade::shade_batch(tile_.simd(), tile_.shading_of(draw), tile_.renderer.lights, tile_.renderer.frame.view, &worker_.workspace);
+  shade::shade_batch(tile_.simd(), tile_.shading_of(draw), tile_.renderer.lights, tile_.renderer.frame.view,
+                     &worker_.workspace);
   worker_.fragments += worker_.workspace.fragments.count;
 }
 

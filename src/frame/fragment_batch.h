@@ -31,8 +31,8 @@ class FragmentBatch {
     if (triangles.count == max_triangles_) flush(triangle.draw, done);
     triangles.triangle[triangles.count++] = &triangle;
     const ShadingPoints points = shading_points(triangle);
-    for (size_t i = 0; i < count; ++i) points.per_sample ? add_samples(triangle, points, runs[i], done)
-                                                         : add_pixels(triangle, points, runs[i], done);
+    for (size_t i = 0; i < count; ++i)
+      points.per_sample ? add_samples(triangle, points, runs[i], done) : add_pixels(triangle, points, runs[i], done);
   }
 
   /// Shades the table if it holds fragments, and empties it.
@@ -93,7 +93,7 @@ class FragmentBatch {
 
   const TileState& tile_;
   Worker& worker_;
-  // Of the draw whose triangles are added.
+  // The draw whose triangles are added, and its properties.
   uint32_t draw_ = ~0u;
   size_t max_triangles_ = 0;
   bool per_sample_ = false, sets_depths_ = false, keeps_triangles_ = false;

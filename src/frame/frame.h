@@ -23,6 +23,7 @@
 /// | tile_state.h     | state of a tile while it is drawn                                     |
 /// | worker.h         | memory of one worker for drawing tiles                                |
 /// | fragment_batch.h | fragments gathered into the table that is shaded                      |
+/// | texture_batch.h  | fragments whose colour is one lookup, without that table              |
 /// | opaque_pass.h    | draws that the visibility buffer resolves                             |
 /// | blended_pass.h   | draws that blend in order or drop fragments                           |
 /// | unordered_pass.h | draws whose blend is order-independent                                |

@@ -54,8 +54,8 @@ void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
   if (rows_ == 0) return;
   Worker& worker = tile_.worker;
   const shade::DrawShading shading = tile_.shading_of(triangle.draw);
-  raster::TrianglePixels pixels = {{}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run,
-                                   runs_.count};
+  raster::TrianglePixels pixels = {
+      {}, static_cast<float>(tile_.left), static_cast<float>(tile_.top), runs_.run, runs_.count};
   for (size_t k = 0; k < 3; ++k) pixels.row[k] = geometry::row_of(*shading.vertices, triangle.primitive, k);
   shade::Radiance colors = worker.workspace.columns.radiance;
   const bool in_place = runs_.count == 1 && tile_.color.point_to(runs_.run[0], &colors);

@@ -13,7 +13,7 @@ namespace shd::material {
 texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& points, bool has_footprint,
                             float* const scratch[6]);
 
-/// The same for lookups at u, v and their derivatives by x and y.
+/// Returns the lookups at u and v with their derivatives by x and y.
 texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_t count, float* const scratch[6]);
 
 /// Replaces each null column by a column of ones, so that kernels need no branches.

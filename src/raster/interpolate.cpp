@@ -67,11 +67,11 @@ HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const R
   return corners;
 }
 
-/// What the barycentric coordinates of all pixels of a row share. With the vertices translated so that the pixel is the
-/// origin, the weights e[k] of the vertices are their cross products.
+/// Terms of the barycentric coordinates that all pixels of a row share. With the vertices translated so that the pixel
+/// is the origin, the weights e[k] of the vertices are their cross products.
 template <class V>
 struct PixelRow {
-  V y[3];             // of the translated vertices
+  V y[3];             // translated vertices
   V e_dx[3], sum_dx;  // derivatives of the weights, and of their sum
 };
 
@@ -235,7 +235,7 @@ void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels
   const auto left = hn::Set(d, pixels.left + 0.5f);
   size_t at = 0;
   for (size_t i = 0; i < pixels.run_count; ++i) {
-    // One row of pixels at a time.
+    // Each row of pixels shares its terms.
     for (uint32_t begin = pixels.run[i].begin, end; begin < pixels.run[i].end; begin = end) {
       end = std::min<uint32_t>(pixels.run[i].end, begin - begin % kTile + kTile);
       const float y = static_cast<float>(static_cast<int32_t>(begin / kTile));
@@ -273,8 +273,8 @@ void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertice
   if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
 }
 
-void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices,
-                         const TrianglePixels& pixels, Fragments* out) {
+void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
+                         Fragments* out) {
   SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
 }
 

@@ -48,7 +48,7 @@ constexpr size_t kMaxTextureRows = kBatch - kTile;
 
 /// Fills texture coordinates and their derivatives at the pixels' centres, with the bits of interpolate(). At most
 /// kMaxTextureRows rows; the rows of the last vector are overwritten.
-void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices,
-                         const TrianglePixels& pixels, Fragments* out);
+void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
+                         Fragments* out);
 
 }  // namespace shd::raster

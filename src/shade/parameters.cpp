@@ -11,9 +11,11 @@ namespace {
 
 using material::Slot;
 
-/// Number of columns of a slot that the material reads: the alpha of the diffuse slot has no effect on opaque ones.
-uint32_t read_channels(const material::Material& material, uint32_t index) {
-  return index == SHD_SLOT_DIFFUSE && !material::has_opacity(material) ? 3 : material::slot_channels(index);
+/// Number of columns of a slot that are filled. The alpha of a diffuse texture has no effect on opaque materials.
+uint32_t filled_channels(const material::Material& material, uint32_t index) {
+  const bool lacks_alpha = index == SHD_SLOT_DIFFUSE && material.slot[index].source == SHD_SLOT_SOURCE_TEXTURE &&
+                           !material::has_opacity(material);
+  return lacks_alpha ? 3 : material::slot_channels(index);
 }
 
 /// Adds columns of a slot to the channels of its texture. Returns false if a channel is already in use.
@@ -40,7 +42,7 @@ void look_up_textures(const core::SimdTarget& simd, const SlotContext& context, 
     for (uint32_t i = first; i < material::kSlotCount; ++i) {
       const bool shares = slots >> i & 1 && material::share_lookups(slot, material.slot[i]);
       if (!shares) continue;
-      if (add_outputs(material.slot[i], i, read_channels(material, i), *columns, &out)) slots &= ~(1u << i);
+      if (add_outputs(material.slot[i], i, filled_channels(material, i), *columns, &out)) slots &= ~(1u << i);
     }
     texture::sample(*slot.texture, *slot.sampler, simd, lookups_of(slot, context, columns), out);
   }
@@ -80,7 +82,7 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
   for (uint32_t i = 0; i < material::kSlotCount; ++i) {
     if (!(slots >> i & 1)) continue;
     const Slot& slot = material.slot[i];
-    std::copy_n(columns->slot[i], read_channels(material, i), out->value[i]);
+    std::copy_n(columns->slot[i], filled_channels(material, i), out->value[i]);
     if (slot.source == SHD_SLOT_SOURCE_TEXTURE) textured |= 1u << i;
     if (slot.source == SHD_SLOT_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
     if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);

@@ -27,5 +27,6 @@
 /// | combine.h        | kernels: coefficients times lobes; values of points at their fragments       |
 /// | frequency.h      | points for Gouraud (corners) and flat (centroids) shading                    |
 /// | program.h        | programs and procedures of the caller                                        |
+/// | one_texture.h    | colours that are one lookup, from geometry to radiance                       |
 /// | run.h            | a batch of fragments of one draw, from geometry to radiance                  |
 #pragma once
