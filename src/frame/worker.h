@@ -26,6 +26,7 @@ struct BatchTriangles {
 
 /// Memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
+  uint32_t index;
   raster::Tile tile;
   raster::TileOrder order;
   raster::CoverMask mask;                               // mask of the latest triangle
