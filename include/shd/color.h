@@ -141,10 +141,10 @@ SHD_NODISCARD SHD_API shd_result shd_color_apply_display(const shd_color *color,
  * Render a frame and transform it for a display, tile by tile.
  *
  * The pixels are those of shd_render() with a framebuffer of color_format SHD_FORMAT_RGBA32F, followed by
- * shd_color_apply_display(). Each tile is transformed by the worker that drew it, as soon as it is finished, so that its
- * colours are still in the caches. The framebuffer holds the frame as after shd_render(); its colour is needed in
- * memory by later calls only. A framebuffer of color_format SHD_FORMAT_RGBA8 therefore saves memory traffic, and its
- * rounding has no effect on `out`, except for pixels that the frame leaves unchanged (shd/present.h).
+ * shd_color_apply_display(). The worker that drew a tile transforms it as soon as it is finished, so that its colours
+ * are still in the caches. The framebuffer holds the frame as after shd_render(). A framebuffer of color_format
+ * SHD_FORMAT_RGBA8 saves memory traffic; its rounding has no effect on `out`, except for pixels that the frame leaves
+ * unchanged (shd/present.h).
  * @param color    concurrent reads; its context renders
  * @param render   a frame with a framebuffer of the same context; colour in the working space; render->present must be
  *                 unset. All pixels of the framebuffer are written to `out`, also those outside the scissor

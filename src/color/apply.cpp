@@ -88,9 +88,8 @@ void apply_image(shd_context* context, const Transform& transform, const shd_ima
 
 void apply_planes(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
   const size_t target = find_target(shd_context_simd_target(context));
-  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock*) {
-    apply_range(target, program, in, first, count, out);
-  });
+  for_each_block(context, size_t{in.width} * in.height,
+                 [&](size_t first, size_t count, PixelBlock*) { apply_range(target, program, in, first, count, out); });
 }
 
 void apply_image(shd_context* context, const Program& program, const shd_image& in, const shd_image& out) {

@@ -10,7 +10,8 @@
 
 namespace shd::color {
 
-// Each function but apply_tile() runs a transform over a whole image on the context's executor. Sizes must be checked. Throws Failure.
+// Each function but apply_tile() runs a transform over a whole image on the context's executor. Sizes must be checked.
+// Throws Failure.
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out);
 void apply_image(shd_context* context, const Transform& transform, const shd_image& in, const shd_image& out);
