@@ -60,5 +60,6 @@ void register_lights();
 void register_mesh();
 void register_load();
 void register_display();
+void register_present();
 
 }  // namespace shd::bench

@@ -34,6 +34,8 @@ class FrameScene {
 
   void render() { check(shd_render(context_, &desc_)); }
   const shd_render_stats& stats() const { return stats_; }
+  shd_context* context() const { return context_; }
+  const shd_render_desc& desc() const { return desc_; }
   std::vector<float> image() const;
 
  private:

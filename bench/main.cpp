@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
 #endif
 #ifdef SHD_BENCH_COLOR
   shd::bench::register_display();
+  shd::bench::register_present();
 #endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

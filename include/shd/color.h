@@ -55,6 +55,7 @@
 #define SHD_COLOR_H
 
 #include <shd/framebuffer.h>
+#include <shd/render.h>
 
 SHD_BEGIN_DECLS
 
@@ -135,6 +136,28 @@ SHD_API void shd_color_release(shd_color *color);
  */
 SHD_NODISCARD SHD_API shd_result shd_color_apply_display(const shd_color *color, const shd_framebuffer *framebuffer,
                                                          const char *display, const char *view, const shd_image *out);
+
+/**
+ * Render a frame and transform it for a display, tile by tile.
+ *
+ * The pixels are those of shd_render() with a framebuffer of color_format SHD_FORMAT_RGBA32F, followed by
+ * shd_color_apply_display(). The worker that drew a tile transforms it as soon as it is finished, so that its colours
+ * are still in the caches. The framebuffer holds the frame as after shd_render(). A framebuffer of color_format
+ * SHD_FORMAT_RGBA8 saves memory traffic; its rounding has no effect on `out`, except for pixels that the frame leaves
+ * unchanged (shd/present.h).
+ * @param color    concurrent reads; its context renders
+ * @param render   a frame with a framebuffer of the same context; colour in the working space; render->present must be
+ *                 unset. All pixels of the framebuffer are written to `out`, also those outside the scissor
+ * @param display  name of a display; NULL = the config's default
+ * @param view     name of one of its views; NULL = the display's default
+ * @param out      RGBA8, RGBA8_SRGB, RGBA16, RGBA16F or RGBA32F image of the framebuffer's size; must not overlap the
+ *                 framebuffer
+ * @return the failures of shd_render() and shd_color_apply_display(). If the frame fails half-way, framebuffer and
+ *         pixels may hold a part of it; otherwise a failed call changes neither.
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_color_render(const shd_color *color, const shd_render_desc *render,
+                                                  const char *display, const char *view, const shd_image *out);
 
 /** A display and one of its views: user_data of a shd_display whose callback is shd_color_apply_view(). Frozen. */
 typedef struct shd_color_view {

@@ -42,6 +42,7 @@
 #include <shd/light.h>
 #include <shd/material.h>
 #include <shd/mesh.h>
+#include <shd/present.h>
 #include <shd/view.h>
 
 SHD_BEGIN_DECLS
@@ -327,6 +328,7 @@ typedef struct shd_render_desc {
     shd_render_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted. All zero on failure, except
                                   where the struct_size or the unknown end of this desc is refused */
     shd_progress progress;   /**< default none */
+    shd_present present;     /**< receives the finished tiles; default none */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

@@ -65,6 +65,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/present.h>
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>

@@ -147,6 +147,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.light_count = lights.size();
   frame.shadows = desc.shadows ? shadows.data() : nullptr;
   frame.progress = desc.progress;
+  frame.present = desc.present;
   frame.counts_hidden = (desc.flags & SHD_RENDER_COUNT_HIDDEN) != 0;
   frame.visibility = desc.visibility;
   frame.counts_conflicts = desc.stats != nullptr;

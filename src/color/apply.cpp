@@ -48,14 +48,32 @@ void for_each_block(shd_context* context, size_t pixels, const Run& run) {
   if (job.failed) extension::refuse(SHD_ERROR_INTERNAL, "color transform: %s", job.text);
 }
 
+/// Transforms `count` pixels from `first` on.
+void apply_range(const Transform& transform, const Planes& in, size_t first, size_t count, PixelBlock* block,
+                 const shd_image& out) {
+  load_planes(in, first, count, block);
+  unpremultiply(block, count);
+  transform.apply(block->r, block->g, block->b, count);
+  store_pixels(*block, out, first, count);
+}
+
+void apply_range(size_t target, const Program& program, const Planes& in, size_t first, size_t count,
+                 const shd_image& out) {
+  for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t, size_t pixels) {
+    const float* plane[4];
+    for (size_t c = 0; c < 4; ++c) {
+      const auto* bytes = reinterpret_cast<const unsigned char*>(in.plane[c]) + row * in.row_stride[c];
+      plane[c] = reinterpret_cast<const float*>(bytes) + column;
+    }
+    show(target, program, plane, pixels, pixel_at(out, row, column));
+  });
+}
+
 }  // namespace
 
 void apply_planes(shd_context* context, const Transform& transform, const Planes& in, const shd_image& out) {
   for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock* block) {
-    load_planes(in, first, count, block);
-    unpremultiply(block, count);
-    transform.apply(block->r, block->g, block->b, count);
-    store_pixels(*block, out, first, count);
+    apply_range(transform, in, first, count, block, out);
   });
 }
 
@@ -70,16 +88,8 @@ void apply_image(shd_context* context, const Transform& transform, const shd_ima
 
 void apply_planes(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
   const size_t target = find_target(shd_context_simd_target(context));
-  for_each_block(context, size_t{in.width} * in.height, [&](size_t first, size_t count, PixelBlock*) {
-    for_each_piece(in.width, first, count, [&](size_t row, size_t column, size_t, size_t pixels) {
-      const float* plane[4];
-      for (size_t c = 0; c < 4; ++c) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(in.plane[c]) + row * in.row_stride[c];
-        plane[c] = reinterpret_cast<const float*>(bytes) + column;
-      }
-      show(target, program, plane, pixels, pixel_at(out, row, column));
-    });
-  });
+  for_each_block(context, size_t{in.width} * in.height,
+                 [&](size_t first, size_t count, PixelBlock*) { apply_range(target, program, in, first, count, out); });
 }
 
 void apply_image(shd_context* context, const Program& program, const shd_image& in, const shd_image& out) {
@@ -91,6 +101,19 @@ void apply_image(shd_context* context, const Program& program, const shd_image& 
       show(target, program, plane, pixels, pixel_at(out, row, column));
     });
   });
+}
+
+void apply_tile(shd_context*, const Transform& transform, const Planes& in, const shd_image& out) {
+  PixelBlock block;
+  const size_t pixels = size_t{in.width} * in.height;
+  for (size_t first = 0; first < pixels; first += kBlockPixels) {
+    apply_range(transform, in, first, std::min(kBlockPixels, pixels - first), &block, out);
+  }
+}
+
+void apply_tile(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
+  const size_t target = find_target(shd_context_simd_target(context));
+  apply_range(target, program, in, 0, size_t{in.width} * in.height, out);
 }
 
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out) {

@@ -60,7 +60,9 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
     prepare(context, pass, &scene, stats);
     Stopwatch watch;
     Workers workers(context, pass);
-    const TileRenderer renderer = {context, pass, scene, lights, samples.is_empty() ? nullptr : &samples};
+    const bool presents = pass.present.tile && i + 1 == passes.count();
+    const TileRenderer renderer = {
+        context, pass, scene, lights, samples.is_empty() ? nullptr : &samples, presents ? &pass.present : nullptr};
     core::parallel_for(context, tiles, [&](uint32_t index, uint32_t worker) {
       renderer.render(index, &workers.get(worker));
       progress.step();

@@ -29,6 +29,7 @@
 /// | unordered_pass.h | draws whose blend is order-independent                                |
 /// | supersample.h    | frames averaged from a picture n times as large                       |
 /// | shadow_map.h     | depth maps of lights, drawn as frames                                 |
+/// | present.h        | finished tiles for the host                                           |
 /// | stopwatch.h      | time spent in each stage                                              |
 /// | stats.h          | sum of shd_render_stats                                               |
 #pragma once
@@ -88,6 +89,7 @@ struct Frame {
   size_t light_count;
   const light::Shadow* const* shadows;  // [light_count], or null
   shd_progress progress;
+  shd_present present;      // receives finished tiles; shadow maps have none
   uint32_t pass_triangles;  // upper bound of the triangles of a pass
   uint32_t supersampling;   // 0 and 1 = off
   bool counts_hidden;       // counts samples that fail the depth test before shading

@@ -6,6 +6,7 @@
 
 #include "core/executor.h"
 #include "film/expanded_color.h"
+#include "frame/present.h"
 #include "frame/scene.h"
 #include "frame/stats.h"
 
@@ -101,6 +102,7 @@ class Supersampler {
     Frame large = frame_;
     const auto n = static_cast<int32_t>(n_);
     large.supersampling = 1;
+    large.present = {};
     large.framebuffer = &large_;
     large.draws = draws_.data();
     large.window = {n * (frame_.window.left + static_cast<int32_t>(block.left)),
@@ -174,6 +176,7 @@ void render_supersampled(const core::Context& context, const Frame& frame, shd_r
   }
   const film::ExpandedColor expanded(context, frame.framebuffer);
   Supersampler(context, frame).render(stats);
+  if (frame.present.tile) present_planes(context, frame);
 }
 
 }  // namespace shd::frame

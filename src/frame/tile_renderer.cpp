@@ -3,6 +3,7 @@
 
 #include "frame/blended_pass.h"
 #include "frame/opaque_pass.h"
+#include "frame/present.h"
 #include "frame/tile_state.h"
 #include "frame/unordered_pass.h"
 
@@ -28,7 +29,8 @@ bool begin(TileState* tile) {
   const bool is_bare = tile->is_bare();
   film::clear_aovs(cleared, &tile->framebuffer);
   tile->color_is_unclear = is_whole && !is_bare;
-  if (!is_whole && !is_bare) film::load_color(tile->area, tile->framebuffer, tile->color_planes);
+  const bool needs_color = !is_bare || tile->renderer.present;
+  if (!is_whole && needs_color) film::load_color(tile->area, tile->framebuffer, tile->color_planes);
   if (!tile->color_is_unclear) film::fill_color(tile->area, cleared, frame.clear_color, tile->color_planes);
   if (!is_whole || is_bare) film::clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
   if (is_bare) {
@@ -73,19 +75,25 @@ Unfinished draw_in_order(TileState* tile) {
   return unfinished;
 }
 
+/// Draws a tile that begin() has initialised.
+void draw(TileState* tile) {
+  const Unfinished unfinished = draw_in_order(tile);
+  tile->clear_color();
+  if (unfinished.weighted) draw_weighted(tile);
+  if (unfinished.sorted) draw_sorted(tile);
+  tile->color.resolve();
+  film::store_color(tile->simd(), tile->area, tile->area, tile->color_planes, &tile->framebuffer);
+  film::store_depth(tile->area, tile->worker.tile, &tile->framebuffer);
+  film::SampleStore* samples = tile->renderer.samples;
+  if (samples) samples->save(tile->index, tile->worker.tile, tile->worker.split);
+}
+
 }  // namespace
 
 void TileRenderer::render(uint32_t index, Worker* worker) const {
   TileState tile(*this, index, worker);
-  if (!begin(&tile)) return;
-  const Unfinished unfinished = draw_in_order(&tile);
-  tile.clear_color();
-  if (unfinished.weighted) draw_weighted(&tile);
-  if (unfinished.sorted) draw_sorted(&tile);
-  tile.color.resolve();
-  film::store_color(tile.simd(), tile.area, tile.area, tile.color_planes, &tile.framebuffer);
-  film::store_depth(tile.area, worker->tile, &tile.framebuffer);
-  if (samples) samples->save(index, worker->tile, worker->split);
+  if (begin(&tile)) draw(&tile);
+  if (present) present_tile(*present, tile.area, tile.color_planes, worker->index);
 }
 
 }  // namespace shd::frame

@@ -16,6 +16,7 @@ struct TileRenderer {
   const Scene& scene;
   const shade::LightTable& lights;
   film::SampleStore* samples;  // null with one pass or one sample per pixel
+  const shd_present* present;  // null except in the last pass of a frame that is presented
 
   /// Draws one tile; draws take effect in order. Opaque draws are written to the visibility buffer, which is shaded
   /// before a draw that reads colours, and at the end. Draws that blend are shaded triangle by triangle.

@@ -26,6 +26,7 @@ Worker& Workers::get(uint32_t index) {
     const uint32_t samples = framebuffer_.samples, targets = film::targets_of(framebuffer_);
     Worker* worker = core::create<Worker>(allocator);
     workers_[index] = worker;
+    worker->index = index;
     raster::allocate(allocator, samples, &worker->tile);
     raster::allocate(allocator, samples, &worker->order);
     worker->covered.attach(allocator);

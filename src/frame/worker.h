@@ -32,6 +32,7 @@ struct BatchRuns {
 
 /// Memory in which one worker draws tiles, allocated with its first tile.
 struct Worker {
+  uint32_t index;
   raster::Tile tile;
   raster::TileOrder order;
   raster::CoverMask mask;                               // mask of the latest triangle

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include <shd/extension.h>
 
@@ -117,15 +118,77 @@ void require_no_overlap(const shd_image& in, const shd_image& out) {
   refuse(SHD_ERROR_INVALID_ARGUMENT, "out.pixels: overlaps in.pixels, but is not the same image");
 }
 
-/// Checks a framebuffer for a transform.
-shd_framebuffer_info read_framebuffer(const shd_framebuffer* framebuffer, const shd_context* context) {
-  if (!framebuffer) refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: NULL");
+/// Checks a framebuffer for a transform. Messages begin with `owner`, the desc that holds the framebuffer.
+shd_framebuffer_info read_framebuffer(const char* owner, const shd_framebuffer* framebuffer,
+                                      const shd_context* context) {
+  if (!framebuffer) refuse(SHD_ERROR_INVALID_ARGUMENT, "%sframebuffer: NULL", owner);
   shd_framebuffer_info info = shd_framebuffer_info_default();
-  extension::require(shd_framebuffer_get_info(framebuffer, &info));
+  const shd_result result = shd_framebuffer_get_info(framebuffer, &info);
+  if (result != SHD_OK) refuse(result, "%s%s", owner, shd_last_error());
   if (shd_framebuffer_context(framebuffer) != context) {
-    refuse(SHD_ERROR_INVALID_ARGUMENT, "framebuffer: of another context than color");
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "%sframebuffer: of another context than color", owner);
   }
   return info;
+}
+
+/// Refuses an image that shares memory with the colour or the depth of a framebuffer.
+void require_apart(const shd_framebuffer* framebuffer, const shd_framebuffer_info& info, const shd_image& image) {
+  const auto check = [&](const void* pixels, size_t row_stride) {
+    const auto *begin = static_cast<const unsigned char*>(pixels), *end = begin + row_stride * info.height;
+    const auto* out = static_cast<const unsigned char*>(image.pixels);
+    if (end <= out || out + image.row_stride * image.height <= begin) return;
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "out.pixels: overlaps render.framebuffer");
+  };
+  const bool has_planes = info.color_format == SHD_FORMAT_RGBA32F;
+  for (int p = has_planes ? SHD_PLANE_R : SHD_PLANE_DEPTH; p <= SHD_PLANE_DEPTH; ++p) {
+    shd_plane_view view = shd_plane_view_default();
+    extension::require(shd_framebuffer_view_plane(framebuffer, static_cast<shd_plane>(p), &view));
+    check(view.f32, view.row_stride);
+  }
+  if (has_planes) return;
+  shd_image view = shd_image_default();
+  extension::require(shd_framebuffer_view_color(framebuffer, &view));
+  check(view.pixels, view.row_stride);
+}
+
+/// The frame of a call that sets the callback for tiles itself.
+shd_render_desc read_render(const shd_render_desc* desc) {
+  if (!desc) refuse(SHD_ERROR_INVALID_ARGUMENT, "render: NULL");
+  shd_render_desc render = shd_render_desc_default();
+  extension::read_desc("render", desc, &render);
+  render.struct_size = sizeof render;
+  if (render.present.tile) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "render.present.tile: set, but shd_color_render takes the tiles");
+  }
+  return render;
+}
+
+/// Target of the tiles of a frame: user_data of show_tile().
+template <class Transform>
+struct Screen {
+  shd_context* context;
+  const Transform& transform;
+  const shd_image& out;
+};
+
+/// shd_present.tile that brings a tile to its rectangle of a screen.
+template <class Transform>
+shd_result show_tile(void* screen, const shd_present_tile* tile) {
+  return guard([&]() -> shd_result {
+    const auto& to = *static_cast<const Screen<Transform>*>(screen);
+    color::Planes planes{{}, {}, tile->width, tile->height};
+    for (int c = 0; c < 4; ++c) {
+      planes.plane[c] = tile->channel[c];
+      planes.row_stride[c] = tile->row_stride;
+    }
+    shd_image out = to.out;
+    out.width = tile->width;
+    out.height = tile->height;
+    out.pixels = static_cast<unsigned char*>(to.out.pixels) + tile->y * to.out.row_stride +
+                 tile->x * shd_format_size(to.out.format);
+    color::apply_tile(to.context, to.transform, planes, out);
+    return SHD_OK;
+  });
 }
 
 color::Planes planes_of(const extension::ColorPlanes& colors, const shd_framebuffer_info& info) {
@@ -192,7 +255,7 @@ shd_result shd_color_apply_display(const shd_color* color, const shd_framebuffer
   return guard([&]() -> shd_result {
     const Body& body = body_of(color);
     shd_context* context = shd_object_context(object_of(color));
-    const shd_framebuffer_info info = read_framebuffer(framebuffer, context);
+    const shd_framebuffer_info info = read_framebuffer("", framebuffer, context);
     const shd_image image = read_output_image("out", out, info.width, info.height);
     const color::ViewKey key = find_view(body, body.working_space, display, view);
     with_transform(body, key, image.format, [&](const auto& transform) {
@@ -208,6 +271,26 @@ shd_result shd_color_apply_view(void* color_view, const shd_framebuffer* framebu
     if (!color_view) refuse(SHD_ERROR_INVALID_ARGUMENT, "color_view: NULL");
     const auto& view = *static_cast<const shd_color_view*>(color_view);
     return shd_color_apply_display(view.color, framebuffer, view.display, view.view, out);
+  });
+}
+
+shd_result shd_color_render(const shd_color* color, const shd_render_desc* render, const char* display,
+                            const char* view, const shd_image* out) {
+  return guard([&]() -> shd_result {
+    const Body& body = body_of(color);
+    shd_context* context = shd_object_context(object_of(color));
+    shd_render_desc frame = read_render(render);
+    const shd_framebuffer_info info = read_framebuffer("render.", frame.framebuffer, context);
+    const shd_image image = read_output_image("out", out, info.width, info.height);
+    require_apart(frame.framebuffer, info, image);
+    const color::ViewKey key = find_view(body, body.working_space, display, view);
+    with_transform(body, key, image.format, [&](const auto& transform) {
+      using Transform = std::remove_const_t<std::remove_reference_t<decltype(transform)>>;
+      Screen<Transform> screen = {context, transform, image};
+      frame.present = {show_tile<Transform>, &screen};
+      extension::require(shd_render(context, &frame));
+    });
+    return SHD_OK;
   });
 }
 
