@@ -120,6 +120,92 @@ void write_nonfinite(size_t count, shd_texels* out) {
   if (out->struct_size == 0 || out->struct_size >= kEnd) out->nonfinite_count = count;
 }
 
+/// The first bytes of columns that a call has.
+template <size_t kMax>
+struct Places {
+  size_t count = 0;
+  uintptr_t first[kMax];
+};
+
+/// A call that kernels can serve in place: every column is sound, packed (or has one element) and apart from the
+/// others, and no derivatives are wanted. Most calls are in place, and reading them takes a few nanoseconds. Other
+/// calls, and all wrong ones, are checked column by column with a message for each error.
+class CallInPlace {
+ public:
+  texture::Lookups in;
+  texture::Texels out;
+
+  /// Returns false if the call is wrong or needs copies.
+  bool read(const shd_lookups* lookups, const shd_texels* texels) {
+    if (!has_size(lookups, sizeof *lookups)) return false;
+    if (!has_size(texels, sizeof *texels) && !has_size(texels, 0)) return false;
+    count_ = in.count = lookups->count;
+    if (count_ == 0 || count_ > batch_detail::kTaskElements) return false;
+    for (size_t c = 0; c < std::size(kFloatRows); ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
+    for (size_t c = 0; c < std::size(kIntegerRows); ++c) in.integer(c) = use(lookups->*kIntegerRows[c].column, &read_);
+    for (size_t c = 0; c < 4; ++c) {
+      out.channel[c] = use(texels->channel[c], &written_);
+      out.du[c] = out.dv[c] = nullptr;
+      sound_ = sound_ && !texels->du[c].data && !texels->dv[c].data;
+    }
+    return sound_ && in.u && in.v && written_.count > 0 && are_apart();
+  }
+
+ private:
+  size_t count_;
+  bool sound_ = true;
+  Places<kLookupColumns> read_;
+  Places<4> written_;
+
+  template <class Desc>
+  static bool has_size(const Desc* desc, size_t size) {
+    return desc && reinterpret_cast<uintptr_t>(desc) % alignof(Desc) == 0 && desc->struct_size == size;
+  }
+
+  /// Returns the elements of a column.
+  template <class Column, size_t kMax>
+  decltype(Column::data) use(const Column& column, Places<kMax>* places) {
+    if (!column.data) return nullptr;
+    const auto address = reinterpret_cast<uintptr_t>(column.data);
+    const bool adjacent = data::is_packed(column.stride) || (count_ == 1 && column.stride <= PTRDIFF_MAX);
+    sound_ = sound_ && adjacent && (address | column.stride) % batch_detail::kElementSize == 0;
+    places->first[places->count++] = address;
+    return column.data;
+  }
+
+  bool are_apart() const {
+    const size_t size = count_ * batch_detail::kElementSize;
+    bool apart = true;
+    const auto compare = [&](uintptr_t a, uintptr_t b) { apart = apart && a - b + size - 1 >= 2 * size - 1; };
+    for (size_t w = 0; w < written_.count; ++w) {
+      for (size_t r = 0; r < read_.count; ++r) compare(written_.first[w], read_.first[r]);
+      for (size_t other = 0; other < w; ++other) compare(written_.first[w], written_.first[other]);
+    }
+    return apart;
+  }
+};
+
+/// Checks a call column by column, and serves it.
+shd_result sample_columns(const core::Context& context, const texture::Texture& texture,
+                          const texture::Sampler& sampler, const shd_lookups* lookups, shd_texels* out) {
+  LookupBatch batch;
+  SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
+  shd_texels texels = {};
+  SHD_TRY(read_texels(out, &texels));
+  set_outputs(texels, &batch);
+  SHD_TRY(check_gradient(batch, sampler));
+  SHD_TRY(check_outputs(batch));
+  std::atomic<size_t> nonfinite{0};
+  run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
+    texture::Texels to;
+    for (size_t c = 0; c < kOutputs; ++c) to.column(c) = piece.out_floats(c);
+    const size_t found = texture::sample(texture, sampler, context.simd, lookups_of(piece), to);
+    if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
+  });
+  write_nonfinite(nonfinite.load(std::memory_order_relaxed), out);
+  return SHD_OK;
+}
+
 }  // namespace
 
 extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_sampler* sampler,
@@ -129,22 +215,10 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     SHD_TRY(check_tables(*texture_body, *sampler_body));
-    LookupBatch batch;
-    SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
-    shd_texels texels = {};
-    SHD_TRY(read_texels(out, &texels));
-    set_outputs(texels, &batch);
-    SHD_TRY(check_gradient(batch, *sampler_body));
-    SHD_TRY(check_outputs(batch));
     const core::Context& context = *object_of(texture)->context;
-    std::atomic<size_t> nonfinite{0};
-    run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
-      texture::Texels to;
-      for (size_t c = 0; c < kOutputs; ++c) to.column(c) = piece.out_floats(c);
-      const size_t found = texture::sample(*texture_body, *sampler_body, context.simd, lookups_of(piece), to);
-      if (found) nonfinite.fetch_add(found, std::memory_order_relaxed);
-    });
-    write_nonfinite(nonfinite.load(std::memory_order_relaxed), out);
+    CallInPlace call;
+    if (!call.read(lookups, out)) return sample_columns(context, *texture_body, *sampler_body, lookups, out);
+    write_nonfinite(texture::sample(*texture_body, *sampler_body, context.simd, call.in, call.out), out);
     return SHD_OK;
   });
 }

@@ -34,11 +34,23 @@ RunFilter FilterOf(shd_filter filter) {
   return nullptr;
 }
 
-Kernels KernelsOf(const Sampler& sampler, image::Component component) {
-  const FormatKernels format = {ValuesOf(component), BorderedOf(component), GradientOf(component), FixedOf(component)};
-  const RunFilter fixed = format.fixed.sum ? FixedFilterOf(sampler) : nullptr;
-  return {FilterOf(sampler.filter), FusedOf(sampler.filter, component), fixed, format,
-          ConsumeStream<RecordedBlend, Recorded, true>};
+/// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup.
+Kernels KernelsOf(const Sampler& sampler, image::Component component, bool gradient) {
+  const bool bordered = has_border(sampler);
+  Kernels kernels = {};
+  kernels.run = FilterOf(sampler.filter);
+  kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
+  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+  if (gradient) {
+    kernels.format.gradient = GradientOf(component);
+  } else if (!bordered) {
+    kernels.fused = FusedOf(sampler.filter, component);
+  }
+  if (sampler.precision == SHD_PRECISION_FAST) {
+    kernels.format.fixed = FixedOf(component);
+    if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
+  }
+  return kernels;
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
@@ -48,6 +60,12 @@ HWY_AFTER_NAMESPACE();
 namespace shd::texture {
 namespace {
 HWY_EXPORT(KernelsOf);
+
+/// Returns whether every output is the stored channel of its number, as those of textures of four channels usually are.
+bool is_stored_as_read(const Texture& texture) {
+  constexpr uint32_t kSame[4] = {0, 1, 2, 3};
+  return std::memcmp(texture.channel_source, kSame, sizeof kSame) == 0;
+}
 
 /// Returns the wanted columns of the stored channels. Column 4 k + c holds values of the stored channel c (k = 0) or
 /// their derivatives in u (k = 1) or v (k = 2).
@@ -84,25 +102,30 @@ void complete_columns(const Texture& texture, const Texels& stored, size_t count
     if (column != out.column(i)) std::memcpy(out.column(i), column, count * sizeof(float));
   }
 }
+
+/// Filters the stored channels. `wanted` holds their columns.
+size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
+                     const Lookups& lookups, const Texels& wanted, Recording* recording) {
+  const bool gradient = wanted.wants_gradient();
+  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler, texture.component, gradient);
+  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
+  const auto run = [&](RunFilter filter, const Texels& to) {
+    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});
+  };
+  if (recording) return run(kernels.run, wanted);
+  if (!kernels.fixed) return run(kernels.fused ? kernels.fused : kernels.run, wanted);
+  if (!gradient) return run(kernels.fixed, wanted);
+  if (wanted.wants_values()) run(kernels.fixed, without_gradient(wanted));
+  return run(kernels.run, without_values(wanted));
+}
 }  // namespace
 
 size_t sample(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd, const Lookups& lookups,
               const Texels& out, Recording* recording) {
   if (sampler.magnification != SHD_MAGNIFICATION_DEFAULT) return sample_magnified(texture, sampler, simd, lookups, out);
-  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler, texture.component);
-  SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
+  if (is_stored_as_read(texture)) return sample_stored(texture, sampler, simd, lookups, out, recording);
   const Texels stored = stored_columns(texture, out);
-  const auto run = [&](RunFilter filter, const Texels& to) {
-    return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});
-  };
-  size_t nonfinite = 0;
-  if (kernels.fixed && !recording) {
-    if (stored.wants_values() || !stored.wants_gradient()) nonfinite = run(kernels.fixed, without_gradient(stored));
-    if (stored.wants_gradient()) nonfinite = run(kernels.run, without_values(stored));
-  } else {
-    const bool is_fused = kernels.fused && !recording && !stored.wants_gradient() && !has_border(sampler);
-    nonfinite = run(is_fused ? kernels.fused : kernels.run, stored);
-  }
+  const size_t nonfinite = sample_stored(texture, sampler, simd, lookups, stored, recording);
   complete_columns(texture, stored, lookups.count, out);
   return nonfinite;
 }

@@ -92,12 +92,12 @@ struct FilterCall;
 
 /// State of a consumer over the lookups of one batch: inputs, outputs and progress.
 struct Consumption {
-  Consumption(const FilterCall& call, Recording* record);
+  Consumption(const FilterCall& call, const TexelSource& source, Recording* record);
 
-  TexelSource texels;
+  const TexelSource texels;
   const Sampler& sampler;
   Recording* recording;  // tree of blends, for the consumer that records; else null
-  Texels out;            // unwanted columns are null; nothing is written past `count`
+  const Texels& out;     // unwanted columns are null; nothing is written past `count`
   size_t count;
   size_t done = 0;    // lookups written so far
   bool open = false;  // the stream ended within a vector of lookups, whose averages are in `state`
@@ -117,11 +117,10 @@ struct FixedKernels {
   void (*store)(const FixedVector* vectors, size_t count, size_t end, const Texels& out);
 };
 
-/// The consumers of one format on one target.
+/// The consumers of one format on one target, for one sampler.
 struct FormatKernels {
-  Consume values;      // values, for samplers without border colour
-  Consume bordered;    // values, for samplers whose lookups may read the border colour
-  Consume gradient;    // derivatives in u and v
+  Consume values;      // values, with the border colour if the sampler's lookups may read it
+  Consume gradient;    // derivatives in u and v; null if none are wanted
   FixedKernels fixed;  // values in fixed point
 };
 
@@ -136,13 +135,13 @@ struct FilterCall {
   Recording* recording;  // output of `record`, or null
 };
 
-inline Consumption::Consumption(const FilterCall& call, Recording* record)
-    : texels(call.texture), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
+inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)
+    : texels(source), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
 
 /// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);
 
-/// Kernels of one target for a filter and a format.
+/// Kernels of one target for a sampler and a format.
 struct Kernels {
   RunFilter run;
   RunFilter fused;  // null, or filter and format compiled together for values without border (fused.cpp)

@@ -37,7 +37,7 @@ void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* ind
   if (op & (kQuad | kRow)) ask(index2);
 }
 
-InputColumns::InputColumns(const Lookups& in) : count_(in.count) {
+void InputColumns::find(const Lookups& in) {
   for (size_t c = 0; c < kFloatColumns; ++c) {
     if (in.real(c)) column_[columns_++] = reinterpret_cast<const uint32_t*>(in.real(c));
   }

@@ -18,7 +18,9 @@ bool is_scattered(const Texture& texture, const PointBlock& block, const float* 
 /// The input columns that a batch of lookups has.
 class InputColumns {
  public:
-  explicit InputColumns(const Lookups& in);
+  explicit InputColumns(const Lookups& in) : count_(in.count) {
+    if (count_ > kBlock) find(in);  // no lookup of a single block is prefetched
+  }
 
   /// Prefetches the columns at lookup i if it is in the batch.
   void prefetch(size_t i) const {
@@ -27,6 +29,8 @@ class InputColumns {
   }
 
  private:
+  void find(const Lookups& in);
+
   size_t count_, columns_ = 0;
   const uint32_t* column_[kFloatColumns + kIntegerColumns];  // columns of any type of four bytes
 };

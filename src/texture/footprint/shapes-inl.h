@@ -9,11 +9,10 @@
 #define SHD_TEXTURE_SHAPES_INL_H_
 #endif
 
-#include <cstring>
-
 #include <hwy/highway.h>
 
 #include "simd/finite-inl.h"
+#include "simd/tail-inl.h"
 #include "texture/footprint/block.h"
 #include "texture/footprint/footprint-inl.h"
 #include "texture/footprint/profile.h"
@@ -24,6 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::LoadFirst;
 using simd::HWY_NAMESPACE::ZeroIfNaN;
 
 using BatchTag = hn::CappedTag<float, kMaxLanes>;
@@ -82,24 +82,25 @@ SHD_KERNEL_PART Points<D> LoadPoints(D d, const Lookups& in, size_t i) {
 
 /// The incomplete last vector of a block, filled with copies of the last lookup.
 struct Tail {
-  float reals[kFloatColumns][kMaxLanes];
-  uint32_t integers[kIntegerColumns][kMaxLanes];
+  alignas(64) float reals[kFloatColumns][kMaxLanes];
+  alignas(64) uint32_t integers[kIntegerColumns][kMaxLanes];
 
   Lookups copy(const Lookups& from, size_t first) {
+    const BatchTag d;
+    const hn::RebindToUnsigned<BatchTag> du;
     const size_t count = from.count - first;
     Lookups in = from;
-    for (size_t c = 0; c < kFloatColumns; ++c) in.real(c) = fill(from.real(c), first, count, reals[c]);
-    for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(from.integer(c), first, count, integers[c]);
+    for (size_t c = 0; c < kFloatColumns; ++c) in.real(c) = fill(d, from.real(c), first, count, reals[c]);
+    for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(du, from.integer(c), first, count, integers[c]);
     return in;
   }
 
  private:
-  template <class T>
-  static const T* fill(const T* from, size_t first, size_t count, T* to) {
+  /// Whole vectors are stored, because a load of a vector waits for the stores of its parts.
+  template <class D, class T>
+  static HWY_INLINE const T* fill(D d, const T* from, size_t first, size_t count, T* to) {
     if (!from) return nullptr;
-    const T last = from[first + count - 1];
-    for (size_t i = 0; i < kMaxLanes; ++i) to[i] = last;
-    std::memcpy(to, from + first, count * sizeof *to);
+    hn::Store(LoadFirst(d, from + first, count), d, to);
     return to;
   }
 };
@@ -119,12 +120,13 @@ HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   }
 }
 
-/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. Width and
-/// blur of the sampler are applied to the derivatives of `points`. Returns the number of lookups that were not finite.
-template <class Body>
+/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. If the shape
+/// depends on derivatives, width and blur of the sampler are applied to those of `points`. Returns the number of lookups
+/// that were not finite.
+template <bool kWidens = true, class Body>
 HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
                             const Body& body) {
-  const bool widened = !in.lod && widens(sampler);
+  const bool widened = kWidens && !in.lod && widens(sampler);
   size_t nonfinite = 0;
   out->count = in.count;
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
@@ -152,7 +154,7 @@ size_t FindProfiledProbes(const Texture& texture, const Sampler& sampler, const 
 /// Finds nothing but the points.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in,
                                       PointBlock* out) {
-  return FillBlock(texture, unwidened(sampler), in, out, [](auto, const auto&, size_t) {});
+  return FillBlock<false>(texture, sampler, in, out, [](auto, const auto&, size_t) {});
 }
 
 /// Returns a level of detail whose fraction is the share of the coarser level (shd_sampler_desc::level_blend).

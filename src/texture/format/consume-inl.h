@@ -235,7 +235,7 @@ HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& va
 /// The first and the second running average of one vector of lookups, in the wanted channels.
 template <class B, class D>
 struct Averages {
-  typename B::template Value<D> value[2][4] = {};
+  typename B::template Value<D> value[2][4];  // not set before an element starts them
 };
 
 /// Constants of a consumer over all elements, copied out of Consumption so that stores of vectors cannot alias them.
