@@ -70,9 +70,21 @@ struct Anisotropic : OnMipLevels {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const ProbeBlock& block, size_t i, Sink& sink) const {
-    using V = hn::Vec<D>;
     const ProbeLine<D> line(d, sampler, block, i);
     const LevelPair<D> levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
+    if constexpr (Sink::kTakesLines) {
+      sink.line(d, line, levels);
+      return sink.finish();
+    } else {
+      emit_probes(d, block, i, line, levels, sink);
+    }
+  }
+
+ private:
+  template <class D, class Sink>
+  HWY_INLINE void emit_probes(D d, const ProbeBlock& block, size_t i, const ProbeLine<D>& line,
+                              const LevelPair<D>& levels, Sink& sink) const {
+    using V = hn::Vec<D>;
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
     const V reach = hn::Load(d, block.reach + i);
     V total = hn::Zero(d);
