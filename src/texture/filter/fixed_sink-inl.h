@@ -112,15 +112,13 @@ class FixedSink {
 
   explicit FixedSink(const FilterCall& call)
       : sampler_(call.sampler),
+        repeats_(sampler_.wrap_u == SHD_WRAP_REPEAT && sampler_.wrap_v == SHD_WRAP_REPEAT && !sampler_.rounded_weights),
         source_(call.texture),
         kernels_(call.format.fixed),
         out_(call.out),
         end_(call.in.count) {
-    const D d;
-    for (FixedVector& vector : vectors_) {
-      hn::Store(hn::Set(d, 1.0f), d, vector.probes);
-      hn::Store(hn::Set(hn::RebindToSigned<D>(), 1), hn::RebindToSigned<D>(), vector.count);
-    }
+    const hn::RebindToSigned<D> di;
+    for (FixedVector& vector : vectors_) hn::Store(hn::Set(di, 1), di, vector.count);
   }
 
   /// Begins the block of lookups whose first one is `first`.
@@ -136,25 +134,27 @@ class FixedSink {
 
   /// Takes the quad of the only average, or the second quad, which is blended by its share.
   HWY_INLINE void quad(D d, uint32_t, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
-    begin_vector();
-    write(d, level, fixed(d, level), u, v, 0);
+    begin_vector(d, hn::Set(d, 1.0f), false);
+    quad(d, level, u, v, 0, free_);
+    free_ += 2 * kQuad;
+    current_->rows = 1;
   }
   HWY_INLINE void quad(D d, uint32_t, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, hn::Vec<D> share) {
     current_->two_sums = true;
     hn::Store(share, d, current_->fraction);
-    write(d, level, fixed(d, level), u, v, 1);
+    quad(d, level, u, v, 1, free_ - kQuad);
   }
 
   /// Takes the quads of lines of probes with equal weights.
   HWY_INLINE void line(D d, const ProbeLine<D>& line, const LevelPair<D>& levels) {
-    begin_vector();
-    current_->two_sums = levels.blended;
-    hn::Store(line.probes, d, current_->probes);
+    begin_vector(d, line.probes, levels.blended);
     hn::Store(levels.fraction, d, current_->fraction);
-    if (levels.blended) {
-      add_probes<true>(d, line, levels);
+    if (HWY_UNLIKELY(!repeats_)) {
+      add_probes<false, true>(d, line, levels);
+    } else if (levels.blended) {
+      add_probes<true, true>(d, line, levels);
     } else {
-      add_probes<false>(d, line, levels);
+      add_probes<true, false>(d, line, levels);
     }
     set_count();
   }
@@ -169,33 +169,61 @@ class FixedSink {
   static constexpr size_t kLanes = hn::MaxLanes(D()), kQuad = kFixedColumns * kLanes;
   static constexpr size_t kVectors = 8, kRows = 32;  // 2 * kRows bits of FixedVector::split
 
-  HWY_INLINE FixedLevel<D> fixed(D d, const Level<D>& level) const { return {d, sampler_.wrap_v, level}; }
+  /// Begins a vector of lookups.
+  HWY_INLINE void begin_vector(D d, hn::Vec<D> probes, bool two_sums) {
+    if (HWY_UNLIKELY(free_ == pool_end())) flush();
+    current_->quads = free_;
+    current_->rows = 0;
+    current_->split = 0;
+    current_->two_sums = two_sums;
+    current_->first = true;
+    hn::Store(probes, d, current_->probes);
+    summed_ = 0;
+  }
 
-  template <bool kTwoSums>
+  HWY_INLINE void quad(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, size_t which, int32_t* quad) {
+    current_->split |= uint64_t{write(d, level, {d, sampler_.wrap_v, level}, sampler_.wrap_u, u, v, quad)} << which;
+  }
+
+  /// Adds the quads of lines. kRepeat: both wraps are SHD_WRAP_REPEAT, and weights are not rounded. kTwoSums: both
+  /// levels are read if they are blended.
+  template <bool kRepeat, bool kTwoSums>
   HWY_INLINE void add_probes(D d, const ProbeLine<D>& line, const LevelPair<D>& levels) {
-    const FixedLevel<D> high = fixed(d, levels.high), low = kTwoSums ? fixed(d, levels.low) : high;
-    const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
-    for (float k = 0.0f;;) {
-      // Finished lanes repeat their last probe, which is not added.
-      const auto position = line.position(d, hn::Set(d, k));
-      const auto u = line.u_at(position), v = line.v_at(position);
-      write(d, levels.high, high, u, v, 0);
-      if (kTwoSums) write(d, levels.low, low, u, v, 1);
-      k += 1.0f;
-      if (k >= max_probes) return;
-      if (HWY_UNLIKELY(free_ == pool_ + 2 * kRows * kQuad)) sum_early();
-      free_ += 2 * kQuad;
-      ++current_->rows;
+    const shd_wrap wrap_u = kRepeat ? SHD_WRAP_REPEAT : sampler_.wrap_u;
+    const shd_wrap wrap_v = kRepeat ? SHD_WRAP_REPEAT : sampler_.wrap_v;
+    const bool two_sums = kTwoSums && (kRepeat || levels.blended);
+    const FixedLevel<D> high(d, wrap_v, levels.high), low(d, wrap_v, two_sums ? levels.low : levels.high);
+    const auto two = hn::Set(d, 2.0f), last = line.probes - hn::Set(d, 1.0f);
+    auto position = hn::Neg(last);
+    auto missing = static_cast<size_t>(hn::GetLane(hn::MaxOfLanes(d, line.probes)));
+    for (;;) {
+      const size_t room = static_cast<size_t>(pool_end() - free_) / (2 * kQuad);
+      const size_t rows = missing < room ? missing : room;
+      uint64_t split = 0;
+      for (size_t row = 0; row < rows; ++row) {
+        const auto u = ProbeLine<D>::at(wrap_u, line.u, position, line.step_u);
+        const auto v = ProbeLine<D>::at(wrap_v, line.v, position, line.step_v);
+        split |= uint64_t{write<kRepeat>(d, levels.high, high, wrap_u, u, v, free_)} << (2 * row);
+        if (two_sums) split |= uint64_t{write<kRepeat>(d, levels.low, low, wrap_u, u, v, free_ + kQuad)} << (2 * row + 1);
+        position = hn::Min(position + two, last);  // finished lanes repeat their last probe, which is not added
+        free_ += 2 * kQuad;
+      }
+      current_->rows = rows;
+      current_->split = split;
+      missing -= rows;
+      if (HWY_LIKELY(missing == 0)) return;
+      sum_early();
     }
   }
 
-  /// Writes quad 0 or 1 of the current row.
-  HWY_INLINE void write(D d, const Level<D>& plain, const FixedLevel<D>& level, hn::Vec<D> u, hn::Vec<D> v,
-                        size_t which) {
+  /// Writes a quad. Returns whether it is split.
+  template <bool kRepeat = false>
+  HWY_INLINE bool write(D d, const Level<D>& plain, const FixedLevel<D>& level, shd_wrap wrap_u, hn::Vec<D> u,
+                        hn::Vec<D> v, int32_t* HWY_RESTRICT quad) const {
     const hn::RebindToSigned<D> di;
-    if (HWY_UNLIKELY(sampler_.rounded_weights)) return write_rounded(d, plain, u, v, which);
-    int32_t* const quad = free_ - (2 - which) * kQuad;
-    const auto x = level.across.place(d, sampler_.wrap_u, u), y = level.down.place(d, sampler_.wrap_v, v);
+    if (HWY_UNLIKELY(!kRepeat && sampler_.rounded_weights)) return write_rounded(d, plain, u, v, quad);
+    const auto x = level.across.place(d, wrap_u, u);
+    const auto y = level.down.place(d, kRepeat ? SHD_WRAP_REPEAT : sampler_.wrap_v, v);
     const auto i = level.across.first_tap(x), j = level.down.first_tap(y);
     const auto upper = j * level.across.size + (level.offset + i);
     const auto lower = upper + hn::IfThenElse(hn::Eq(j, level.down.last), level.last_down, level.across.size);
@@ -203,42 +231,24 @@ class FixedSink {
     hn::Store(lower, di, quad + kLower * kLanes);
     WriteWeights(d, x & hn::Set(di, kWeightOne - 1), y & hn::Set(di, 2 * kWeightOne - 1), quad);
     const auto at_end = hn::Eq(i, level.across.last);
-    if (HWY_LIKELY(hn::AllFalse(di, at_end) || sampler_.wrap_u != SHD_WRAP_REPEAT)) return;
+    if (HWY_LIKELY(hn::AllFalse(di, at_end) || wrap_u != SHD_WRAP_REPEAT)) return false;
     const auto right = hn::IfThenElse(at_end, hn::Neg(i), hn::Set(di, 1));
-    write_right(upper + right, lower + right, which);
+    hn::Store(upper + right, di, quad + kUpperRight * kLanes);
+    hn::Store(lower + right, di, quad + kLowerRight * kLanes);
+    return true;
   }
 
-  HWY_NOINLINE void write_rounded(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, size_t which) {
+  HWY_NOINLINE bool write_rounded(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, int32_t* quad) const {
     const hn::RebindToSigned<D> di;
-    int32_t* const quad = free_ - (2 - which) * kQuad;
     const auto x = RoundedTaps<kWeightBits>(d, sampler_.wrap_u, u, level.across);
     const auto y = RoundedTaps<kWeightBits + 1>(d, sampler_.wrap_v, v, level.down);
     const auto upper = RowIndex(d, level, y.i0), lower = RowIndex(d, level, y.i1);
     hn::Store(upper + x.i0, di, quad + kUpper * kLanes);
     hn::Store(lower + x.i0, di, quad + kLower * kLanes);
     WriteWeights(d, x.s, y.s, quad);
-    write_right(upper + x.i1, lower + x.i1, which);
-  }
-
-  /// Writes right texels, not all of which are next to the left ones.
-  HWY_INLINE void write_right(Ints<D> upper, Ints<D> lower, size_t which) {
-    const hn::RebindToSigned<D> di;
-    int32_t* const quad = free_ - (2 - which) * kQuad;
-    current_->split |= uint64_t{1} << (2 * current_->rows - (2 - which));
-    hn::Store(upper, di, quad + kUpperRight * kLanes);
-    hn::Store(lower, di, quad + kLowerRight * kLanes);
-  }
-
-  /// Begins a vector of lookups with its first row.
-  HWY_INLINE void begin_vector() {
-    if (HWY_UNLIKELY(free_ == pool_ + 2 * kRows * kQuad)) flush();
-    current_->quads = free_;
-    free_ += 2 * kQuad;
-    current_->rows = 1;
-    current_->split = 0;
-    current_->two_sums = false;
-    current_->first = true;
-    summed_ = 0;
+    hn::Store(upper + x.i1, di, quad + kUpperRight * kLanes);
+    hn::Store(lower + x.i1, di, quad + kLowerRight * kLanes);
+    return true;
   }
 
   /// Writes the number of rows of each lookup in the buffer.
@@ -260,11 +270,13 @@ class FixedSink {
     current_ = vectors_;
     summed_ += current_->rows;
     current_->quads = free_ = pool_;
-    current_->rows = current_->split = 0;
     current_->first = false;
   }
 
+  const int32_t* pool_end() const { return pool_ + 2 * kRows * kQuad; }
+
   const Sampler& sampler_;
+  const bool repeats_;  // both wraps are SHD_WRAP_REPEAT, and weights are not rounded
   const TexelSource source_;
   const FixedKernels kernels_;
   const Texels out_;
