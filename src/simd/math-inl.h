@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include "simd/integer-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -39,23 +41,37 @@ HWY_INLINE V ExpSeries(D d, V f) {
   return p * f + hn::Set(d, 1.0f);
 }
 
+/// x = 2^exponent m, with m in [sqrt(1/2), sqrt(2)), and log2(m), for normal x > 0. The series of 2 atanh((m-1)/(m+1))
+/// goes up to s^9 (Abramowitz and Stegun 1964, 4.1.27); the next term is below 3e-10.
+template <class D>
+struct ReducedLog2 {
+  hn::Vec<D> exponent, s, of_m_by_s;  // log2(m) = s of_m_by_s
+
+  HWY_INLINE ReducedLog2(D d, hn::Vec<D> x) {
+    const hn::RebindToSigned<D> di;
+    const auto bits = hn::BitCast(di, x);
+    const auto whole = hn::ShiftRight<23>(bits - hn::Set(di, 0x3f3504f3));
+    const auto m = hn::BitCast(d, bits - hn::ShiftLeft<23>(whole)), one = hn::Set(d, 1.0f);
+    exponent = hn::ConvertTo(d, whole);
+    s = (m - one) / (m + one);
+    of_m_by_s = AtanhSeries(d, s * s);
+  }
+};
+
+/// log2(x) for normal x > 0: the bits of Log2() in half of its operations.
+template <class D, class V>
+HWY_INLINE V NormalLog2(D d, V x) {
+  const ReducedLog2<D> r(d, x);
+  return r.exponent + r.s * r.of_m_by_s;
+}
+
 /// log2(x). Relative error <= 4e-7 (measured over every positive float: 2.31e-7).
 /// 0 and denormals below 2^-149: -inf; negative or NaN: NaN; +inf: +inf.
-/// Reduction to m in [sqrt(1/2), sqrt(2)) and the series of 2 atanh((m-1)/(m+1)) up to s^9 (Abramowitz and Stegun
-/// 1964, 4.1.27); the next term is below 3e-10.
 template <class D, class V>
 HWY_INLINE V Log2(D d, V x) {
-  const hn::RebindToSigned<D> di;
   const auto tiny = hn::Lt(x, hn::Set(d, 1.17549435e-38f));
-  const V scaled = hn::IfThenElse(tiny, x * hn::Set(d, 8388608.0f), x);
-  const auto bits = hn::BitCast(di, scaled);
-  const auto exponent = hn::ShiftRight<23>(bits - hn::Set(di, 0x3f3504f3));
-  const V m = hn::BitCast(d, bits - hn::ShiftLeft<23>(exponent));
-  const V e = hn::ConvertTo(d, exponent) - hn::IfThenElseZero(tiny, hn::Set(d, 23.0f));
-
-  const V one = hn::Set(d, 1.0f);
-  const V s = (m - one) / (m + one);
-  V y = e + s * AtanhSeries(d, s * s);
+  const ReducedLog2<D> r(d, hn::IfThenElse(tiny, x * hn::Set(d, 8388608.0f), x));
+  V y = (r.exponent - hn::IfThenElseZero(tiny, hn::Set(d, 23.0f))) + r.s * r.of_m_by_s;
 
   const V infinity = hn::Set(d, __builtin_inff());
   y = hn::IfThenElse(hn::Eq(x, infinity), infinity, y);
@@ -77,7 +93,7 @@ HWY_INLINE V Exp2(D d, V x) {
   const V f = t - whole;
   const V p = ExpSeries(d, f);
   // 2^n as a product of two normal floats; only the last product rounds.
-  const auto n = hn::ConvertTo(di, whole);
+  const auto n = ToInt(whole);
   const auto half = hn::ShiftRight<1>(n);
   const auto bias = hn::Set(di, 127);
   const V a = hn::BitCast(d, hn::ShiftLeft<23>(half + bias));
@@ -109,7 +125,7 @@ HWY_INLINE V UnitPow(D d, V x, V y) {
   const V t = hn::Max(power, hn::Set(d, -126.0f));
   const V whole = hn::Round(t);
   const V f = t - whole;
-  const auto scale = hn::ShiftLeft<23>(hn::ConvertTo(di, whole) + hn::Set(di, 127));
+  const auto scale = hn::ShiftLeft<23>(ToInt(whole) + hn::Set(di, 127));
   const V result = ExpSeries(d, f) * hn::BitCast(d, scale);
   const V kept =
       hn::IfThenElseZero(hn::And(hn::Ge(power, hn::Set(d, -126.0f)), hn::Ge(x, hn::Set(d, 0x1p-126f))), result);

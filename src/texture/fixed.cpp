@@ -20,11 +20,11 @@ namespace shd::texture::HWY_NAMESPACE {
 RunFilter FixedFilterOf(const Sampler& sampler) {
   if (sampler.precision != SHD_PRECISION_FAST || has_border(sampler)) return nullptr;
   switch (sampler.filter) {
-    case SHD_FILTER_BILINEAR: return Run<Bilinear, FixedSink<false>>;
-    case SHD_FILTER_BILINEAR_MIP: return Run<BilinearMip, FixedSink<false>>;
-    case SHD_FILTER_TRILINEAR: return Run<Trilinear, FixedSink<false>>;
+    case SHD_FILTER_BILINEAR: return Run<Bilinear, FixedSink>;
+    case SHD_FILTER_BILINEAR_MIP: return Run<BilinearMip, FixedSink>;
+    case SHD_FILTER_TRILINEAR: return Run<Trilinear, FixedSink>;
     case SHD_FILTER_ANISOTROPIC:
-      return sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL ? Run<Anisotropic, FixedSink<true>> : nullptr;
+      return sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL ? Run<Anisotropic, FixedSink> : nullptr;
     default: return nullptr;
   }
 }

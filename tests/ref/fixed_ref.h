@@ -14,23 +14,23 @@ struct FixedPoint {
   int probes;
 };
 
-constexpr int64_t kFixedOne = 8192;
+constexpr int64_t kFixedOne = 16384;
 
-/// The texels on both sides of a reduced coordinate and the weight of the second one.
+/// The texels on both sides of a reduced coordinate and the weight of the second one in units of 1 / one.
 struct FixedAxis {
   int64_t i0, i1, s;
 };
-inline FixedAxis fixed_axis(shd_wrap wrap, float reduced, int64_t size) {
-  const float extent = static_cast<float>(size) * 8192.0f;
+inline FixedAxis fixed_axis(shd_wrap wrap, float reduced, int64_t size, int64_t one) {
+  const float half = 0.5f * static_cast<float>(one), extent = static_cast<float>(size * one);
   float x = reduced * extent;
   if (wrap == SHD_WRAP_MIRROR) {
     x = x + x;
     x = fminf(x, extent + extent - x);
   }
   if (wrap == SHD_WRAP_MIRROR_ONCE) x = fabsf(x);
-  if (wrap != SHD_WRAP_REPEAT) x = fminf(fmaxf(x, 4096.0f), extent - 4096.0f);
-  const auto place = static_cast<int64_t>(x + 0.5f) - 4096;
-  const int64_t s = modulo(place, kFixedOne), i = (place - s) / kFixedOne;
+  if (wrap != SHD_WRAP_REPEAT) x = fminf(fmaxf(x, half), extent - half);
+  const auto place = static_cast<int64_t>(nearbyintf(x - half));
+  const int64_t s = modulo(place, one), i = (place - s) / one;
   const shd_wrap rest = wrap == SHD_WRAP_REPEAT ? SHD_WRAP_REPEAT : SHD_WRAP_CLAMP;
   return {wrap_index(rest, i, size), wrap_index(rest, i + 1, size), s};
 }
@@ -38,9 +38,11 @@ inline FixedAxis fixed_axis(shd_wrap wrap, float reduced, int64_t size) {
 /// Adds the weighted codes of the four texels around a place.
 inline void add_quad(const Image& image, int level, float u, float v, int c, int64_t* sum) {
   const Level& l = image.levels[level];
-  const FixedAxis x = fixed_axis(image.sampler->wrap_u, u, l.width), y = fixed_axis(image.sampler->wrap_v, v, l.height);
-  const int64_t w11 = (x.s * y.s + kFixedOne / 2) / kFixedOne;
-  const int64_t w10 = x.s - w11, w01 = y.s - w11, w00 = kFixedOne - x.s - y.s + w11;
+  const FixedAxis x = fixed_axis(image.sampler->wrap_u, u, l.width, kFixedOne);
+  const FixedAxis y = fixed_axis(image.sampler->wrap_v, v, l.height, 2 * kFixedOne);
+  const int64_t w11 = (x.s * y.s + kFixedOne) / (2 * kFixedOne);
+  const int64_t w01 = ((kFixedOne - x.s) * y.s + kFixedOne) / (2 * kFixedOne);
+  const int64_t w10 = x.s - w11, w00 = kFixedOne - x.s - w01;
   const auto size = static_cast<int64_t>(shd_format_size(image.format));
   const auto texel = [&](int64_t i, int64_t j) { return l.texels + (j * l.width + i) * size; };
   *sum +=
@@ -81,7 +83,7 @@ inline float fixed_value(const Image& image, const FixedPoint& p, bool blended, 
   const float fraction = blended ? p.lod - floorf(p.lod) : 0.0f;
   auto value = static_cast<float>(fixed_sum(image, p, high, c));
   if (fraction != 0.0f) value = value + fraction * (static_cast<float>(fixed_sum(image, p, low, c)) - value);
-  return fixed_quotient(value, static_cast<float>(p.probes) * (255.0f * 8192.0f));
+  return fixed_quotient(value, static_cast<float>(p.probes) * (255.0f * 16384.0f));
 }
 
 }  // namespace ref

@@ -41,17 +41,19 @@ struct ProbeLine {
     return hn::Min(k + k, last + last) - last;
   }
   /// Return the reduced coordinates at a position.
-  HWY_INLINE V u_at(V position) const { return At(wrap_u, u, position, step_u); }
-  HWY_INLINE V v_at(V position) const { return At(wrap_v, v, position, step_v); }
+  HWY_INLINE V u_at(V position) const { return at(wrap_u, u, position, step_u); }
+  HWY_INLINE V v_at(V position) const { return at(wrap_v, v, position, step_v); }
+
+  /// Returns the reduced coordinate at a position of an axis.
+  static HWY_INLINE V at(shd_wrap wrap, V centre, V position, V step) {
+    const V x = centre + position * step;
+    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - hn::Floor(x) : x;
+  }
 
  private:
   /// Converts a distance to the unit of reduced coordinates.
   static HWY_INLINE V Distance(D d, shd_wrap wrap, V step) {
     return wrap == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
-  }
-  static HWY_INLINE V At(shd_wrap wrap, V centre, V position, V step) {
-    const V x = centre + position * step;
-    return wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR ? x - hn::Floor(x) : x;
   }
 };
 
@@ -70,9 +72,21 @@ struct Anisotropic : OnMipLevels {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const ProbeBlock& block, size_t i, Sink& sink) const {
-    using V = hn::Vec<D>;
     const ProbeLine<D> line(d, sampler, block, i);
     const LevelPair<D> levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
+    if constexpr (Sink::kTakesLines) {
+      sink.line(d, line, levels);
+      return sink.finish();
+    } else {
+      emit_probes(d, block, i, line, levels, sink);
+    }
+  }
+
+ private:
+  template <class D, class Sink>
+  HWY_INLINE void emit_probes(D d, const ProbeBlock& block, size_t i, const ProbeLine<D>& line,
+                              const LevelPair<D>& levels, Sink& sink) const {
+    using V = hn::Vec<D>;
     const float max_probes = hn::GetLane(hn::MaxOfLanes(d, line.probes));
     const V reach = hn::Load(d, block.reach + i);
     V total = hn::Zero(d);

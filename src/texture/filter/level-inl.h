@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "simd/integer-inl.h"
 #include "texture/store/storage.h"
 #include "texture/store/wrap-inl.h"
 
@@ -37,9 +38,8 @@ SHD_KERNEL_PART Level<D> SameLevel(D d, const Texture& texture, Ints<D> first_te
 /// Returns max(1, floor(base * scale)), where scale is a power of two. This is exact, because sizes are below 2^24.
 template <class D, class V>
 HWY_INLINE AxisSize<D> ScaledSize(D d, uint32_t base, V scale) {
-  const hn::RebindToSigned<D> di;
   const V size = hn::Max(hn::Floor(hn::Set(d, static_cast<float>(base)) * scale), hn::Set(d, 1.0f));
-  return {size, hn::ConvertTo(di, size)};
+  return {size, ToInt(size)};
 }
 
 template <class D>
@@ -54,12 +54,11 @@ SHD_KERNEL_PART Level<D> LevelPerLane(D d, const Texture& texture, Ints<D> first
 /// lanes have the same level.
 template <class D>
 HWY_INLINE Level<D> LevelAt(D d, const Texture& texture, Ints<D> first_texel, hn::Vec<D> level) {
-  const hn::RebindToSigned<D> di;
   const float first = hn::GetLane(level);
   if (hn::AllTrue(d, hn::Eq(level, hn::Set(d, first)))) {
     return SameLevel(d, texture, first_texel, static_cast<uint32_t>(first));
   }
-  return LevelPerLane(d, texture, first_texel, hn::ConvertTo(di, level));
+  return LevelPerLane(d, texture, first_texel, ToInt(level));
 }
 
 /// The two levels around the level of detail of each lane.

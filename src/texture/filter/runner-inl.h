@@ -48,6 +48,7 @@ struct Row {
 ///   finish()       marks the latest element as the last one of its vector of lookups
 ///   sampler()      the sampler
 ///   bordered()     texels may be the border colour
+///   kTakesLines    takes whole lines of probes with equal weights
 ///   has_rates()    shares need their derivatives
 ///
 /// Sinks of Run() also have begin() and flush() for each block of lookups, and kBuffered.
@@ -57,6 +58,7 @@ template <class Sink>
 class Emitter {
  public:
   Emitter() = default;
+  static constexpr bool kTakesLines = false;
   Emitter(const Emitter&) = delete;
   Emitter& operator=(const Emitter&) = delete;
 

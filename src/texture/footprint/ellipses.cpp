@@ -34,7 +34,7 @@ HWY_INLINE Axes2<D> AxesOnLevel(D d, const Footprint<D>& f, const Sampler& sampl
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const V ratio = one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
   const V longer = f.lambda + hn::Set(d, sampler.lod_bias);
-  const V shorter = f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
+  const V shorter = f.lambda - simd::HWY_NAMESPACE::NormalLog2(d, ratio);
   const V lod = ClampLod(d, shorter, sampler.lod_bias, range);
   const V level = hn::Floor(lod);
   // In texels of the level: 1 <= b < 2, b <= a <= ratio b.

@@ -122,7 +122,7 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   const auto near = hn::Min(hn::Max(exponent, hn::Set(di, -31)), hn::Set(di, 31));
   const V unscaled = square * PowerOfTwo(d, near + near);
   const V bounded = hn::Max(unscaled, hn::Set(d, 0x1p-64f));
-  f.lambda = half * simd::HWY_NAMESPACE::Log2(d, bounded) + hn::ConvertTo(d, exponent - near);
+  f.lambda = half * simd::HWY_NAMESPACE::NormalLog2(d, bounded) + hn::ConvertTo(d, exponent - near);
   f.lambda = hn::IfThenElse(infinite, hn::Set(d, 126.0f), hn::Max(f.lambda, hn::Set(d, -32.0f)));
   const auto length_exponent = hn::Min(exponent, hn::Set(di, 98));
   f.length = hn::Sqrt(square) * PowerOfTwo(d, length_exponent);

@@ -34,7 +34,7 @@ HWY_INLINE V HalfLog2(D d, V square) {
   const V huge = hn::Set(d, 0x1p62f);
   // This comparison also catches sums that overflowed to infinity or NaN.
   const V bounded = hn::IfThenElse(hn::Lt(square, huge), hn::Max(square, hn::Set(d, 0x1p-64f)), huge);
-  return hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::Log2(d, bounded);
+  return hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, bounded);
 }
 
 /// Returns log2 of the longer half axis: half the logarithm of the larger eigenvalue of J^T J.

@@ -202,10 +202,10 @@ HWY_INLINE hn::Vec<D> DividedBySize(D d, hn::Vec<D> length, float size) {
 /// of kFiner. Circles have the bits of trilinear.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V LambdaOfPart(D d, const Footprint<D>& f, V share, V ratio, bool rms) {
-  if (!rms) return f.lambda - simd::HWY_NAMESPACE::Log2(d, ratio);
+  if (!rms) return f.lambda - simd::HWY_NAMESPACE::NormalLog2(d, ratio);
   const V one = hn::Set(d, 1.0f), other = f.roundness * ratio;  // shorter axis of the part, divided by the longer one
   const V squares = ratio * ratio * hn::Set(d, 2.0f) / (one + other * other);
-  const V lambda = f.lambda - hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::Log2(d, squares);
+  const V lambda = f.lambda - hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, squares);
   return lambda + hn::Set(d, kCoarser) * (one - share);
 }
 

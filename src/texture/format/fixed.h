@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Quads in fixed point, for SHD_PRECISION_FAST. A weight is an integer in units of 2^-13. The four weights of a quad
+/// Quads in fixed point, for SHD_PRECISION_FAST. A weight is an integer in units of 2^-14. The four weights of a quad
 /// have the sum kWeightOne:
 ///
-///   w11 = (s t + 2^12) >> 13    w10 = s - w11    w01 = t - w11    w00 = 2^13 - s - t + w11
+///   w11 = (s t + 2^14) >> 15            w10 = s - w11
+///   w01 = ((2^14 - s) t + 2^14) >> 15   w00 = 2^14 - s - w01
 ///
-/// s and t are the fractions in the same units, rounded to nearest. The error of a quad is at most 2^-12 of the range
-/// of its texels: 2^-14 for each fraction, and twice 2^-14 for w11. Integers have one sum in any order, so targets may
-/// load texels in different ways.
+/// The fractions s, in units of 2^-14, and t, in units of 2^-15, are rounded to nearest. The error of a quad is at most
+/// 2^-13 of the range of its texels: 2^-15 for s, 2^-16 for t, and 2^-15 for each of w01 and w11. Integers have one sum
+/// in any order, so targets may load texels in different ways.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@
 
 namespace shd::texture {
 
-constexpr int kWeightBits = 13;
+constexpr int kWeightBits = 14;
 constexpr int32_t kWeightOne = 1 << kWeightBits;
 
 /// Columns of a quad, one element for each lookup of the vector. A quad of a target with L lanes has 6 L elements.

@@ -13,11 +13,13 @@
 
 #include <shd/wrap.h>
 
+#include "simd/integer-inl.h"
 #include "texture/kernel_part.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::ToInt;
 
 template <class D>
 using Ints = hn::Vec<hn::RebindToSigned<D>>;
@@ -92,7 +94,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       x = x - half;
       const V floor = hn::Floor(x);
       taps.s = hn::Min(x - floor, below_one);
-      const auto i = hn::ConvertTo(di, floor);  // -1..size - 1
+      const auto i = ToInt(floor);  // -1..size - 1
       taps.i0 = i + (size.whole & hn::BroadcastSignBit(i));
       const auto next = i + one;
       taps.i1 = hn::IfThenZeroElse(hn::Eq(next, size.whole), next);
@@ -102,7 +104,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       x = x + x - half;
       const V floor = hn::Floor(x);
       taps.s = hn::Min(x - floor, below_one);
-      const auto i = hn::ConvertTo(di, floor);  // -1..2 size - 1
+      const auto i = ToInt(floor);  // -1..2 size - 1
       taps.i0 = Fold(di, i, size.whole);
       taps.i1 = Fold(di, i + one, size.whole);
       return taps;
@@ -113,7 +115,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = hn::Min(x - floor, below_one);
-      const auto i = hn::ConvertTo(di, floor);  // -1..size
+      const auto i = ToInt(floor);  // -1..size
       taps.i0 = ClampBorder(d, i, size.whole, &taps.in0);
       taps.i1 = ClampBorder(d, i + one, size.whole, &taps.in1);
       return taps;
@@ -124,7 +126,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = hn::Min(x - floor, below_one);
-      const auto i = hn::ConvertTo(di, floor);  // -size..size
+      const auto i = ToInt(floor);  // -size..size
       taps.i0 = FoldOnce(di, i, size.whole);
       taps.i1 = FoldOnce(di, i + one, size.whole);
       return taps;
@@ -136,7 +138,7 @@ SHD_KERNEL_PART LinearTaps<D> WrapLinear(D d, shd_wrap wrap, hn::Vec<D> reduced,
       taps.rate = hn::IfThenElseZero(hn::Eq(x, free), size.real);
       const V floor = hn::Floor(x);
       taps.s = x - floor;
-      taps.i0 = hn::ConvertTo(di, floor);
+      taps.i0 = ToInt(floor);
       taps.i1 = hn::Min(taps.i0 + one, size.whole - one);
       return taps;
     }
@@ -161,15 +163,15 @@ HWY_INLINE Ints<D> WrapWhole(D d, shd_wrap wrap, hn::Vec<D> i, const AxisSize<D>
   switch (wrap) {
     case SHD_WRAP_REPEAT: {
       const V periods = hn::Floor(i / size.real);
-      return hn::ConvertTo(di, i - periods * size.real);
+      return ToInt(i - periods * size.real);
     }
     case SHD_WRAP_MIRROR: {
       const V period = size.real + size.real;
       const V periods = hn::Floor(i / period);
-      return Fold(di, hn::ConvertTo(di, i - periods * period), size.whole);
+      return Fold(di, ToInt(i - periods * period), size.whole);
     }
-    case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, hn::ConvertTo(di, i), size.whole);
-    default: return ClampBorder(d, hn::ConvertTo(di, i), size.whole, in);
+    case SHD_WRAP_MIRROR_ONCE: return FoldOnce(di, ToInt(i), size.whole);
+    default: return ClampBorder(d, ToInt(i), size.whole, in);
   }
 }
 
@@ -231,17 +233,17 @@ SHD_KERNEL_PART Ints<D> WrapNearest(D d, shd_wrap wrap, hn::Vec<D> reduced, cons
   const V last = size.real - hn::Set(d, 1.0f);
   *in = hn::Eq(last, last);
   switch (wrap) {
-    case SHD_WRAP_REPEAT: return hn::ConvertTo(di, hn::Min(x, last));
-    case SHD_WRAP_MIRROR: return Fold(di, hn::ConvertTo(di, x + x), size.whole);
+    case SHD_WRAP_REPEAT: return ToInt(hn::Min(x, last));
+    case SHD_WRAP_MIRROR: return Fold(di, ToInt(x + x), size.whole);
     case SHD_WRAP_BORDER: {
       const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Set(d, -1.0f)), size.real);
-      return ClampBorder(d, hn::ConvertTo(di, clamped), size.whole, in);
+      return ClampBorder(d, ToInt(clamped), size.whole, in);
     }
     case SHD_WRAP_MIRROR_ONCE: {
       const V clamped = hn::Min(hn::Max(hn::Floor(x), hn::Neg(size.real)), last);
-      return FoldOnce(di, hn::ConvertTo(di, clamped), size.whole);
+      return FoldOnce(di, ToInt(clamped), size.whole);
     }
-    default: return hn::ConvertTo(di, hn::Min(hn::Max(x, hn::Zero(d)), last));
+    default: return ToInt(hn::Min(hn::Max(x, hn::Zero(d)), last));
   }
 }
 
