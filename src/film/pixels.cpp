@@ -14,9 +14,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/integer-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace shd::film::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::ToInt;
 
 using DF = hn::ScalableTag<float>;
 using DU = hn::RebindToUnsigned<DF>;
@@ -39,21 +42,50 @@ HWY_INLINE VU CorrectCode(VF v, VU estimate) {
   return estimate + above - below;
 }
 
-/// Clamps to 0..1 and rounds to the nearest of 2^kBits codes; NaN gives 0. With 8 bits the float sum is off by less
-/// than 2^-15, so that only codes nearer to a tie are corrected.
+/// Clamps to 0..1; NaN gives 0.
+HWY_INLINE VF Clamped(VF value) {
+  const DF d;
+  return hn::Min(hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value), hn::Set(d, 1.0f));
+}
+
+/// Rounds v in 0..1 to the nearest of 2^kBits codes.
+template <int kBits>
+HWY_INLINE VU RoundedCode(VF v) {
+  const DF d;
+  const VF sum = v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + hn::Set(d, 0.5f);
+  return CorrectCode<kBits>(v, hn::BitCast(DU(), ToInt(sum)));
+}
 template <int kBits>
 HWY_INLINE VU UnormCode(VF value) {
+  return RoundedCode<kBits>(Clamped(value));
+}
+
+/// Packs codes of 8 bits of consecutive channels, the first lowest.
+template <size_t kChannels>
+HWY_INLINE VU PackCodes(const VU (&code)[kChannels]) {
+  VU packed = code[0];
+  if (kChannels > 1) packed = hn::Or(packed, hn::ShiftLeft<8>(code[1 % kChannels]));
+  if (kChannels > 2) packed = hn::Or(packed, hn::ShiftLeft<16>(code[2 % kChannels]));
+  if (kChannels > 3) packed = hn::Or(packed, hn::ShiftLeft<24>(code[3 % kChannels]));
+  return packed;
+}
+
+/// Rounds channels to codes of 8 bits. The float sum before truncation is off by less than 2^-15, so that codes which
+/// 2^-14 more or less does not change are right.
+template <size_t kChannels>
+HWY_INLINE VU Unorm8Codes(const VF* channel) {
   const DF d;
-  const VF zero = hn::Zero(d), half = hn::Set(d, 0.5f);
-  const VF v = hn::Min(hn::IfThenElse(hn::Gt(value, zero), value, zero), hn::Set(d, 1.0f));
-  const VF sum = v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + half;
-  const auto code = hn::ConvertTo(DI(), sum);
-  const VU estimate = hn::BitCast(DU(), code);
-  if (kBits == 8) {
-    const VF from_tie = half - hn::Abs((sum - hn::ConvertTo(d, code)) - half);
-    if (hn::AllFalse(d, hn::Lt(from_tie, hn::Set(d, 0x1p-14f)))) return estimate;
+  const DU du;
+  VU low[kChannels], high[kChannels];
+  for (size_t c = 0; c < kChannels; ++c) {
+    const VF scaled = Clamped(channel[c]) * hn::Set(d, 255.0f);
+    low[c] = hn::BitCast(du, ToInt(scaled + hn::Set(d, 0.5f - 0x1p-14f)));
+    high[c] = hn::BitCast(du, ToInt(scaled + hn::Set(d, 0.5f + 0x1p-14f)));
   }
-  return CorrectCode<kBits>(v, estimate);
+  const VU packed = PackCodes(low);
+  if (HWY_LIKELY(hn::AllTrue(du, hn::Eq(packed, PackCodes(high))))) return packed;
+  for (size_t c = 0; c < kChannels; ++c) low[c] = UnormCode<8>(channel[c]);
+  return PackCodes(low);
 }
 
 /// image::linear_to_srgb8() of each lane.
@@ -96,17 +128,14 @@ HWY_INLINE VU HalfBits(VF value) {
 struct Unorm8 {
   static constexpr size_t kWords = 1;
   static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
-    hn::StoreU(hn::Or(hn::Or(UnormCode<8>(p[0]), hn::ShiftLeft<8>(UnormCode<8>(p[1]))),
-                      hn::Or(hn::ShiftLeft<16>(UnormCode<8>(p[2])), hn::ShiftLeft<24>(UnormCode<8>(p[3])))),
-               DU(), out);
+    hn::StoreU(Unorm8Codes<4>(p), DU(), out);
   }
 };
 struct Srgb8 {
   static constexpr size_t kWords = 1;
   static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
-    hn::StoreU(hn::Or(hn::Or(SrgbCode(p[0]), hn::ShiftLeft<8>(SrgbCode(p[1]))),
-                      hn::Or(hn::ShiftLeft<16>(SrgbCode(p[2])), hn::ShiftLeft<24>(UnormCode<8>(p[3])))),
-               DU(), out);
+    const VU rgb[3] = {SrgbCode(p[0]), SrgbCode(p[1]), SrgbCode(p[2])};
+    hn::StoreU(hn::Or(PackCodes(rgb), hn::ShiftLeft<24>(Unorm8Codes<1>(p + 3))), DU(), out);
   }
 };
 struct Unorm16 {
