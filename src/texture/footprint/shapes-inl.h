@@ -168,6 +168,29 @@ HWY_INLINE V BlendLevels(D d, const Sampler& sampler, V lod) {
   return floor + hn::Min(hn::Max(share, hn::Zero(d)), one);
 }
 
+/// Whether a column is absent or holds the bits of its first row in every row.
+HWY_INLINE bool IsConstant(const float* column, size_t count) {
+  if (!column) return true;
+  const BatchTag d;
+  const hn::RebindToUnsigned<BatchTag> du;
+  const auto first = hn::BitCast(du, hn::Set(d, column[0]));
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const bool whole = count - i >= hn::Lanes(d);
+    const auto bits = hn::BitCast(du, whole ? hn::LoadU(d, column + i) : hn::Set(d, column[i]));
+    if (!hn::AllTrue(du, hn::Eq(bits, first))) return false;
+    for (size_t k = i + 1; !whole && k < count; ++k) {
+      if (std::memcmp(column + k, column, sizeof *column) != 0) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all lookups have one footprint, as those of surfaces parallel to the picture.
+inline HWY_NOINLINE bool ShareFootprint(const Lookups& in) {
+  return IsConstant(in.dudx, in.count) && IsConstant(in.dvdx, in.count) && IsConstant(in.dudy, in.count) &&
+         IsConstant(in.dvdy, in.count);
+}
+
 /// Finds the levels of detail of isotropic lookups according to the sampler's profile. They are clamped to `query` and
 /// not rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
@@ -179,12 +202,17 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const bool lod_given = in.lod != nullptr;
   const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
   const float shift = level_shift(sampler, lod_given);
+  const bool one_footprint = !lod_given && ShareFootprint(in);
+  auto latest = hn::Zero(BatchTag());
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto lambda = lod_given ? p.lod
-                        : rms     ? RmsLambda(d, p.derivatives, width, height)
-                                  : LambdaOf(d, p.derivatives, width, height);
-    const auto lod = ClampLod(d, lambda, shift, range);
-    hn::Store(query ? lod : BlendLevels(d, sampler, lod), d, out->lod + to);
+    if (!one_footprint || to == 0) {
+      const auto lambda = lod_given ? p.lod
+                          : rms     ? RmsLambda(d, p.derivatives, width, height)
+                                    : LambdaOf(d, p.derivatives, width, height);
+      const auto lod = ClampLod(d, lambda, shift, range);
+      latest = query ? lod : BlendLevels(d, sampler, lod);
+    }
+    hn::Store(latest, d, out->lod + to);
   });
 }
 
@@ -274,16 +302,17 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const ProbePlacement placement(texture, sampler, range, in.lod != nullptr, query != nullptr);
   const float width = placement.width.size, height = placement.height.size;
   alignas(64) float lengths[kTwoPasses ? kBlock : 1];
-  const size_t nonfinite = FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto f = placement.lod_given ? RoundAxes(d, p.lod) : AxesOf(d, p.derivatives, width, height);
-    if (!kTwoPasses) return placement.place(d, f, out, to);
-    hn::Store(f.square, d, out->lod + to);
-    hn::Store(f.levels, d, out->reach + to);
-    hn::Store(f.length, d, lengths + to);
-    hn::Store(f.roundness, d, out->probes + to);
-    hn::Store(f.u, d, out->step_u + to);
-    hn::Store(f.v, d, out->step_v + to);
-  });
+  const size_t nonfinite =
+      FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+        const auto f = placement.lod_given ? RoundAxes(d, p.lod) : AxesOf(d, p.derivatives, width, height);
+        if (!kTwoPasses) return placement.place(d, f, out, to);
+        hn::Store(f.square, d, out->lod + to);
+        hn::Store(f.levels, d, out->reach + to);
+        hn::Store(f.length, d, lengths + to);
+        hn::Store(f.roundness, d, out->probes + to);
+        hn::Store(f.u, d, out->step_u + to);
+        hn::Store(f.v, d, out->step_v + to);
+      });
   const BatchTag d;
   for (size_t i = 0; kTwoPasses && i < in.count; i += hn::Lanes(d)) {
     const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return hn::Load(d, column + i); };
