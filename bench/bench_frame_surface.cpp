@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // frame/{quad,floor}/{trilinear,anisotropic}/<target or peer>: one textured surface over 1024 x 1024 pixels, unlit, one
 // thread; the quad minifies twice, the floor is the floor of the texture rows. Items are pixels.
-// frame/.../<filter>_rgba8/<target>: the same into RGBA8 pixels, as llvmpipe writes them, instead of float planes.
+// frame/.../<filter>_rgba8/<target>: the same into RGBA8 pixels, as llvmpipe writes them, instead of float planes;
+// <filter>_fast_rgba8 also with SHD_PRECISION_FAST.
 #include <memory>
 
 #include "frame_scene.h"
@@ -13,7 +14,7 @@ namespace {
 struct Row {
   const char* name;
   Surface surface;
-  shd_filter filter;
+  SurfaceFilter filter;
   PeerFilter peer;
   const char* peer_row;  // row of the same surface and filter that a peer has
   shd_format color;
@@ -21,16 +22,21 @@ struct Row {
 
 const std::vector<Row>& rows() {
   static const Surface quad = quad_surface(2.0f), floor = floor_surface(Floor::of_texture(kFrameTextureEdge));
+  static const SurfaceFilter trilinear(SHD_FILTER_TRILINEAR), anisotropic(SHD_FILTER_ANISOTROPIC);
+  static const SurfaceFilter trilinear_fast(SHD_FILTER_TRILINEAR, SHD_PRECISION_FAST);
+  static const SurfaceFilter anisotropic_fast(SHD_FILTER_ANISOTROPIC, SHD_PRECISION_FAST);
+  constexpr PeerFilter kTrilinear = PeerFilter::kTrilinear, kAnisotropic = PeerFilter::kAnisotropic16;
+  constexpr shd_format kPlanes = SHD_FORMAT_RGBA32F, kPixels = SHD_FORMAT_RGBA8;
   static const std::vector<Row> all = {
-      {"quad/trilinear", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "quad/trilinear", SHD_FORMAT_RGBA32F},
-      {"quad/trilinear_rgba8", quad, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "quad/trilinear", SHD_FORMAT_RGBA8},
-      {"floor/trilinear", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "floor/trilinear", SHD_FORMAT_RGBA32F},
-      {"floor/trilinear_rgba8", floor, SHD_FILTER_TRILINEAR, PeerFilter::kTrilinear, "floor/trilinear",
-       SHD_FORMAT_RGBA8},
-      {"floor/anisotropic", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16, "floor/anisotropic",
-       SHD_FORMAT_RGBA32F},
-      {"floor/anisotropic_rgba8", floor, SHD_FILTER_ANISOTROPIC, PeerFilter::kAnisotropic16, "floor/anisotropic",
-       SHD_FORMAT_RGBA8}};
+      {"quad/trilinear", quad, trilinear, kTrilinear, "quad/trilinear", kPlanes},
+      {"quad/trilinear_rgba8", quad, trilinear, kTrilinear, "quad/trilinear", kPixels},
+      {"quad/trilinear_fast_rgba8", quad, trilinear_fast, kTrilinear, "quad/trilinear", kPixels},
+      {"floor/trilinear", floor, trilinear, kTrilinear, "floor/trilinear", kPlanes},
+      {"floor/trilinear_rgba8", floor, trilinear, kTrilinear, "floor/trilinear", kPixels},
+      {"floor/trilinear_fast_rgba8", floor, trilinear_fast, kTrilinear, "floor/trilinear", kPixels},
+      {"floor/anisotropic", floor, anisotropic, kAnisotropic, "floor/anisotropic", kPlanes},
+      {"floor/anisotropic_rgba8", floor, anisotropic, kAnisotropic, "floor/anisotropic", kPixels},
+      {"floor/anisotropic_fast_rgba8", floor, anisotropic_fast, kAnisotropic, "floor/anisotropic", kPixels}};
   return all;
 }
 

@@ -60,11 +60,13 @@ FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& var
   set_draws();
 }
 
-FrameScene::FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, shd_format color, uint32_t workers)
+FrameScene::FrameScene(const Surface& surface, shd_simd simd, const SurfaceFilter& filter, shd_format color,
+                       uint32_t workers)
     : FrameScene(simd, 1, color, workers) {
   make_mesh(surface);
   shd_sampler_desc sampler = shd_sampler_desc_default();
-  sampler.filter = filter;
+  sampler.filter = filter.filter;
+  sampler.precision = filter.precision;
   sampler.max_anisotropy = 16.0f;
   sampler.profile =
       SHD_PROFILE_EXACT;  // the levels of llvmpipe: the quad lies on one level, where the default reads two

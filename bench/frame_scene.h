@@ -22,12 +22,20 @@ struct Variant {
   shd_format color = SHD_FORMAT_RGBA32F;
 };
 
+/// Filter of the texture of a surface.
+struct SurfaceFilter {
+  shd_filter filter;
+  shd_precision precision;
+  SurfaceFilter(shd_filter of, shd_precision with = SHD_PRECISION_FULL) : filter(of), precision(with) {}
+};
+
 /// A scene with one mesh and one material, and its frame of kFrameEdge x kFrameEdge pixels.
 class FrameScene {
  public:
   FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers = 1);
   /// Unlit, with a mipmapped texture.
-  FrameScene(const Surface& surface, shd_simd simd, shd_filter filter, shd_format color, uint32_t workers = 1);
+  FrameScene(const Surface& surface, shd_simd simd, const SurfaceFilter& filter, shd_format color,
+             uint32_t workers = 1);
   ~FrameScene();
   FrameScene(const FrameScene&) = delete;
   FrameScene& operator=(const FrameScene&) = delete;
