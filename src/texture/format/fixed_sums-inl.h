@@ -65,6 +65,21 @@ struct NextTexels {
   }
 };
 
+/// The texels of a quad's rows, where all texels are in one block.
+template <size_t kSize>
+struct BlockTexels {
+  static constexpr size_t kTexelSize = kSize;
+  const uint8_t* origin;
+
+  HWY_INLINE uint64_t row(const int32_t* left, const int32_t* right, bool split) const {
+    uint64_t texels, second = 0;
+    std::memcpy(&texels, origin + size_t{static_cast<uint32_t>(*left)} * kSize, sizeof texels);
+    if (HWY_LIKELY(!split)) return texels;
+    std::memcpy(&second, origin + size_t{static_cast<uint32_t>(*right)} * kSize, kSize);
+    return (texels & ((uint64_t{1} << (8 * kSize)) - 1)) | second << (8 * kSize);
+  }
+};
+
 /// The texels of a quad's rows, wherever they are.
 template <size_t kSize>
 struct AnyTexels {
@@ -241,14 +256,14 @@ HWY_INLINE bool AddWindow(D d, const uint8_t* texels, const int32_t* quad, Mask 
   const hn::RebindToSigned<D> di;
   const size_t lanes = hn::Lanes(d);
   const int32_t *const upper = quad + kUpper * lanes, *const lower = quad + kLower * lanes;
-  const RowWindow<D> window = WindowOf(d, upper);
+  const RowWindow<D> window = WindowOf<true>(d, upper);
   const int32_t down = lower[0] - upper[0];
   const auto apart = hn::Load(di, lower) - hn::Load(di, upper);
   if (HWY_UNLIKELY(!window.fits || !hn::AllTrue(di, hn::Eq(apart, hn::Set(di, down))))) return false;
   Ints<D> left, right;
-  LoadWindow(d, texels, window, window.first, &left, &right);
+  LoadWindow<true>(d, texels, window, window.first, &left, &right);
   sums->add(d, left, right, hn::IfThenElseZero(active, hn::Load(di, quad + kUpperWeights * lanes)));
-  LoadWindow(d, texels, window, window.first + down, &left, &right);
+  LoadWindow<true>(d, texels, window, window.first + down, &left, &right);
   sums->add(d, left, right, hn::IfThenElseZero(active, hn::Load(di, quad + kLowerWeights * lanes)));
   return true;
 }
@@ -281,9 +296,8 @@ HWY_INLINE bool SumWindows(const NextTexels<4>&, FixedVector*) {
 /// Adds the quads of a vector of lookups.
 template <size_t kSize, bool kTwoSums>
 HWY_INLINE void SumQuads(const TexelSource& source, FixedVector* vector) {
-  if (HWY_UNLIKELY(vector->split != 0 || source.borrowed)) {
-    return SumLookups<AnyTexels<kSize>, kTwoSums>({source}, vector);
-  }
+  if (HWY_UNLIKELY(source.borrowed)) return SumLookups<AnyTexels<kSize>, kTwoSums>({source}, vector);
+  if (HWY_UNLIKELY(vector->split != 0)) return SumLookups<BlockTexels<kSize>, kTwoSums>({source.origin}, vector);
   const NextTexels<kSize> rows = {source.origin};
   if constexpr (kSize == 4) {
     if (SumWindows<kTwoSums>(rows, vector)) return;

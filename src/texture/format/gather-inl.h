@@ -65,6 +65,13 @@ template <class D>
 HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
 #if HWY_TARGET == HWY_AVX3
   if constexpr (hn::MaxLanes(D()) == 16) return Ints<D>{_mm512_permutex2var_epi32(low.raw, index.raw, high.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  if constexpr (hn::MaxLanes(D()) == 8) {  // permutations ignore the upper bits of the index
+    const __m256 in_low = _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(low.raw, index.raw));
+    const __m256 in_high = _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(high.raw, index.raw));
+    const __m256 beyond = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 28));
+    return Ints<D>{_mm256_castps_si256(_mm256_blendv_ps(in_low, in_high, beyond))};
+  }
 #endif
   const hn::RebindToSigned<D> di;
   const auto lanes = hn::Set(di, static_cast<int32_t>(hn::Lanes(di)));
@@ -73,32 +80,38 @@ HWY_INLINE Ints<D> LookUpRow(D, Ints<D> low, Ints<D> high, Ints<D> index) {
   return hn::IfThenElse(in_low, hn::TableLookupLanes(low, indices), hn::TableLookupLanes(high, indices));
 }
 
-/// A window of two vectors of words along a row that may contain the words at index and index + 1 of every lane.
+/// A window of two vectors of words along a row that may contain the words at index and index + 1 of every lane. It has
+/// three vectors if `wide`.
 template <class D>
 struct RowWindow {
   Ints<D> left, right;  // index - first, index - first + 1
   int32_t first;        // first word of the window
   bool fits;            // the window contains both words of every lane
+  bool wide;
 };
 
-template <class D>
+/// Returns the window of indices. kWide: the window may be wide. This makes formats of floats slower.
+template <bool kWide = false, class D>
 HWY_INLINE RowWindow<D> WindowOf(D, const int32_t* index) {
   const hn::RebindToSigned<D> di;
+  const hn::RebindToUnsigned<D> du;
   const auto lanes = static_cast<int32_t>(hn::Lanes(di));
-  const int32_t begin = index[0], end = index[lanes - 1];
+  const int32_t begin = index[0], end = index[lanes - 1], span = begin < end ? end - begin : begin - end;
   RowWindow<D> window;
   window.first = begin < end ? begin : end;
-  window.fits = (begin < end ? end - begin : begin - end) < 2 * lanes;
+  window.wide = kWide && span > 2 * lanes - 2;
+  const int32_t last = (window.wide ? 3 : 2) * lanes - 2;
+  window.fits = span <= last;
   if (!window.fits) return window;
   window.left = hn::Load(di, index) - hn::Set(di, window.first);
   window.right = window.left + hn::Set(di, 1);
-  const auto outside = hn::AndNot(hn::Set(di, 2 * lanes - 1), window.left | window.right);
-  window.fits = hn::AllTrue(di, hn::Eq(outside, hn::Zero(di)));
+  const auto left = hn::BitCast(du, window.left);  // unsigned, so that words before the window are beyond it
+  window.fits = hn::AllTrue(du, hn::Eq(hn::Min(left, hn::Set(du, static_cast<uint32_t>(last))), left));
   return window;
 }
 
 /// Loads the words at index and index + 1 from a window that fits, moved so that it begins at `first`.
-template <class D>
+template <bool kWide = false, class D>
 HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& window, int32_t first, Ints<D>* left,
                            Ints<D>* right) {
   const hn::RebindToSigned<D> di;
@@ -106,6 +119,11 @@ HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& windo
   const auto low = hn::LoadU(di, words), high = hn::LoadU(di, words + hn::Lanes(di));
   *left = LookUpRow(d, low, high, window.left);
   *right = LookUpRow(d, low, high, window.right);
+  if (HWY_LIKELY(!kWide || !window.wide)) return;
+  const auto lanes = hn::Set(di, static_cast<int32_t>(hn::Lanes(di))), last = lanes + lanes - hn::Set(di, 1);
+  const auto third = hn::LoadU(di, words + 2 * hn::Lanes(di));
+  *left = hn::IfThenElse(hn::Gt(window.left, last), LookUpRow(d, third, third, window.left - lanes), *left);
+  *right = hn::IfThenElse(hn::Gt(window.right, last), LookUpRow(d, third, third, window.right - lanes), *right);
 }
 
 /// Gathers the words at index and index + 1 of every lane, where lanes may be far apart.
