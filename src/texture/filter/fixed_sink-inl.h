@@ -229,6 +229,8 @@ class FixedSink {
     const auto lower = upper + hn::IfThenElse(hn::Eq(j, level.down.last), level.last_down, level.across.size);
     hn::Store(upper, di, quad + kUpper * kLanes);
     hn::Store(lower, di, quad + kLower * kLanes);
+    prefetch(quad[kUpper * kLanes]);
+    prefetch(quad[kLower * kLanes]);
     WriteWeights(d, x & hn::Set(di, kWeightOne - 1), y & hn::Set(di, 2 * kWeightOne - 1), quad);
     const auto at_end = hn::Eq(i, level.across.last);
     if (HWY_LIKELY(hn::AllFalse(di, at_end) || wrap_u != SHD_WRAP_REPEAT)) return false;
@@ -236,6 +238,12 @@ class FixedSink {
     hn::Store(upper + right, di, quad + kUpperRight * kLanes);
     hn::Store(lower + right, di, quad + kLowerRight * kLanes);
     return true;
+  }
+
+  /// Prefetches a texel, which is read when the buffer is full. The first texel of a vector is enough: those of all
+  /// lanes are not faster.
+  HWY_INLINE void prefetch(int32_t index) const {
+    __builtin_prefetch(source_.origin + size_t{static_cast<uint32_t>(index)} * source_.texel_size);
   }
 
   HWY_NOINLINE bool write_rounded(D d, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v, int32_t* quad) const {

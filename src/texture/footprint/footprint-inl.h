@@ -93,9 +93,16 @@ struct Footprint {
   hn::Vec<D> u, v;       // unit vector of the longer axis, in base texels
 };
 
-/// Finds the footprint of derivatives. |error| of the axes <= 1e-6 of the longer axis.
+/// The axes of a footprint. Its lambda, LambdaOfAxes(), takes a chain of operations as long as those of the axes.
 template <class D>
-SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float width, float height) {
+struct FootprintAxes {
+  hn::Vec<D> square, levels;              // lambda is half the logarithm of `square`, 2^-64..2^64, plus `levels`
+  hn::Vec<D> length, roundness, u, v;  // as in Footprint
+};
+
+/// Finds the axes of the footprint of derivatives. |error| <= 1e-6 of the longer axis.
+template <class D>
+SHD_KERNEL_PART FootprintAxes<D> AxesOf(D d, const Derivatives<D>& j, float width, float height) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const V w = hn::Set(d, width), h = hn::Set(d, height), half = hn::Set(d, 0.5f), zero = hn::Zero(d);
@@ -117,13 +124,13 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   const V one = hn::Set(d, 1.0f);
   const auto round = hn::Lt(square, hn::Set(d, 0x1p-20f));  // derivatives 0 or infinite, or far below every level
 
-  Footprint<D> f;
+  FootprintAxes<D> f;
   // The exponent is applied to the square of the axis within the range of floats; the rest adds whole levels.
   const auto near = hn::Min(hn::Max(exponent, hn::Set(di, -31)), hn::Set(di, 31));
   const V unscaled = square * PowerOfTwo(d, near + near);
   const V bounded = hn::Max(unscaled, hn::Set(d, 0x1p-64f));
-  f.lambda = half * simd::HWY_NAMESPACE::NormalLog2(d, bounded) + hn::ConvertTo(d, exponent - near);
-  f.lambda = hn::IfThenElse(infinite, hn::Set(d, 126.0f), hn::Max(f.lambda, hn::Set(d, -32.0f)));
+  f.square = hn::IfThenElse(infinite, one, bounded);
+  f.levels = hn::IfThenElse(infinite, hn::Set(d, 126.0f), hn::ConvertTo(d, exponent - near));
   const auto length_exponent = hn::Min(exponent, hn::Set(di, 98));
   f.length = hn::Sqrt(square) * PowerOfTwo(d, length_exponent);
   f.length = hn::IfThenElse(infinite, hn::Set(d, 0x1p100f), f.length);
@@ -144,13 +151,31 @@ SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float wid
   return f;
 }
 
-/// Returns the circle of a given level of detail.
+template <class D, class V>
+HWY_INLINE V LambdaOfAxes(D d, V square, V levels) {
+  const V lambda = hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, square) + levels;
+  return hn::Max(lambda, hn::Set(d, -32.0f));
+}
+
+/// Finds the footprint of derivatives.
 template <class D>
-HWY_INLINE Footprint<D> RoundFootprint(D d, hn::Vec<D> lod) {
+SHD_KERNEL_PART Footprint<D> FootprintOf(D d, const Derivatives<D>& j, float width, float height) {
+  const FootprintAxes<D> f = AxesOf(d, j, width, height);
+  return {LambdaOfAxes(d, f.square, f.levels), f.length, f.roundness, f.u, f.v};
+}
+
+/// Returns the circle of a given level of detail. Its lambda is `levels`.
+template <class D>
+HWY_INLINE FootprintAxes<D> RoundAxes(D d, hn::Vec<D> lod) {
   using V = hn::Vec<D>;
   const V one = hn::Set(d, 1.0f);
   const V lambda = hn::Min(hn::Max(lod, hn::Set(d, -32.0f)), hn::Set(d, 126.0f));
-  return {lambda, simd::HWY_NAMESPACE::Exp2(d, hn::Min(lambda, hn::Set(d, 100.0f))), one, one, hn::Zero(d)};
+  return {one, lambda, simd::HWY_NAMESPACE::Exp2(d, hn::Min(lambda, hn::Set(d, 100.0f))), one, one, hn::Zero(d)};
+}
+template <class D>
+HWY_INLINE Footprint<D> RoundFootprint(D d, hn::Vec<D> lod) {
+  const FootprintAxes<D> f = RoundAxes(d, lod);
+  return {f.levels, f.length, f.roundness, f.u, f.v};
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE

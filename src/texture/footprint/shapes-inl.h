@@ -188,26 +188,75 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   });
 }
 
-/// Returns length / size. The reciprocal of a power of two is exact, so that a product has the same bits.
-template <class D>
-HWY_INLINE hn::Vec<D> DividedBySize(D d, hn::Vec<D> length, float size) {
-  const auto whole = static_cast<uint32_t>(size);
-  if (HWY_LIKELY((whole & (whole - 1)) == 0)) return length * hn::Set(d, 1.0f / size);
-  return length / hn::Set(d, size);
-}
+/// Divides by a size of a texture. The reciprocal of a power of two is exact, so that a product has the same bits.
+struct SizeDivision {
+  float size, reciprocal;
+  bool exact;
+
+  explicit SizeDivision(uint32_t of_size)
+      : size(static_cast<float>(of_size)), reciprocal(1.0f / size), exact((of_size & (of_size - 1)) == 0) {}
+
+  template <class D, class V>
+  HWY_INLINE V operator()(D d, V length) const {
+    if (HWY_LIKELY(exact)) return length * hn::Set(d, reciprocal);
+    return length / hn::Set(d, size);
+  }
+};
 
 /// Returns log2 of the size of one of the 1 / share equal parts of a footprint: the longer axis of the part, or the
 /// root mean square of both axes of the part for SHD_PROFILE_LEAST_ERROR. Both are the shorter axis of the
 /// footprint unless max_anisotropy limits the number of parts. SHD_PROFILE_LEAST_ERROR takes back kCoarser (1 - share)
 /// of kFiner. Circles have the bits of trilinear.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V LambdaOfPart(D d, const Footprint<D>& f, V share, V ratio, bool rms) {
-  if (!rms) return f.lambda - simd::HWY_NAMESPACE::NormalLog2(d, ratio);
-  const V one = hn::Set(d, 1.0f), other = f.roundness * ratio;  // shorter axis of the part, divided by the longer one
+template <class D, class V>
+HWY_INLINE V LambdaOfPart(D d, V lambda, V roundness, V share, V ratio, bool rms) {
+  if (!rms) return lambda - simd::HWY_NAMESPACE::NormalLog2(d, ratio);
+  const V one = hn::Set(d, 1.0f), other = roundness * ratio;  // shorter axis of the part, divided by the longer one
   const V squares = ratio * ratio * hn::Set(d, 2.0f) / (one + other * other);
-  const V lambda = f.lambda - hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, squares);
-  return lambda + hn::Set(d, kCoarser) * (one - share);
+  const V part = lambda - hn::Set(d, 0.5f) * simd::HWY_NAMESPACE::NormalLog2(d, squares);
+  return part + hn::Set(d, kCoarser) * (one - share);
 }
+
+/// Places probes on a footprint (FindShapes() of a ProbeBlock).
+struct ProbePlacement {
+  const Sampler& sampler;
+  LodRange range;
+  float shift, min_share;
+  bool lod_given, rms, blends_all;
+  SizeDivision width, height;
+
+  ProbePlacement(const Texture& texture, const Sampler& of_sampler, const LodRange& of_range, bool of_lod, bool query)
+      : sampler(of_sampler),
+        range(of_range),
+        shift(level_shift(sampler, of_lod)),
+        min_share(1.0f / sampler.max_anisotropy),
+        lod_given(of_lod),
+        rms(sampler.profile == SHD_PROFILE_LEAST_ERROR),
+        blends_all(query || sampler.level_steepness == 1.0f),
+        width(texture.width),
+        height(texture.height) {}
+
+  template <class D>
+  SHD_KERNEL_PART void place(D d, const FootprintAxes<D>& f, ProbeBlock* out, size_t to) const {
+    const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
+    const auto share = hn::Max(f.roundness, hn::Set(d, min_share));
+    const auto ratio = one / share;
+    const auto lambda = lod_given ? f.levels : LambdaOfAxes(d, f.square, f.levels);
+    const auto lod = ClampLod(d, LambdaOfPart(d, lambda, f.roundness, share, ratio, rms), shift, range);
+    auto blended = lod, widths = ratio;
+    if (HWY_UNLIKELY(!blends_all)) {
+      blended = BlendLevels(d, sampler, lod);
+      widths = ratio * simd::HWY_NAMESPACE::Exp2(d, lod - blended);
+    }
+    const auto probes = hn::Max(hn::Ceil(widths - hn::Set(d, sampler.probe_slack)), one);
+    const auto half_step = f.length / (probes + probes);
+    const auto step_u = width(d, half_step * f.u), step_v = height(d, half_step * f.v);
+    hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);
+    hn::Store(hn::Max(hn::Min(step_v, limit), hn::Neg(limit)), d, out->step_v + to);
+    hn::Store(probes, d, out->probes + to);
+    hn::Store(probes, d, out->reach + to);
+    hn::Store(blended, d, out->lod + to);
+  }
+};
 
 /// Finds probes along the longer axis, on the level of the shorter axis, according to the sampler's profile (McCormack,
 /// Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999). More than one
@@ -219,31 +268,31 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const LodRounding rounding = query ? LodRounding::kNone : LodRounding::kFilter;
   const LodRange range = query ? *query : lod_range(texture, sampler);
   if (uses_profile(sampler, rounding)) return FindProfiledProbes(texture, sampler, range, rounding, in, out);
-  const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
-  const bool lod_given = in.lod != nullptr;
-  const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
-  const float shift = level_shift(sampler, lod_given);
-  return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
-    const auto one = hn::Set(d, 1.0f), limit = hn::Set(d, 0x1p60f);
-    const auto share = hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy));
-    const auto ratio = one / share;
-    const auto lambda = LambdaOfPart(d, f, share, ratio, rms);
-    const auto lod = ClampLod(d, lambda, shift, range);
-    auto blended = lod, widths = ratio;
-    if (!query && HWY_UNLIKELY(sampler.level_steepness != 1.0f)) {
-      blended = BlendLevels(d, sampler, lod);
-      widths = ratio * simd::HWY_NAMESPACE::Exp2(d, lod - blended);
-    }
-    const auto probes = hn::Max(hn::Ceil(widths - hn::Set(d, sampler.probe_slack)), one);
-    const auto half_step = f.length / (probes + probes);
-    const auto step_u = DividedBySize(d, half_step * f.u, width), step_v = DividedBySize(d, half_step * f.v, height);
-    hn::Store(hn::Max(hn::Min(step_u, limit), hn::Neg(limit)), d, out->step_u + to);
-    hn::Store(hn::Max(hn::Min(step_v, limit), hn::Neg(limit)), d, out->step_v + to);
-    hn::Store(probes, d, out->probes + to);
-    hn::Store(probes, d, out->reach + to);
-    hn::Store(blended, d, out->lod + to);
+  // The operations of one lookup form a long chain. Two passes let those of more vectors overlap: 1.05 of the speed of
+  // anisotropic lookups on SSE4, 1.0 on AVX2 and 0.96 on AVX-512, where divisions limit the speed.
+  constexpr bool kTwoPasses = hn::MaxLanes(BatchTag()) <= 4;
+  const ProbePlacement placement(texture, sampler, range, in.lod != nullptr, query != nullptr);
+  const float width = placement.width.size, height = placement.height.size;
+  alignas(64) float lengths[kTwoPasses ? kBlock : 1];
+  const size_t nonfinite = FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+    const auto f = placement.lod_given ? RoundAxes(d, p.lod) : AxesOf(d, p.derivatives, width, height);
+    if (!kTwoPasses) return placement.place(d, f, out, to);
+    hn::Store(f.square, d, out->lod + to);
+    hn::Store(f.levels, d, out->reach + to);
+    hn::Store(f.length, d, lengths + to);
+    hn::Store(f.roundness, d, out->probes + to);
+    hn::Store(f.u, d, out->step_u + to);
+    hn::Store(f.v, d, out->step_v + to);
   });
+  const BatchTag d;
+  for (size_t i = 0; kTwoPasses && i < in.count; i += hn::Lanes(d)) {
+    const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return hn::Load(d, column + i); };
+    placement.place(d,
+                    FootprintAxes<BatchTag>{load(out->lod), load(out->reach), load(lengths), load(out->probes),
+                                            load(out->step_u), load(out->step_v)},
+                    out, i);
+  }
+  return nonfinite;
 }
 
 /// Finds ellipses; in ellipses.cpp.
