@@ -274,16 +274,17 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const ProbePlacement placement(texture, sampler, range, in.lod != nullptr, query != nullptr);
   const float width = placement.width.size, height = placement.height.size;
   alignas(64) float lengths[kTwoPasses ? kBlock : 1];
-  const size_t nonfinite = FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    const auto f = placement.lod_given ? RoundAxes(d, p.lod) : AxesOf(d, p.derivatives, width, height);
-    if (!kTwoPasses) return placement.place(d, f, out, to);
-    hn::Store(f.square, d, out->lod + to);
-    hn::Store(f.levels, d, out->reach + to);
-    hn::Store(f.length, d, lengths + to);
-    hn::Store(f.roundness, d, out->probes + to);
-    hn::Store(f.u, d, out->step_u + to);
-    hn::Store(f.v, d, out->step_v + to);
-  });
+  const size_t nonfinite =
+      FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
+        const auto f = placement.lod_given ? RoundAxes(d, p.lod) : AxesOf(d, p.derivatives, width, height);
+        if (!kTwoPasses) return placement.place(d, f, out, to);
+        hn::Store(f.square, d, out->lod + to);
+        hn::Store(f.levels, d, out->reach + to);
+        hn::Store(f.length, d, lengths + to);
+        hn::Store(f.roundness, d, out->probes + to);
+        hn::Store(f.u, d, out->step_u + to);
+        hn::Store(f.v, d, out->step_v + to);
+      });
   const BatchTag d;
   for (size_t i = 0; kTwoPasses && i < in.count; i += hn::Lanes(d)) {
     const auto load = [&](const float* column) SHD_INLINE_LAMBDA { return hn::Load(d, column + i); };
