@@ -161,6 +161,7 @@ class FixedSink {
 
   HWY_INLINE void finish() {
     current_->at = next_;
+    if (next_ % kLine == 0) prefetch_outputs();
     next_ += kLanes;
     if (++current_ == vectors_ + kVectors) flush();
   }
@@ -168,6 +169,7 @@ class FixedSink {
  private:
   static constexpr size_t kLanes = hn::MaxLanes(D()), kQuad = kFixedColumns * kLanes;
   static constexpr size_t kVectors = 8, kRows = 32;  // 2 * kRows bits of FixedVector::split
+  static constexpr size_t kLine = 16;                // lookups per cache line of an output
 
   /// Begins a vector of lookups.
   HWY_INLINE void begin_vector(D d, hn::Vec<D> probes, bool two_sums) {
@@ -204,7 +206,8 @@ class FixedSink {
         const auto u = ProbeLine<D>::at(wrap_u, line.u, position, line.step_u);
         const auto v = ProbeLine<D>::at(wrap_v, line.v, position, line.step_v);
         split |= uint64_t{write<kRepeat>(d, levels.high, high, wrap_u, u, v, free_)} << (2 * row);
-        if (two_sums) split |= uint64_t{write<kRepeat>(d, levels.low, low, wrap_u, u, v, free_ + kQuad)} << (2 * row + 1);
+        if (two_sums)
+          split |= uint64_t{write<kRepeat>(d, levels.low, low, wrap_u, u, v, free_ + kQuad)} << (2 * row + 1);
         position = hn::Min(position + two, last);  // finished lanes repeat their last probe, which is not added
         free_ += 2 * kQuad;
       }
@@ -238,6 +241,14 @@ class FixedSink {
     hn::Store(upper + right, di, quad + kUpperRight * kLanes);
     hn::Store(lower + right, di, quad + kLowerRight * kLanes);
     return true;
+  }
+
+  /// Prefetches the lines of the outputs that are stored soon: 1.1 of the speed of trilinear on AVX-512.
+  HWY_INLINE void prefetch_outputs() const {
+    constexpr size_t kAhead = 128;
+    for (float* channel : out_.channel) {
+      if (channel) __builtin_prefetch(channel + next_ + kAhead, 1);
+    }
   }
 
   /// Prefetches a texel, which is read when the buffer is full. The first texel of a vector is enough: those of all
@@ -289,7 +300,7 @@ class FixedSink {
   const FixedKernels kernels_;
   const Texels out_;
   const size_t end_;
-  size_t next_ = 0;             // first lookup of the current vector
+  size_t next_ = 0;    // first lookup of the current vector
   size_t summed_ = 0;  // rows of the current vector that are in the sums
   FixedVector vectors_[kVectors];
   FixedVector* current_ = vectors_;

@@ -96,7 +96,7 @@ struct Footprint {
 /// The axes of a footprint. Its lambda, LambdaOfAxes(), takes a chain of operations as long as those of the axes.
 template <class D>
 struct FootprintAxes {
-  hn::Vec<D> square, levels;              // lambda is half the logarithm of `square`, 2^-64..2^64, plus `levels`
+  hn::Vec<D> square, levels;           // lambda is half the logarithm of `square`, 2^-64..2^64, plus `levels`
   hn::Vec<D> length, roundness, u, v;  // as in Footprint
 };
 
