@@ -70,7 +70,9 @@ bool overlap(const Extent& a, const Extent& b) {
   if (a.stride == batch_detail::kElementSize) return holds_element(a, b);
   if (b.stride == batch_detail::kElementSize) return holds_element(b, a);
   if (a.stride != b.stride || a.last() < b.first || b.last() < a.first) return false;
-  return (a.first > b.first ? a.first - b.first : b.first - a.first) % a.stride == 0;
+  const uintptr_t apart = a.first > b.first ? a.first - b.first : b.first - a.first;
+  if (apart < a.stride) return apart == 0;  // fields of one record, without a division
+  return apart % a.stride == 0;
 }
 
 template <class Void>

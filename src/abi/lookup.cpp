@@ -4,38 +4,14 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <iterator>
 
+#include "abi/call_in_place.h"
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "texture/sample.h"
 
 namespace shd::abi {
-
-namespace {
-
-/// The columns of a caller's lookups, in the order of texture::Lookups::real() and integer().
-template <class Column>
-struct Row {
-  const char* name;
-  Need need;
-  Column shd_lookups::*column;
-};
-
-constexpr Row<shd_f32_in> kFloatRows[] = {
-    {"lookups.u", Need::kRequired, &shd_lookups::u},       {"lookups.v", Need::kRequired, &shd_lookups::v},
-    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx}, {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
-    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy}, {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
-    {"lookups.lod", Need::kOptional, &shd_lookups::lod},
-};
-constexpr Row<shd_u32_in> kIntegerRows[] = {
-    {"lookups.layer", Need::kOptional, &shd_lookups::layer},
-    {"lookups.random", Need::kOptional, &shd_lookups::random},
-};
-static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
-
-}  // namespace
 
 shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,
                                     const texture::Texture** texture_body, const texture::Sampler** sampler_body) {
@@ -120,74 +96,10 @@ void write_nonfinite(size_t count, shd_texels* out) {
   if (out->struct_size == 0 || out->struct_size >= kEnd) out->nonfinite_count = count;
 }
 
-/// The first bytes of columns that a call has.
-template <size_t kMax>
-struct Places {
-  size_t count = 0;
-  uintptr_t first[kMax];
-};
-
-/// A call that kernels can serve in place: every column is sound, packed (or has one element) and apart from the
-/// others, and no derivatives are wanted. Most calls are in place, and reading them takes a few nanoseconds. Other
-/// calls, and all wrong ones, are checked column by column with a message for each error.
-class CallInPlace {
- public:
-  texture::Lookups in;
-  texture::Texels out;
-
-  /// Returns false if the call is wrong or needs copies.
-  bool read(const shd_lookups* lookups, const shd_texels* texels) {
-    if (!has_size(lookups, sizeof *lookups)) return false;
-    if (!has_size(texels, sizeof *texels) && !has_size(texels, 0)) return false;
-    count_ = in.count = lookups->count;
-    if (count_ == 0 || count_ > batch_detail::kTaskElements) return false;
-    for (size_t c = 0; c < std::size(kFloatRows); ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
-    for (size_t c = 0; c < std::size(kIntegerRows); ++c) in.integer(c) = use(lookups->*kIntegerRows[c].column, &read_);
-    for (size_t c = 0; c < 4; ++c) {
-      out.channel[c] = use(texels->channel[c], &written_);
-      out.du[c] = out.dv[c] = nullptr;
-      sound_ = sound_ && !texels->du[c].data && !texels->dv[c].data;
-    }
-    return sound_ && in.u && in.v && written_.count > 0 && are_apart();
-  }
-
- private:
-  size_t count_;
-  bool sound_ = true;
-  Places<kLookupColumns> read_;
-  Places<4> written_;
-
-  template <class Desc>
-  static bool has_size(const Desc* desc, size_t size) {
-    return desc && reinterpret_cast<uintptr_t>(desc) % alignof(Desc) == 0 && desc->struct_size == size;
-  }
-
-  /// Returns the elements of a column.
-  template <class Column, size_t kMax>
-  decltype(Column::data) use(const Column& column, Places<kMax>* places) {
-    if (!column.data) return nullptr;
-    const auto address = reinterpret_cast<uintptr_t>(column.data);
-    const bool adjacent = data::is_packed(column.stride) || (count_ == 1 && column.stride <= PTRDIFF_MAX);
-    sound_ = sound_ && adjacent && (address | column.stride) % batch_detail::kElementSize == 0;
-    places->first[places->count++] = address;
-    return column.data;
-  }
-
-  bool are_apart() const {
-    const size_t size = count_ * batch_detail::kElementSize;
-    bool apart = true;
-    const auto compare = [&](uintptr_t a, uintptr_t b) { apart = apart && a - b + size - 1 >= 2 * size - 1; };
-    for (size_t w = 0; w < written_.count; ++w) {
-      for (size_t r = 0; r < read_.count; ++r) compare(written_.first[w], read_.first[r]);
-      for (size_t other = 0; other < w; ++other) compare(written_.first[w], written_.first[other]);
-    }
-    return apart;
-  }
-};
-
-/// Checks a call column by column, and serves it.
-shd_result sample_columns(const core::Context& context, const texture::Texture& texture,
-                          const texture::Sampler& sampler, const shd_lookups* lookups, shd_texels* out) {
+/// Checks a call column by column, and serves it. Calls in place must not pay for its stack frame.
+[[gnu::noinline]] shd_result sample_columns(const core::Context& context, const texture::Texture& texture,
+                                            const texture::Sampler& sampler, const shd_lookups* lookups,
+                                            shd_texels* out) {
   LookupBatch batch;
   SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
   shd_texels texels = {};

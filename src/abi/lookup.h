@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 
 #include <shd/lookup.h>
 
@@ -13,6 +14,26 @@ namespace shd::abi {
 
 constexpr size_t kLookupColumns = texture::kFloatColumns + texture::kIntegerColumns;
 using LookupColumns = std::array<InColumn, kLookupColumns>;
+
+/// A column of a caller's lookups. Their tables have the order of texture::Lookups::real() and integer().
+template <class Column>
+struct LookupRow {
+  const char* name;
+  Need need;
+  Column shd_lookups::*column;
+};
+
+inline constexpr LookupRow<shd_f32_in> kFloatRows[] = {
+    {"lookups.u", Need::kRequired, &shd_lookups::u},       {"lookups.v", Need::kRequired, &shd_lookups::v},
+    {"lookups.dudx", Need::kOptional, &shd_lookups::dudx}, {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
+    {"lookups.dudy", Need::kOptional, &shd_lookups::dudy}, {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
+    {"lookups.lod", Need::kOptional, &shd_lookups::lod},
+};
+inline constexpr LookupRow<shd_u32_in> kIntegerRows[] = {
+    {"lookups.layer", Need::kOptional, &shd_lookups::layer},
+    {"lookups.random", Need::kOptional, &shd_lookups::random},
+};
+static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
 
 /// Reads the handles of a texture and of the sampler that filters it.
 shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,

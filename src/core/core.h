@@ -21,6 +21,7 @@
 /// | scratch.h     | working memory that is kept from call to call                     |
 /// | simd_name.h   | names of SIMD targets                                             |
 /// | simd_target.h | the SIMD target of a context and the dispatch to it               |
+/// | simd_narrow.h | the SIMD target of a few elements                               |
 /// | context.h     | Context: allocator, executor, log, target, handles, scratch       |
 /// | executor.h    | parallel_for over a Context                                       |
 /// | object.h      | handles: slabs, reference counts, type and life tags              |

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/simd_target.h"
+#include "core/simd_narrow.h"
 #include "core/status.h"
 #include "texture/filter/magnify.h"
 
@@ -107,7 +107,8 @@ void complete_columns(const Texture& texture, const Texels& stored, size_t count
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& wanted, Recording* recording) {
   const bool gradient = wanted.wants_gradient();
-  const Kernels kernels = SHD_DISPATCH(KernelsOf, simd)(sampler, texture.component, gradient);
+  const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
+  const Kernels kernels = HWY_DISPATCH_TABLE(KernelsOf)[target](sampler, texture.component, gradient);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
     return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});
