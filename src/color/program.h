@@ -46,7 +46,7 @@ struct Stage {
   float low, high;  // limits of kClamp, and of the results of kMatrix
   float luminance[3], floor;
   const float* hue_weight;  // [kHueSteps + 1]
-  Curves curves;            // of kSurround: value[0] is the gain over luminance
+  Curves curves;            // a surround has one, its gain over luminance
   Lattice lattice;
 };
 
