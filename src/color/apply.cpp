@@ -112,8 +112,10 @@ void apply_tile(shd_context*, const Transform& transform, const Planes& in, cons
 }
 
 void apply_tile(shd_context* context, const Program& program, const Planes& in, const shd_image& out) {
-  const size_t target = find_target(shd_context_simd_target(context));
-  apply_range(target, program, in, 0, size_t{in.width} * in.height, out);
+  Rectangle pixels = {{}, {}, in.width, in.height, static_cast<unsigned char*>(out.pixels), out.row_stride};
+  std::copy(in.plane, in.plane + 4, pixels.plane);
+  std::copy(in.row_stride, in.row_stride + 4, pixels.row_stride);
+  show(find_target(shd_context_simd_target(context)), program, pixels);
 }
 
 void apply_in_place(shd_context* context, const Transform& transform, const shd_image& in_out) {

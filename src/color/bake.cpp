@@ -13,6 +13,7 @@ constexpr float kLargestTableValue = 1e16f;
 constexpr double kLargestNumber = 1e18;  // squares and their sums are still finite
 
 constexpr int kCurveShift[kTableSizes] = {14, 11};  // keys of a curve's step, as a power of two
+constexpr int kGainShift = 17;                      // 64 steps an octave: a power of 0.98 is off by less than 1e-6
 constexpr float kNoLimit = 3e38f;
 constexpr size_t kMostCodeWords = size_t{1} << 20;
 
@@ -227,10 +228,28 @@ class Baker {
     stage->kind = StageKind::kSurround;
     std::copy(part.luminance, part.luminance + 3, stage->luminance);
     stage->floor = part.floor;
-    stage->exponent = part.exponent;
+    set_gains(part, stage);
     const double gain = std::max(std::pow(static_cast<double>(part.floor), static_cast<double>(part.exponent)),
                                  std::pow(std::max(bound_, 1.0), static_cast<double>(part.exponent)));
     bound_ *= gain <= 1.0 ? 1.0 : gain;
+  }
+
+  /// The power of luminance, from the floor to the largest luminance that numbers within the bound have.
+  void set_gains(const Part& part, Stage* stage) {
+    double largest = 2.0 * static_cast<double>(part.floor);
+    for (const float weight : part.luminance) largest += std::fabs(static_cast<double>(weight)) * bound_;
+    const int32_t first = round_down(to_key(part.floor), kGainShift), step = 1 << kGainShift;
+    const int32_t end = round_down(to_key(static_cast<float>(largest)), kGainShift) + step;
+    const size_t steps = steps_between(first, end, kGainShift);
+    float* gains = allocate<float>(steps + 1);
+    for (size_t i = 0; i <= steps; ++i) {
+      const double luminance = static_cast<double>(from_key(first + static_cast<int32_t>(i) * step));
+      gains[i] = static_cast<float>(std::pow(luminance, static_cast<double>(part.exponent)));
+    }
+    stage->curves.value[0] = gains;
+    stage->curves.first = first;
+    stage->curves.last = end - 1;
+    stage->curves.shift = kGainShift;
   }
 
   void set_lut3d(const Part& part, Stage* stage) {

@@ -44,9 +44,9 @@ struct Stage {
   StageKind kind;
   float matrix[3][4];
   float low, high;  // limits of kClamp, and of the results of kMatrix
-  float luminance[3], floor, exponent;
+  float luminance[3], floor;
   const float* hue_weight;  // [kHueSteps + 1]
-  Curves curves;
+  Curves curves;            // a surround has one, its gain over luminance
   Lattice lattice;
 };
 
@@ -64,8 +64,22 @@ struct Program {
 /// Row of Highway's dispatch tables for a target named by shd_context_simd_target().
 size_t find_target(const char* name);
 
-/// Brings premultiplied pixels to RGBA8, as unpremultiply(), a transform and store_pixels() do. The bits are those of
-/// every other target.
-void show(size_t target, const Program& program, const float* const plane[4], size_t count, void* out);
+/// Premultiplied pixels and their place in an RGBA8 image.
+struct Rectangle {
+  const float* plane[4];
+  size_t row_stride[4];  // bytes
+  size_t width, height;
+  unsigned char* out;
+  size_t out_stride;  // bytes
+};
+
+/// Brings pixels to RGBA8, as unpremultiply(), a transform and store_pixels() do. The bits are those of every other
+/// target, and do not depend on the rectangle.
+void show(size_t target, const Program& program, const Rectangle& pixels);
+
+/// One row of `count` pixels.
+inline void show(size_t target, const Program& program, const float* const plane[4], size_t count, void* out) {
+  show(target, program, {{plane[0], plane[1], plane[2], plane[3]}, {}, count, 1, static_cast<unsigned char*>(out), 0});
+}
 
 }  // namespace shd::color

@@ -10,7 +10,6 @@
 
 #include "core/simd_name.h"
 #include "simd/gather-inl.h"
-#include "simd/math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::color::HWY_NAMESPACE {
@@ -78,17 +77,30 @@ HWY_INLINE void Unpremultiply(VF& r, VF& g, VF& b, VF& a) {
   b = hn::IfThenElseZero(visible, clean(b / divisor));
 }
 
-HWY_INLINE void LoadBlock(const float* const plane[4], size_t count, Block* block) {
+/// Loads one vector, of pixels at `plane`, to `at` in the block.
+HWY_INLINE void LoadPixels(const float* const plane[4], Block* block, size_t at) {
   const DF d;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    VF r = hn::LoadU(d, plane[0] + i), g = hn::LoadU(d, plane[1] + i), b = hn::LoadU(d, plane[2] + i);
-    VF a = hn::LoadU(d, plane[3] + i);
-    Unpremultiply(r, g, b, a);
-    hn::Store(r, d, block->r + i);
-    hn::Store(g, d, block->g + i);
-    hn::Store(b, d, block->b + i);
-    hn::Store(a, d, block->a + i);
+  VF r = hn::LoadU(d, plane[0]), g = hn::LoadU(d, plane[1]), b = hn::LoadU(d, plane[2]), a = hn::LoadU(d, plane[3]);
+  Unpremultiply(r, g, b, a);
+  hn::Store(r, d, block->r + at);
+  hn::Store(g, d, block->g + at);
+  hn::Store(b, d, block->b + at);
+  hn::Store(a, d, block->a + at);
+}
+
+/// Loads `count` pixels to `at`; a last vector is filled with zeros.
+HWY_INLINE void LoadRow(const float* const plane[4], size_t count, Block* block, size_t at) {
+  const size_t lanes = hn::Lanes(DF());
+  size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const float* const from[4] = {plane[0] + i, plane[1] + i, plane[2] + i, plane[3] + i};
+    LoadPixels(from, block, at + i);
   }
+  if (i == count) return;
+  float rest[4][hn::MaxLanes(DF())] = {};
+  for (size_t c = 0; c < 4; ++c) std::memcpy(rest[c], plane[c] + i, (count - i) * sizeof(float));
+  const float* const from[4] = {rest[0], rest[1], rest[2], rest[3]};
+  LoadPixels(from, block, at + i);
 }
 
 HWY_INLINE void RunMatrix(const Stage& stage, Block* block, size_t count) {
@@ -182,10 +194,8 @@ HWY_INLINE void RunRedModifier(const float* weights, Block* block, size_t count)
 
 HWY_INLINE void RunSurround(const Stage& stage, Block* block, size_t count) {
   ForEach(block, count, [&](VF& r, VF& g, VF& b) HWY_ATTR {
-    const DF d;
     const VF sum = Set(stage.luminance[0]) * r + Set(stage.luminance[1]) * g + Set(stage.luminance[2]) * b;
-    const VF log = simd::HWY_NAMESPACE::Log2(d, hn::Max(sum, Set(stage.floor)));
-    const VF gain = simd::HWY_NAMESPACE::Exp2(d, log * Set(stage.exponent));
+    const VF gain = Curve(stage.curves, 0, hn::Max(sum, Set(stage.floor)));
     r = r * gain, g = g * gain, b = b * gain;
   });
 }
@@ -300,36 +310,52 @@ HWY_INLINE VU Pixels(const Codes& codes, VF r, VF g, VF b, VF a) {
   return hn::IfThenElseZero(hn::RebindMask(du, hn::Gt(a, hn::Zero(d))), pixels);
 }
 
-/// `count` is a multiple of the lanes.
-void ShowBlock(const Program& program, const float* const plane[4], size_t count, unsigned char* out) {
+/// Stores `count` pixels from `at` on.
+HWY_INLINE void StoreRow(const Codes& codes, const Block& block, size_t at, size_t count, unsigned char* out) {
   const DF d;
-  Block block;
-  LoadBlock(plane, count, &block);
-  for (const Stage& stage : program.stages) RunStage(stage, &block, count);
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const VU pixels = Pixels(program.codes, hn::Load(d, block.r + i), hn::Load(d, block.g + i),
-                             hn::Load(d, block.b + i), hn::Load(d, block.a + i));
+  const size_t lanes = hn::Lanes(d);
+  for (size_t i = 0; i < count; i += lanes) {
+    const VU pixels = Pixels(codes, hn::Load(d, block.r + at + i), hn::Load(d, block.g + at + i),
+                             hn::Load(d, block.b + at + i), hn::Load(d, block.a + at + i));
     alignas(64) uint32_t words[hn::MaxLanes(DU())];
     hn::Store(pixels, DU(), words);
-    std::memcpy(out + 4 * i, words, 4 * hn::Lanes(d));
+    if (i + lanes <= count) {
+      std::memcpy(out + 4 * i, words, 4 * lanes);
+    } else {
+      std::memcpy(out + 4 * i, words, 4 * (count - i));
+    }
   }
 }
 
-void Show(const Program& program, const float* const plane[4], size_t count, unsigned char* out) {
-  const DF d;
-  const size_t lanes = hn::Lanes(d);
-  const size_t whole = count / lanes * lanes;
-  for (size_t i = 0; i < whole; i += kBlock) {
-    const float* const at[4] = {plane[0] + i, plane[1] + i, plane[2] + i, plane[3] + i};
-    ShowBlock(program, at, HWY_MIN(kBlock, whole - i), out + 4 * i);
+const float* PixelAt(const Rectangle& pixels, size_t channel, size_t row, size_t column) {
+  const auto* bytes = reinterpret_cast<const unsigned char*>(pixels.plane[channel]);
+  return reinterpret_cast<const float*>(bytes + row * pixels.row_stride[channel]) + column;
+}
+
+/// Rows of at most kBlock pixels, as many as fill a block.
+void ShowBlock(const Program& program, const Rectangle& pixels, size_t row, size_t rows, size_t column, size_t width,
+               size_t pitch) {
+  Block block;
+  for (size_t y = 0; y < rows; ++y) {
+    const float* plane[4];
+    for (size_t c = 0; c < 4; ++c) plane[c] = PixelAt(pixels, c, row + y, column);
+    LoadRow(plane, width, &block, y * pitch);
   }
-  if (whole == count) return;
-  float rest[4][hn::MaxLanes(DF())] = {};
-  for (size_t c = 0; c < 4; ++c) std::memcpy(rest[c], plane[c] + whole, (count - whole) * sizeof(float));
-  const float* const at[4] = {rest[0], rest[1], rest[2], rest[3]};
-  unsigned char pixels[4 * hn::MaxLanes(DF())];
-  ShowBlock(program, at, lanes, pixels);
-  std::memcpy(out + 4 * whole, pixels, 4 * (count - whole));
+  for (const Stage& stage : program.stages) RunStage(stage, &block, rows * pitch);
+  for (size_t y = 0; y < rows; ++y) {
+    StoreRow(program.codes, block, y * pitch, width, pixels.out + (row + y) * pixels.out_stride + 4 * column);
+  }
+}
+
+void Show(const Program& program, const Rectangle& pixels) {
+  const size_t lanes = hn::Lanes(DF());
+  for (size_t column = 0; column < pixels.width; column += kBlock) {
+    const size_t width = HWY_MIN(kBlock, pixels.width - column);
+    const size_t pitch = (width + lanes - 1) / lanes * lanes, most = kBlock / pitch;
+    for (size_t row = 0; row < pixels.height; row += most) {
+      ShowBlock(program, pixels, row, HWY_MIN(most, pixels.height - row), column, width, pitch);
+    }
+  }
 }
 
 }  // namespace shd::color::HWY_NAMESPACE
@@ -354,8 +380,8 @@ size_t find_target(const char* name) {
 #endif
 }
 
-void show(size_t target, const Program& program, const float* const plane[4], size_t count, void* out) {
-  HWY_DISPATCH_TABLE(Show)[target](program, plane, count, static_cast<unsigned char*>(out));
+void show(size_t target, const Program& program, const Rectangle& pixels) {
+  HWY_DISPATCH_TABLE(Show)[target](program, pixels);
 }
 
 }  // namespace shd::color

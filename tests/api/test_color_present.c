@@ -201,8 +201,8 @@ struct arguments {
     const shd_render_desc *render;
     const char *display, *view;
     const shd_image *out;
-    shd_render_desc desc; /* what render points to */
-    shd_image image;      /* what out points to */
+    shd_render_desc desc; /* target of render */
+    shd_image image;      /* target of out */
 };
 
 static shd_result take_nothing(void *user_data, const shd_present_tile *tile)

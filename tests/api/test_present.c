@@ -8,12 +8,12 @@
 
 enum { MAX_WIDTH = 203, MAX_HEIGHT = 151, MAX_PIXELS = MAX_WIDTH * MAX_HEIGHT, WORKERS = 4 };
 
-/* What a callback received. */
+/* The tiles that a callback received. */
 struct receiver {
     pthread_mutex_t mutex;
     uint32_t width, height;
     float rgba[4 * MAX_PIXELS];
-    uint8_t times[MAX_PIXELS]; /* how often each pixel was passed */
+    uint8_t times[MAX_PIXELS]; /* number of times that each pixel was passed */
     int inside[WORKERS];       /* calls of a worker that run */
     int calls, mistakes;
     int fail_at; /* 0 = never */
