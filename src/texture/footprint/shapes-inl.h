@@ -202,7 +202,7 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const bool lod_given = in.lod != nullptr;
   const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
   const float shift = level_shift(sampler, lod_given);
-  const bool one_footprint = !lod_given && ShareFootprint(in);
+  const bool one_footprint = !lod_given && in.count > kMaxLanes && ShareFootprint(in);
   auto latest = hn::Zero(BatchTag());
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
     if (!one_footprint || to == 0) {
