@@ -220,37 +220,61 @@ static void test_pixels(void **state)
     expect_hash("interleaved colour", shd_pixel_hash, 3);
 }
 
+static void test_textured(void **state)
+{
+    (void)state;
+    expect_hash("frames of one texture", shd_textured_hash, 3);
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
     uint64_t hash;
 };
-static struct golden_row k_golden[] = {{"mixed", 0},   {"floor", 0},   {"lit", 0},     {"glass", 0},   {"moved", 0},
-                                       {"lines", 0},   {"surface", 0}, {"lookups", 0}, {"filters", 0}, {"profiles", 0},
-                                       {"shadows", 0}, {"pixels", 0},  {"fast", 0},    {"exact", 0}};
-enum { k_golden_count = sizeof k_golden / sizeof k_golden[0] };
+enum {
+    MIXED,
+    FLOOR,
+    LIT,
+    GLASS,
+    MOVED,
+    LINES,
+    SURFACE,
+    LOOKUPS,
+    FILTERS,
+    PROFILES,
+    SHADOWS,
+    PIXELS,
+    FAST,
+    EXACT,
+    TEXTURED,
+    k_golden_count
+};
+static struct golden_row k_golden[k_golden_count] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},     {"glass", 0},
+                                                     {"moved", 0},   {"lines", 0},    {"surface", 0}, {"lookups", 0},
+                                                     {"filters", 0}, {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
+                                                     {"fast", 0},    {"exact", 0},    {"textured", 0}};
 
 static void measure_golden(void)
 {
     uint64_t filters[k_filter_cases], fast[k_fast_cases];
-    int kind;
-    for (kind = SHD_SCENE_MIXED; kind <= SHD_SCENE_GLASS; ++kind) {
-        k_golden[kind].hash = shd_scene_reference((shd_scene_kind)kind);
-    }
-    k_golden[k_golden_count - 10].hash = shd_scene_reference(SHD_SCENE_MOVED);
-    k_golden[k_golden_count - 9].hash = shd_scene_reference(SHD_SCENE_LINES);
-    k_golden[k_golden_count - 8].hash = shd_scene_reference(SHD_SCENE_SURFACE);
-    k_golden[k_golden_count - 7].hash = shd_lookup_hash(NULL);
+    const uint64_t *const profiled = filters + k_plain_cases, *const exact = profiled + k_profiled_cases;
+    k_golden[MIXED].hash = shd_scene_reference(SHD_SCENE_MIXED);
+    k_golden[FLOOR].hash = shd_scene_reference(SHD_SCENE_FLOOR);
+    k_golden[LIT].hash = shd_scene_reference(SHD_SCENE_LIT);
+    k_golden[GLASS].hash = shd_scene_reference(SHD_SCENE_GLASS);
+    k_golden[MOVED].hash = shd_scene_reference(SHD_SCENE_MOVED);
+    k_golden[LINES].hash = shd_scene_reference(SHD_SCENE_LINES);
+    k_golden[SURFACE].hash = shd_scene_reference(SHD_SCENE_SURFACE);
+    k_golden[LOOKUPS].hash = shd_lookup_hash(NULL);
     shd_filter_hashes(NULL, filters);
-    k_golden[k_golden_count - 6].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 5].hash =
-        shd_hash(SHD_HASH_START, filters + k_plain_cases, k_profiled_cases * sizeof *filters);
-    k_golden[k_golden_count - 1].hash =
-        shd_hash(SHD_HASH_START, filters + k_plain_cases + k_profiled_cases, k_plain_cases * sizeof *filters);
-    k_golden[k_golden_count - 4].hash = shd_shadow_hash(NULL);
-    k_golden[k_golden_count - 3].hash = shd_pixel_hash(NULL);
+    k_golden[FILTERS].hash = shd_hash(SHD_HASH_START, filters, k_plain_cases * sizeof *filters);
+    k_golden[PROFILES].hash = shd_hash(SHD_HASH_START, profiled, k_profiled_cases * sizeof *filters);
+    k_golden[EXACT].hash = shd_hash(SHD_HASH_START, exact, k_plain_cases * sizeof *filters);
+    k_golden[SHADOWS].hash = shd_shadow_hash(NULL);
+    k_golden[PIXELS].hash = shd_pixel_hash(NULL);
     shd_fast_hashes(NULL, k_filter_lookups, fast);
-    k_golden[k_golden_count - 2].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
+    k_golden[FAST].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
+    k_golden[TEXTURED].hash = shd_textured_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -300,6 +324,7 @@ int main(int argc, char **argv)
         {"fast", test_fast, NULL, NULL, NULL},
         {"shadows", test_shadows, NULL, NULL, NULL},
         {"pixels", test_pixels, NULL, NULL, NULL},
+        {"textured", test_textured, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();
