@@ -120,9 +120,9 @@ HWY_INLINE void ForEachVector(const Lookups& block, const Body& body) {
   }
 }
 
-/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. If the shape
-/// depends on derivatives, width and blur of the sampler are applied to those of `points`. Returns the number of lookups
-/// that were not finite.
+/// Fills the columns of a PointBlock and calls body(d, points, to) for each vector, which writes its shape. Unless
+/// kWidens is false, width and blur of the sampler are applied to the derivatives of `points`. Returns the number of
+/// lookups that were not finite.
 template <bool kWidens = true, class Body>
 HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, const Lookups& in, PointBlock* out,
                             const Body& body) {
