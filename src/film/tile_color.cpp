@@ -81,12 +81,11 @@ float* TileColor::split(uint32_t pixel) {
   float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
   split_.is_split[pixel] = 1;
-  float* to = samples;
-  for (uint32_t s = 0; s < samples_; ++s) {
-    for (uint32_t t = 0; t < target_count_; ++t) {
-      const size_t at_pixel = position(pixel, t);
-      for (uint32_t c = 0; c < 4; ++c) *to++ = planes_[t].plane[c][at_pixel];
-    }
+  for (uint32_t t = 0; t < target_count_; ++t) {
+    const size_t at_pixel = position(pixel, t);
+    float color[4];
+    for (uint32_t c = 0; c < 4; ++c) color[c] = planes_[t].plane[c][at_pixel];
+    for (uint32_t s = 0; s < samples_; ++s) std::memcpy(samples + 4 * (s * target_count_ + t), color, sizeof color);
   }
   return samples;
 }

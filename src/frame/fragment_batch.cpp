@@ -46,19 +46,16 @@ void FragmentBatch::begin(uint32_t draw) {
 
 ShadingPoints FragmentBatch::shading_points(const geometry::ScreenTriangle& triangle) const {
   ShadingPoints points;
-  points.per_sample = per_sample_;
-  for (int k = 0; k < 3 && tile_.pattern.count > 1; ++k) {
-    points.line[k] = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
-    points.at_centre[k] = raster::edge_at(points.line[k], kCentre);
+  const uint32_t count = tile_.pattern.count;
+  points.per_sample = count > 1 && tile_.draw_of(triangle).sample_shading;
+  for (int k = 0; k < 3 && count > 1; ++k) {
+    const raster::EdgeLine line = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
+    points.a[k] = line.a;
+    points.b[k] = line.b;
+    points.at_centre[k] = raster::edge_at(line, kCentre).value;
+    for (uint32_t s = 0; s < count; ++s) points.at_sample[k][s] = raster::edge_at(line, tile_.pattern.point[s]).value;
   }
   return points;
-}
-
-bool FragmentBatch::covers_centre(const ShadingPoints& points, uint32_t pixel) const {
-  const int64_t x = pixel % raster::kTile, y = pixel / raster::kTile;
-  int64_t sides = 0;
-  for (const raster::Edge& edge : points.at_centre) sides |= edge.value + edge.a * x + edge.b * y;
-  return sides >= 0;
 }
 
 /// Samples of a row that the triangle covers, visible or not. Independent of occlusion, so that results do not depend
@@ -66,31 +63,40 @@ bool FragmentBatch::covers_centre(const ShadingPoints& points, uint32_t pixel) c
 uint32_t FragmentBatch::covered_samples(const ShadingPoints& points, size_t row) const {
   const raster::Fragments& f = worker_.workspace.fragments;
   if (points.per_sample || f.mask[row] == tile_.all_samples()) return f.mask[row];
-  const int64_t x = f.pixel[row] % raster::kTile * geometry::kSubpixels;
-  const int64_t y = f.pixel[row] / raster::kTile * geometry::kSubpixels;
-  int64_t corner[3];
-  for (int k = 0; k < 3; ++k) corner[k] = points.line[k].value + points.line[k].a * x + points.line[k].b * y;
+  return samples_at(points, PixelEdges(points, f.pixel[row]));
+}
+
+uint32_t FragmentBatch::samples_at(const ShadingPoints& points, const PixelEdges& edges) const {
   uint32_t mask = 0;
-  for (uint32_t s = 0; s < tile_.pattern.count; ++s) {
-    const raster::SamplePoint& point = tile_.pattern.point[s];
-    int64_t sides = 0;
-    for (int k = 0; k < 3; ++k) sides |= corner[k] + points.line[k].a * point.x + points.line[k].b * point.y;
-    mask |= static_cast<uint32_t>(sides >= 0) << s;
+  for (uint32_t s = 0; s < tile_.pattern.count; s += 2) {
+    for (uint32_t i = s; i < s + 2; ++i) {
+      const int64_t sides = (edges.step[0] + points.at_sample[0][i]) | (edges.step[1] + points.at_sample[1][i]) |
+                            (edges.step[2] + points.at_sample[2][i]);
+      mask |= static_cast<uint32_t>(sides >= 0) << i;
+    }
   }
   return mask;
 }
 
-/// Moves a row from the centre of its pixel to the centroid of the covered samples, unless the triangle covers the
+/// Moves rows from the centre of their pixels to the centroid of the covered samples, unless the triangle covers the
 /// centre.
-void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) const {
+void FragmentBatch::move_to_centroids(const ShadingPoints& points, size_t begin, size_t end) const {
   raster::Fragments& f = worker_.workspace.fragments;
-  if (!points.per_sample && (f.mask[row] == tile_.all_samples() || covers_centre(points, f.pixel[row]))) return;
-  const uint32_t mask = covered_samples(points, row);
-  if (!points.per_sample && mask == tile_.all_samples()) return;
-  const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
-  const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
-  f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
-  f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
+  const uint32_t all = tile_.all_samples();
+  for (size_t row = begin; row < end; ++row) {
+    uint32_t mask = f.mask[row];
+    if (!points.per_sample) {
+      if (mask == all) continue;
+      const PixelEdges edges(points, f.pixel[row]);
+      if (edges.covers(points.at_centre)) continue;
+      mask = samples_at(points, edges);
+      if (mask == all) continue;
+    }
+    const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
+    const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
+    f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
+    f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
+  }
 }
 
 /// Appends pixels of the latest triangle to the table, which must have room for them.
@@ -108,7 +114,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   }
   f.count += count;
   worker_.runs.run[worker_.runs.count++] = run;
-  for (size_t i = begin; i < f.count && tile_.pattern.count > 1; ++i) move_to_centroid(points, i);
+  if (tile_.pattern.count > 1) move_to_centroids(points, begin, f.count);
   if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
   if (!keeps_triangles_) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);

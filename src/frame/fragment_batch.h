@@ -11,11 +11,22 @@
 namespace shd::frame {
 
 /// Shading positions of a triangle in its pixels: each sample, or one point per pixel, which is the centre or the
-/// centroid of the covered samples.
+/// centroid of the covered samples. The edges are those of raster::Edge, and set with several samples per pixel.
 struct ShadingPoints {
   bool per_sample;
-  raster::EdgeLine line[3];   // set with several samples per pixel
-  raster::Edge at_centre[3];  // set with several samples per pixel
+  int64_t a[3], b[3];  // steps of the edges
+  int64_t at_centre[3], at_sample[3][raster::kMaxSamples];
+};
+
+/// The edges of a triangle at a pixel, without the value at a point of the pixel.
+struct PixelEdges {
+  PixelEdges(const ShadingPoints& points, uint32_t pixel) {
+    const int64_t x = pixel % raster::kTile, y = pixel / raster::kTile;
+    for (int k = 0; k < 3; ++k) step[k] = points.a[k] * x + points.b[k] * y;
+  }
+  bool covers(const int64_t (&at)[3]) const { return ((step[0] + at[0]) | (step[1] + at[1]) | (step[2] + at[2])) >= 0; }
+
+  int64_t step[3];
 };
 
 /// Gathers the fragments of one draw in the worker's table. A full table is shaded; then done(draw) reads the radiance.
@@ -83,9 +94,9 @@ class FragmentBatch {
 
   void begin(uint32_t draw);
   ShadingPoints shading_points(const geometry::ScreenTriangle& triangle) const;
-  bool covers_centre(const ShadingPoints& points, uint32_t pixel) const;
   uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
-  void move_to_centroid(const ShadingPoints& points, size_t row) const;
+  uint32_t samples_at(const ShadingPoints& points, const PixelEdges& edges) const;
+  void move_to_centroids(const ShadingPoints& points, size_t begin, size_t end) const;
   void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
   void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);
