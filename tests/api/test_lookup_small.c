@@ -66,7 +66,7 @@ static size_t look_up(const shd_texture *texture, const shd_sampler *sampler, si
     return texels.nonfinite_count;
 }
 
-/** The same with inputs and outputs in one array of records. */
+/** Filters the same points with inputs and outputs in one array of records. */
 static size_t look_up_records(const shd_texture *texture, const shd_sampler *sampler, size_t first, size_t count,
                               float out[4][POINTS + CANARY])
 {
@@ -157,7 +157,7 @@ struct place_case {
     const char *name;
     size_t count;
     size_t u, v, red, green; /* first element of each column in one array */
-    size_t stride;           /* of every column [elements] */
+    size_t stride;           /* stride of every column [elements] */
     const char *message;     /* NULL = accepted */
 };
 static const struct place_case k_places[] = {
