@@ -127,9 +127,7 @@ HWY_INLINE VU HalfBits(VF value) {
 /// The formats: words of one channel, packed into vectors of 32 bits.
 struct Unorm8 {
   static constexpr size_t kWords = 1;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
-    hn::StoreU(Unorm8Codes<4>(p), DU(), out);
-  }
+  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) { hn::StoreU(Unorm8Codes<4>(p), DU(), out); }
 };
 struct Srgb8 {
   static constexpr size_t kWords = 1;
