@@ -2,7 +2,8 @@
 // frame/spheres/<triangles>/<target or peer>: 1024 x 1024 pixels, one thread, a mipmapped RGBA8 texture with trilinear
 // lookups, two point lights, Blinn-Phong per fragment, back faces culled. Items are triangles.
 // frame/<variant>/<triangles>/<target>: the same frame with several samples, depth alone, RGBA8 pixels or
-// half-transparent spheres; over_spheres is its time divided by the time of the plain frame.
+// half-transparent spheres, or with a vertex program, a normal map, shadows or lines (Feature); over_spheres is its time
+// divided by the time of the plain frame.
 // frame/draws/{one,10648}/<target>: 10,648 spheres of 18 triangles as one draw of one mesh, and as a draw each;
 // over_one is the time divided by that of one draw.
 #include <algorithm>
@@ -15,13 +16,18 @@ namespace shd::bench {
 namespace {
 
 constexpr Variant kPlain = {"spheres", 1, true, SHD_BLEND_OPAQUE};
-constexpr Variant kVariants[] = {{"msaa4", 4, true, SHD_BLEND_OPAQUE},
-                                 {"msaa16", 16, true, SHD_BLEND_OPAQUE},
-                                 {"depth", 1, false, SHD_BLEND_OPAQUE},
-                                 {"blended", 1, true, SHD_BLEND_PREMULTIPLIED},
-                                 {"rgba8", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA8},
-                                 {"weighted", 1, true, SHD_BLEND_WEIGHTED},
-                                 {"sorted", 1, true, SHD_BLEND_SORTED}};
+constexpr Variant kVariants[] = {
+    {"msaa4", 4, true, SHD_BLEND_OPAQUE},
+    {"msaa16", 16, true, SHD_BLEND_OPAQUE},
+    {"depth", 1, false, SHD_BLEND_OPAQUE},
+    {"blended", 1, true, SHD_BLEND_PREMULTIPLIED},
+    {"rgba8", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA8},
+    {"weighted", 1, true, SHD_BLEND_WEIGHTED},
+    {"sorted", 1, true, SHD_BLEND_SORTED},
+    {"vertex_program", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA32F, Feature::kVertexProgram},
+    {"normal_map", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA32F, Feature::kNormalMap},
+    {"shadows", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA32F, Feature::kShadows},
+    {"lines", 1, true, SHD_BLEND_OPAQUE, SHD_FORMAT_RGBA32F, Feature::kLines}};
 
 std::string row_name(const Spheres& spheres, const std::string& who, const Variant& variant = kPlain) {
   return std::string("frame/") + variant.name + "/" + spheres.name + "/" + who;

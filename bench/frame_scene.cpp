@@ -4,6 +4,14 @@
 #include <algorithm>
 
 namespace shd::bench {
+namespace {
+
+/// A shear in clip space.
+void move_vertices(const shd_vertices* in, shd_vertex_outputs* out, void*) {
+  for (size_t i = 0; i < in->count; ++i) out->y[i] += 0.05f * out->px[i];
+}
+
+}  // namespace
 
 const std::vector<Spheres>& sphere_frames() {
   static const std::vector<Spheres> all = {make_spheres("2k", 16, 9, 2), make_spheres("100k", 30, 27, 4),
@@ -35,7 +43,7 @@ FrameScene::FrameScene(shd_simd simd, uint32_t samples, shd_format color, uint32
 
 FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& variant, uint32_t workers)
     : FrameScene(simd, variant.samples, variant.color, workers) {
-  make_mesh(spheres);
+  make_mesh(spheres, variant.feature);
   shd_material_desc material = shd_material_desc_default();
   material.blend = variant.blend;
   material.opacity = 0.5f;
@@ -46,18 +54,21 @@ FrameScene::FrameScene(const Spheres& spheres, shd_simd simd, const Variant& var
     material.specular[c] = kSpecular;
   }
   material.exponent = kExponent;
-  make_material(material);
+  if (variant.feature == Feature::kVertexProgram) material.program.vertex = move_vertices;
+  make_material(material, variant.feature);
   make_lights();
   for (size_t i = 0; i < spheres.sphere_count(); ++i) {
     shd_draw draw = shd_draw_default();
     draw.mesh = mesh_;
     draw.material = variant.shaded ? material_ : nullptr;
     draw.cull = SHD_CULL_BACK;
+    draw.fill = variant.feature == Feature::kLines ? SHD_FILL_WIREFRAME : SHD_FILL_SOLID;
     std::copy_n(&spheres.object_to_world[16 * i], 16, draw.object_to_world);
     draws_.push_back(draw);
   }
   desc_.view = spheres.view;
   set_draws();
+  if (variant.feature == Feature::kShadows) make_shadows();
 }
 
 FrameScene::FrameScene(const Surface& surface, shd_simd simd, const SurfaceFilter& filter, shd_format color,
@@ -87,6 +98,7 @@ FrameScene::FrameScene(const Surface& surface, shd_simd simd, const SurfaceFilte
 
 FrameScene::~FrameScene() {
   shd_framebuffer_release(framebuffer_);
+  for (shd_shadow* shadow : shadows_) shd_shadow_release(shadow);
   for (shd_light* light : lights_) shd_light_release(light);
   shd_material_release(material_);
   shd_mesh_release(mesh_);
@@ -105,8 +117,9 @@ std::vector<float> FrameScene::image() const {
   return rgba;
 }
 
-void FrameScene::make_mesh(const Spheres& spheres) {
+void FrameScene::make_mesh(const Spheres& spheres, Feature feature) {
   shd_mesh_desc desc = shd_mesh_desc_default();
+  if (feature == Feature::kNormalMap) desc.flags = SHD_MESH_TANGENTS;
   desc.vertex_count = static_cast<uint32_t>(spheres.position[0].size());
   for (int k = 0; k < 3; ++k) desc.position[k].data = desc.normal[k].data = spheres.position[k].data();
   for (int k = 0; k < 2; ++k) desc.uv[k].data = spheres.uv[k].data();
@@ -133,11 +146,12 @@ void FrameScene::make_mesh(const Surface& surface) {
   check(shd_mesh_create(context_, &desc, &mesh_));
 }
 
-void FrameScene::make_material(const shd_material_desc& desc) {
+void FrameScene::make_material(const shd_material_desc& desc, Feature feature) {
   shd_material_desc textured = desc;
-  const shd_slot diffuse = shd_slot_texture(SHD_SLOT_DIFFUSE, texture_, sampler_);
-  textured.slots = &diffuse;
-  textured.slot_count = 1;
+  const shd_slot slots[2] = {shd_slot_texture(SHD_SLOT_DIFFUSE, texture_, sampler_),
+                             shd_slot_texture(SHD_SLOT_NORMAL, texture_, sampler_)};
+  textured.slots = slots;
+  textured.slot_count = feature == Feature::kNormalMap ? 2 : 1;
   check(shd_material_create(context_, &textured, &material_));
 }
 
@@ -150,6 +164,20 @@ void FrameScene::make_lights() {
   }
   desc_.lights = lights_;
   desc_.light_count = 2;
+}
+
+void FrameScene::make_shadows() {
+  for (int i = 0; i < 2; ++i) {
+    shd_shadow_desc desc = shd_shadow_desc_default();
+    desc.filter = SHD_SHADOW_FILTER_PCF;
+    check(shd_shadow_create(context_, &desc, &shadows_[i]));
+    shd_shadow_render_desc render = shd_shadow_render_desc_default();
+    render.light = lights_[i];
+    render.draws = desc_.draws;
+    render.draw_count = desc_.draw_count;
+    check(shd_shadow_render(context_, shadows_[i], &render));
+  }
+  desc_.shadows = shadows_;
 }
 
 void FrameScene::set_draws() {

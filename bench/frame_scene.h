@@ -13,6 +13,15 @@ const std::vector<Spheres>& sphere_frames();
 /// Texels of every frame, kFrameTextureEdge x kFrameTextureEdge.
 const std::vector<uint8_t>& frame_texels();
 
+/// A step that a frame of spheres has in addition.
+enum class Feature {
+  kNone,
+  kVertexProgram,  // moves each vertex
+  kNormalMap,      // the texture as tangent-space normals
+  kShadows,        // of both points: maps of 1024 x 1024 texels on six faces, 3 x 3 taps, rendered before
+  kLines           // edges of triangles, one pixel wide
+};
+
 /// Variant of a frame of spheres.
 struct Variant {
   const char* name;
@@ -20,6 +29,7 @@ struct Variant {
   bool shaded;
   shd_blend blend;
   shd_format color = SHD_FORMAT_RGBA32F;
+  Feature feature = Feature::kNone;
 };
 
 /// Filter of the texture of a surface.
@@ -48,10 +58,11 @@ class FrameScene {
 
  private:
   FrameScene(shd_simd simd, uint32_t samples, shd_format color, uint32_t workers);
-  void make_mesh(const Spheres& spheres);
+  void make_mesh(const Spheres& spheres, Feature feature);
   void make_mesh(const Surface& surface);
-  void make_material(const shd_material_desc& desc);
+  void make_material(const shd_material_desc& desc, Feature feature = Feature::kNone);
   void make_lights();
+  void make_shadows();
   void set_draws();
 
   shd_context* context_;
@@ -60,6 +71,7 @@ class FrameScene {
   shd_mesh* mesh_ = nullptr;
   shd_material* material_ = nullptr;
   shd_light* lights_[2] = {};
+  shd_shadow* shadows_[2] = {};
   shd_framebuffer* framebuffer_ = nullptr;
   std::vector<shd_draw> draws_;
   shd_render_stats stats_ = shd_render_stats_default();
