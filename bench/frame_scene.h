@@ -18,7 +18,7 @@ enum class Feature {
   kNone,
   kVertexProgram,  // moves each vertex
   kNormalMap,      // the texture as tangent-space normals
-  kShadows,        // of both points: maps of 1024 x 1024 texels on six faces, 3 x 3 taps, rendered before
+  kShadows,        // both points have maps of 1024 x 1024 texels on six faces, 3 x 3 taps, rendered before
   kLines           // edges of triangles, one pixel wide
 };
 
