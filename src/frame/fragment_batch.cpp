@@ -33,6 +33,17 @@ void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragmen
   }
 }
 
+template <uint32_t kCount>
+uint32_t covered(const ShadingPoints& points, const PixelEdges& edges) {
+  uint32_t mask = 0;
+  for (uint32_t s = 0; s < kCount; ++s) {
+    const int64_t sides = (edges.step[0] + points.at_sample[0][s]) | (edges.step[1] + points.at_sample[1][s]) |
+                          (edges.step[2] + points.at_sample[2][s]);
+    mask |= static_cast<uint32_t>(sides >= 0) << s;
+  }
+  return mask;
+}
+
 }  // namespace
 
 void FragmentBatch::begin(uint32_t draw) {
@@ -67,15 +78,12 @@ uint32_t FragmentBatch::covered_samples(const ShadingPoints& points, size_t row)
 }
 
 uint32_t FragmentBatch::samples_at(const ShadingPoints& points, const PixelEdges& edges) const {
-  uint32_t mask = 0;
-  for (uint32_t s = 0; s < tile_.pattern.count; s += 2) {
-    for (uint32_t i = s; i < s + 2; ++i) {
-      const int64_t sides = (edges.step[0] + points.at_sample[0][i]) | (edges.step[1] + points.at_sample[1][i]) |
-                            (edges.step[2] + points.at_sample[2][i]);
-      mask |= static_cast<uint32_t>(sides >= 0) << i;
-    }
+  switch (tile_.pattern.count) {
+    case 2: return covered<2>(points, edges);
+    case 4: return covered<4>(points, edges);
+    case 8: return covered<8>(points, edges);
+    default: return covered<16>(points, edges);
   }
-  return mask;
 }
 
 /// Moves rows from the centre of their pixels to the centroid of the covered samples, unless the triangle covers the
