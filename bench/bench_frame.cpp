@@ -3,8 +3,7 @@
 // lookups, two point lights, Blinn-Phong per fragment, back faces culled. Items are triangles.
 // frame/<variant>/<triangles>/<target>: the same frame with several samples, depth alone, RGBA8 pixels or
 // half-transparent spheres, or with a vertex program, a normal map, shadows or lines (Feature); over_spheres is its
-// time
-// divided by the time of the plain frame.
+// time divided by the time of the plain frame.
 // frame/draws/{one,10648}/<target>: 10,648 spheres of 18 triangles as one draw of one mesh, and as a draw each;
 // over_one is the time divided by that of one draw.
 #include <algorithm>
