@@ -37,6 +37,8 @@ MUTANTS = {
                            "api.shadow_casters"),
     "same_blue": Mutant("src/film/tile_color.cpp", "(other[0] ^ first[0]) | (other[1] ^ first[1])",
                         "other[0] ^ first[0]", "api.render_samples"),
+    "texture_left": Mutant("src/raster/interpolate.cpp", "pixels.left + 0.5f", "pixels.left + 0.25f",
+                           "api.render_one_texture"),
     "viewport_top": Mutant("src/geometry/vertex.cpp", "static_cast<float>(top + half_height)",
                            "static_cast<float>(half_height)", "api.vertex_program"),
     "cancel_negative": Mutant("src/frame/frame.cpp", "static_cast<double>(total_))) != 0",
