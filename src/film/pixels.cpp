@@ -48,16 +48,13 @@ HWY_INLINE VF Clamped(VF value) {
   return hn::Min(hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value), hn::Set(d, 1.0f));
 }
 
-/// Rounds v in 0..1 to the nearest of 2^kBits codes.
-template <int kBits>
-HWY_INLINE VU RoundedCode(VF v) {
-  const DF d;
-  const VF sum = v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + hn::Set(d, 0.5f);
-  return CorrectCode<kBits>(v, hn::BitCast(DU(), ToInt(sum)));
-}
+/// Clamps and rounds to the nearest of 2^kBits codes.
 template <int kBits>
 HWY_INLINE VU UnormCode(VF value) {
-  return RoundedCode<kBits>(Clamped(value));
+  const DF d;
+  const VF v = Clamped(value);
+  const VF sum = v * hn::Set(d, static_cast<float>((1 << kBits) - 1)) + hn::Set(d, 0.5f);
+  return CorrectCode<kBits>(v, hn::BitCast(DU(), ToInt(sum)));
 }
 
 /// Packs codes of 8 bits of consecutive channels, the first lowest.

@@ -33,6 +33,7 @@ void set_rows(const RowValues& values, uint32_t i, size_t begin, raster::Fragmen
   }
 }
 
+/// Samples of a pattern of kCount that lie inside the edges at a pixel.
 template <uint32_t kCount>
 uint32_t covered(const ShadingPoints& points, const PixelEdges& edges) {
   uint32_t mask = 0;
@@ -50,7 +51,7 @@ void FragmentBatch::begin(uint32_t draw) {
   const Draw& d = tile_.renderer.frame.draws[draw];
   draw_ = draw;
   max_triangles_ = d.frequency == SHD_FREQUENCY_GOURAUD ? shade::kGouraudTriangles : raster::kBatch;
-  per_sample_ = tile_.pattern.count > 1 && d.sample_shading;
+  per_sample_ = tile_.shades_samples(d);
   sets_depths_ = shade::runs_caller_code(*d.material);
   keeps_triangles_ = !is_plain(*d.material);
 }
@@ -58,7 +59,7 @@ void FragmentBatch::begin(uint32_t draw) {
 ShadingPoints FragmentBatch::shading_points(const geometry::ScreenTriangle& triangle) const {
   ShadingPoints points;
   const uint32_t count = tile_.pattern.count;
-  points.per_sample = count > 1 && tile_.draw_of(triangle).sample_shading;
+  points.per_sample = per_sample_;
   for (int k = 0; k < 3 && count > 1; ++k) {
     const raster::EdgeLine line = raster::make_edge_line(triangle, k, tile_.left, tile_.top);
     points.a[k] = line.a;

@@ -21,9 +21,8 @@ size_t length_of(const raster::PixelRun& run) {
 bool TextureBatch::takes(uint32_t draw) {
   if (draw == draw_) return takes_;
   const Draw& d = tile_.renderer.frame.draws[draw];
-  const bool per_sample = tile_.pattern.count > 1 && d.sample_shading;
   draw_ = draw;
-  takes_ = !tile_.framebuffer.aovs && !per_sample && shade::is_one_texture(*d.material);
+  takes_ = !tile_.framebuffer.aovs && !tile_.shades_samples(d) && shade::is_one_texture(*d.material);
   return takes_;
 }
 
@@ -49,7 +48,6 @@ size_t TextureBatch::draw(const geometry::ScreenTriangle& triangle, raster::Pixe
   return rest;
 }
 
-/// Shades the rows and empties the batch.
 void TextureBatch::flush(const geometry::ScreenTriangle& triangle) {
   if (rows_ == 0) return;
   Worker& worker = tile_.worker;

@@ -12,11 +12,14 @@ class TextureBatch {
  public:
   explicit TextureBatch(TileState* tile) : tile_(*tile) {}
 
-  /// Draws those runs that may be drawn so. Returns the number of the others, moved to the front.
+  /// Draws the runs that cover all samples, if the draw is of such a material and the triangle has enough pixels.
+  /// Returns the number of other runs, which are moved to the front.
   size_t draw(const geometry::ScreenTriangle& triangle, raster::PixelRun* runs, size_t count);
 
  private:
+  /// Whether the colour of a draw is one lookup, and no further planes are wanted.
   bool takes(uint32_t draw);
+  /// Shades the rows and empties the batch.
   void flush(const geometry::ScreenTriangle& triangle);
 
   TileState& tile_;

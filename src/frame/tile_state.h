@@ -35,6 +35,8 @@ class TileState {
 
   const Draw& draw_of(const Run& run) const { return renderer.frame.draws[run.draw]; }
   const Draw& draw_of(const geometry::ScreenTriangle& triangle) const { return renderer.frame.draws[triangle.draw]; }
+  /// Whether a draw is shaded at each sample.
+  bool shades_samples(const Draw& draw) const { return pattern.count > 1 && draw.sample_shading; }
   const core::SimdTarget& simd() const { return renderer.context.simd; }
 
   shade::DrawShading shading_of(uint32_t draw) const;

@@ -176,11 +176,8 @@ HWY_INLINE bool IsConstant(const float* column, size_t count) {
   const auto first = hn::BitCast(du, hn::Set(d, column[0]));
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const bool whole = count - i >= hn::Lanes(d);
-    const auto bits = hn::BitCast(du, whole ? hn::LoadU(d, column + i) : hn::Set(d, column[i]));
+    const auto bits = hn::BitCast(du, whole ? hn::LoadU(d, column + i) : LoadFirst(d, column + i, count - i));
     if (!hn::AllTrue(du, hn::Eq(bits, first))) return false;
-    for (size_t k = i + 1; !whole && k < count; ++k) {
-      if (std::memcmp(column + k, column, sizeof *column) != 0) return false;
-    }
   }
   return true;
 }
