@@ -65,11 +65,13 @@ shd_result shd_project_directions(shd_context* context, const shd_directions* di
     set_vector("directions.direction", in.direction, Need::kRequired, &batch.in[kDirection]);
     set_vector("directions.direction_dx", in.direction_dx, Need::kOptional, &batch.in[kStepX]);
     set_vector("directions.direction_dy", in.direction_dy, Need::kOptional, &batch.in[kStepY]);
-    batch.out = {
-        out_column("points.u", points.u, Need::kOptional),       out_column("points.v", points.v, Need::kOptional),
-        out_column("points.face", points.face, Need::kOptional), out_column("points.dudx", points.dudx, Need::kOptional),
-        out_column("points.dvdx", points.dvdx, Need::kOptional), out_column("points.dudy", points.dudy, Need::kOptional),
-        out_column("points.dvdy", points.dvdy, Need::kOptional)};
+    batch.out = {out_column("points.u", points.u, Need::kOptional),
+                 out_column("points.v", points.v, Need::kOptional),
+                 out_column("points.face", points.face, Need::kOptional),
+                 out_column("points.dudx", points.dudx, Need::kOptional),
+                 out_column("points.dvdx", points.dvdx, Need::kOptional),
+                 out_column("points.dudy", points.dudy, Need::kOptional),
+                 out_column("points.dvdy", points.dvdy, Need::kOptional)};
     SHD_TRY(check_batch(batch));
     std::atomic<size_t> nonfinite{0};
     const core::Context& host = context_of(static_cast<const shd_context*>(context));

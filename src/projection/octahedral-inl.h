@@ -64,9 +64,7 @@ struct Octahedral {
   }
 
  private:
-  static HWY_INLINE V sign_of(D d, V x) {
-    return hn::IfThenElseZero(hn::Lt(x, hn::Zero(d)), hn::Set(d, -0.0f));
-  }
+  static HWY_INLINE V sign_of(D d, V x) { return hn::IfThenElseZero(hn::Lt(x, hn::Zero(d)), hn::Set(d, -0.0f)); }
 };
 
 }  // namespace shd::projection::HWY_NAMESPACE

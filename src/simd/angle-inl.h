@@ -63,7 +63,8 @@ HWY_INLINE SineCosine<V> SineCosinePi(D d, V x) {
   const auto odd = hn::RebindMask(d, hn::Eq(quarter & one, one));
   const auto sine_sign = hn::BitCast(d, hn::ShiftLeft<30>(quarter & two));
   const auto cosine_sign = hn::BitCast(d, hn::ShiftLeft<30>((quarter + one) & two));
-  return {hn::Xor(hn::IfThenElse(odd, cosine, sine), sine_sign), hn::Xor(hn::IfThenElse(odd, sine, cosine), cosine_sign)};
+  return {hn::Xor(hn::IfThenElse(odd, cosine, sine), sine_sign),
+          hn::Xor(hn::IfThenElse(odd, sine, cosine), cosine_sign)};
 }
 
 }  // namespace shd::simd::HWY_NAMESPACE
