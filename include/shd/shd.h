@@ -66,6 +66,7 @@
 #include <shd/mesh.h>
 #include <shd/mip.h>
 #include <shd/present.h>
+#include <shd/projection.h>
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>
