@@ -184,7 +184,7 @@ struct Lookups {
   const float* lod;                        // level of detail, in place of the derivatives; null = from the derivatives
   const uint32_t* layer;                   // null = 0
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
-  const float *w, *dwdx, *dwdy;            // read by textures with needs_w(); null = 0
+  const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
 
   /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {
@@ -204,7 +204,7 @@ constexpr size_t kOutputColumns = 16;
 struct Texels {
   float* channel[4];
   float *du[4], *dv[4];  // derivatives of the channels in u and v, for filters with has_gradient()
-  float* dw[4];          // derivatives in w, for 3D textures
+  float* dw[4] = {};     // derivatives in w, for 3D textures
 
   float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : i < 12 ? dv[i - 8] : dw[i - 12]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }

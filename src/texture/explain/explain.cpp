@@ -138,7 +138,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
   write_tree(context, texture, taken, recording, out);
   out->filter = taken.filter;
   for (size_t c = 0; c < 4; ++c) out->channel_source[c] = texture.channel_source[c];
-  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}, {}};
+  const Texels result = {{&out->result[0], &out->result[1], &out->result[2], &out->result[3]}, {}, {}};
   Sampler full = sampler;  // the tree of blends has no other precision
   full.precision = SHD_PRECISION_FULL;
   sample(texture, full, context.simd, lookups, result);
