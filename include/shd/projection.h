@@ -14,7 +14,7 @@
  * | CUBE        | face and point of the table below                                  | see below                   |
  * | OCTAHEDRAL  | (1/2, 1/2) + (p, -q) / 2, see below                                | +Z, +X, +Y; -Z in 4 corners |
  *
- * LAT_LONG shows the directions as a viewer in the middle sees them. MIRROR_BALL is the photograph of a mirror ball
+ * LAT_LONG shows the view from the middle. MIRROR_BALL is the photograph of a mirror ball
  * by a distant camera on +Z, and ANGULAR has the same orientation (Debevec, "Rendering Synthetic Objects into Real
  * Scenes", 1998; "Light Probe Image Gallery"). Both show the directions in a disc; texels outside have no direction.
  *
