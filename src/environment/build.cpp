@@ -14,7 +14,7 @@
 namespace shd::environment {
 namespace {
 
-constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kIrradianceMap = 32;
+constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kMinLobeMap = 32, kIrradianceMap = 64;
 
 /// log2 of a power of two.
 uint32_t log2_of(uint32_t size) {
@@ -182,7 +182,8 @@ struct Layout {
     Chain chain = {};
     const uint32_t last = std::min(12u, 2 * log2_of(base) - 4);  // an even number, of GGX
     for (uint32_t k = first; k <= last; ++k) {
-      chain.level[chain.count++] = add(std::min({kMaxLobeMap, base, 16u << (k ? (k - 1) / 2 : 0)}));
+      const uint32_t size = std::max(kMinLobeMap, 16u << k / 2);
+      chain.level[chain.count++] = add(std::min({kMaxLobeMap, base, size}));
     }
     chain.lobes = chain.count;
     chain.knee = static_cast<float>(chain.count - 1);

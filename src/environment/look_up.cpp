@@ -18,6 +18,17 @@ namespace {
 using Tag = hn::ScalableTag<float>;
 using Vec = hn::Vec<Tag>;
 
+/// A direction divided by its largest component, so that sums and squares neither overflow nor underflow; +Z for 0, NaN
+/// and infinity.
+HWY_INLINE Vec3V<Vec> Bounded(const Vec3V<Vec>& n) {
+  const Tag d;
+  const Vec one = hn::Set(d, 1.0f), largest = hn::Max(hn::Abs(n.x), hn::Max(hn::Abs(n.y), hn::Abs(n.z)));
+  const auto usable = hn::And(hn::Gt(largest, hn::Zero(d)), simd::HWY_NAMESPACE::IsFinite(d, n));
+  const Vec safe = hn::IfThenElse(usable, largest, one);
+  return {hn::IfThenElseZero(usable, n.x / safe), hn::IfThenElseZero(usable, n.y / safe),
+          hn::IfThenElse(usable, n.z / safe, one)};
+}
+
 /// Calls body(direction, i, count) for vectors of directions and stores its colours.
 template <class Body>
 HWY_INLINE void ForEach(const LookUps& in, float* const* out, const Body& body) {
@@ -29,7 +40,7 @@ HWY_INLINE void ForEach(const LookUps& in, float* const* out, const Body& body) 
                                                : simd::HWY_NAMESPACE::LoadFirst(d, column + i, count);
     };
     const Vec3V<Vec> n = {load(in.direction[0]), load(in.direction[1]), load(in.direction[2])};
-    const ColorV<Vec> color = body(n, in.width ? load(in.width) : hn::Zero(d));
+    const ColorV<Vec> color = body(Bounded(n), in.width ? load(in.width) : hn::Zero(d));
     for (int c = 0; c < 3; ++c) {
       if (out[c]) simd::HWY_NAMESPACE::StoreFirst(d, color.channel[c], count, out[c] + i);
     }
@@ -42,16 +53,8 @@ constexpr float kSharp = 64.0f;
 }  // namespace
 
 void IrradianceBatch(const Environment& environment, const LookUps& in, float* const* out) {
-  const Tag d;
-  const Vec zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   ForEach(in, out, [&](const Vec3V<Vec>& n, Vec) HWY_ATTR {
-    // Dividing by the largest component first keeps the squares from overflow.
-    const Vec largest = hn::Max(hn::Abs(n.x), hn::Max(hn::Abs(n.y), hn::Abs(n.z)));
-    const auto usable = hn::And(hn::Gt(largest, zero), simd::HWY_NAMESPACE::IsFinite(d, n));
-    const Vec safe = hn::IfThenElse(usable, largest, one);
-    const Vec3V<Vec> scaled = {hn::IfThenElseZero(usable, n.x / safe), hn::IfThenElseZero(usable, n.y / safe),
-                               hn::IfThenElse(usable, n.z / safe, one)};
-    return Irradiance(d, environment, simd::HWY_NAMESPACE::Normalize(d, scaled));
+    return Irradiance(Tag(), environment, simd::HWY_NAMESPACE::Normalize(Tag(), n));
   });
 }
 
