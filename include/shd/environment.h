@@ -60,8 +60,8 @@ typedef uint32_t shd_environment_tables; /**< shd_environment_table bits */
 
 /** Image and tables of an environment. Required: image. */
 typedef struct shd_environment_desc {
-    uint32_t struct_size;          /**< set by shd_environment_desc_default() */
-    shd_projection projection;     /**< any but SHD_PROJECTION_NONE; default SHD_PROJECTION_LAT_LONG */
+    uint32_t struct_size;      /**< set by shd_environment_desc_default() */
+    shd_projection projection; /**< any but SHD_PROJECTION_NONE; default SHD_PROJECTION_LAT_LONG */
     /**
      * Linear radiance, of any format and of 1 x 1 up to 2^26 pixels; borrowed for the call. One channel means grey; the
      * fourth is ignored. CUBE takes the six faces on top of each other: height = 6 width. MIRROR_BALL, ANGULAR and
@@ -70,7 +70,7 @@ typedef struct shd_environment_desc {
      */
     const shd_image *image;
     shd_irradiance irradiance;     /**< default SHD_IRRADIANCE_HARMONICS */
-    shd_environment_tables tables;  /**< default SHD_ENVIRONMENT_TABLE_ALL */
+    shd_environment_tables tables; /**< default SHD_ENVIRONMENT_TABLE_ALL */
     /* ---- end of 0.1; append below ---- */
 } shd_environment_desc;
 
@@ -105,14 +105,14 @@ SHD_API void shd_environment_release(shd_environment *environment);
 
 /** Properties of an environment. */
 typedef struct shd_environment_info {
-    uint32_t struct_size;        /**< set by shd_environment_info_default() */
-    shd_irradiance irradiance;   /**< as in its desc */
-    shd_environment_tables tables; /**< as in its desc, with SHD_ENVIRONMENT_TABLE_RADIANCE if it has any lobes */
-    uint32_t map_size;           /**< texels a side of the largest map, 0 without SHD_ENVIRONMENT_TABLE_RADIANCE */
-    uint64_t replaced_count;     /**< channels of the image that were negative, NaN or above 1e12 */
-    float mean[3];               /**< mean radiance of all directions */
-    float reserved;              /**< 0 */
-    size_t byte_size;            /**< bytes of all tables */
+    uint32_t struct_size;          /**< set by shd_environment_info_default() */
+    shd_projection projection;     /**< as in its desc */
+    shd_irradiance irradiance;     /**< as in its desc */
+    shd_environment_tables tables; /**< as in its desc, with SHD_ENVIRONMENT_TABLE_RADIANCE if there are lobes */
+    uint32_t map_size;             /**< texels a side of the largest map, 0 without SHD_ENVIRONMENT_TABLE_RADIANCE */
+    float mean[3];                 /**< mean radiance of all directions */
+    uint64_t replaced_count;       /**< channels of the image that were negative, NaN or above 1e12 */
+    size_t byte_size;              /**< bytes of all tables */
     /* ---- end of 0.1; append below ---- */
 } shd_environment_info;
 
@@ -138,15 +138,15 @@ typedef struct shd_environment_lookups {
     size_t count;            /**< number of lookups; 0 is allowed */
     shd_f32_in direction[3]; /**< x, y, z, any length; required. 0, NaN and infinity count as +Z */
     /**
-     * Roughness of a GGX lobe around the direction, clamped to 0..1, NaN = 1: the mean of the radiance, weighted by D(h)
-     * n.l with n = v = direction (Karis, "Real Shading in Unreal Engine 4", 2013). For environments with
+     * Roughness of a GGX lobe around the direction, clamped to 0..1, NaN = 1: the mean of the radiance, weighted by
+     * D(h) n.l with n = v = direction (Karis, "Real Shading in Unreal Engine 4", 2013). Only for environments with
      * SHD_ENVIRONMENT_TABLE_GGX.
      */
     shd_f32_in roughness;
     /**
      * Exponent p of a Phong lobe around the direction r, clamped to 0..1e6, NaN = 0: the mean of the radiance, weighted
-     * by max(0, r.l)^p. For environments with SHD_ENVIRONMENT_TABLE_PHONG. Without roughness and exponent, lookups give the
-     * radiance itself.
+     * by max(0, r.l)^p. Only for environments with SHD_ENVIRONMENT_TABLE_PHONG. Without roughness and exponent, lookups
+     * give the radiance itself.
      */
     shd_f32_in exponent;
     /* ---- end of 0.1; append below ---- */
@@ -160,26 +160,40 @@ static inline shd_environment_lookups shd_environment_lookups_default(void)
     return lookups;
 }
 
+/** Columns for irradiance or radiance; NULL = not wanted. */
+typedef struct shd_environment_light {
+    uint32_t struct_size; /**< set by shd_environment_light_default() */
+    shd_f32_out rgb[3];   /**< red, green, blue */
+    /* ---- end of 0.1; append below ---- */
+} shd_environment_light;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_environment_light shd_environment_light_default(void)
+{
+    shd_environment_light light = SHD_ZERO_INIT;
+    light.struct_size = (uint32_t)sizeof light;
+    return light;
+}
+
 /**
  * Look up the irradiance of surfaces whose normals are the directions, on the executor of the environment's context.
  * @param lookups  columns, borrowed for the call, without roughness and exponent
- * @param rgb      columns of red, green and blue; NULL data = not wanted; borrowed for the call; must not overlap any
- *                 input or each other (checked)
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_environment_irradiance(const shd_environment *environment,
                                                             const shd_environment_lookups *lookups,
-                                                            const shd_f32_out rgb[3]);
+                                                            const shd_environment_light *out);
 
 /**
  * Look up the radiance, or its mean over lobes, on the executor of the environment's context.
  * @param lookups  columns, borrowed for the call, with at most one of roughness and exponent
- * @param rgb      as for shd_environment_irradiance()
+ * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_environment_radiance(const shd_environment *environment,
                                                           const shd_environment_lookups *lookups,
-                                                          const shd_f32_out rgb[3]);
+                                                          const shd_environment_light *out);
 
 SHD_END_DECLS
 

@@ -49,15 +49,16 @@ shd_result require_table(bool exists, const char* table) {
 }
 
 /// Reads the columns of a call.
-shd_result read_lookups(const shd_environment_lookups* lookups, const shd_f32_out* rgb, LookupBatch* batch) {
+shd_result read_lookups(const shd_environment_lookups* lookups, const shd_environment_light* out, LookupBatch* batch) {
   shd_environment_lookups in = shd_environment_lookups_default();
   SHD_TRY(read_desc("lookups", lookups, false, &in));
-  SHD_TRY(check_not_null("rgb", rgb));
+  shd_environment_light light = shd_environment_light_default();
+  SHD_TRY(read_desc("light", out, false, &light));
   batch->count = in.count;
   for (int c = 0; c < 3; ++c) {
     const auto k = static_cast<size_t>(c);
     batch->in[k] = in_column("lookups.direction", in.direction[c], Need::kRequired, c);
-    batch->out[k] = out_column("rgb", rgb[c], Need::kOptional, c);
+    batch->out[k] = out_column("light.rgb", light.rgb[c], Need::kOptional, c);
   }
   batch->in[kRoughness] = in_column("lookups.roughness", in.roughness, Need::kOptional);
   batch->in[kExponent] = in_column("lookups.exponent", in.exponent, Need::kOptional);
@@ -120,6 +121,7 @@ shd_result shd_environment_get_info(const shd_environment* environment, shd_envi
     const Environment* body;
     SHD_TRY(read_handle("environment", environment, kType, &body));
     shd_environment_info info = shd_environment_info_default();
+    info.projection = body->projection;
     info.irradiance = body->irradiance.size ? SHD_IRRADIANCE_CONVOLVED : SHD_IRRADIANCE_HARMONICS;
     if (body->radiance.count) info.tables |= SHD_ENVIRONMENT_TABLE_RADIANCE;
     if (body->ggx.count) info.tables |= SHD_ENVIRONMENT_TABLE_GGX;
@@ -134,12 +136,12 @@ shd_result shd_environment_get_info(const shd_environment* environment, shd_envi
 }
 
 shd_result shd_environment_irradiance(const shd_environment* environment, const shd_environment_lookups* lookups,
-                                      const shd_f32_out rgb[3]) {
+                                      const shd_environment_light* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
     SHD_TRY(read_handle("environment", environment, kType, &body));
     LookupBatch batch;
-    SHD_TRY(read_lookups(lookups, rgb, &batch));
+    SHD_TRY(read_lookups(lookups, out, &batch));
     for (const size_t column : {size_t{kRoughness}, size_t{kExponent}}) {
       if (!batch.in[column].data) continue;
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: set, but irradiance has no lobe", batch.in[column].name);
@@ -150,12 +152,12 @@ shd_result shd_environment_irradiance(const shd_environment* environment, const 
 }
 
 shd_result shd_environment_radiance(const shd_environment* environment, const shd_environment_lookups* lookups,
-                                    const shd_f32_out rgb[3]) {
+                                    const shd_environment_light* out) {
   return guard([&]() -> shd_result {
     const Environment* body;
     SHD_TRY(read_handle("environment", environment, kType, &body));
     LookupBatch batch;
-    SHD_TRY(read_lookups(lookups, rgb, &batch));
+    SHD_TRY(read_lookups(lookups, out, &batch));
     if (batch.in[kRoughness].data && batch.in[kExponent].data) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "lookups.exponent: set, but so is lookups.roughness");
     }

@@ -57,6 +57,7 @@ SHD_SIZED(shd_image_points, v, face, 64);
 SHD_SIZED(shd_point_directions, direction, nonfinite_count, 80);
 SHD_SIZED(shd_environment_desc, image, tables, 24);
 SHD_SIZED(shd_environment_info, map_size, byte_size, 48);
+SHD_SIZED(shd_environment_light, rgb, rgb, 56);
 SHD_SIZED(shd_environment_lookups, direction, exponent, 96);
 SHD_SIZED(shd_derivatives, dudx, dvdy, 72);
 SHD_SIZED(shd_mesh_desc, position, index_count, 296);

@@ -87,8 +87,7 @@ void resample_row(const core::SimdTarget& simd, const Source& source, uint32_t p
           static_cast<float>(row) + (static_cast<float>(part / parts) + 0.5f) * step);
       direction[0][i] = n.x, direction[1][i] = n.y, direction[2][i] = n.z;
     }
-    projection::project(source.projection, simd,
-                        {count * lookups, {direction[0], direction[1], direction[2]}, {}},
+    projection::project(source.projection, simd, {count * lookups, {direction[0], direction[1], direction[2]}, {}},
                         {u, v, face, {}, {}});
     for (uint32_t i = 0; i < count; ++i) {
       Mean mean = {};
@@ -131,9 +130,8 @@ void build_radiance(const core::Context& context, const Source& source, const Ch
   const Level& base = chain.level[chain.count - 1];
   const double density = std::sqrt(static_cast<double>(source.width) * source.height) / base.size;
   const auto parts = static_cast<uint32_t>(std::clamp(std::ceil(2.0 * density), 2.0, 8.0));
-  core::parallel_for(context, base.size, [&](uint32_t row, uint32_t) {
-    resample_row(context.simd, source, parts, base, row, texels);
-  });
+  core::parallel_for(context, base.size,
+                     [&](uint32_t row, uint32_t) { resample_row(context.simd, source, parts, base, row, texels); });
   keep_energy(source, base, texels);
   fill_border(base, texels);
   for (uint32_t l = chain.count - 1; l > 0; --l) halve(context, chain.level[l], chain.level[l - 1], texels);
@@ -200,8 +198,10 @@ void build(const core::Context& context, const shd_environment_desc& desc, Envir
   Source source = {};
   read_source(context, desc.projection, *desc.image, &source);
   build_harmonics(source, out);
+  out->projection = desc.projection;
   out->replaced = source.replaced;
-  const bool has_ggx = (desc.tables & SHD_ENVIRONMENT_TABLE_GGX) != 0, has_phong = (desc.tables & SHD_ENVIRONMENT_TABLE_PHONG) != 0;
+  const bool has_ggx = (desc.tables & SHD_ENVIRONMENT_TABLE_GGX) != 0,
+             has_phong = (desc.tables & SHD_ENVIRONMENT_TABLE_PHONG) != 0;
   const bool is_convolved = desc.irradiance == SHD_IRRADIANCE_CONVOLVED;
   const uint32_t base = base_size(source);
   if (desc.tables) lobe_table();

@@ -18,7 +18,7 @@
 namespace shd::environment {
 namespace {
 
-constexpr uint32_t kTile = 8;            // texels a side of a tile, which shares one list of cells
+constexpr uint32_t kTile = 8;  // texels a side of a tile, which shares one list of cells
 constexpr uint32_t kTexels = kTile * kTile;
 
 /// Cells whose light reaches a tile, as columns.
@@ -181,8 +181,8 @@ void convolve(const core::Context& context, LobeKind kind, uint32_t exponent, co
     CellFinder(kind, exponent, cells, tile, kTexels, &list).find();
     SHD_DISPATCH(AccumulateLobe, context.simd)(kind, exponent, list, &tile);
     for (uint32_t i = 0; i < kTexels; ++i) {
-      float* texel = texels + 4 * texel_index(to, static_cast<int32_t>(left + i % kTile),
-                                              static_cast<int32_t>(top + i / kTile));
+      float* texel =
+          texels + 4 * texel_index(to, static_cast<int32_t>(left + i % kTile), static_cast<int32_t>(top + i / kTile));
       for (int c = 0; c < 3; ++c) texel[c] = tile.sum[c][i];
       texel[3] = 0.0f;
     }

@@ -27,6 +27,7 @@
 namespace shd::environment {
 
 struct Environment {
+  shd_projection projection;  // of the image
   core::Array<float> texels;  // of all maps
   Chain radiance;             // levels of the image alone: Chain::lobes is 0
   Chain ggx, phong;           // count 0 = absent

@@ -108,8 +108,8 @@ HWY_NOINLINE ColorV<V> Irradiance(D d, const Environment& environment, const Vec
                            hn::Set(di, static_cast<int32_t>(level.first)), SquarePoint<D>(d, n));
   }
   const V one = hn::Set(d, 1.0f);
-  const V basis[9] = {one,       n.x,       n.y,       n.z, n.x * n.y, n.y * n.z, n.x * n.z,
-                      hn::Set(d, 3.0f) * (n.z * n.z) - one, n.x * n.x - n.y * n.y};
+  const V basis[9] = {
+      one, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, hn::Set(d, 3.0f) * (n.z * n.z) - one, n.x * n.x - n.y * n.y};
   ColorV<V> color;
   for (int c = 0; c < 3; ++c) {
     V sum = hn::Set(d, environment.harmonics[c][0]);

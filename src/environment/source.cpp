@@ -80,7 +80,9 @@ float decode(image::Component component, const uint8_t* channel) {
   switch (component) {
     case image::Component::kUnorm8: return static_cast<float>(*channel) / 255.0f;
     case image::Component::kSrgb8: return image::srgb8_to_linear(*channel);
-    case image::Component::kUnorm16: std::memcpy(&half, channel, sizeof half); return static_cast<float>(half) / 65535.0f;
+    case image::Component::kUnorm16:
+      std::memcpy(&half, channel, sizeof half);
+      return static_cast<float>(half) / 65535.0f;
     case image::Component::kFloat16: std::memcpy(&half, channel, sizeof half); return image::half_to_float(half);
     default: std::memcpy(&value, channel, sizeof value); return value;
   }

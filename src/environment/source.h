@@ -20,10 +20,10 @@ constexpr int kHarmonics = 9;
 /// An image of all directions with its texels as floats.
 struct Source {
   shd_projection projection;
-  uint32_t width, height;     // of the image; CUBE has its faces on top of each other
-  core::Array<float> texels;  // [height][width]: r, g, b, and 1 for texels that show a direction, otherwise 0
-  uint64_t replaced;          // channels that were negative, NaN or too large
-  double scale;               // factor of solid angles, which makes their sum 4 pi
+  uint32_t width, height;         // of the image; CUBE has its faces on top of each other
+  core::Array<float> texels;      // [height][width]: r, g, b, and 1 for texels that show a direction, otherwise 0
+  uint64_t replaced;              // channels that were negative, NaN or too large
+  double scale;                   // factor of solid angles, which makes their sum 4 pi
   double moments[3][kHarmonics];  // [channel] integrals of the radiance times 1, x, y, z, xy, yz, xz, 3 z^2 - 1, x^2 -
                                   // y^2 over all directions
 };

@@ -65,20 +65,21 @@ static shd_environment_lookups lookups_of(size_t count)
     return lookups;
 }
 
-static void outputs(shd_f32_out *rgb)
+static void outputs(shd_environment_light *light)
 {
-    for (int c = 0; c < 3; ++c) rgb[c] = shd_f32_out_column(g_out[c], 0);
+    *light = shd_environment_light_default();
+    for (int c = 0; c < 3; ++c) light->rgb[c] = shd_f32_out_column(g_out[c], 0);
 }
 
 /** Looks up the radiance of all directions; width NULL = sharp. */
 static void look_up(const shd_environment *environment, const float *roughness, const float *exponent)
 {
     shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_f32_out rgb[3];
-    outputs(rgb);
+    shd_environment_light light;
+    outputs(&light);
     lookups.roughness = shd_f32_column(roughness, 0);
     lookups.exponent = shd_f32_column(exponent, 0);
-    shd_assert_ok(shd_environment_radiance(environment, &lookups, rgb));
+    shd_assert_ok(shd_environment_radiance(environment, &lookups, &light));
 }
 
 static void direction_at(size_t i, double *n)
@@ -116,9 +117,9 @@ static void compare(const char *what, oracle_fn oracle, const void *data, double
 static void irradiance_of(const shd_environment *environment)
 {
     const shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_f32_out rgb[3];
-    outputs(rgb);
-    shd_assert_ok(shd_environment_irradiance(environment, &lookups, rgb));
+    shd_environment_light light;
+    outputs(&light);
+    shd_assert_ok(shd_environment_irradiance(environment, &lookups, &light));
 }
 
 static void oracle_harmonics(const void *data, const double *n, double *rgb)
@@ -224,7 +225,8 @@ static void test_constant(void **state)
         image.pixels = texels;
         environment = create(g_context, p, &image, SHD_IRRADIANCE_HARMONICS);
         irradiance_of(environment);
-        for (size_t i = 0; i < DIRECTIONS; ++i) shd_assert_close("irradiance", i, (double)g_out[1][i], (double)REF_PI, 0.0, 0.02);
+        for (size_t i = 0; i < DIRECTIONS; ++i)
+            shd_assert_close("irradiance", i, (double)g_out[1][i], (double)REF_PI, 0.0, 0.02);
         for (size_t k = 0; k < sizeof k_widths / sizeof k_widths[0]; ++k) {
             for (size_t i = 0; i < DIRECTIONS; ++i) width[i] = k_widths[k];
             look_up(environment, k_widths[k] <= 1.0f ? width : NULL, k_widths[k] <= 1.0f ? NULL : width);
@@ -283,7 +285,12 @@ static void make_directions(void)
     for (size_t i = 0; i < DIRECTIONS; ++i) {
         double n[3], square = 0.0;
         for (int c = 0; c < 3; ++c) {
-            n[c] = i < 27 ? (double)((int)(i / (c == 0 ? 1 : c == 1 ? 3 : 9)) % 3 - 1) : (double)shd_noise(&state) * 0x1p-31 - 1.0;
+            n[c] = i < 27 ? (double)((int)(i / (c == 0   ? 1
+                                                : c == 1 ? 3
+                                                         : 9)) %
+                                         3 -
+                                     1)
+                          : (double)shd_noise(&state) * 0x1p-31 - 1.0;
             square += n[c] * n[c];
         }
         if (square == 0.0) n[2] = square = 1.0;
@@ -296,8 +303,7 @@ static uint64_t hash_of(shd_context *context, const shd_image *image)
     uint64_t hash = SHD_HASH_START;
     float width[DIRECTIONS];
     for (int irradiance = 0; irradiance < 2; ++irradiance) {
-        shd_environment *environment =
-            create(context, SHD_PROJECTION_LAT_LONG, image, (shd_irradiance)irradiance);
+        shd_environment *environment = create(context, SHD_PROJECTION_LAT_LONG, image, (shd_irradiance)irradiance);
         irradiance_of(environment);
         hash = shd_hash(hash, g_out, sizeof g_out);
         for (size_t i = 0; i < DIRECTIONS; ++i) width[i] = (float)i / (DIRECTIONS - 1);
@@ -388,17 +394,17 @@ static void test_bad_lookups(void **state)
     shd_image image = sky_image(SHD_PROJECTION_LAT_LONG, 32, 16);
     shd_environment *environment = create(g_context, SHD_PROJECTION_LAT_LONG, &image, SHD_IRRADIANCE_HARMONICS);
     shd_environment_lookups lookups = shd_environment_lookups_default();
-    shd_f32_out rgb[3];
+    shd_environment_light light;
     (void)state;
-    outputs(rgb);
+    outputs(&light);
     lookups.count = BAD;
     for (int c = 0; c < 3; ++c) lookups.direction[c] = shd_f32_column(&k_bad[0][c], sizeof k_bad[0]);
     for (int k = 0; k < 4; ++k) {
         lookups.roughness = shd_f32_column(k == 2 ? &k_bad[0][3] : NULL, sizeof k_bad[0]);
         lookups.exponent = shd_f32_column(k == 3 ? &k_bad[0][4] : NULL, sizeof k_bad[0]);
         g_out[1][BAD] = -5.0f;
-        if (k == 0) shd_assert_ok(shd_environment_irradiance(environment, &lookups, rgb));
-        if (k != 0) shd_assert_ok(shd_environment_radiance(environment, &lookups, rgb));
+        if (k == 0) shd_assert_ok(shd_environment_irradiance(environment, &lookups, &light));
+        if (k != 0) shd_assert_ok(shd_environment_radiance(environment, &lookups, &light));
         for (size_t i = 0; i < BAD; ++i) {
             if (!(g_out[1][i] >= 0.0f && g_out[1][i] < 10.0f)) fail_msg("%d: [%zu] is %g", k, i, (double)g_out[1][i]);
         }
@@ -417,11 +423,17 @@ static void edit_no_image(shd_environment_desc *d, shd_image *i) { d->image = NU
 static void edit_no_pixels(shd_environment_desc *d, shd_image *i) { i->pixels = NULL, (void)d; }
 static void edit_format(shd_environment_desc *d, shd_image *i) { i->format = SHD_FORMAT_NONE, (void)d; }
 static void edit_width(shd_environment_desc *d, shd_image *i) { i->width = 0, (void)d; }
-static void edit_huge(shd_environment_desc *d, shd_image *i) { i->width = 65536, i->height = 1025, i->row_stride = 0, (void)d; }
+static void edit_huge(shd_environment_desc *d, shd_image *i)
+{
+    i->width = 65536, i->height = 1025, i->row_stride = 0, (void)d;
+}
 static void edit_cube(shd_environment_desc *d, shd_image *i) { d->projection = SHD_PROJECTION_CUBE, i->height = 7; }
 static void edit_disc(shd_environment_desc *d, shd_image *i) { d->projection = SHD_PROJECTION_ANGULAR, i->height = 7; }
 static void edit_irradiance(shd_environment_desc *d, shd_image *i) { d->irradiance = (shd_irradiance)2, (void)i; }
-static void edit_irradiance_minus(shd_environment_desc *d, shd_image *i) { d->irradiance = (shd_irradiance)-1, (void)i; }
+static void edit_irradiance_minus(shd_environment_desc *d, shd_image *i)
+{
+    d->irradiance = (shd_irradiance)-1, (void)i;
+}
 static void edit_tables(shd_environment_desc *d, shd_image *i) { d->tables = 8, (void)i; }
 static void edit_no_tables(shd_environment_desc *d, shd_image *i) { d->tables = SHD_ENVIRONMENT_TABLE_NONE, (void)i; }
 
@@ -435,7 +447,8 @@ static const struct create_case k_create[] = {
     {"create/default", edit_nothing, SHD_OK, ""},
     {"create/no_tables", edit_no_tables, SHD_OK, ""},
     {"create/size", edit_size, SHD_ERROR_INVALID_ARGUMENT, "environment.struct_size"},
-    {"create/no_projection", edit_no_projection, SHD_ERROR_INVALID_ARGUMENT, "environment.projection: 0 is not in 1..5"},
+    {"create/no_projection", edit_no_projection, SHD_ERROR_INVALID_ARGUMENT,
+     "environment.projection: 0 is not in 1..5"},
     {"create/projection", edit_projection, SHD_ERROR_INVALID_ARGUMENT, "environment.projection: 6 is not in 1..5"},
     {"create/no_image", edit_no_image, SHD_ERROR_INVALID_ARGUMENT, "environment.image: NULL"},
     {"create/no_pixels", edit_no_pixels, SHD_ERROR_INVALID_ARGUMENT, "environment.image.pixels: NULL"},
@@ -472,10 +485,10 @@ static void test_refusals(void **state)
     shd_environment_lookups lookups = lookups_of(DIRECTIONS), none = lookups_of(0);
     shd_environment_info info = shd_environment_info_default();
     shd_environment *bare = NULL;
-    shd_f32_out rgb[3];
+    shd_environment_light light;
     const shd_result bad = SHD_ERROR_INVALID_ARGUMENT;
     (void)state;
-    outputs(rgb);
+    outputs(&light);
     desc.image = &image;
     desc.tables = SHD_ENVIRONMENT_TABLE_NONE;
     shd_assert_result("out", shd_environment_create(g_context, &desc, NULL), bad, "out_environment: NULL");
@@ -485,30 +498,30 @@ static void test_refusals(void **state)
     shd_assert_ok(shd_environment_get_info(bare, &info));
     assert_int_equal(info.tables, 0);
     assert_int_equal(info.map_size, 0);
-    shd_assert_ok(shd_environment_irradiance(bare, &lookups, rgb));
-    shd_assert_ok(shd_environment_irradiance(bare, &none, rgb));
-    shd_assert_result("no radiance", shd_environment_radiance(bare, &lookups, rgb), bad,
+    shd_assert_ok(shd_environment_irradiance(bare, &lookups, &light));
+    shd_assert_ok(shd_environment_irradiance(bare, &none, &light));
+    shd_assert_result("no radiance", shd_environment_radiance(bare, &lookups, &light), bad,
                       "environment: made without SHD_ENVIRONMENT_TABLE_RADIANCE");
     lookups.roughness = shd_f32_column(g_direction[0], 0);
-    shd_assert_result("no GGX", shd_environment_radiance(bare, &lookups, rgb), bad, "SHD_ENVIRONMENT_TABLE_GGX");
-    shd_assert_result("roughness", shd_environment_irradiance(bare, &lookups, rgb), bad, "lookups.roughness: set");
+    shd_assert_result("no GGX", shd_environment_radiance(bare, &lookups, &light), bad, "SHD_ENVIRONMENT_TABLE_GGX");
+    shd_assert_result("roughness", shd_environment_irradiance(bare, &lookups, &light), bad, "lookups.roughness: set");
     lookups.exponent = lookups.roughness;
-    shd_assert_result("both", shd_environment_radiance(bare, &lookups, rgb), bad, "lookups.exponent: set");
+    shd_assert_result("both", shd_environment_radiance(bare, &lookups, &light), bad, "lookups.exponent: set");
     lookups.roughness.data = NULL;
-    shd_assert_result("no Phong", shd_environment_radiance(bare, &lookups, rgb), bad, "SHD_ENVIRONMENT_TABLE_PHONG");
+    shd_assert_result("no Phong", shd_environment_radiance(bare, &lookups, &light), bad, "SHD_ENVIRONMENT_TABLE_PHONG");
     lookups.exponent.data = NULL;
-    shd_assert_result("rgb", shd_environment_irradiance(bare, &lookups, NULL), bad, "rgb: NULL");
-    shd_assert_result("lookups", shd_environment_irradiance(bare, NULL, rgb), bad, "lookups: NULL");
-    shd_assert_result("handle", shd_environment_irradiance(NULL, &lookups, rgb), bad, "environment: NULL");
+    shd_assert_result("rgb", shd_environment_irradiance(bare, &lookups, NULL), bad, "light: NULL");
+    shd_assert_result("lookups", shd_environment_irradiance(bare, NULL, &light), bad, "lookups: NULL");
+    shd_assert_result("handle", shd_environment_irradiance(NULL, &lookups, &light), bad, "environment: NULL");
     shd_assert_result("info", shd_environment_get_info(NULL, &info), bad, "environment: NULL");
     shd_assert_result("out_info", shd_environment_get_info(bare, NULL), bad, "out_info: NULL");
-    rgb[1].data = g_direction[0];
-    shd_assert_result("overlap", shd_environment_irradiance(bare, &lookups, rgb), bad, "overlap");
-    outputs(rgb);
+    light.rgb[1].data = g_direction[0];
+    shd_assert_result("overlap", shd_environment_irradiance(bare, &lookups, &light), bad, "overlap");
+    outputs(&light);
     lookups.direction[2].data = NULL;
-    shd_assert_result("direction", shd_environment_irradiance(bare, &lookups, rgb), bad, "lookups.direction[2]");
-    rgb[0].data = rgb[2].data = NULL;
-    shd_assert_ok(shd_environment_irradiance(bare, &none, rgb));
+    shd_assert_result("direction", shd_environment_irradiance(bare, &lookups, &light), bad, "lookups.direction[2]");
+    light.rgb[0].data = light.rgb[2].data = NULL;
+    shd_assert_ok(shd_environment_irradiance(bare, &none, &light));
     shd_environment_release(bare);
     free(image.pixels);
 }
