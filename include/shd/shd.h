@@ -55,6 +55,7 @@
 #include <shd/context.h>
 #include <shd/desc.h>
 #include <shd/edges.h>
+#include <shd/environment.h>
 #include <shd/explain.h>
 #include <shd/footprint.h>
 #include <shd/fragments.h>
