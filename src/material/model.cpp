@@ -40,7 +40,7 @@ constexpr ModelInfo make_info() {
                 "columns of shade/ hold all models");
   return {Model::kSlots,        Lighting::kLobes,    Shape::kSlots,     Shape::kColumns,
           Model::kShownColumns, Lighting::kNeedsEye, Model::kHasNormal, Lighting::kIgnoresIrradiance,
-          Model::kColorsAmbient};
+          Model::kColorsAmbient,  Lighting::kReflectsEnvironment, Lighting::kEnvironmentTables};
 }
 
 template <class... Rows>
