@@ -166,8 +166,7 @@ shd_result read_environment(const shd_render_desc& desc, const core::Buffer<fram
   }
   if (desc.background == SHD_BACKGROUND_ENVIRONMENT) {
     const bool blurs = desc.background_roughness > 0.0f;
-    const char* missing =
-        missing_table(*map, blurs ? SHD_ENVIRONMENT_TABLE_GGX : SHD_ENVIRONMENT_TABLE_RADIANCE);
+    const char* missing = missing_table(*map, blurs ? SHD_ENVIRONMENT_TABLE_GGX : SHD_ENVIRONMENT_TABLE_RADIANCE);
     if (missing) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "render.environment: made without %s, which the background takes",
                         missing);

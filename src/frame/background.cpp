@@ -81,8 +81,8 @@ void fill_background(const core::SimdTarget& simd, const Background& background,
     float* out[4];
     for (int c = 0; c < 4; ++c) out[c] = planes.plane[c] + row * planes.stride + column;
     environment::look_up_view(simd, *background.map,
-                              {part.width, {direction[0], direction[1], direction[2]}, precision},
-                              background.roughness, background.intensity, out);
+                              {part.width, {direction[0], direction[1], direction[2]}, precision}, background.roughness,
+                              background.intensity, out);
     std::fill_n(out[3], part.width, 1.0f);
   }
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "film/sample_store.h"
+#include "frame/background.h"
 #include "frame/frame.h"
 #include "frame/scene.h"
 #include "frame/worker.h"
-#include "frame/background.h"
 #include "shade/light_table.h"
 
 namespace shd::frame {

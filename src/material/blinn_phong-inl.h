@@ -36,7 +36,7 @@ HWY_INLINE void BlinnPhongSurroundings(D d, const Surroundings<D>& from, V p, en
   const V one = hn::Set(d, 1.0f), precision = p + one;
   const V sum = from.Place(precision).LookUp(d, environment::lobe_table().sum[kind][0]);
   from.Irradiance(lobe[0]);
-  from.Radiance(from.map.phong, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) / precision), lobe[1]);
+  from.Radiance(from.map.phong, from.r, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) / precision), lobe[1]);
 }
 constexpr float kBlinnPhongIntegral = 25.1327412f;  // 8 pi
 

@@ -104,7 +104,11 @@ struct MetallicRoughness : ModelBase {
       const V f90 = place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
       const V diffuse = place.LookUpRow(d, table.diffuse);
       from.Irradiance(lobe[0]);
-      from.Radiance(from.map.ggx, precision, hn::Set(d, 1.0f), lobe[1]);
+      const V one = hn::Set(d, 1.0f), alpha = hn::Sqrt(shape[Shape::kAlphaSquared]), rest = one - alpha;
+      const V turn = rest * (hn::Sqrt(rest) + alpha);
+      const Vec3V<V> axis = {from.n.x + turn * (from.r.x - from.n.x), from.n.y + turn * (from.r.y - from.n.y),
+                             from.n.z + turn * (from.r.z - from.n.z)};
+      from.Radiance(from.map.ggx, axis, precision, one, lobe[1]);
       for (int c = 0; c < 3; ++c) {
         lobe[0][c] = lobe[0][c] * diffuse;
         lobe[2][c] = lobe[1][c] * f90;

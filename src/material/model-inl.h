@@ -51,10 +51,11 @@ struct Surroundings {
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c];
   }
 
-  /// Sets the channels of a lobe to the mean radiance over the lobe of a precision, times a factor.
-  HWY_INLINE void Radiance(const environment::Chain& chain, V precision, V factor, V (&lobe)[3]) const {
+  /// Sets the channels of a lobe to the mean radiance over the lobe of a precision around a direction, times a factor.
+  HWY_INLINE void Radiance(const environment::Chain& chain, const Vec3V<V>& axis, V precision, V factor,
+                           V (&lobe)[3]) const {
     namespace env = environment::HWY_NAMESPACE;
-    const auto color = env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, r),
+    const auto color = env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis),
                                         env::PrecisionLog2(d, precision));
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
   }

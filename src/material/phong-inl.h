@@ -49,7 +49,7 @@ struct Phong : SpecularBase {
       const V precision = shape[Shape::kExponent] + hn::Set(d, 1.0f);
       const V part = from.Place(precision).LookUp(d, environment::lobe_table().sum[environment::kSumPhong][0]);
       from.Irradiance(lobe[0]);
-      from.Radiance(from.map.phong, precision, part * (hn::Set(d, 6.28318531f) / precision), lobe[1]);
+      from.Radiance(from.map.phong, from.r, precision, part * (hn::Set(d, 6.28318531f) / precision), lobe[1]);
     }
   };
 };
