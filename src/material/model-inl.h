@@ -55,8 +55,8 @@ struct Surroundings {
   HWY_INLINE void Radiance(const environment::Chain& chain, const Vec3V<V>& axis, V precision, V factor,
                            V (&lobe)[3]) const {
     namespace env = environment::HWY_NAMESPACE;
-    const auto color = env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis),
-                                        env::PrecisionLog2(d, precision));
+    const auto color =
+        env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis), env::PrecisionLog2(d, precision));
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
   }
 
