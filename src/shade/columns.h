@@ -45,6 +45,7 @@ struct Columns {
   material::Lobes point_lobes;               // at corners or centroids
   Radiance point_radiance;                   // at corners or centroids
   float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
+  float* place[4];                           // of solid textures: x, y, z, width
   float* tangent_frame[6];                   // dp/du and dp/dv of the points' triangles, world space
   float* shifted;                            // u or v of lookups displaced by one texel
   float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a
@@ -84,6 +85,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
     }
   }
   for (float*& column : columns->uv) visit(&column);
+  for (float*& column : columns->place) visit(&column);
   for (float*& column : columns->tangent_frame) visit(&column);
   for (float*& column : columns->tilt) visit(&column);
   for (float*& column : columns->spread) visit(&column);
