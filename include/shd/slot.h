@@ -109,7 +109,7 @@ typedef struct shd_slot {
      * Solid texture of SHD_SLOT_SOURCE_SOLID, else NULL; copied by the material. Colours take r, g, b and, for the
      * diffuse slot and normals, a; scalars take `channel`. At Phong frequency, and for slots that scale light, the
      * width of a pixel is max(|dp/dx|, |dp/dy|), with the exact derivatives of the place p by pixel steps; where lobes
-     * are evaluated at vertices or centroids it is 0.
+     * are evaluated at vertices or centroids it is 0. `place_width` multiplies it.
      */
     const shd_solid_desc *solid;
     /**
@@ -117,7 +117,7 @@ typedef struct shd_slot {
      */
     float place_transform[16];
     shd_place_space place_space; /**< space of the position; default SHD_PLACE_SPACE_OBJECT */
-    uint32_t reserved;           /**< 0 */
+    float place_width;           /**< factor of the width of a pixel, 0..1000; 0 = no band limit; default 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 
@@ -128,6 +128,7 @@ static inline shd_slot shd_slot_default(shd_slot_target target)
     slot.struct_size = (uint32_t)sizeof slot;
     slot.target = target;
     slot.uv_transform[0] = slot.uv_transform[4] = 1.0f;
+    slot.place_width = 1.0f;
     slot.place_transform[0] = slot.place_transform[5] = slot.place_transform[10] = slot.place_transform[15] = 1.0f;
     return slot;
 }

@@ -138,6 +138,7 @@ shd_result take_solid(const core::Allocator& allocator, material::SlotInput* slo
   SHD_TRY(check_count(SlotField(slot->index, "channel").text, desc.channel, 0, 3));
   SHD_TRY(check_enum(SlotField(slot->index, "place_space").text, desc.place_space, 0, SHD_PLACE_SPACE_WORLD));
   SHD_TRY(check_place_transform(SlotField(slot->index, "place_transform").text, desc.place_transform));
+  SHD_TRY(check_range(SlotField(slot->index, "place_width").text, double{desc.place_width}, 0.0, 1000.0));
   SHD_TRY(read_solid(SlotField(slot->index, "solid").text, desc.solid, &solid));
   core::Array<procedural::Solid>& copy = out->solid[desc.target];
   copy = core::Array<procedural::Solid>(allocator, 1);
@@ -151,7 +152,6 @@ shd_result check_source(const material::SlotInput& slot) {
   const shd_slot& desc = slot.desc;
   const SlotField source(slot.index, "source");
   SHD_TRY(check_enum(source.text, desc.source, SHD_SLOT_SOURCE_CONSTANT, SHD_SLOT_SOURCE_SOLID));
-  SHD_TRY(check_zero(SlotField(slot.index, "reserved").text, desc.reserved));
   const bool only_textures = desc.target == SHD_SLOT_HEIGHT || desc.target == SHD_SLOT_MATCAP;
   if (only_textures && desc.source != SHD_SLOT_SOURCE_CONSTANT && desc.source != SHD_SLOT_SOURCE_TEXTURE) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes textures only", source.text,

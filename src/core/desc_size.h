@@ -58,7 +58,7 @@ SHD_SIZED(shd_edges_desc, edges, crease_cosine, 28);
 SHD_SIZED(shd_edges, vertex, kinds, 88);
 SHD_SIZED(shd_tessellation_desc, mode, normals, 80);
 SHD_SIZED(shd_material_desc, model, varying_count, 216);
-SHD_SIZED(shd_slot, user_data, reserved, 160);
+SHD_SIZED(shd_slot, user_data, place_width, 160);
 SHD_SIZED(shd_light_desc, position, sampler, 96);
 SHD_SIZED(shd_shadow_desc, filter, min_variance, 48);
 SHD_SIZED(shd_shadow_render_desc, light, bounds_max, 64);

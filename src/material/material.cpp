@@ -29,6 +29,7 @@ Slot build_slot(const SlotInput& in, const texture::Sampler& default_sampler) no
     slot.solid = in.solid;
     slot.place_space = desc.place_space;
     std::copy_n(desc.place_transform, 16, slot.place_transform);
+    slot.place_width = desc.place_width;
   }
   return slot;
 }

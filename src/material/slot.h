@@ -27,6 +27,7 @@ struct Slot {
   const procedural::Solid* solid;  // null unless SHD_SLOT_SOURCE_SOLID
   shd_place_space place_space;
   float place_transform[16];
+  float place_width;  // factor of the width of a pixel
 };
 
 /// Values of slots at points, as columns; null = 1.

@@ -85,19 +85,24 @@ HWY_INLINE VU MixHigh(DU du, VU x) {
   return x * hn::Set(du, 0x846ca68bu);
 }
 
+/// Chooses by the highest bits. The generic targets of Highway compare floats with 0, which fails for NaN and -0.
+template <class D, class VU, class V>
+HWY_INLINE V ChooseByHighest(D d, VU bits, V yes, V no) {
+  const hn::RebindToSigned<D> di;
+  return hn::BitCast(d, hn::IfNegativeThenElse(hn::BitCast(di, bits), hn::BitCast(di, yes), hn::BitCast(di, no)));
+}
+
 /// Gradient of a lattice point, one of twelve, as two signed components.
 ///
 /// With the highest bits b3 b2 b1 b0 of the hash as a number, the choice is that of Perlin's reference implementation
 /// of 2002: u = x if below 8, else y; v = y if below 4, x for 12 and 14, else z; b0 negates u, b1 negates v.
 template <class D, class VU, class V>
 HWY_INLINE V DotEdge(D d, VU hash, V x, V y, V z) {
-  const hn::RebindToUnsigned<D> du;
-  const auto sign = hn::Set(du, 0x80000000u);
-  const V b3 = hn::BitCast(d, hash), b2 = hn::BitCast(d, hn::ShiftLeft<1>(hash));
-  const auto b1 = hn::ShiftLeft<2>(hash), b0 = hn::ShiftLeft<3>(hash);
-  const V u = hn::IfNegativeThenElse(b3, y, x);
-  const V above = hn::IfNegativeThenElse(hn::BitCast(d, hn::AndNot(b0, hash)), x, z);
-  const V v = hn::IfNegativeThenElse(b2, above, hn::IfNegativeThenElse(b3, z, y));
+  const auto sign = hn::Set(hn::RebindToUnsigned<D>(), 0x80000000u);
+  const VU b2 = hn::ShiftLeft<1>(hash), b1 = hn::ShiftLeft<2>(hash), b0 = hn::ShiftLeft<3>(hash);
+  const V u = ChooseByHighest(d, hash, y, x);
+  const V above = ChooseByHighest(d, hn::AndNot(b0, hash), x, z);
+  const V v = ChooseByHighest(d, b2, above, ChooseByHighest(d, hash, z, y));
   return hn::Xor(u, hn::BitCast(d, b0 & sign)) + hn::Xor(v, hn::BitCast(d, b1 & sign));
 }
 

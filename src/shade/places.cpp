@@ -50,11 +50,11 @@ float square_of_step(const PlaceMap& map, float x, float y, float z) {
   return sum;
 }
 
-void find_widths(const PlaceMap& map, const raster::Fragments& points, float* out) {
+void find_widths(const PlaceMap& map, float factor, const raster::Fragments& points, float* out) {
   for (size_t i = 0; i < points.count; ++i) {
     const float right = square_of_step(map, points.dpdx[0][i], points.dpdx[1][i], points.dpdx[2][i]);
     const float down = square_of_step(map, points.dpdy[0][i], points.dpdy[1][i], points.dpdy[2][i]);
-    out[i] = std::sqrt(right > down ? right : down);
+    out[i] = factor * std::sqrt(right > down ? right : down);
   }
 }
 
@@ -63,7 +63,7 @@ void find_widths(const PlaceMap& map, const raster::Fragments& points, float* ou
 void find_places(const material::Slot& slot, const SlotContext& context, float* const out[4]) {
   const PlaceMap map = place_map(slot, context.shading.object_to_world);
   map_points(map, context.points, out);
-  if (context.has_footprint) find_widths(map, context.points, out[3]);
+  if (context.has_footprint) find_widths(map, slot.place_width, context.points, out[3]);
 }
 
 }  // namespace shd::shade

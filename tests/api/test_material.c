@@ -259,7 +259,7 @@ static void edit_slot_place_nan(shd_material_desc *d)
     add_solid(d, SHD_SLOT_DIFFUSE)->place_transform[13] = (float)NAN;
 }
 static void edit_slot_place_projects(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->place_transform[11] = 1; }
-static void edit_slot_reserved(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->reserved = 1; }
+static void edit_slot_place_width(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->place_width = -1; }
 static void edit_height_as_solid(shd_material_desc *d) { add_solid(d, SHD_SLOT_HEIGHT); }
 static void edit_height_of_vertices(shd_material_desc *d) { add_slot(d, shd_slot_vertex(SHD_SLOT_HEIGHT, 0)); }
 static void edit_matcap_as_procedure(shd_material_desc *d)
@@ -417,7 +417,7 @@ static const struct create_case k_create[] = {
     {"create/slot_place_nan", edit_slot_place_nan, BAD, "material.slots[0].place_transform[13]: "},
     {"create/slot_place_projects", edit_slot_place_projects, BAD,
      "material.slots[0].place_transform: last row is (0, 0, 1, 1), not (0, 0, 0, 1)"},
-    {"create/slot_reserved", edit_slot_reserved, BAD, "material.slots[0].reserved: 1 is not 0"},
+    {"create/slot_place_width", edit_slot_place_width, BAD, "material.slots[0].place_width: -1 is not in 0..1000"},
     {"create/height_as_solid", edit_height_as_solid, BAD,
      "material.slots[0].source: 4, but this slot takes textures only"},
     {"create/height_of_vertices", edit_height_of_vertices, BAD,

@@ -85,16 +85,17 @@ static void expect_colors(const scene *s, double error)
     }
 }
 
-/* World space, at every frequency; the material has a copy of the desc. */
+/* World space, at every frequency, with factors of the width; the material has a copy of the desc. */
 static void test_world(void **state)
 {
-    int frequency;
+    int frequency, i;
     (void)state;
     for (frequency = SHD_FREQUENCY_PHONG; frequency <= SHD_FREQUENCY_FLAT; ++frequency) {
         scene s;
         open_scene(&s);
-        add_solid(&s, SHD_SLOT_DIFFUSE, SHD_PLACE_SPACE_WORLD);
+        add_solid(&s, SHD_SLOT_DIFFUSE, SHD_PLACE_SPACE_WORLD)->place_width = (float)(2 - frequency);
         find_quad_places();
+        for (i = 0; i < k_pixels; ++i) g.width[i] *= (float)(2 - frequency);
         evaluate(&s.solid);
         shd_frame_draw(&s.f, s.quad, 6, &s.material)->frequency = (shd_frequency)frequency;
         memset(&s.solid, 0, sizeof s.solid);
