@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // solid/<kind>/<target>: shd_solid_evaluate of 4096 random places in 256^3 cells, one octave, on one thread; items are
-// evaluations. _gradient rows also compute the gradient, _color rows the colours; _6_octaves and _banded sum six octaves,
-// the latter with widths that keep about three.
+// evaluations. _gradient rows also compute the gradient, _color rows the colours; _6_octaves and _banded sum six
+// octaves, the latter with widths that keep about three.
 #include <string>
 
 #include "bench.h"

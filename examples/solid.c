@@ -40,8 +40,8 @@ static shd_solid_desc describe(shd_solid kind)
     if (kind == SHD_SOLID_WORLEY) desc.octaves = 1, desc.size = 0.35f, desc.distance = SHD_SOLID_DISTANCE_F2_F1;
     if (kind == SHD_SOLID_PERLIN || kind == SHD_SOLID_VALUE) desc.range[0] = -0.6f, desc.range[1] = 0.6f;
     if (kind == SHD_SOLID_SIMPLEX) desc.range[1] = 0.7f;
-    if (kind == SHD_SOLID_WORLEY) desc.range[1] = 0.4f;
-    if (kind == SHD_SOLID_MARBLE) desc.distortion = 5.0f;
+    if (kind == SHD_SOLID_WORLEY) desc.range[1] = 0.25f;
+    if (kind == SHD_SOLID_MARBLE) desc.distortion = 3.0f;
     if (kind == SHD_SOLID_WOOD) desc.size = 0.16f, desc.distortion = 0.8f;
     return desc;
 }

@@ -27,17 +27,19 @@
  * cells. SHD_SOLID_FADE_QUINTIC weighs by 6 t^5 - 15 t^4 + 10 t^3 instead, and SHD_SOLID_GRADIENTS_HASHED chooses one
  * of the twelve gradients (1, 1, 0) .. (0, -1, -1) by a hash of the lattice point (Perlin, "Improving Noise", 2002).
  * The hashed sum is multiplied by 0.9649 (quintic) or 0.957 (cubic), so that |n| <= 1. SIMPLEX has these gradients with
- * weights 76.88 max(0, 1/2 - r^2)^4, so that |n| <= 1 too (Perlin, "Noise Hardware", 2001). WORLEY is exact: F1 and F2 are the distances to the nearest and
- * the second nearest of all feature points (Worley, "A Cellular Texture Basis Function", 1996). The rings of WOOD run
- * around the y axis; smooth() is the cubic step (Peachey in Ebert et al., "Texturing and Modeling", 2002).
+ * weights 76.88 max(0, 1/2 - r^2)^4, so that |n| <= 1 too (Perlin, "Noise Hardware", 2001). WORLEY is exact: F1 and F2
+ * are the distances to the nearest and the second nearest of all feature points (Worley, "A Cellular Texture Basis
+ * Function", 1996). The rings of WOOD run around the y axis; smooth() is the cubic step (Peachey in Ebert et al.,
+ * "Texturing and Modeling", 2002).
  *
  * Band limit: with a `width` w, in cells, an octave of frequency f is whole up to w f = 1/2, where the pixels are half
  * a wavelength wide, and is replaced by its mean from w f = 1 on; in between it fades linearly (Norton et al.,
  * "Clamping", 1982). STRIPES and CHECKER are averaged over a cube of side w instead, exactly; widths below 2^-12 cells
  * count as 0. The waves of MARBLE have f = 1/2, the rings of WOOD f = 1.
  *
- * Defined for all inputs: NaN and infinite coordinates count as 0, NaN and negative widths as 0. Coordinates beyond
- * 2^23 cells, in the cells of each octave, are clamped to 2^23, so that the pattern is constant there.
+ * Defined for all inputs: NaN and infinite coordinates count as 0, NaN and negative widths as 0. Noise clamps
+ * coordinates to 2^23 cells of each octave (SIMPLEX to 2^22), beyond which it is constant. All floats beyond 2^24 are
+ * even integers, where stripes are 1 and the checker no longer changes.
  *
  * Every value depends on its own inputs only: results have the same bits for any batch size, order, worker count and
  * SIMD target.
@@ -109,7 +111,7 @@ typedef enum shd_solid_distance {
 /** Largest number of colours of a solid texture. */
 #define SHD_MAX_SOLID_COLORS 8
 
-/** A solid texture. Frozen enumerations and numbers only, so that a copy is independent of the original. */
+/** A solid texture: a pattern, its octaves and its colours. It has no pointers, so a copy is independent. */
 typedef struct shd_solid_desc {
     uint32_t struct_size; /**< set by shd_solid_desc_default() */
     shd_solid kind;       /**< default SHD_SOLID_STRIPES */
@@ -123,11 +125,11 @@ typedef struct shd_solid_desc {
     uint32_t octaves;
     float lacunarity;              /**< ratio of the frequencies of successive octaves, 1..16; default 2 */
     float gain;                    /**< ratio of the amplitudes of successive octaves, 0..1; default 1/2 */
-    shd_solid_sum sum;             /**< of PERLIN, VALUE and SIMPLEX; default SHD_SOLID_SUM_FBM */
-    shd_solid_gradients gradients; /**< of PERLIN; default SHD_SOLID_GRADIENTS_HASHED */
-    shd_solid_fade fade;           /**< of PERLIN, VALUE, MARBLE and WOOD; default SHD_SOLID_FADE_QUINTIC */
-    shd_solid_distance distance;   /**< of WORLEY; default SHD_SOLID_DISTANCE_F1 */
-    float distortion;              /**< of MARBLE and WOOD: factor of the noise [cells], 0..1000; default 1 */
+    shd_solid_sum sum;             /**< PERLIN, VALUE and SIMPLEX: default SHD_SOLID_SUM_FBM */
+    shd_solid_gradients gradients; /**< PERLIN: default SHD_SOLID_GRADIENTS_HASHED */
+    shd_solid_fade fade;           /**< PERLIN, VALUE, MARBLE and WOOD: default SHD_SOLID_FADE_QUINTIC */
+    shd_solid_distance distance;   /**< WORLEY: default SHD_SOLID_DISTANCE_F1 */
+    float distortion;              /**< MARBLE and WOOD: factor of the noise [cells], 0..1000; default 1 */
     /** Values of the first and the last colour, -1e6..1e6; equal = the limits of the kind's range; default 0, 0. */
     float range[2];
     uint32_t color_count; /**< 2..SHD_MAX_SOLID_COLORS; default 2 */
@@ -177,8 +179,8 @@ typedef struct shd_solid_values {
     uint32_t struct_size; /**< set by shd_solid_values_default() */
     shd_f32_out value;    /**< the pattern, in the range of its kind */
     /**
-     * d value / dx, dy and dz, with the width held constant. 0 where the pattern jumps and where it has no derivative.
-     * The gradient of one octave is limited to about 1e30.
+     * d value / dx, dy and dz, with the width held constant, limited to -1e30..1e30. Where the pattern jumps or has no
+     * derivative the result is that of one side, or 0.
      */
     shd_f32_out gradient[3];
     shd_f32_out color[4];   /**< r, g, b, a of shd_solid_desc.colors at the value, linear */

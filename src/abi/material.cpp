@@ -180,7 +180,8 @@ shd_result take_slot(const core::Allocator& allocator, material::SlotInput* slot
   return SHD_OK;
 }
 
-/// Reads slot `index` of the caller's, which are struct_size apart, into its place among `slots`. Throws std::bad_alloc.
+/// Reads slot `index` of the caller's, which are struct_size apart, into its place among `slots`. Throws
+/// std::bad_alloc.
 shd_result read_slot(const core::Allocator& allocator, const shd_slot* first, uint32_t index, bool* is_taken,
                      material::SlotInput* slots, material::Material* out) {
   const uint32_t stride = core::struct_size_of(first);

@@ -31,9 +31,9 @@ HWY_INLINE Sample<V> LimitSlopes(D d, Sample<V> sample) {
   return {sample.value, clamp(sample.dx), clamp(sample.dy), clamp(sample.dz)};
 }
 
-/// Sum of octaves of a noise at a place in cells: sum of a_i (m + b_i (n_i - m)) with the amplitudes a_i, the mean m and
-/// the band limits b_i. noise.At<kGradient>(d, x, y, z, seed) is one octave; with `is_turbulence` its absolute value is
-/// summed. The derivatives are those by the place in cells.
+/// Sum of octaves of a noise at a place in cells: sum of a_i (m + b_i (n_i - m)) with the amplitudes a_i, the mean m
+/// and the band limits b_i. noise.At<kGradient>(d, x, y, z, seed) is one octave; `is_turbulence` sums its absolute
+/// values. The derivatives are those by the place in cells.
 template <bool kGradient, class D, class Noise, class V>
 HWY_INLINE Sample<V> SumOctaves(D d, const Noise& noise, const Solid& solid, bool is_turbulence, const Place<V>& p) {
   const V zero = hn::Zero(d), mean = hn::Set(d, solid.mean), normalizer = hn::Set(d, solid.normalizer);

@@ -5,8 +5,8 @@
 /// Input:      a checked shd_solid_desc as a Solid; places and widths as packed columns.
 /// Output:     values, their gradients and colours as packed columns; the number of places that are not finite.
 /// Units:      places, widths and gradients in the units of the caller; kernels divide by the size of a cell.
-/// Invariants: a value depends only on its own place and width; every target gives the same bits; kernels read and write
-///             no element past the last one.
+/// Invariants: a value depends only on its own place and width; every target gives the same bits; kernels read and
+///             write no element past the last one.
 ///
 /// | file              | contents                                                            |
 /// |-------------------|---------------------------------------------------------------------|

@@ -19,8 +19,8 @@ struct NoiseInfo {
   float normalizer;
   float mean_absolute;  // mean of |n| over space and seeds, for turbulence
 };
-/// By fade: quintic, cubic. The normalizers are just below the inverse of the largest sum over the lattice points, which
-/// test_solid_range.cpp finds; the means are measured over 2^24 places.
+/// By fade: quintic, cubic. The normalizers are just below the inverse of the largest sum over the lattice points:
+/// unit.procedural.solid_range. The means are measured over 2^24 places.
 constexpr NoiseInfo kHashedPerlin[2] = {{0.9649f, 0.2125f}, {0.957f, 0.2f}};
 constexpr NoiseInfo kTablePerlin[2] = {{1.0f, 0.1561f}, {1.0f, 0.1478f}};
 constexpr NoiseInfo kValue[2] = {{1.0f, 0.3301f}, {1.0f, 0.3028f}};

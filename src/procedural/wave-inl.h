@@ -40,11 +40,11 @@ HWY_INLINE V ModuloTwo(D d, V x) {
   return hn::IfThenElseZero(hn::Eq(fraction, fraction), fraction + fraction);
 }
 
-/// 1 for x modulo 2 in [0, 1), otherwise -1.
+/// 1 for x modulo 2 in [0, 1), otherwise -1; tiny negative x are before the end of a period.
 template <class D, class V>
 HWY_INLINE V WaveSign(D d, V x) {
-  const V one = hn::Set(d, 1.0f), m = ModuloTwo(d, x);
-  return hn::IfThenElse(hn::Or(hn::Lt(m, one), hn::Ge(m, one + one)), one, hn::Neg(one));
+  const V one = hn::Set(d, 1.0f);
+  return hn::IfThenElse(hn::Lt(ModuloTwo(d, x), one), one, hn::Neg(one));
 }
 
 /// Integral of WaveSign from 0 to x: a triangle wave.

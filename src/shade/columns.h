@@ -45,7 +45,7 @@ struct Columns {
   material::Lobes point_lobes;               // at corners or centroids
   Radiance point_radiance;                   // at corners or centroids
   float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
-  float* place[4];                           // of solid textures: x, y, z, width
+  float* place[4];                           // x, y, z and width for solid textures
   float* tangent_frame[6];                   // dp/du and dp/dv of the points' triangles, world space
   float* shifted;                            // u or v of lookups displaced by one texel
   float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a

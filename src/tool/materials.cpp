@@ -25,7 +25,7 @@ constexpr int kTargets = SHD_SLOT_NORMAL_MIXED + 1;
 /// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
   shd_texture* texture[kTargets] = {};
-  const shd_solid_desc* solid = nullptr;  // of the diffuse slot
+  const shd_solid_desc* solid = nullptr;  // feeds the diffuse slot
   bool drops_others = false;              // no other textures of the surface are used
 };
 

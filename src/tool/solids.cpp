@@ -8,7 +8,7 @@ namespace {
 struct Look {
   uint32_t octaves;
   float distortion;
-  float low, high;  // of the range of the colours; equal = that of the kind
+  float low, high;  // range of the colours; equal = that of the kind
   shd_solid_sum sum;
   shd_solid_distance distance;
   uint32_t color_count;
@@ -24,8 +24,8 @@ constexpr Look kLooks[] = {
     {6, 1.0f, -0.6f, 0.6f, kFbm, kF1, 2, {{0.1f, 0.25f, 0.7f}, {0.9f, 0.9f, 0.95f}}},
     {6, 1.0f, -0.6f, 0.6f, kFbm, kF1, 2, {{0.02f, 0.1f, 0.02f}, {0.3f, 0.55f, 0.1f}}},
     {6, 1.0f, 0.0f, 0.7f, kTurbulence, kF1, 3, {{0.02f, 0.005f, 0.0f}, {0.9f, 0.2f, 0.01f}, {1.0f, 0.9f, 0.3f}}},
-    {1, 1.0f, 0.0f, 0.4f, kFbm, kBorders, 2, {{0.6f, 0.9f, 0.85f}, {0.02f, 0.2f, 0.3f}}},
-    {6, 5.0f, 0.0f, 0.0f, kFbm, kF1, 3, {{0.03f, 0.05f, 0.06f}, {0.45f, 0.5f, 0.5f}, {0.9f, 0.9f, 0.85f}}},
+    {1, 1.0f, 0.0f, 0.25f, kFbm, kBorders, 2, {{0.6f, 0.9f, 0.85f}, {0.02f, 0.2f, 0.3f}}},
+    {6, 3.0f, 0.0f, 0.0f, kFbm, kF1, 3, {{0.03f, 0.05f, 0.06f}, {0.45f, 0.5f, 0.5f}, {0.9f, 0.9f, 0.85f}}},
     {6, 0.8f, 0.0f, 0.0f, kFbm, kF1, 2, {{0.55f, 0.28f, 0.1f}, {0.2f, 0.07f, 0.02f}}},
 };
 static_assert(sizeof kLooks / sizeof kLooks[0] == SHD_SOLID_WOOD + 1);

@@ -4,5 +4,5 @@
 #include <shd/solid.h>
 
 /// A built-in solid texture: colours, octaves and distortion that suit its kind.
-/// @param size  of a cell [world units]
+/// @param size  side of a cell [world units]
 shd_solid_desc make_solid(shd_solid kind, float size);

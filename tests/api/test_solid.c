@@ -64,7 +64,7 @@ static shd_solid_desc marble(void)
 
 struct bad_desc {
     const char *name;
-    size_t offset; /* of the field */
+    size_t offset; /* place of the field */
     int is_float;
     double value;
     const char *message;

@@ -217,7 +217,7 @@ static void test_channels(void **state)
         scene s;
         size_t i;
         open_scene(&s);
-        s.material.blend = SHD_BLEND_ALPHA;
+        s.material.blend = SHD_BLEND_STRAIGHT;
         add_solid(&s, channel < 4 ? SHD_SLOT_OPACITY : SHD_SLOT_DIFFUSE, SHD_PLACE_SPACE_WORLD)->channel = channel % 4;
         shd_frame_draw(&s.f, s.quad, 6, &s.material);
         shd_frame_render(&s.f);

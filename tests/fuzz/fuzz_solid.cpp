@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random solid textures at random places, valid and invalid. Values lie in the range of their kind, gradients and
 // colours are finite, nothing is written beside the columns, and every target gives the same bits.
+#include "host.h"
 #include "mutator.h"
 
 namespace shd::fuzz {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Oracle of the solid textures: the formulas of shd/solid.h, one point and one lattice point after the other, in double.
+// Oracle of the solid textures: the formulas of shd/solid.h for one point, in double.
 #pragma once
 
 #include <cmath>

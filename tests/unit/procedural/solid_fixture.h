@@ -39,7 +39,7 @@ struct solid_case {
   shd_solid_gradients gradients;
   shd_solid_fade fade;
   shd_solid_distance distance;
-  double mean_absolute;  // of one octave; for Worley the mean
+  double mean_absolute;  // mean of |n| in one octave; Worley noise: the mean
 };
 constexpr shd_solid_gradients kHashed = SHD_SOLID_GRADIENTS_HASHED, kTable = SHD_SOLID_GRADIENTS_TABLE;
 constexpr shd_solid_fade kQuintic = SHD_SOLID_FADE_QUINTIC, kCubic = SHD_SOLID_FADE_CUBIC;

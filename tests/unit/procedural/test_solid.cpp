@@ -11,7 +11,7 @@ Points g_points, g_first;
 procedural::Solid g_solid;
 
 /// Largest |error| of one octave within 8 cells, and of a sum of octaves.
-constexpr double kOctaveError = 4e-6, kSumError = 1e-4;
+constexpr double kOctaveError = 4e-6, kSumError = 1e-4, kWoodError = 2e-5;  // rings have steep edges
 constexpr size_t kChecked = 701;
 
 /// Compares the first points with the oracle. Near the jumps of stripes and checkers only one side can be right.
@@ -27,12 +27,12 @@ void check_values(const solid_case& c, const shd_solid_desc& desc, bool has_widt
   }
 }
 
-/// Runs every target; the bits of all are those of the first one.
+/// Runs every target, and checks the first one; the bits of all others are the same.
 template <class Check>
 void on_every_target(bool has_width, bool has_gradient, const Check& check) {
   for_each_target([&](const core::SimdTarget& target, bool first) {
     assert_int_equal(run(g_solid, target, has_width, has_gradient, &g_points), 0);
-    check();
+    if (first) check();
     if (first) g_first = g_points;
     assert_memory_equal(g_first.value, g_points.value, sizeof g_first.value);
     assert_memory_equal(g_first.gradient, g_points.gradient, sizeof g_first.gradient);
@@ -49,7 +49,8 @@ void test_octave(void** state) {
   desc.seed = 77;
   procedural::build(desc, &g_solid);
   for (const bool has_width : {false, true}) {
-    on_every_target(has_width, false, [&] { check_values(c, desc, has_width, kOctaveError); });
+    const double error = c.kind == SHD_SOLID_WOOD ? kWoodError : kOctaveError;
+    on_every_target(has_width, false, [&] { check_values(c, desc, has_width, error); });
   }
 }
 
