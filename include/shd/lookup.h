@@ -55,6 +55,10 @@ typedef struct shd_lookups {
     shd_f32_in lod;       /**< log2 of the footprint in base texels; replaces the derivatives, width and blur */
     shd_u32_in layer;     /**< layer of the array; absent = 0; numbers beyond the last layer mean the last layer */
     shd_u32_in random;    /**< random bits of SHD_FILTER_STOCHASTIC; absent = hashed from the bits of u and v */
+    shd_f32_in w;         /**< third coordinate: across the slices of a 3D texture, or of a direction; required by these
+                               textures, without effect for others */
+    shd_f32_in dwdx;      /**< dw/dx per pixel step, where w has effect; absent = 0 */
+    shd_f32_in dwdy;      /**< dw/dy; absent = 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_lookups;
 
@@ -81,6 +85,8 @@ typedef struct shd_texels {
     shd_f32_out du[4];
     shd_f32_out dv[4];
     size_t nonfinite_count; /**< written: lookups whose coordinates, derivatives or lod were not finite */
+    shd_f32_out dw[4];      /**< d/dw of the channels of a 3D texture, as du; NULL = not wanted. Other textures return
+                                 SHD_ERROR_UNSUPPORTED. Not read if struct_size is 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_texels;
 

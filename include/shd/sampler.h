@@ -257,6 +257,7 @@ typedef struct shd_sampler_desc {
      */
     float level_blend;
     shd_stochastic stochastic; /**< random choice of SHD_FILTER_STOCHASTIC; default SHD_STOCHASTIC_TEXEL */
+    shd_wrap wrap_w;           /**< across the slices of a 3D texture; no effect for others; default SHD_WRAP_REPEAT */
     /* ---- end of 0.1; append below ---- */
 } shd_sampler_desc;
 

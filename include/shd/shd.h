@@ -55,6 +55,7 @@
 #include <shd/context.h>
 #include <shd/desc.h>
 #include <shd/edges.h>
+#include <shd/environment.h>
 #include <shd/explain.h>
 #include <shd/footprint.h>
 #include <shd/fragments.h>
@@ -66,6 +67,7 @@
 #include <shd/mesh.h>
 #include <shd/mip.h>
 #include <shd/present.h>
+#include <shd/projection.h>
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>

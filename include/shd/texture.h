@@ -22,10 +22,11 @@
 
 #include <shd/context.h>
 #include <shd/image.h>
+#include <shd/projection.h>
 
 SHD_BEGIN_DECLS
 
-/** A two-dimensional texture, or an array of them, with its prefiltered tables. */
+/** A two-dimensional texture, an array of them, a 3D texture or a texture of directions, with its tables. */
 typedef struct shd_texture shd_texture;
 
 /** Prefiltered tables of a texture; combine with |. */
@@ -100,6 +101,13 @@ typedef struct shd_texture_desc {
      * texture uses them for the levels that it shares with the mipmap.
      */
     const shd_image *levels;
+    /**
+     * Slices of a 3D texture, 1..65536; default 0 = a 2D texture. width * height * depth is at most 2^28, and `layers`
+     * is 1. Slices are [depth][height][width] texels, `layer_stride` bytes apart. Lookups read (u, v, w); w = 0 is the
+     * outer face of slice 0.
+     */
+    uint32_t depth;
+    shd_projection projection; /**< directions that (u, v, w) of lookups are; default SHD_PROJECTION_NONE */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 
@@ -145,6 +153,8 @@ typedef struct shd_texture_info {
     shd_texture_flags flags; /**< as in its desc */
     size_t byte_size; /**< bytes of all tables and of the data that shd_texture_update() keeps, without a borrowed
                            base level */
+    uint32_t depth;   /**< slices of level 0; 0 = not a 3D texture */
+    shd_projection projection; /**< as in its desc */
     /* ---- end of 0.1; append below ---- */
 } shd_texture_info;
 

@@ -89,7 +89,7 @@ namespace batch_detail {
 constexpr size_t kElementSize = sizeof(float);
 constexpr size_t kTaskElements = 16384;
 constexpr size_t kMaxTasks = size_t{1} << 20;
-constexpr size_t kStageElements = 128;  // 11 KB of stack for the columns of shd_texture_sample
+constexpr size_t kStageElements = 128;  // 14 KB of stack for the columns of shd_texture_sample
 
 template <class Columns>
 bool is_packed(const Columns& columns) {

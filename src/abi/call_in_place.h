@@ -19,20 +19,22 @@ class CallInPlace {
   texture::Lookups in;
   texture::Texels out;
 
-  /// Returns false if the call is not in place.
-  bool read(const shd_lookups* lookups, const shd_texels* texels) {
+  /// Returns false if the call is not in place. `needs_w`: that of the texture.
+  [[gnu::always_inline]] bool read(const shd_lookups* lookups, const shd_texels* texels, bool needs_w) {
     if (!has_size(lookups, sizeof *lookups)) return false;
     if (!has_size(texels, sizeof *texels) && !has_size(texels, 0)) return false;
     count_ = in.count = lookups->count;
     if (count_ == 0 || count_ > batch_detail::kTaskElements) return false;
-    for (size_t c = 0; c < std::size(kFloatRows); ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
+    for (size_t c = 0; c < texture::kPlaneColumns; ++c) in.real(c) = use(lookups->*kFloatRows[c].column, &read_);
+    in.w = in.dwdx = in.dwdy = nullptr;
+    if (needs_w) use_third(*lookups);
     for (size_t c = 0; c < std::size(kIntegerRows); ++c) in.integer(c) = use(lookups->*kIntegerRows[c].column, &read_);
     for (size_t c = 0; c < 4; ++c) {
       out.channel[c] = use(texels->channel[c], &written_);
-      out.du[c] = out.dv[c] = nullptr;
-      sound_ = sound_ && !texels->du[c].data && !texels->dv[c].data;
+      out.du[c] = out.dv[c] = out.dw[c] = nullptr;
     }
-    return sound_ && in.u && in.v && written_.count > 0 && are_apart();
+    return sound_ && !wants_gradient(*texels) && in.u && in.v && (in.w || !needs_w) && written_.count > 0 &&
+           are_apart();
   }
 
  private:
@@ -62,6 +64,22 @@ class CallInPlace {
     sound_ = sound_ && adjacent && (address | column.stride) % batch_detail::kElementSize == 0;
     places->first[places->count++] = address;
     return column.data;
+  }
+
+  static bool wants_gradient(const shd_texels& texels) {
+    uintptr_t any = 0;
+    for (size_t c = 0; c < 4; ++c) {
+      any |= reinterpret_cast<uintptr_t>(texels.du[c].data) | reinterpret_cast<uintptr_t>(texels.dv[c].data);
+    }
+    for (size_t c = 0; texels.struct_size != 0 && c < 4; ++c) any |= reinterpret_cast<uintptr_t>(texels.dw[c].data);
+    return any != 0;
+  }
+
+  /// Uses the columns of the third coordinate.
+  [[gnu::noinline]] void use_third(const shd_lookups& lookups) {
+    for (size_t c = texture::kPlaneColumns; c < std::size(kFloatRows); ++c) {
+      in.real(c) = use(lookups.*kFloatRows[c].column, &read_);
+    }
   }
 
   bool are_apart() const {

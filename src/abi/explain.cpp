@@ -32,7 +32,7 @@ extern "C" shd_result shd_texture_explain(const shd_texture* texture, const shd_
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     SHD_TRY(check_tables(*texture_body, *sampler_body));
     Batch<kLookupColumns, 0> batch;
-    SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
+    SHD_TRY(read_lookups(lookups, *texture_body, &batch.in, &batch.count));
     if (index >= batch.count) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "index: %zu is not below lookups.count %zu", index, batch.count);
     }

@@ -42,7 +42,7 @@ extern "C" shd_result shd_texture_query_levels(const shd_texture* texture, const
     const texture::Sampler* sampler_body;
     SHD_TRY(read_texture_and_sampler(texture, sampler, &texture_body, &sampler_body));
     LevelBatch batch;
-    SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
+    SHD_TRY(read_lookups(lookups, *texture_body, &batch.in, &batch.count));
     shd_levels levels = shd_levels_default();
     SHD_TRY(read_desc("levels", out, false, &levels));
     batch.out[kLod] = out_column("levels.lod", levels.lod, Need::kOptional);

@@ -19,13 +19,29 @@ shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sample
   return read_handle("sampler", sampler, core::ObjectType::kSampler, sampler_body);
 }
 
-shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count) {
+namespace {
+
+/// Whether `count` lookups have the third coordinate that the texture needs. Other textures ignore it.
+shd_result take_third(const texture::Texture& texture, size_t count, LookupColumns* columns) {
+  if (texture::needs_w(texture)) {
+    if (count == 0 || (*columns)[kColumnW].data) return SHD_OK;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "lookups.w.data: NULL, but the texture is %s",
+                      texture.depth ? "3D" : "one of directions");
+  }
+  for (size_t c = kColumnW; c < texture::kFloatColumns; ++c) (*columns)[c].data = nullptr;
+  return SHD_OK;
+}
+
+}  // namespace
+
+shd_result read_lookups(const shd_lookups* in, const texture::Texture& texture, LookupColumns* columns, size_t* count) {
   shd_lookups read = shd_lookups_default();
   SHD_TRY(read_desc("lookups", in, false, &read));
   InColumn* next = columns->data();
   for (const auto& row : kFloatRows) *next++ = in_column(row.name, read.*row.column, row.need);
   for (const auto& row : kIntegerRows) *next++ = in_column(row.name, read.*row.column, row.need);
   *count = read.count;
+  SHD_TRY(take_third(texture, read.count, columns));
   return check_columns(columns->data(), columns->size(), read.count);
 }
 
@@ -56,6 +72,7 @@ void set_outputs(const shd_texels& texels, LookupBatch* batch) {
     batch->out[c] = out_column("texels.channel", texels.channel[c], Need::kOptional, index);
     batch->out[4 + c] = out_column("texels.du", texels.du[c], Need::kOptional, index);
     batch->out[8 + c] = out_column("texels.dv", texels.dv[c], Need::kOptional, index);
+    batch->out[12 + c] = out_column("texels.dw", texels.dw[c], Need::kOptional, index);
   }
 }
 
@@ -67,11 +84,15 @@ shd_result check_outputs(const LookupBatch& batch) {
   return check_overlap(batch.in.data(), kLookupColumns, batch.out.data(), kOutputs, batch.count);
 }
 
-/// Whether the sampler has the derivatives that a batch requests.
-shd_result check_gradient(const LookupBatch& batch, const texture::Sampler& sampler) {
-  bool wanted = false;
+/// Whether the texture and the sampler have the derivatives that a batch requests.
+shd_result check_gradient(const LookupBatch& batch, const texture::Texture& texture, const texture::Sampler& sampler) {
+  bool wanted = false, along_w = false;
   for (size_t c = 4; c < kOutputs; ++c) wanted = wanted || batch.out[c].data;
+  for (size_t c = 12; c < kOutputs; ++c) along_w = along_w || batch.out[c].data;
   if (!wanted) return SHD_OK;
+  if (along_w && texture.depth == 0) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
+  }
   if (!texture::has_gradient(sampler.filter)) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %d of the sampler has no derivatives",
                       static_cast<int>(sampler.filter));
@@ -101,11 +122,11 @@ void write_nonfinite(size_t count, shd_texels* out) {
                                             const texture::Sampler& sampler, const shd_lookups* lookups,
                                             shd_texels* out) {
   LookupBatch batch;
-  SHD_TRY(read_lookups(lookups, &batch.in, &batch.count));
+  SHD_TRY(read_lookups(lookups, texture, &batch.in, &batch.count));
   shd_texels texels = {};
   SHD_TRY(read_texels(out, &texels));
   set_outputs(texels, &batch);
-  SHD_TRY(check_gradient(batch, sampler));
+  SHD_TRY(check_gradient(batch, texture, sampler));
   SHD_TRY(check_outputs(batch));
   std::atomic<size_t> nonfinite{0};
   run_batch(&context, batch, [&](const Piece<kLookupColumns, kOutputs>& piece) {
@@ -129,7 +150,8 @@ extern "C" shd_result shd_texture_sample(const shd_texture* texture, const shd_s
     SHD_TRY(check_tables(*texture_body, *sampler_body));
     const core::Context& context = *object_of(texture)->context;
     CallInPlace call;
-    if (!call.read(lookups, out)) return sample_columns(context, *texture_body, *sampler_body, lookups, out);
+    if (!call.read(lookups, out, texture::needs_w(*texture_body)))
+      return sample_columns(context, *texture_body, *sampler_body, lookups, out);
     write_nonfinite(texture::sample(*texture_body, *sampler_body, context.simd, call.in, call.out), out);
     return SHD_OK;
   });

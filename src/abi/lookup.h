@@ -27,7 +27,8 @@ inline constexpr LookupRow<shd_f32_in> kFloatRows[] = {
     {"lookups.u", Need::kRequired, &shd_lookups::u},       {"lookups.v", Need::kRequired, &shd_lookups::v},
     {"lookups.dudx", Need::kOptional, &shd_lookups::dudx}, {"lookups.dvdx", Need::kOptional, &shd_lookups::dvdx},
     {"lookups.dudy", Need::kOptional, &shd_lookups::dudy}, {"lookups.dvdy", Need::kOptional, &shd_lookups::dvdy},
-    {"lookups.lod", Need::kOptional, &shd_lookups::lod},
+    {"lookups.lod", Need::kOptional, &shd_lookups::lod},   {"lookups.w", Need::kOptional, &shd_lookups::w},
+    {"lookups.dwdx", Need::kOptional, &shd_lookups::dwdx}, {"lookups.dwdy", Need::kOptional, &shd_lookups::dwdy},
 };
 inline constexpr LookupRow<shd_u32_in> kIntegerRows[] = {
     {"lookups.layer", Need::kOptional, &shd_lookups::layer},
@@ -35,12 +36,15 @@ inline constexpr LookupRow<shd_u32_in> kIntegerRows[] = {
 };
 static_assert(std::size(kFloatRows) == texture::kFloatColumns && std::size(kIntegerRows) == texture::kIntegerColumns);
 
+/// Place of `w` among LookupColumns.
+constexpr size_t kColumnW = texture::kPlaneColumns;
+
 /// Reads the handles of a texture and of the sampler that filters it.
 shd_result read_texture_and_sampler(const shd_texture* texture, const shd_sampler* sampler,
                                     const texture::Texture** texture_body, const texture::Sampler** sampler_body);
 
-/// Reads a caller's desc into columns and their count, and checks them.
-shd_result read_lookups(const shd_lookups* in, LookupColumns* columns, size_t* count);
+/// Reads a caller's desc into columns and their count, and checks them. Columns that the texture ignores are absent.
+shd_result read_lookups(const shd_lookups* in, const texture::Texture& texture, LookupColumns* columns, size_t* count);
 
 /// Returns the lookups of a piece whose inputs are LookupColumns.
 template <size_t kOut>

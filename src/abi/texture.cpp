@@ -98,6 +98,22 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
                       desc.height);
 }
 
+/// 2D, 3D, or directions.
+shd_result check_kind(const shd_texture_desc& desc) {
+  SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
+  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, SHD_PROJECTION_OCTAHEDRAL));
+  if (desc.depth != 0 && desc.projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
+                      static_cast<int>(desc.projection), desc.depth);
+  }
+  if (desc.projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.projection: %d has no lookups",
+                      static_cast<int>(desc.projection));
+  }
+  if (desc.depth != 0) return core::fail(SHD_ERROR_UNSUPPORTED, "texture.depth: %u has no lookups", desc.depth);
+  return SHD_OK;
+}
+
 shd_result check_texture_desc(const shd_texture_desc& desc) {
   const uint32_t bits = enum_bits(desc.format);
   if (!image::is_format(bits)) {
@@ -106,6 +122,7 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.width", desc.width, 1, 65536));
   SHD_TRY(check_count("texture.height", desc.height, 1, 65536));
   SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
+  SHD_TRY(check_kind(desc));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
   SHD_TRY(check_count("texture.width * texture.height * texture.layers",
                       uint64_t{desc.width} * desc.height * desc.layers, 1,
@@ -195,6 +212,8 @@ shd_result shd_texture_get_info(const shd_texture* texture, shd_texture_info* ou
     info.tables = body->tables;
     info.flags = body->borrowed ? SHD_TEXTURE_BORROW : SHD_TEXTURE_NONE;
     info.byte_size = texture::byte_size(*body);
+    info.depth = body->depth;
+    info.projection = body->projection;
     write_desc(info, out_info);
     return SHD_OK;
   });

@@ -121,38 +121,59 @@ HWY_INLINE VU HalfBits(VF value) {
   return hn::Or(sign, half);
 }
 
-/// The formats: words of one channel, packed into vectors of 32 bits.
+/// Stores the only word of each pixel.
+HWY_INLINE void StorePixels(VU word, unsigned char* out) {
+#if HWY_TARGET == HWY_SCALAR  // has no vector of bytes
+  const uint32_t lane = hn::GetLane(word);
+  std::memcpy(out, &lane, sizeof lane);
+#else
+  const hn::Repartition<uint8_t, DF> bytes;
+  hn::StoreU(hn::BitCast(bytes, word), bytes, out);
+#endif
+}
+
+/// Stores pixels that `interleave(words)` writes as words.
+template <size_t kWords, class Interleave>
+HWY_INLINE void StorePixels(const Interleave& interleave, unsigned char* out) {
+  uint32_t words[kWords * HWY_MAX_BYTES / sizeof(uint32_t)];
+  interleave(words);
+  std::memcpy(out, words, kWords * hn::Lanes(DU()) * sizeof(uint32_t));
+}
+
+/// The formats: pixels of kWords words of 32 bits, written one vector of pixels after the other.
 struct Unorm8 {
   static constexpr size_t kWords = 1;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) { hn::StoreU(Unorm8Codes<4>(p), DU(), out); }
+  static HWY_INLINE void Encode(const VF (&p)[4], unsigned char* out) { StorePixels(Unorm8Codes<4>(p), out); }
 };
 struct Srgb8 {
   static constexpr size_t kWords = 1;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+  static HWY_INLINE void Encode(const VF (&p)[4], unsigned char* out) {
     const VU rgb[3] = {SrgbCode(p[0]), SrgbCode(p[1]), SrgbCode(p[2])};
-    hn::StoreU(hn::Or(PackCodes(rgb), hn::ShiftLeft<24>(Unorm8Codes<1>(p + 3))), DU(), out);
+    StorePixels(hn::Or(PackCodes(rgb), hn::ShiftLeft<24>(Unorm8Codes<1>(p + 3))), out);
   }
 };
 struct Unorm16 {
   static constexpr size_t kWords = 2;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
-    hn::StoreInterleaved2(hn::Or(UnormCode<16>(p[0]), hn::ShiftLeft<16>(UnormCode<16>(p[1]))),
-                          hn::Or(UnormCode<16>(p[2]), hn::ShiftLeft<16>(UnormCode<16>(p[3]))), DU(), out);
+  static HWY_INLINE void Encode(const VF (&p)[4], unsigned char* out) {
+    const VU low = hn::Or(UnormCode<16>(p[0]), hn::ShiftLeft<16>(UnormCode<16>(p[1])));
+    const VU high = hn::Or(UnormCode<16>(p[2]), hn::ShiftLeft<16>(UnormCode<16>(p[3])));
+    StorePixels<kWords>([&](uint32_t* words) { hn::StoreInterleaved2(low, high, DU(), words); }, out);
   }
 };
 struct Half {
   static constexpr size_t kWords = 2;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
-    hn::StoreInterleaved2(hn::Or(HalfBits(p[0]), hn::ShiftLeft<16>(HalfBits(p[1]))),
-                          hn::Or(HalfBits(p[2]), hn::ShiftLeft<16>(HalfBits(p[3]))), DU(), out);
+  static HWY_INLINE void Encode(const VF (&p)[4], unsigned char* out) {
+    const VU low = hn::Or(HalfBits(p[0]), hn::ShiftLeft<16>(HalfBits(p[1])));
+    const VU high = hn::Or(HalfBits(p[2]), hn::ShiftLeft<16>(HalfBits(p[3])));
+    StorePixels<kWords>([&](uint32_t* words) { hn::StoreInterleaved2(low, high, DU(), words); }, out);
   }
 };
 struct Float {
   static constexpr size_t kWords = 4;
-  static HWY_INLINE void Encode(const VF (&p)[4], uint32_t* out) {
+  static HWY_INLINE void Encode(const VF (&p)[4], unsigned char* out) {
     const DU du;
-    hn::StoreInterleaved4(hn::BitCast(du, p[0]), hn::BitCast(du, p[1]), hn::BitCast(du, p[2]), hn::BitCast(du, p[3]),
-                          du, out);
+    const VU r = hn::BitCast(du, p[0]), g = hn::BitCast(du, p[1]), b = hn::BitCast(du, p[2]), a = hn::BitCast(du, p[3]);
+    StorePixels<kWords>([&](uint32_t* words) { hn::StoreInterleaved4(r, g, b, a, du, words); }, out);
   }
 };
 
@@ -161,20 +182,19 @@ void EncodeRow(const float* const plane[4], size_t count, unsigned char* out) {
   const DF d;
   const size_t lanes = hn::Lanes(d);
   constexpr size_t kBytes = Pixel::kWords * sizeof(uint32_t);
-  uint32_t words[Pixel::kWords * HWY_MAX_BYTES / sizeof(uint32_t)];
   size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
     const VF p[4] = {hn::LoadU(d, plane[0] + i), hn::LoadU(d, plane[1] + i), hn::LoadU(d, plane[2] + i),
                      hn::LoadU(d, plane[3] + i)};
-    Pixel::Encode(p, words);
-    std::memcpy(out + i * kBytes, words, lanes * kBytes);
+    Pixel::Encode(p, out + i * kBytes);
   }
   if (i == count) return;
   float rest[4][HWY_MAX_BYTES / sizeof(float)] = {};
   for (size_t c = 0; c < 4; ++c) std::memcpy(rest[c], plane[c] + i, (count - i) * sizeof(float));
   const VF p[4] = {hn::LoadU(d, rest[0]), hn::LoadU(d, rest[1]), hn::LoadU(d, rest[2]), hn::LoadU(d, rest[3])};
-  Pixel::Encode(p, words);
-  std::memcpy(out + i * kBytes, words, (count - i) * kBytes);
+  unsigned char pixels[Pixel::kWords * HWY_MAX_BYTES];
+  Pixel::Encode(p, pixels);
+  std::memcpy(out + i * kBytes, pixels, (count - i) * kBytes);
 }
 
 void Encode(shd_format format, const float* const plane[4], size_t count, void* out) {

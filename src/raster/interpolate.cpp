@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "raster/attribute-inl.h"
+#include "raster/barycentric-inl.h"
 #include "simd/finite-inl.h"
 #include "simd/vec3-inl.h"
 
@@ -42,19 +43,6 @@ struct RowPerLane {
   }
 };
 
-template <class V>
-struct Barycentric {
-  V b1, b2;                      // weights of vertices 1 and 2
-  V b1_dx, b1_dy, b2_dx, b2_dy;  // derivatives per pixel
-  V b0;
-};
-
-/// Homogeneous raster positions of the corners of triangles.
-template <class V>
-struct Corners {
-  V x[3], y[3], w[3];
-};
-
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const Rows (&rows)[3]) {
   Corners<V> corners;
@@ -65,60 +53,6 @@ HWY_INLINE Corners<V> CornersOf(D d, const geometry::Vertices& vertices, const R
     corners.w[k] = rows[k].Get(d, raster, 3);
   }
   return corners;
-}
-
-/// Terms of the barycentric coordinates that all pixels of a row share. With the vertices translated so that the pixel
-/// is the origin, the weights e[k] of the vertices are their cross products.
-template <class V>
-struct PixelRow {
-  V y[3];             // translated vertices
-  V e_dx[3], sum_dx;  // derivatives of the weights, and of their sum
-};
-
-template <class V>
-HWY_INLINE PixelRow<V> PixelRowAt(const Corners<V>& corners, V py) {
-  PixelRow<V> row;
-  const V(&w)[3] = corners.w;
-  for (int k = 0; k < 3; ++k) row.y[k] = corners.y[k] - py * w[k];
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    row.e_dx[k] = w[j] * row.y[i] - w[i] * row.y[j];
-  }
-  row.sum_dx = row.e_dx[0] + row.e_dx[1] + row.e_dx[2];
-  return row;
-}
-
-/// Barycentric coordinates of raster position px in a row of pixels, and their derivatives.
-template <class D, class V>
-HWY_INLINE Barycentric<V> Weights(D d, const Corners<V>& corners, const PixelRow<V>& row, V px) {
-  V x[3], e[3], e_dy[3];
-  const V(&w)[3] = corners.w, (&y)[3] = row.y, (&e_dx)[3] = row.e_dx;
-  for (int k = 0; k < 3; ++k) x[k] = corners.x[k] - px * w[k];
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    e[k] = x[i] * y[j] - x[j] * y[i];
-    e_dy[k] = x[j] * w[i] - x[i] * w[j];
-  }
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), sum_dx = row.sum_dx;
-  const V sum = e[0] + e[1] + e[2];
-  const V sum_dy = e_dy[0] + e_dy[1] + e_dy[2];
-  const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
-  // A smaller sum has no finite inverse; NaN fails both comparisons.
-  const auto usable = hn::And(hn::Lt(size, hn::Set(d, __builtin_inff())), hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
-  const V inverse = one / hn::IfThenElse(usable, sum, one);
-
-  const V third = hn::Set(d, 1.0f / 3.0f);
-  const V raw1 = hn::IfThenElse(usable, e[1] * inverse, third);
-  const V raw2 = hn::IfThenElse(usable, e[2] * inverse, third);
-  Barycentric<V> result;
-  result.b1_dx = hn::IfThenElseZero(usable, (e_dx[1] - raw1 * sum_dx) * inverse);
-  result.b1_dy = hn::IfThenElseZero(usable, (e_dy[1] - raw1 * sum_dy) * inverse);
-  result.b2_dx = hn::IfThenElseZero(usable, (e_dx[2] - raw2 * sum_dx) * inverse);
-  result.b2_dy = hn::IfThenElseZero(usable, (e_dy[2] - raw2 * sum_dy) * inverse);
-  result.b1 = hn::Min(hn::Max(raw1, zero), one);
-  result.b2 = hn::Min(hn::Max(raw2, zero), one - result.b1);
-  result.b0 = one - result.b1 - result.b2;
-  return result;
 }
 
 /// Component c of rows of four, interpolated.
@@ -206,7 +140,7 @@ template <class D, class Rows>
 HWY_INLINE void InterpolateRows(D d, const geometry::Vertices& vertices, const Rows (&rows)[3], const float* eye,
                                 uint32_t wanted, size_t at, Fragments& f) {
   const auto corners = CornersOf(d, vertices, rows);
-  const auto b = Weights(d, corners, PixelRowAt(corners, hn::Load(d, f.y + at)), hn::Load(d, f.x + at));
+  const auto b = WeightsAt(d, corners, hn::Load(d, f.x + at), hn::Load(d, f.y + at));
   if (wanted & kBarycentrics) {
     hn::Store(b.b0, d, f.bary[0] + at);
     hn::Store(b.b1, d, f.bary[1] + at);
@@ -239,29 +173,53 @@ void Interpolate(const geometry::Vertices& vertices, const float* eye, uint32_t 
   }
 }
 
-void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
-  const hn::ScalableTag<float> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
-  const auto corners = CornersOf(d, vertices, rows);
-  const auto u = ValuesOf(d, geometry::u_of(vertices), rows), v = ValuesOf(d, geometry::v_of(vertices), rows);
+/// Texture coordinates of the corners of one triangle.
+template <class V>
+struct TextureCorners {
+  CornerValues<V> u, v;
+};
+
+/// Fills texture coordinates at the pixels of one triangle. `row_at(y)` returns the terms that a row of pixels shares,
+/// `weights_at(row, x)` the barycentric coordinates of a vector of its pixels.
+template <class D, class V, class RowAt, class WeightsAt>
+HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorners<V>& corner, const RowAt& row_at,
+                            const WeightsAt& weights_at, Fragments& f) {
+  const hn::RebindToSigned<D> di;
   const auto lane = hn::Iota(di, 0);
-  const auto left = hn::Set(d, pixels.left + 0.5f);
+  const V left = hn::Set(d, pixels.left + 0.5f);
   size_t at = 0;
   for (size_t i = 0; i < pixels.run_count; ++i) {
-    // Each row of pixels shares its terms.
     for (uint32_t begin = pixels.run[i].begin, end; begin < pixels.run[i].end; begin = end) {
       end = std::min<uint32_t>(pixels.run[i].end, begin - begin % kTile + kTile);
       const float y = static_cast<float>(static_cast<int32_t>(begin / kTile));
-      const auto row = PixelRowAt(corners, hn::Set(d, (pixels.top + 0.5f) + y));
+      const auto row = row_at(hn::Set(d, (pixels.top + 0.5f) + y));
       for (size_t k = 0; k < end - begin; k += hn::Lanes(d)) {
         const auto x = hn::Set(di, static_cast<int32_t>(begin % kTile + k)) + lane;
-        const auto b = Weights(d, corners, row, left + hn::ConvertTo(d, x));
-        Coordinate(d, u, b, at + k, f.u, f.dudx, f.dudy);
-        Coordinate(d, v, b, at + k, f.v, f.dvdx, f.dvdy);
+        const auto b = weights_at(row, left + hn::ConvertTo(d, x));
+        Coordinate(d, corner.u, b, at + k, f.u, f.dudx, f.dudy);
+        Coordinate(d, corner.v, b, at + k, f.v, f.dvdx, f.dvdy);
       }
       at += end - begin;
     }
+  }
+}
+
+void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
+  const TextureCorners<V> texture = {ValuesOf(d, geometry::u_of(vertices), rows),
+                                     ValuesOf(d, geometry::v_of(vertices), rows)};
+  const auto corners = CornersOf(d, vertices, rows);
+  const auto affine = AffineTrianglesOf(d, corners);
+  if (hn::AllTrue(d, affine.usable)) {
+    FillTexture(
+        d, pixels, texture, [&](V y) { return AffineRowAt(affine, y); },
+        [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); }, f);
+  } else {
+    FillTexture(
+        d, pixels, texture, [&](V y) { return PixelRowAt(corners, y); },
+        [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); }, f);
   }
 }
 

@@ -28,7 +28,8 @@ enum Interpolated : uint32_t {
 ///
 /// Barycentrics of the pixel centre are computed from the unclipped vertices in homogeneous raster coordinates (Olano
 /// and Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997), so that clipping does not change
-/// attributes; they are clamped to the triangle. Without a second uv set or tangents in the vertices, these columns are
+/// attributes; they are clamped to the triangle. Triangles whose vertices have one w (2D and parallel projections) have
+/// the same derivatives at all pixels. Without a second uv set or tangents in the vertices, these columns are
 /// 0; absent attributes are left unchanged. Derivatives are exact derivatives of the quotient, or 0 if they overflow
 /// float. Finite vertices give finite rows. The error is that of the cross products: a pixel position rounded to 2^-24
 /// of its value, divided by the size of the triangle. Largest |error| of a barycentric coordinate measured in a frame

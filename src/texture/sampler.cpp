@@ -43,6 +43,7 @@ Sampler make_sampler(const shd_sampler_desc& desc) {
   sampler.magnification = desc.magnification;
   sampler.wrap_u = desc.wrap_u;
   sampler.wrap_v = desc.wrap_v;
+  sampler.wrap_w = desc.wrap_w;
   std::memcpy(sampler.border, desc.border, sizeof sampler.border);
   sampler.lod_bias = desc.lod_bias;
   sampler.lod_min = desc.lod_min;

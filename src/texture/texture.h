@@ -107,6 +107,8 @@ struct Texture {
   uint32_t tables;              // shd_table bits
   uint32_t width, height;       // size of level 0 [texels]
   uint32_t layers;              // 1..kMaxLayers
+  uint32_t depth;               // slices of level 0 of a 3D texture; 0 = 2D
+  shd_projection projection;    // directions that coordinates are
   uint32_t layer_texels;        // texels of all levels of one layer
   uint32_t level_count;         // 1..kMaxLevels
   uint32_t offset[kMaxLevels];  // first texel of level l, whose size is max(1, width >> l) x max(1, height >> l)
@@ -126,11 +128,16 @@ struct Texture {
   core::Array<double> sum_origins;           // [layers][channels] linear value subtracted from texels before summation
 };
 
+/// Returns whether lookups of a texture read w.
+inline bool needs_w(const Texture& texture) {
+  return texture.depth != 0 || texture.projection != SHD_PROJECTION_NONE;
+}
+
 /// A checked sampler desc; lod_min <= lod_max.
 struct Sampler {
   shd_filter filter;
   shd_magnification magnification;
-  shd_wrap wrap_u, wrap_v;
+  shd_wrap wrap_u, wrap_v, wrap_w;
   float border[4];
   float lod_bias, lod_min, lod_max;
   float width_x, width_y, blur_u, blur_v;
@@ -166,7 +173,8 @@ bool has_gradient(shd_filter filter);
 /// Makes the sampler of a checked desc.
 Sampler make_sampler(const shd_sampler_desc& desc);
 
-constexpr size_t kFloatColumns = 7, kIntegerColumns = 2;
+constexpr size_t kFloatColumns = 10, kIntegerColumns = 2;
+constexpr size_t kPlaneColumns = 7;  // float columns before w: those that textures without needs_w() read
 
 /// Packed columns of `count` elements. Optional columns that are absent are null.
 struct Lookups {
@@ -176,11 +184,13 @@ struct Lookups {
   const float* lod;                        // level of detail, in place of the derivatives; null = from the derivatives
   const uint32_t* layer;                   // null = 0
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
+  const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
 
   /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {
     constexpr const float* Lookups::*kColumns[kFloatColumns] = {
-        &Lookups::u, &Lookups::v, &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy, &Lookups::dvdy, &Lookups::lod};
+        &Lookups::u,    &Lookups::v,   &Lookups::dudx, &Lookups::dvdx, &Lookups::dudy,
+        &Lookups::dvdy, &Lookups::lod, &Lookups::w,    &Lookups::dwdx, &Lookups::dwdy};
     return this->*kColumns[i];
   }
   const float* real(size_t i) const { return const_cast<Lookups*>(this)->real(i); }
@@ -188,19 +198,20 @@ struct Lookups {
   const uint32_t* integer(size_t i) const { return i == 0 ? layer : random; }
 };
 
-constexpr size_t kOutputColumns = 12;
+constexpr size_t kOutputColumns = 16;
 
 /// Packed columns of Lookups::count elements. Unwanted columns are null. Nothing is written past the last element.
 struct Texels {
   float* channel[4];
   float *du[4], *dv[4];  // derivatives of the channels in u and v, for filters with has_gradient()
+  float* dw[4] = {};     // derivatives in w, for 3D textures
 
-  float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : dv[i - 8]; }
+  float*& column(size_t i) { return i < 4 ? channel[i] : i < 8 ? du[i - 4] : i < 12 ? dv[i - 8] : dw[i - 12]; }
   float* column(size_t i) const { return const_cast<Texels*>(this)->column(i); }
   bool wants_values() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
   bool wants_gradient() const {
     for (size_t c = 0; c < 4; ++c) {
-      if (du[c] || dv[c]) return true;
+      if (du[c] || dv[c] || dw[c]) return true;
     }
     return false;
   }
@@ -210,7 +221,10 @@ struct Texels {
 inline Lookups part_of(const Lookups& in, size_t first, size_t count) {
   Lookups part = in;
   part.count = count;
-  for (size_t c = 0; c < kFloatColumns; ++c) part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
+  for (size_t c = 0; c < kPlaneColumns; ++c) part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
+  for (size_t c = kPlaneColumns; in.w && c < kFloatColumns; ++c) {
+    part.real(c) = in.real(c) ? in.real(c) + first : nullptr;
+  }
   for (size_t c = 0; c < kIntegerColumns; ++c) part.integer(c) = in.integer(c) ? in.integer(c) + first : nullptr;
   return part;
 }

@@ -50,6 +50,10 @@ DEFAULTS(shd_light_desc)
 DEFAULTS(shd_shadow_desc)
 DEFAULTS(shd_shadow_render_desc)
 DEFAULTS(shd_shadow_lookups)
+DEFAULTS(shd_environment_desc)
+DEFAULTS(shd_environment_info)
+DEFAULTS(shd_environment_lookups)
+DEFAULTS(shd_environment_light)
 DEFAULTS(shd_framebuffer_desc)
 DEFAULTS(shd_framebuffer_info)
 DEFAULTS(shd_plane_view)
@@ -152,6 +156,14 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_scene_info},
     {"scene_instance", SHD_DESC_KIND_SCENE_INSTANCE, sizeof(shd_scene_instance),
      REQUIRED(shd_scene_instance, object_to_world), defaults_shd_scene_instance},
+    {"environment_desc", SHD_DESC_KIND_ENVIRONMENT_DESC, sizeof(shd_environment_desc),
+     REQUIRED(shd_environment_desc, image), defaults_shd_environment_desc},
+    {"environment_info", SHD_DESC_KIND_ENVIRONMENT_INFO, sizeof(shd_environment_info),
+     REQUIRED(shd_environment_info, map_size), defaults_shd_environment_info},
+    {"environment_lookups", SHD_DESC_KIND_ENVIRONMENT_LOOKUPS, sizeof(shd_environment_lookups),
+     REQUIRED(shd_environment_lookups, direction), defaults_shd_environment_lookups},
+    {"environment_light", SHD_DESC_KIND_ENVIRONMENT_LIGHT, sizeof(shd_environment_light),
+     REQUIRED(shd_environment_light, rgb), defaults_shd_environment_light},
 };
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */

@@ -227,6 +227,12 @@ static void test_textured(void **state)
     expect_hash("frames of one texture", shd_textured_hash, 3);
 }
 
+static void test_parallel(void **state)
+{
+    (void)state;
+    expect_hash("frames without perspective", shd_parallel_hash, 3);
+}
+
 static void test_solid(void **state)
 {
     (void)state;
@@ -254,13 +260,14 @@ enum {
     FAST,
     EXACT,
     TEXTURED,
+    PARALLEL,
     SOLID,
     k_golden_count
 };
-static struct golden_row k_golden[k_golden_count] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},      {"glass", 0},
-                                                     {"moved", 0},   {"lines", 0},    {"surface", 0},  {"lookups", 0},
-                                                     {"filters", 0}, {"profiles", 0}, {"shadows", 0},  {"pixels", 0},
-                                                     {"fast", 0},    {"exact", 0},    {"textured", 0}, {"solid", 0}};
+static struct golden_row k_golden[k_golden_count] = {
+    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},   {"lines", 0},
+    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
+    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"solid", 0}};
 
 static void measure_golden(void)
 {
@@ -283,6 +290,7 @@ static void measure_golden(void)
     shd_fast_hashes(NULL, k_filter_lookups, fast);
     k_golden[FAST].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
+    k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
     k_golden[SOLID].hash = shd_solid_hash(NULL);
 }
 
@@ -335,6 +343,7 @@ int main(int argc, char **argv)
         {"shadows", test_shadows, NULL, NULL, NULL},
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"textured", test_textured, NULL, NULL, NULL},
+        {"parallel", test_parallel, NULL, NULL, NULL},
         {"solid", test_solid, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };

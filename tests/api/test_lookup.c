@@ -157,6 +157,30 @@ static void edit_sized_texels(shd_lookups *l, shd_texels *t)
     (void)l;
     t->struct_size = (uint32_t)sizeof *t;
 }
+static float g_w[4]; /* 2D textures ignore it */
+static void edit_w(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->count = 4;
+    l->w.data = l->dwdx.data = l->dwdy.data = g_w;
+}
+static void edit_w_misaligned(shd_lookups *l, shd_texels *t)
+{
+    (void)t;
+    l->w.data = (const float *)(const void *)((const char *)g_w + 2);
+}
+static void edit_dw(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->struct_size = (uint32_t)sizeof *t;
+    t->dw[3].data = g_out[0];
+}
+static void edit_dw_without_size(shd_lookups *l, shd_texels *t)
+{
+    (void)l;
+    t->struct_size = 0;
+    t->dw[3].data = g_out[0];
+}
 static void edit_lookups_size(shd_lookups *l, shd_texels *t)
 {
     (void)t;
@@ -271,6 +295,10 @@ static const struct argument_case k_arguments[] = {
     {"sample/one_channel", edit_one_channel, SHD_OK, ""},
     {"sample/no_derivatives", edit_no_derivatives, SHD_OK, ""},
     {"sample/sized_texels", edit_sized_texels, SHD_OK, ""},
+    {"sample/w", edit_w, SHD_OK, ""},
+    {"sample/w_misaligned", edit_w_misaligned, SHD_OK, ""},
+    {"sample/dw_of_2d", edit_dw, SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D"},
+    {"sample/dw_without_size", edit_dw_without_size, SHD_OK, ""},
     {"sample/interleaved_out", edit_interleaved, SHD_OK, ""},
     {"sample/out_after_v", edit_out_before_v, SHD_OK, ""},
     {"sample/lookups_size_zero", edit_lookups_size, SHD_ERROR_INVALID_ARGUMENT, "lookups.struct_size: 0"},

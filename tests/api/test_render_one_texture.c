@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Materials whose colour is one lookup have a path of their own, which frames with further planes do not take: both
    give the same bits. */
-#include "support/scene.h"
+#include "support/pixel_hash.h"
 #include "support/simd.h"
 
 enum { WIDTH = 203, HEIGHT = 151, PIXELS = WIDTH * HEIGHT };
@@ -18,7 +18,8 @@ struct way {
     int moved; /* the slot has a uv transform */
     shd_format color;
     uint32_t samples, workers, supersampling;
-    int window; /* scissor, or a part of a larger picture */
+    int window;      /* scissor, or a part of a larger picture */
+    int is_parallel; /* without perspective */
 };
 #define WHITE   \
     {           \
@@ -26,9 +27,9 @@ struct way {
     }
 static const struct way k_ways[] = {
     {"planes", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
-     SHD_FORMAT_RGBA32F, 1, 1, 0, 0},
+     SHD_FORMAT_RGBA32F, 1, 1, 0, 0, 0},
     {"pixels", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FAST, WHITE, 0, SHD_FORMAT_RGBA8,
-     1, 4, 0, 0},
+     1, 4, 0, 0, 0},
     {"srgb",
      SHD_FORMAT_RGBA8_SRGB,
      SHD_FILTER_ANISOTROPIC,
@@ -39,6 +40,7 @@ static const struct way k_ways[] = {
      SHD_FORMAT_RGBA8_SRGB,
      1,
      1,
+     0,
      0,
      0},
     {"one channel",
@@ -52,9 +54,10 @@ static const struct way k_ways[] = {
      1,
      1,
      0,
-     2},
+     2,
+     0},
     {"words", SHD_FORMAT_RGBA16, SHD_FILTER_EWA, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 1, SHD_FORMAT_RGBA32F, 1,
-     2, 0, 1},
+     2, 0, 1, 0},
     {"samples",
      SHD_FORMAT_RGBA8,
      SHD_FILTER_BILINEAR,
@@ -66,15 +69,20 @@ static const struct way k_ways[] = {
      4,
      1,
      0,
+     0,
      0},
     {"samples, planes", SHD_FORMAT_RGBA8, SHD_FILTER_BICUBIC, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
-     SHD_FORMAT_RGBA32F, 16, 1, 0, 2},
+     SHD_FORMAT_RGBA32F, 16, 1, 0, 2, 0},
     {"supersampling", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
-     SHD_FORMAT_RGBA8, 1, 1, 2, 1},
+     SHD_FORMAT_RGBA8, 1, 1, 2, 1, 0},
     {"border", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_BORDER, SHD_PRECISION_FULL, WHITE, 0, SHD_FORMAT_RGBA8,
-     1, 1, 0, 0},
+     1, 1, 0, 0, 0},
     {"floats", SHD_FORMAT_RGBA16F, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
-     SHD_FORMAT_RGBA32F, 1, 1, 0, 0},
+     SHD_FORMAT_RGBA32F, 1, 1, 0, 0, 0},
+    {"parallel", SHD_FORMAT_RGBA8, SHD_FILTER_TRILINEAR, SHD_WRAP_REPEAT, SHD_PRECISION_FULL, WHITE, 0,
+     SHD_FORMAT_RGBA8, 1, 3, 0, 2, 1},
+    {"parallel, samples", SHD_FORMAT_RGBA8, SHD_FILTER_ANISOTROPIC, SHD_WRAP_REPEAT, SHD_PRECISION_FAST, WHITE, 0,
+     SHD_FORMAT_RGBA32F, 4, 1, 0, 0, 1},
 };
 
 static shd_texture *make_texture(shd_context *context, shd_format format)
@@ -164,6 +172,7 @@ static void test_way(void **state)
         desc.worker_count = way->workers;
         shd_assert_ok(shd_context_create(&desc, &context));
         shd_scene_open(&scene, SHD_SCENE_MIXED, context);
+        if (way->is_parallel) shd_scene_look_parallel(&scene);
         sampler_desc.filter = way->filter;
         sampler_desc.wrap_u = sampler_desc.wrap_v = way->wrap;
         sampler_desc.precision = way->precision;

@@ -19,6 +19,7 @@ static void edit_filter(shd_sampler_desc *d) { d->filter = (shd_filter)12; }
 static void edit_filter_negative(shd_sampler_desc *d) { d->filter = (shd_filter)-1; }
 static void edit_wrap_u(shd_sampler_desc *d) { d->wrap_u = (shd_wrap)5; }
 static void edit_wrap_v(shd_sampler_desc *d) { d->wrap_v = SHD_WRAP_MAX_ENUM; }
+static void edit_wrap_w(shd_sampler_desc *d) { d->wrap_w = SHD_WRAP_MIRROR_ONCE + 1; }
 static void edit_all_border(shd_sampler_desc *d) { d->wrap_u = d->wrap_v = SHD_WRAP_BORDER; }
 static void edit_border_nan(shd_sampler_desc *d) { d->border[0] = NAN; }
 static void edit_border_infinite(shd_sampler_desc *d) { d->border[3] = -INFINITY; }
@@ -101,6 +102,7 @@ static const struct create_case k_create[] = {
     {"create/filter_negative", edit_filter_negative, SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: 4294967295"},
     {"create/wrap_u_unknown", edit_wrap_u, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_u: 5 is not in 0..4"},
     {"create/wrap_v_unknown", edit_wrap_v, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_v: 2147483647"},
+    {"create/wrap_w_unknown", edit_wrap_w, SHD_ERROR_INVALID_ARGUMENT, "sampler.wrap_w: 5 is not in 0..4"},
     {"create/border_nan", edit_border_nan, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[0]: nan is not finite"},
     {"create/border_infinite", edit_border_infinite, SHD_ERROR_INVALID_ARGUMENT, "sampler.border[3]: -inf"},
     {"create/bias_16", edit_bias_16, SHD_ERROR_INVALID_ARGUMENT, "sampler.lod_bias: 16 is not in -15..15"},

@@ -53,6 +53,13 @@ static void edit_swizzle(shd_texture_desc *d)
 }
 static void edit_swizzle_unknown(shd_texture_desc *d) { d->swizzle[2] = (shd_channel)6; }
 static void edit_fill_infinite(shd_texture_desc *d) { d->fill[1] = INFINITY; }
+static void edit_depth(shd_texture_desc *d) { d->depth = 65537; }
+static void edit_projection(shd_texture_desc *d) { d->projection = SHD_PROJECTION_OCTAHEDRAL + 1; }
+static void edit_depth_and_projection(shd_texture_desc *d)
+{
+    d->depth = 1;
+    d->projection = SHD_PROJECTION_CUBE;
+}
 static void edit_width_zero(shd_texture_desc *d) { d->width = 0; }
 static void edit_height_zero(shd_texture_desc *d) { d->height = 0; }
 static void edit_width_65537(shd_texture_desc *d) { d->width = 65537; }
@@ -118,6 +125,10 @@ static const struct create_case k_create[] = {
     {"create/layer_stride_overflow", edit_layer_stride_huge, SHD_ERROR_INVALID_ARGUMENT, "exceeds the address space"},
     {"create/unknown_swizzle", edit_swizzle_unknown, SHD_ERROR_INVALID_ARGUMENT, "texture.swizzle: 6 is not in 0..5"},
     {"create/infinite_fill", edit_fill_infinite, SHD_ERROR_INVALID_ARGUMENT, "texture.fill[1]: inf is not finite"},
+    {"create/depth_65537", edit_depth, SHD_ERROR_INVALID_ARGUMENT, "texture.depth: 65537 is not in 0..65536"},
+    {"create/projection_unknown", edit_projection, SHD_ERROR_INVALID_ARGUMENT, "texture.projection: 6 is not in 0..5"},
+    {"create/depth_and_projection", edit_depth_and_projection, SHD_ERROR_INVALID_ARGUMENT,
+     "texture.projection: 4, but texture.depth is 1, not 0"},
     {"create/zero_width", edit_width_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 0 is not in 1..65536"},
     {"create/zero_height", edit_height_zero, SHD_ERROR_INVALID_ARGUMENT, "texture.height: 0 is not in 1..65536"},
     {"create/width_65537", edit_width_65537, SHD_ERROR_INVALID_ARGUMENT, "texture.width: 65537"},

@@ -47,8 +47,17 @@ static inline uint64_t shd_pixel_hash(const shd_context_desc *context_desc)
     return hash;
 }
 
-/* Hash of colour alone, of materials that are one texture, in pixels and planes. */
-static inline uint64_t shd_textured_hash(const shd_context_desc *context_desc)
+/* Gives a scene a camera without perspective. */
+static inline void shd_scene_look_parallel(shd_scene *scene)
+{
+    static const float k_rectangle[4] = {-3.1f, 3.3f, -2.2f, 2.4f};
+    shd_assert_ok(
+        shd_matrix_orthographic(k_rectangle, 0.125f, 40.0f, SHD_DEPTH_ORDER_FORWARD, scene->desc.view.view_to_clip));
+}
+
+/* Hash of colour alone, of the materials of a scene if it is seen without perspective, and of materials that are one
+   texture, in pixels and planes. */
+static inline uint64_t shd_textured_hash_seen(const shd_context_desc *context_desc, int is_parallel)
 {
     uint64_t hash = SHD_HASH_START;
     shd_context *context = NULL;
@@ -57,6 +66,10 @@ static inline uint64_t shd_textured_hash(const shd_context_desc *context_desc)
     size_t i;
     shd_assert_ok(shd_context_create(context_desc, &context));
     shd_scene_open(&scene, SHD_SCENE_MIXED, context);
+    if (is_parallel) {
+        shd_scene_look_parallel(&scene);
+        hash = shd_frame_hash(hash, &scene, SHD_FORMAT_RGBA32F, 1);
+    }
     for (i = 0; i < 2; ++i) {
         shd_material_desc desc = shd_material_desc_default();
         shd_slot_list slots;
@@ -75,6 +88,16 @@ static inline uint64_t shd_textured_hash(const shd_context_desc *context_desc)
     shd_scene_close(&scene);
     shd_context_release(context);
     return hash;
+}
+
+static inline uint64_t shd_textured_hash(const shd_context_desc *context_desc)
+{
+    return shd_textured_hash_seen(context_desc, 0);
+}
+
+static inline uint64_t shd_parallel_hash(const shd_context_desc *context_desc)
+{
+    return shd_textured_hash_seen(context_desc, 1);
 }
 
 #endif /* SHD_TESTS_SUPPORT_PIXEL_HASH_H */

@@ -90,7 +90,10 @@ struct Tail {
     const hn::RebindToUnsigned<BatchTag> du;
     const size_t count = from.count - first;
     Lookups in = from;
-    for (size_t c = 0; c < kFloatColumns; ++c) in.real(c) = fill(d, from.real(c), first, count, reals[c]);
+    for (size_t c = 0; c < kPlaneColumns; ++c) in.real(c) = fill(d, from.real(c), first, count, reals[c]);
+    for (size_t c = kPlaneColumns; from.w && c < kFloatColumns; ++c) {
+      in.real(c) = fill(d, from.real(c), first, count, reals[c]);
+    }
     for (size_t c = 0; c < kIntegerColumns; ++c) in.integer(c) = fill(du, from.integer(c), first, count, integers[c]);
     return in;
   }

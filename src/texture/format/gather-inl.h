@@ -58,6 +58,16 @@ HWY_NOINLINE Ints<D> GatherApart(D, const TexelSource& source, Ints<D> index, si
   return hn::Load(di, word);
 }
 
+/// Loads two consecutive words from each index, which counts units of `kStride` bytes; lanes may be far apart. The
+/// indices are read from memory, because it is expensive to extract the elements of a vector.
+template <size_t kStride, class D>
+HWY_INLINE void LoadApart(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+  const auto at = [&](size_t lane) {
+    return reinterpret_cast<const int32_t*>(texels + kStride * static_cast<uint32_t>(index[lane]));
+  };
+  simd::HWY_NAMESPACE::LoadPairs(hn::RebindToSigned<D>(), at, left, right);
+}
+
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 /// Returns the words at first + index, for indices in 0..2 * lanes - 1. `low` and `high` are the two vectors of words
 /// that begin at `first`.
@@ -126,15 +136,6 @@ HWY_INLINE void LoadWindow(D d, const uint8_t* texels, const RowWindow<D>& windo
   *right = hn::IfThenElse(hn::Gt(window.right, last), LookUpRow(d, third, third, window.right - lanes), *right);
 }
 
-/// Gathers the words at index and index + 1 of every lane, where lanes may be far apart.
-template <size_t kStride, class D>
-HWY_INLINE void GatherWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
-  const hn::RebindToSigned<D> di;
-  const auto at = hn::Load(di, index);
-  simd::HWY_NAMESPACE::GatherPairs(di, reinterpret_cast<const int32_t*>(texels), kStride == 4 ? at : at + at, left,
-                                   right);
-}
-
 /// Loads two consecutive words from each index, which counts units of `kStride` bytes.
 template <size_t kStride, class D>
 HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
@@ -142,7 +143,7 @@ HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, 
     const RowWindow<D> window = WindowOf(d, index);
     if (window.fits) return LoadWindow(d, texels, window, window.first, left, right);
   }
-  GatherWordPairs<kStride>(d, texels, index, left, right);
+  LoadApart<kStride>(d, texels, index, left, right);
 }
 
 /// Loads two consecutive words from each index, in the upper and in the lower row of quads.
@@ -156,20 +157,13 @@ HWY_INLINE void LoadWordQuads(D d, const uint8_t* texels, const int32_t* upper, 
     LoadWindow(d, texels, window, window.first, &word[0], &word[1]);
     return LoadWindow(d, texels, window, window.first + down, &word[2], &word[3]);
   }
-  GatherWordPairs<4>(d, texels, upper, &word[0], &word[1]);
-  GatherWordPairs<4>(d, texels, lower, &word[2], &word[3]);
+  LoadApart<4>(d, texels, upper, &word[0], &word[1]);
+  LoadApart<4>(d, texels, lower, &word[2], &word[3]);
 }
 #else
-/// Loads two consecutive words from each index, which counts units of `kStride` bytes, by one load of 8 bytes per lane.
 template <size_t kStride, class D>
-HWY_INLINE void LoadWordPairs(D, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
-  const hn::RebindToSigned<D> di;
-  constexpr size_t kLanes = hn::MaxLanes(hn::RebindToSigned<D>());
-  alignas(64) int32_t pair[2 * kLanes];
-  for (size_t k = 0; k < kLanes; ++k) {
-    std::memcpy(pair + 2 * k, texels + kStride * static_cast<uint32_t>(index[k]), 8);
-  }
-  hn::LoadInterleaved2(di, pair, *left, *right);
+HWY_INLINE void LoadWordPairs(D d, const uint8_t* texels, const int32_t* index, Ints<D>* left, Ints<D>* right) {
+  LoadApart<kStride>(d, texels, index, left, right);
 }
 
 template <class D>

@@ -62,6 +62,8 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->width = desc.width;
   texture->height = desc.height;
   texture->layers = desc.layers;
+  texture->depth = desc.depth;
+  texture->projection = desc.projection;
   texture->tables = desc.tables;
   texture->level_count = desc.level_count + 1;
   texture->levels_given = desc.level_count > 0;

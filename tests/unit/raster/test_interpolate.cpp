@@ -36,6 +36,18 @@ void pixel_sized(Random* random, float x, float y, float (*v)[4]) {
 void same_w(Random* random, float x, float y, float (*v)[4]) {
   triangle_around(random, x, y, 50.0, 0.0, 0.0, v);
 }
+/// Triangles of one w, small and large, with w of either sign and of sizes that only some of the kernels take.
+void same_w_any_size(Random* random, float x, float y, float (*v)[4]) {
+  const double w = std::ldexp(random->whole(0, 1) ? 1.0 : -1.0, random->whole(-20, 20));
+  triangle_around(random, x, y, std::exp2(random->in(-2.0, 11.0)), 0.0, 0.0, v);
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < 4; ++c) v[k][c] = static_cast<float>(v[k][c] * w);
+  }
+}
+/// Triangles of one w among others.
+void some_of_same_w(Random* random, float x, float y, float (*v)[4]) {
+  (random->whole(0, 1) ? same_w_any_size : ordinary)(random, x, y, v);
+}
 void w_ratio_2_40(Random* random, float x, float y, float (*v)[4]) {
   triangle_around(random, x, y, 50.0, -20.0, 20.0, v);
 }
@@ -77,6 +89,8 @@ const scene_case k_scenes[] = {
     {"oracle/ordinary", ordinary, 1e-4},
     {"oracle/pixel_sized", pixel_sized, 1e-2},
     {"oracle/same_w", same_w, 1e-6},
+    {"oracle/same_w_any_size", same_w_any_size, 0.0},
+    {"oracle/some_of_same_w", some_of_same_w, 0.0},
     {"oracle/w_ratio_2^40", w_ratio_2_40, 0.0},
     {"oracle/w_2^-52", tiny_w, 1e-5},
     {"oracle/w_2^32", large_w, 1e-5},
@@ -238,7 +252,7 @@ void test_oracle(void** state) {
 void test_uniform_and_gathered(void**) {
   Random random = {31};
   for (int batch = 0; batch < 10; ++batch) {
-    make_batch(&random, batch % 2 ? ordinary : behind_the_eye, kBatch);
+    make_batch(&random, batch % 3 == 0 ? same_w : batch % 3 == 1 ? ordinary : behind_the_eye, kBatch);
     for_each_target([&](const core::SimdTarget& target, bool) {
       for (size_t i = 0; i < kBatch; ++i) g->fragments.triangle[i] = 0;
       raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
@@ -254,7 +268,7 @@ void test_uniform_and_gathered(void**) {
 void test_interrupted(void**) {
   Random random = {41};
   for (uint32_t period = 2; period <= 17; ++period) {
-    make_batch(&random, ordinary, 7);
+    make_batch(&random, some_of_same_w, 7);
     for (uint32_t i = 0; i < kBatch; ++i) {
       set_fragment(i, i % period == period / 2 ? 1 : 0, g->fragments.x[i], g->fragments.y[i]);
     }
@@ -274,7 +288,7 @@ void test_interrupted(void**) {
 /// A row has the same bits in a batch of any size, and rows past the last vector do not change.
 void test_counts(void**) {
   Random random = {37};
-  make_batch(&random, ordinary, 7);
+  make_batch(&random, some_of_same_w, 7);
   raster::interpolate(best_target(), g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
   keep_block();
   float x[kBatch], y[kBatch];
@@ -307,15 +321,17 @@ void test_counts(void**) {
 /// A constant attribute keeps its bits, wherever the triangle is.
 void test_constant(void**) {
   Random random = {43};
-  make_batch(&random, behind_the_eye, 5);
-  for (size_t v = 0; v < kVertices; ++v) row(g->vertices.world, v)[3] = 0.1f;
-  for_each_target([&](const core::SimdTarget& target, bool) {
-    raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
-    for (size_t i = 0; i < kBatch; ++i) {
-      if (g->fragments.u[i] != 0.1f || g->fragments.dudx[i] != 0.0f)
-        fail_msg("%s: row %zu u %a", target.name, i, double{g->fragments.u[i]});
-    }
-  });
+  for (const Scene scene : {behind_the_eye, some_of_same_w}) {
+    make_batch(&random, scene, 5);
+    for (size_t v = 0; v < kVertices; ++v) row(g->vertices.world, v)[3] = 0.1f;
+    for_each_target([&](const core::SimdTarget& target, bool) {
+      raster::interpolate(target, g->vertices, kEye, raster::kInterpolateAll, &g->fragments);
+      for (size_t i = 0; i < kBatch; ++i) {
+        if (g->fragments.u[i] != 0.1f || g->fragments.dudx[i] != 0.0f)
+          fail_msg("%s: row %zu u %a", target.name, i, double{g->fragments.u[i]});
+      }
+    });
+  }
 }
 
 }  // namespace

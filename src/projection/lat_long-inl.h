@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// SHD_PROJECTION_LAT_LONG: longitude across, latitude down.
+
+#if defined(SHD_PROJECTION_LAT_LONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_PROJECTION_LAT_LONG_INL_H_
+#undef SHD_PROJECTION_LAT_LONG_INL_H_
+#else
+#define SHD_PROJECTION_LAT_LONG_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "projection/direction-inl.h"
+#include "simd/angle-inl.h"
+#include "simd/math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::projection::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+struct LatLong {
+  using V = hn::Vec<D>;
+  using VI = hn::Vec<hn::RebindToSigned<D>>;
+  V u, v;
+  VI face;
+  Polar<D> horizontal;  // (z, x): the projection onto the ground
+  V y, per_square;      // 1 / |n|^2
+
+  HWY_INLINE LatLong(D d, const Vec3V<V>& n) : horizontal(d, n.z, n.x), y(n.y) {
+    const V half = hn::Set(d, 0.5f);
+    u = half + hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * simd::HWY_NAMESPACE::Atan2(d, hn::Neg(n.x), n.z);
+    v = half - hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * simd::HWY_NAMESPACE::Atan2(d, y, horizontal.length);
+    face = hn::Zero(hn::RebindToSigned<D>());
+    per_square = hn::Set(d, 1.0f) / (y * y + horizontal.length * horizontal.length);
+  }
+
+  /// Change of (u, v) with a change of n.
+  HWY_INLINE StepV<V> step(D d, const Vec3V<V>& dn) const {
+    const V along = horizontal.x * dn.z + horizontal.y * dn.x;   // away from the axis
+    const V around = horizontal.y * dn.z - horizontal.x * dn.x;  // eastwards
+    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around * horizontal.inverse),
+            hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * ((y * along - horizontal.length * dn.y) * per_square)};
+  }
+
+  /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
+  static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI, V* solid_angle) {
+    const auto latitude = simd::HWY_NAMESPACE::SineCosinePi(d, v);
+    const auto longitude = simd::HWY_NAMESPACE::SineCosinePi(d, hn::Set(d, 1.0f) - (u + u));  // of x, towards +x
+    *solid_angle = hn::Set(d, 19.7392088f) * latitude.sine;                                   // 2 pi^2
+    return {longitude.sine * latitude.sine, latitude.cosine, longitude.cosine * latitude.sine};
+  }
+};
+
+}  // namespace shd::projection::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_PROJECTION_LAT_LONG_INL_H_

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: projection, (directions <-> points of images of directions).
+///
+/// Input:      columns of directions, or of points (u, v) and faces.
+/// Output:     columns of points with their derivatives, or of directions with the solid angle per area of (u, v).
+/// Units:      directions are in world space, right-handed, +Y up, of any length; (u, v) is normalised, v points down;
+///             solid angles in steradians. The formulas stand in shd/projection.h.
+/// Invariants: nothing is allocated; every bit pattern gives finite results. Results have the same bits on every
+///             target and depend on their own lane only.
+///
+/// | file                  | contents                                                        |
+/// |-----------------------|-----------------------------------------------------------------|
+/// | projection-inl.h      | the maps, one class for each projection                         |
+/// | direction-inl.h       | directions scaled to components up to 1                         |
+/// | lat_long-inl.h        | SHD_PROJECTION_LAT_LONG                                         |
+/// | disc-inl.h            | SHD_PROJECTION_MIRROR_BALL and ANGULAR: maps onto a disc        |
+/// | cube-inl.h            | SHD_PROJECTION_CUBE                                             |
+/// | octahedral-inl.h      | SHD_PROJECTION_OCTAHEDRAL                                       |
+/// | projection.cpp        | batches of the above                                            |
+/// | solid_angle.cpp       | the exact solid angle of a texel, in double                     |
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <shd/projection.h>
+
+#include "core/simd_target.h"
+
+namespace shd::projection {
+
+/// Packed columns of directions; `steps` is the change of the direction per pixel step in x and in y, null = 0.
+struct Directions {
+  size_t count;
+  const float* direction[3];
+  const float* step[2][3];
+};
+
+/// Packed columns of points; null = not wanted.
+struct Points {
+  float *u, *v;
+  uint32_t* face;
+  float *du[2], *dv[2];  // per pixel step in x and in y
+};
+
+/// Returns the number of directions that count as +Z.
+size_t project(shd_projection projection, const core::SimdTarget& simd, const Directions& in, const Points& out);
+
+/// Packed columns of points. `face` null = 0.
+struct ImagePoints {
+  size_t count;
+  const float *u, *v;
+  const uint32_t* face;
+};
+
+/// Packed columns of unit directions, and of solid angles per area of (u, v); null = not wanted.
+struct PointDirections {
+  float* direction[3];
+  float* solid_angle;
+};
+
+/// Returns the number of points with a coordinate that is not finite.
+size_t unproject(shd_projection projection, const core::SimdTarget& simd, const ImagePoints& in,
+                 const PointDirections& out);
+
+/// Number of square images of a projection: 6 for CUBE, otherwise 1.
+constexpr uint32_t face_count(shd_projection projection) {
+  return projection == SHD_PROJECTION_CUBE ? 6 : 1;
+}
+
+/// Solid angle of texel (x, y) of an image, or of a face, of width x height texels [sr]. The sum over all texels and
+/// faces is 4 pi. Texels outside the disc of MIRROR_BALL and ANGULAR have 0, texels on its rim the part inside.
+/// |error| <= 1e-12; ANGULAR: 1e-8 of 4 pi.
+double texel_solid_angle(shd_projection projection, uint32_t width, uint32_t height, uint32_t x, uint32_t y);
+
+}  // namespace shd::projection
