@@ -52,6 +52,7 @@ void register_texture_worst();
 void register_calls();
 void register_scaling();
 void register_shadow();
+void register_solid();
 void register_quality();
 void register_defaults();
 void register_frame();

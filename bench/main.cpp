@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   shd::bench::register_calls();
   shd::bench::register_scaling();
   shd::bench::register_shadow();
+  shd::bench::register_solid();
   shd::bench::register_quality();
   shd::bench::register_defaults();
   shd::bench::register_mesh();

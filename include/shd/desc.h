@@ -74,6 +74,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_SCENE_DESC = 38,          /**< shd_scene_desc, of shd/scene.h */
     SHD_DESC_KIND_SCENE_INFO = 39,          /**< shd_scene_info, of shd/scene.h */
     SHD_DESC_KIND_SCENE_INSTANCE = 40,      /**< shd_scene_instance, of shd/scene.h */
+    SHD_DESC_KIND_SOLID_DESC = 41,          /**< shd_solid_desc */
+    SHD_DESC_KIND_SOLID_POINTS = 42,        /**< shd_solid_points */
+    SHD_DESC_KIND_SOLID_VALUES = 43,        /**< shd_solid_values */
     SHD_DESC_KIND_ENVIRONMENT_DESC = 50,    /**< shd_environment_desc */
     SHD_DESC_KIND_ENVIRONMENT_INFO = 51,    /**< shd_environment_info */
     SHD_DESC_KIND_ENVIRONMENT_LOOKUPS = 52, /**< shd_environment_lookups */

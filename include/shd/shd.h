@@ -74,6 +74,7 @@
 #include <shd/shadow.h>
 #include <shd/shapes.h>
 #include <shd/slot.h>
+#include <shd/solid.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
 #include <shd/transform.h>

@@ -66,7 +66,7 @@ SHD_SIZED(shd_edges_desc, edges, crease_cosine, 28);
 SHD_SIZED(shd_edges, vertex, kinds, 88);
 SHD_SIZED(shd_tessellation_desc, mode, normals, 80);
 SHD_SIZED(shd_material_desc, model, varying_count, 216);
-SHD_SIZED(shd_slot, user_data, uv_transform, 80);
+SHD_SIZED(shd_slot, user_data, place_width, 160);
 SHD_SIZED(shd_light_desc, position, sampler, 96);
 SHD_SIZED(shd_shadow_desc, filter, min_variance, 48);
 SHD_SIZED(shd_shadow_render_desc, light, bounds_max, 64);
@@ -87,6 +87,9 @@ SHD_SIZED(shd_shape_columns, position, indices, 160);
 SHD_SIZED(shd_scene_desc, flags, time_limit, 88);
 SHD_SIZED(shd_scene_info, instance_count, bounds_max, 72);
 SHD_SIZED(shd_scene_instance, object_to_world, object_to_world, 76);
+SHD_SIZED(shd_solid_desc, kind, colors, 188);
+SHD_SIZED(shd_solid_points, position, width, 80);
+SHD_SIZED(shd_solid_values, value, nonfinite_count, 144);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE
 

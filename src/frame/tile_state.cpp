@@ -25,7 +25,8 @@ shade::DrawShading TileState::shading_of(uint32_t draw) const {
           d.index,
           d.instance,
           film::columns_of(framebuffer.aovs),
-          d.uniforms};
+          d.uniforms,
+          d.object_to_world};
 }
 
 geometry::PixelBox TileState::box() const {

@@ -64,6 +64,9 @@ Surface
   --metallic M          of ggx, 0..1, instead of the model's
   --roughness R         of ggx, 0..1, instead of the model's
   --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern, "none"
+  --solid K             a solid texture on everything, instead: stripes, checker, perlin, value, simplex, worley,
+                        marble, wood
+  --solid-size S        of its cells, stripes or rings, in world units (default 0.5)
   --filter F            nearest, bilinear, trilinear, bicubic, nearest-mip, bilinear-mip, ripmap, summed-area,
                         anisotropic, ewa, stochastic, exact (default trilinear)
   --lod-bias B          added to the level of detail: below 0 sharper, above 0 smoother (default 0)

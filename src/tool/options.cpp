@@ -56,6 +56,10 @@ constexpr Name<shd_filter> kFilters[] = {
     {"bicubic", SHD_FILTER_BICUBIC}, {"nearest-mip", SHD_FILTER_NEAREST_MIP}, {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
     {"ripmap", SHD_FILTER_RIPMAP},   {"summed-area", SHD_FILTER_SUMMED_AREA}, {"anisotropic", SHD_FILTER_ANISOTROPIC},
     {"ewa", SHD_FILTER_EWA},         {"stochastic", SHD_FILTER_STOCHASTIC},   {"exact", SHD_FILTER_EXACT}};
+constexpr Name<shd_solid> kSolids[] = {{"stripes", SHD_SOLID_STRIPES}, {"checker", SHD_SOLID_CHECKER},
+                                       {"perlin", SHD_SOLID_PERLIN},   {"value", SHD_SOLID_VALUE},
+                                       {"simplex", SHD_SOLID_SIMPLEX}, {"worley", SHD_SOLID_WORLEY},
+                                       {"marble", SHD_SOLID_MARBLE},   {"wood", SHD_SOLID_WOOD}};
 constexpr Name<shd_visibility> kVisibilities[] = {
     {"depth", SHD_VISIBILITY_DEPTH}, {"painter", SHD_VISIBILITY_PAINTER}, {"newell", SHD_VISIBILITY_NEWELL}};
 constexpr Name<uint32_t> kAovs[] = {{"uv", SHD_AOV_UV},
@@ -299,6 +303,8 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
   if (name == "--lod-bias") return out.lod_bias = read_number(name, value, -15, 15, "a number -15..15"), true;
   if (name == "--texture") return out.texture = value, true;
+  if (name == "--solid") return out.solid = pick(name, value, kSolids), true;
+  if (name == "--solid-size") return out.solid_size = read_scale(name, value), true;
   if (name == "--uv-scale") return out.uv_scale = read_scale(name, value), true;
   if (name == "--normal-map") return out.normal_map = value, true;
   if (name == "--keep-roughness") return out.keep = pick(name, value, kKeep), true;

@@ -56,7 +56,9 @@ struct Options {
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
-  std::string texture;  // replaces the model's textures; "checker" = built in
+  std::string texture;             // replaces the model's textures; "checker" = built in
+  std::optional<shd_solid> solid;  // replaces the model's textures
+  float solid_size = 0.5f;         // side of a cell [world units]
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;
   shd_bump bump_form = SHD_BUMP_NONE;

@@ -14,6 +14,7 @@
 /// | model.h     | the scene of a file, or a shape, and the floor          |
 /// | shapes.h    | meshes of shd/shapes.h                                  |
 /// | materials.h | materials, changed by the options                       |
+/// | solids.h    | built-in solid textures                                 |
 /// | draws.h     | all materials, and the draws of a picture               |
 /// | textures.h  | built-in textures and files; normal_maps.cpp            |
 /// | camera.h    | the camera of a file, or one that shows the whole model |

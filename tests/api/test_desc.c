@@ -36,6 +36,9 @@ DEFAULTS(shd_levels)
 DEFAULTS(shd_explanation)
 DEFAULTS(shd_ray_differentials)
 DEFAULTS(shd_ray_cones)
+DEFAULTS(shd_solid_desc)
+DEFAULTS(shd_solid_points)
+DEFAULTS(shd_solid_values)
 DEFAULTS(shd_derivatives)
 DEFAULTS(shd_mesh_desc)
 DEFAULTS(shd_mesh_info)
@@ -106,6 +109,12 @@ static const struct kind_case k_kinds[] = {
     {"edges", SHD_DESC_KIND_EDGES, sizeof(shd_edges), REQUIRED(shd_edges, vertex), defaults_shd_edges},
     {"tessellation_desc", SHD_DESC_KIND_TESSELLATION_DESC, sizeof(shd_tessellation_desc),
      REQUIRED(shd_tessellation_desc, mode), defaults_shd_tessellation_desc},
+    {"solid_desc", SHD_DESC_KIND_SOLID_DESC, sizeof(shd_solid_desc), REQUIRED(shd_solid_desc, kind),
+     defaults_shd_solid_desc},
+    {"solid_points", SHD_DESC_KIND_SOLID_POINTS, sizeof(shd_solid_points), REQUIRED(shd_solid_points, position),
+     defaults_shd_solid_points},
+    {"solid_values", SHD_DESC_KIND_SOLID_VALUES, sizeof(shd_solid_values), REQUIRED(shd_solid_values, value),
+     defaults_shd_solid_values},
     {"material_desc", SHD_DESC_KIND_MATERIAL_DESC, sizeof(shd_material_desc), REQUIRED(shd_material_desc, model),
      defaults_shd_material_desc},
     {"slot", SHD_DESC_KIND_SLOT, sizeof(shd_slot), REQUIRED(shd_slot, user_data), defaults_shd_slot},

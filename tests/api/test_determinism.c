@@ -9,6 +9,7 @@
 #include "support/scene.h"
 #include "support/shadow_hash.h"
 #include "support/simd.h"
+#include "support/solid_hash.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
                                                           "small", "moved", "lines", "surface"};
@@ -239,6 +240,12 @@ static void test_parallel(void **state)
     expect_hash("frames without perspective", shd_parallel_hash, 3);
 }
 
+static void test_solid(void **state)
+{
+    (void)state;
+    expect_hash("solid textures", shd_solid_hash, 3);
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
@@ -262,12 +269,13 @@ enum {
     TEXTURED,
     PARALLEL,
     ENVIRONMENT,
+    SOLID,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
-    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
-    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
-    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"environment", 0}};
+    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},       {"lines", 0},
+    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0},     {"pixels", 0},
+    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"environment", 0}, {"solid", 0}};
 
 static void measure_golden(void)
 {
@@ -292,6 +300,7 @@ static void measure_golden(void)
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
     k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
     k_golden[ENVIRONMENT].hash = shd_environment_hash(NULL);
+    k_golden[SOLID].hash = shd_solid_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -345,6 +354,7 @@ int main(int argc, char **argv)
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"textured", test_textured, NULL, NULL, NULL},
         {"parallel", test_parallel, NULL, NULL, NULL},
+        {"solid", test_solid, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();
