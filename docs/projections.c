@@ -11,7 +11,7 @@
 
 #include <shd/shd.h>
 
-enum { UNIT = 120, STEPS = 144, LINES = 12 };
+enum { UNIT = 120, STEPS = 72, LINES = 12 };
 
 static const struct figure {
     const char *file;

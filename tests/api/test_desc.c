@@ -259,7 +259,7 @@ static void test_unknown_kinds(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[48];
+    struct CMUnitTest tests[sizeof k_kinds / sizeof k_kinds[0] + 8];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};
