@@ -38,7 +38,7 @@
  *
  * Defined for all inputs: a direction of length 0, or with a component that is NaN or infinite, counts as +Z and is
  * counted. Directions have any other length, and their lengths have no effect. A component below 2^-100 of the largest
- * one may count as 0. -Z has the point (1, 1/2) of MIRROR_BALL and ANGULAR, and so have directions within 2^-50 rad of it.
+ * one may count as 0. -Z, with all directions within 2^-50 rad, has the point (1, 1/2) of MIRROR_BALL and ANGULAR.
  *
  * Thread safety: any thread. Batches of more than 16384 elements are split over the executor of the context.
  *

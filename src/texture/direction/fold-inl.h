@@ -4,7 +4,7 @@
 //   LAT_LONG      u repeats; beyond a pole the rows go on along the opposite meridian
 //   CUBE          the adjacent face; the texel beyond a corner does not exist
 //   OCTAHEDRAL    an edge is folded in its middle: the row or column beside it, in reverse order
-//   MIRROR_BALL,  beyond the rim, at the distance r > 1 from the centre, the image goes on at 2 - r on the opposite side
+//   MIRROR_BALL,  beyond the rim, at a distance r > 1 from the centre, the image goes on at 2 - r on the other side
 //   ANGULAR
 //
 // Texels are given by whole numbers x and y as floats, -1..size.

@@ -165,8 +165,8 @@ class DirectionSink {
   /// A share without the mark of kReplace.
   HWY_INLINE static V Plain(D d, V share) { return hn::Min(share, hn::Set(d, 1.0f)); }
 
-  /// LAT_LONG. A row beyond a pole is the row beside it at u + 1/2. If the width is odd, its columns lie between those of
-  /// the row: it is a quad of its own.
+  /// LAT_LONG. A row beyond a pole is the row beside it at u + 1/2. It is a quad of its own: if the width is odd, its
+  /// columns lie between those of the row.
   HWY_INLINE void at_pole(D d, uint32_t op, const Level<D>& level, V u, const Taps& taps, V share) {
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const V last = level.down.real - one;
