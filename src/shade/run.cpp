@@ -140,9 +140,9 @@ void add_environment(const core::SimdTarget& simd, const DrawShading& shading, c
   const material::Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
   Columns& columns = w->columns;
-  surround(simd, material, shape, environment, per_fragment ? w->fragments : w->points,
-           per_fragment ? &columns.environment : &columns.point_environment);
-  for (uint32_t k = 0; k < 3 * material::info_of(material.model).lobes && !per_fragment; ++k) {
+  if (per_fragment) return surround(simd, material, shape, environment, w->fragments, &parameters, &columns.lobes);
+  surround(simd, material, shape, environment, w->points, nullptr, &columns.point_environment);
+  for (uint32_t k = 0; k < 3 * material::info_of(material.model).lobes; ++k) {
     spread(simd, shading, *w, columns.point_environment.lobe[k / 3][k % 3], columns.environment.lobe[k / 3][k % 3]);
   }
   add_surroundings(simd, material, parameters, columns.environment, w->fragments.count, &columns.lobes);
