@@ -40,7 +40,8 @@ HWY_INLINE Vec Kept(const material::Material& material, const material::Paramete
 
 template <class Lighting>
 void SurroundPoints(const material::Material& material, const LobeShape& shape, const EnvironmentLight& environment,
-                    const raster::Fragments& f, const material::Parameters* parameters, material::Lobes& out) {
+                    const raster::Fragments& f, const material::Parameters* parameters, const float* widening,
+                    material::Lobes& out) {
   namespace mat = material::HWY_NAMESPACE;
   const Tag d;
   const Vec zero = hn::Zero(d), intensity = hn::Set(d, environment.intensity);
@@ -66,6 +67,7 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
       const auto a = Load3(d, s[0], s[1], s[2], i), b = Load3(d, s[3], s[4], s[5], i);
       Lighting::Shape::Widen(d, hn::Set(d, 0.5f) * (Dot(a, a) + Dot(b, b)), values);
     }
+    if (widening) Lighting::Shape::Widen(d, hn::Load(d, widening + i), values);
     const mat::Surroundings<Tag> from = {*environment.map, d, Rotated(environment.world_to_map, n),
                                          Rotated(environment.world_to_map, r), n_dot_v};
     Lighting::AddEnvironment(d, from, values, lobe);
@@ -82,11 +84,12 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
 }  // namespace
 
 void Surround(const material::Material& material, const LobeShape& shape, const EnvironmentLight& environment,
-              const raster::Fragments& points, const material::Parameters* parameters, material::Lobes& out) {
+              const raster::Fragments& points, const material::Parameters* parameters, const float* widening,
+              material::Lobes& out) {
   material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
     using Lighting = typename decltype(model)::Lighting;
     if constexpr (Lighting::kReflectsEnvironment) {
-      SurroundPoints<Lighting>(material, shape, environment, points, parameters, out);
+      SurroundPoints<Lighting>(material, shape, environment, points, parameters, widening, out);
     }
   });
 }
@@ -114,10 +117,10 @@ HWY_EXPORT(AddSurroundings);
 
 void surround(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
               const EnvironmentLight& environment, const raster::Fragments& points,
-              const material::Parameters* parameters, material::Lobes* out) {
+              const material::Parameters* parameters, const float* widening, material::Lobes* out) {
   material::Parameters all;
   if (parameters) all = material::complete(*parameters);
-  SHD_DISPATCH(Surround, simd)(material, shape, environment, points, parameters ? &all : nullptr, *out);
+  SHD_DISPATCH(Surround, simd)(material, shape, environment, points, parameters ? &all : nullptr, widening, *out);
 }
 
 void add_surroundings(const core::SimdTarget& simd, const material::Material& material,
