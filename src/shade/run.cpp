@@ -138,7 +138,7 @@ void light_points(const core::SimdTarget& simd, const material::Material& materi
 /// Whether lobes may be so narrow that the size of pixels matters.
 bool reflects_sharply(const material::Material& material) {
   constexpr float kRough = 0.35f, kWide = 60.0f;
-  if (material.model == SHD_MODEL_METALLIC_ROUGHNESS) {
+  if (material::info_of(material.model).environment_tables & SHD_ENVIRONMENT_TABLE_GGX) {
     return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS);
   }
   return material::info_of(material.model).environment_tables != 0 && material.exponent > kWide;

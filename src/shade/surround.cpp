@@ -70,7 +70,7 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
     if (widening) Lighting::Shape::Widen(d, hn::Load(d, widening + i), values);
     const mat::Surroundings<Tag> from = {*environment.map, d, Rotated(environment.world_to_map, n),
                                          Rotated(environment.world_to_map, r), n_dot_v};
-    Lighting::AddEnvironment(d, from, values, lobe);
+    Lighting::AddEnvironment(d, material, from, values, lobe);
     Lighting::Normalize(d, values, lobe);
     const Vec scale = parameters ? intensity * Kept(material, *parameters, i) : intensity;
     for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) {
