@@ -87,8 +87,8 @@ static inline shd_environment_desc shd_environment_desc_default(void)
 /**
  * Make an environment on the executor of the context.
  *
- * While it is made, it takes 16 bytes for each pixel of the image. After that, its maps take 16 bytes for each of 0.7
- * to 1.4 times as many texels as the image has pixels (at most 5.6 million), and 5 MB for each kind of lobe.
+ * While it is made, it takes 16 bytes for each pixel of the image. After that, the radiance takes 21 bytes for each of
+ * 1 to 4 times as many texels as the image has pixels, at most 90 MB, and each kind of lobe at most 6 MB.
  * @param context          retained
  * @param desc             borrowed for the call
  * @param out_environment  owned; NULL on failure

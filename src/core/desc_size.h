@@ -76,7 +76,7 @@ SHD_SIZED(shd_framebuffer_info, height, byte_size, 32);
 SHD_SIZED(shd_plane_view, f32, row_stride, 32);
 SHD_SIZED(shd_camera, target, far_plane, 56);
 SHD_SIZED(shd_draw, mesh, crease_cosine, 152);
-SHD_SIZED(shd_render_desc, framebuffer, present, 312);
+SHD_SIZED(shd_render_desc, framebuffer, background_roughness, 368);
 SHD_SIZED(shd_render_stats, rasterised, tile_seconds, 144);
 SHD_SIZED(shd_color_desc, config_path, working_space, 32);
 SHD_SIZED(shd_load_desc, formats, worker_path, 72);

@@ -21,11 +21,20 @@ uint32_t log2_of(uint32_t size) {
   return 31 - static_cast<uint32_t>(__builtin_clz(size));
 }
 
-/// Size of the base map: the smallest power of two with at least half as many texels as the image.
+/// Size of a map with at least as many texels as the image: a power of two.
 uint32_t base_size(const Source& source) {
   const uint64_t texels = uint64_t{source.width} * source.height;
   uint32_t size = kMinBase;
-  while (size < kMaxBase && 2 * uint64_t{size} * size < texels) size *= 2;
+  while (size < kMaxBase && uint64_t{size} * size < texels) size *= 2;
+  return size;
+}
+
+/// Size of a map whose texels are at least as large as those of the image, so that lobes are wider than the distances
+/// of its lights.
+uint32_t cell_size(const Source& source) {
+  const uint64_t texels = uint64_t{source.width} * source.height;
+  uint32_t size = kMinBase;
+  while (size < kRootCells << (kMaxCellLevels - 1) && 2 * uint64_t{size} * size < texels) size *= 2;
   return size;
 }
 
@@ -142,7 +151,7 @@ CellTree build_cells(const core::Context& context, const Source& source) {
   double light = 0.0;
   for (const auto& channel : source.moments) light += channel[0];
   const auto floor = static_cast<float>(light > 0.0 ? 1e-3 * light : 1.0);
-  CellTree tree = make_cells(context.allocator, std::min(base_size(source), kRootCells << (kMaxCellLevels - 1)), floor);
+  CellTree tree = make_cells(context.allocator, cell_size(source), floor);
   RowDirections row(context.allocator, source.width);
   const auto scale = static_cast<float>(source.scale);
   for (uint32_t y = 0; y < source.height; ++y) {
@@ -176,12 +185,12 @@ struct Layout {
   }
 
   /// `first` = 0 for GGX. Phong lobes of precision 2^k are as wide as GGX lobes of precision 2^(k + 1): first = 1.
-  Chain lobes(uint32_t first, uint32_t base, const Chain& radiance) {
+  Chain lobes(uint32_t first, uint32_t cells, const Chain& radiance) {
     Chain chain = {};
-    const uint32_t last = std::min(12u, 2 * log2_of(base) - 4);  // an even number, of GGX
+    const uint32_t last = std::min(12u, 2 * log2_of(cells) - 4);  // an even number, of GGX
     for (uint32_t k = first; k <= last; ++k) {
       const uint32_t size = std::max(kMinLobeMap, 16u << k / 2);
-      chain.level[chain.count++] = add(std::min({kMaxLobeMap, base, size}));
+      chain.level[chain.count++] = add(std::min({kMaxLobeMap, cells, size}));
     }
     chain.lobes = chain.count;
     chain.knee = static_cast<float>(chain.count - 1);
@@ -207,8 +216,8 @@ void build(const core::Context& context, const shd_environment_desc& desc, Envir
   if (desc.tables) lobe_table();
   Layout layout;
   if (desc.tables) out->radiance = layout.radiance(base);
-  if (has_ggx) out->ggx = layout.lobes(0, base, out->radiance);
-  if (has_phong) out->phong = layout.lobes(1, base, out->radiance);
+  if (has_ggx) out->ggx = layout.lobes(0, cell_size(source), out->radiance);
+  if (has_phong) out->phong = layout.lobes(1, cell_size(source), out->radiance);
   if (is_convolved) out->irradiance = layout.add(kIrradianceMap);
   out->texels = core::Array<float>(context.allocator, 4 * layout.count);
   float* texels = out->texels.data();

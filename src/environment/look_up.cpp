@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "environment/look_up.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "environment/look_up.cpp"
 #include <hwy/foreach_target.h>
@@ -86,6 +88,18 @@ void PhongBatch(const Environment& environment, const LookUps& in, float* const*
   });
 }
 
+void ViewBatch(const Environment& environment, const LookUps& in, float roughness, float intensity, float* const* out) {
+  const Tag d;
+  const Chain& chain = roughness > 0.0f ? environment.ggx : environment.radiance;
+  const float alpha = roughness * roughness, widest = 1.0f / std::max(alpha * alpha, 1e-12f);
+  ForEach(in, out, [&](const Vec3V<Vec>& n, Vec precision) HWY_ATTR {
+    const Vec t = PrecisionLog2(d, hn::Min(precision, hn::Set(d, widest)));
+    ColorV<Vec> color = LookUpChain(d, environment.texels.data(), chain, SquarePoint<Tag>(d, n), t);
+    for (Vec& channel : color.channel) channel = channel * hn::Set(d, intensity);
+    return color;
+  });
+}
+
 }  // namespace shd::environment::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -96,6 +110,7 @@ HWY_EXPORT(IrradianceBatch);
 HWY_EXPORT(RadianceBatch);
 HWY_EXPORT(GgxBatch);
 HWY_EXPORT(PhongBatch);
+HWY_EXPORT(ViewBatch);
 
 void look_up_irradiance(const core::SimdTarget& simd, const Environment& environment, const LookUps& in,
                         float* const out[3]) {
@@ -114,6 +129,11 @@ void look_up_ggx(const core::SimdTarget& simd, const Environment& environment, c
 void look_up_phong(const core::SimdTarget& simd, const Environment& environment, const LookUps& in,
                    float* const out[3]) {
   SHD_DISPATCH(PhongBatch, simd)(environment, in, out);
+}
+
+void look_up_view(const core::SimdTarget& simd, const Environment& environment, const LookUps& in, float roughness,
+                  float intensity, float* const out[3]) {
+  SHD_DISPATCH(ViewBatch, simd)(environment, in, roughness, intensity, out);
 }
 
 }  // namespace shd::environment

@@ -27,4 +27,9 @@ void look_up_ggx(const core::SimdTarget& simd, const Environment& environment, c
 void look_up_phong(const core::SimdTarget& simd, const Environment& environment, const LookUps& in,
                    float* const out[3]);
 
+/// The radiance times `intensity` along lines of sight, blurred by a GGX lobe if `roughness` is above 0. in.width is
+/// the precision of the map that a pixel resolves.
+void look_up_view(const core::SimdTarget& simd, const Environment& environment, const LookUps& in, float roughness,
+                  float intensity, float* const out[3]);
+
 }  // namespace shd::environment

@@ -109,7 +109,7 @@ shd_model model_of(const Options& options, const Model& model) {
   if (options.reflectance) return *options.reflectance;
   const auto is_metallic = [](const Surface& surface) { return surface.desc.model == SHD_MODEL_METALLIC_ROUGHNESS; };
   const bool metallic = std::any_of(model.surfaces.begin(), model.surfaces.end(), is_metallic);
-  return metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
+  return metallic || !options.environment.empty() ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
 }
 
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,

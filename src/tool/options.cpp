@@ -210,6 +210,7 @@ bool set_switch(const std::string& name, Options& out) {
 }
 
 void set_background(const std::string& name, const std::string& value, Options& out) {
+  out.has_background = true;
   if (value == "none") {
     out.background = {0, 0, 0, 0};
     return;
@@ -275,6 +276,13 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
     return out.shadow_size = static_cast<uint32_t>(read_number(name, value, 16, 8192, "a number 16..8192")), true;
   }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
+  if (name == "--environment") return out.environment = value, true;
+  if (name == "--environment-turn") {
+    return out.environment_turn = read_number(name, value, -360, 360, "an angle -360..360 degrees"), true;
+  }
+  if (name == "--environment-blur") {
+    return out.environment_blur = read_number(name, value, 0, 1, "a number 0..1"), true;
+  }
   if (name == "--ambient") return out.ambient = read_color(name, value), true;
   if (name == "--exposure") {
     return out.exposure = std::exp2(read_number(name, value, -20, 20, "a number -20..20")), true;
@@ -364,7 +372,8 @@ Options parse_options(int argc, const char* const* argv) {
     }
   }
   if (options.camera && options.turntable) throw Failure(kExitUsage, "--turntable turns no --camera of the file");
-  const bool lit = !options.lights.empty() || options.lamps > 0;
+  const bool lit = !options.lights.empty() || options.lamps > 0 || !options.environment.empty();
   if (!options.preset) options.preset = lit ? LightPreset::kNone : LightPreset::kStudio;
+  if (!options.ambient) options.ambient.emplace().fill(options.environment.empty() ? 0.15f : 0.0f);
   return options;
 }

@@ -19,6 +19,7 @@
 /// | textures.h  | built-in textures and files; normal_maps.cpp            |
 /// | camera.h    | the camera of a file, or one that shows the whole model |
 /// | lights.h    | presets, options and the lights of a file               |
+/// | environment.h | light and background from an image                    |
 /// | shadows.h   | shadow maps                                             |
 /// | output.h    | file names and saving                                   |
 /// | progress.h  | progress and the time left                              |

@@ -2,6 +2,7 @@
 /* Results have the same bits for any SIMD target, worker count, scheduling order and run, and these bits have the
  * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
+#include "support/environment_hash.h"
 #include "support/lookup_hash.h"
 #include "support/pixel_hash.h"
 #include "support/pool.h"
@@ -221,6 +222,12 @@ static void test_pixels(void **state)
     expect_hash("interleaved colour", shd_pixel_hash, 3);
 }
 
+static void test_environment(void **state)
+{
+    (void)state;
+    expect_hash("frames in an environment", shd_environment_hash, 3);
+}
+
 static void test_textured(void **state)
 {
     (void)state;
@@ -262,12 +269,13 @@ enum {
     TEXTURED,
     PARALLEL,
     SOLID,
+    ENVIRONMENT,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
     {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},   {"lines", 0},
     {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
-    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"solid", 0}};
+    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"solid", 0},   {"environment", 0}};
 
 static void measure_golden(void)
 {
@@ -292,6 +300,7 @@ static void measure_golden(void)
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
     k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
     k_golden[SOLID].hash = shd_solid_hash(NULL);
+    k_golden[ENVIRONMENT].hash = shd_environment_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -341,6 +350,7 @@ int main(int argc, char **argv)
         {"filters", test_filters, NULL, NULL, NULL},
         {"fast", test_fast, NULL, NULL, NULL},
         {"shadows", test_shadows, NULL, NULL, NULL},
+        {"environment", test_environment, NULL, NULL, NULL},
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"textured", test_textured, NULL, NULL, NULL},
         {"parallel", test_parallel, NULL, NULL, NULL},

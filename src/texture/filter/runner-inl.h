@@ -206,6 +206,9 @@ class StreamSink : public Emitter<StreamSink> {
     if (HWY_UNLIKELY(scattered_)) {
       const size_t at = e * hn::Lanes(d);
       prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
+    } else if (op & kNeighbours && op & kQuad) {
+      prefetch_ends(stream_.index[0] + e * hn::Lanes(d));
+      prefetch_ends(stream_.index[2] + e * hn::Lanes(d));
     }
   }
 
@@ -220,6 +223,13 @@ class StreamSink : public Emitter<StreamSink> {
   }
 
  private:
+  /// Prefetches the texels of the first and the last lookup of a vector: those between them are near.
+  HWY_INLINE void prefetch_ends(const int32_t* index) const {
+    const size_t lanes = hn::Lanes(BatchTag());
+    __builtin_prefetch(first_.texels.texel(static_cast<uint32_t>(index[0])));
+    if (lanes > 4) __builtin_prefetch(first_.texels.texel(static_cast<uint32_t>(index[lanes - 1])));
+  }
+
   Stream stream_;
   const Sampler& sampler_;
   const bool bordered_;
