@@ -77,6 +77,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_SOLID_DESC = 41,          /**< shd_solid_desc */
     SHD_DESC_KIND_SOLID_POINTS = 42,        /**< shd_solid_points */
     SHD_DESC_KIND_SOLID_VALUES = 43,        /**< shd_solid_values */
+    SHD_DESC_KIND_POLYGON_DESC = 44,        /**< shd_polygon_desc */
+    SHD_DESC_KIND_POLYGON_POINTS = 45,      /**< shd_polygon_points */
+    SHD_DESC_KIND_POLYGON_WEIGHTS = 46,     /**< shd_polygon_weights */
     SHD_DESC_KIND_ENVIRONMENT_DESC = 50,    /**< shd_environment_desc */
     SHD_DESC_KIND_ENVIRONMENT_INFO = 51,    /**< shd_environment_info */
     SHD_DESC_KIND_ENVIRONMENT_LOOKUPS = 52, /**< shd_environment_lookups */

@@ -37,6 +37,9 @@ DEFAULTS(shd_explanation)
 DEFAULTS(shd_ray_differentials)
 DEFAULTS(shd_ray_cones)
 DEFAULTS(shd_solid_desc)
+DEFAULTS(shd_polygon_desc)
+DEFAULTS(shd_polygon_points)
+DEFAULTS(shd_polygon_weights)
 DEFAULTS(shd_solid_points)
 DEFAULTS(shd_solid_values)
 DEFAULTS(shd_derivatives)
@@ -109,6 +112,12 @@ static const struct kind_case k_kinds[] = {
     {"edges", SHD_DESC_KIND_EDGES, sizeof(shd_edges), REQUIRED(shd_edges, vertex), defaults_shd_edges},
     {"tessellation_desc", SHD_DESC_KIND_TESSELLATION_DESC, sizeof(shd_tessellation_desc),
      REQUIRED(shd_tessellation_desc, mode), defaults_shd_tessellation_desc},
+    {"polygon_desc", SHD_DESC_KIND_POLYGON_DESC, sizeof(shd_polygon_desc), REQUIRED(shd_polygon_desc, vertex_count),
+     defaults_shd_polygon_desc},
+    {"polygon_points", SHD_DESC_KIND_POLYGON_POINTS, sizeof(shd_polygon_points), REQUIRED(shd_polygon_points, position),
+     defaults_shd_polygon_points},
+    {"polygon_weights", SHD_DESC_KIND_POLYGON_WEIGHTS, sizeof(shd_polygon_weights),
+     REQUIRED(shd_polygon_weights, weight), defaults_shd_polygon_weights},
     {"solid_desc", SHD_DESC_KIND_SOLID_DESC, sizeof(shd_solid_desc), REQUIRED(shd_solid_desc, kind),
      defaults_shd_solid_desc},
     {"solid_points", SHD_DESC_KIND_SOLID_POINTS, sizeof(shd_solid_points), REQUIRED(shd_solid_points, position),
@@ -253,7 +262,7 @@ static void test_unknown_kinds(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[48];
+    struct CMUnitTest tests[64];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};
