@@ -49,6 +49,7 @@ void register_surface_peers();
 void register_texture();
 void register_texture_create();
 void register_texture_worst();
+void register_directions();
 void register_calls();
 void register_scaling();
 void register_shadow();

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   shd::bench::register_texture();
   shd::bench::register_texture_create();
   shd::bench::register_texture_worst();
+  shd::bench::register_directions();
   shd::bench::register_calls();
   shd::bench::register_scaling();
   shd::bench::register_shadow();

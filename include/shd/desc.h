@@ -77,13 +77,18 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_SOLID_DESC = 41,          /**< shd_solid_desc */
     SHD_DESC_KIND_SOLID_POINTS = 42,        /**< shd_solid_points */
     SHD_DESC_KIND_SOLID_VALUES = 43,        /**< shd_solid_values */
-    SHD_DESC_KIND_POLYGON_DESC = 44,        /**< shd_polygon_desc */
-    SHD_DESC_KIND_POLYGON_POINTS = 45,      /**< shd_polygon_points */
-    SHD_DESC_KIND_POLYGON_WEIGHTS = 46,     /**< shd_polygon_weights */
+    SHD_DESC_KIND_DIRECTIONS = 44,          /**< shd_directions */
+    SHD_DESC_KIND_PROJECTED_POINTS = 45,    /**< shd_projected_points */
+    SHD_DESC_KIND_IMAGE_POINTS = 46,        /**< shd_image_points */
+    SHD_DESC_KIND_POINT_DIRECTIONS = 47,    /**< shd_point_directions */
     SHD_DESC_KIND_ENVIRONMENT_DESC = 50,    /**< shd_environment_desc */
     SHD_DESC_KIND_ENVIRONMENT_INFO = 51,    /**< shd_environment_info */
     SHD_DESC_KIND_ENVIRONMENT_LOOKUPS = 52, /**< shd_environment_lookups */
     SHD_DESC_KIND_ENVIRONMENT_LIGHT = 53,   /**< shd_environment_light */
+    SHD_DESC_KIND_DIRECTION_IMAGES = 54,    /**< shd_direction_images */
+    SHD_DESC_KIND_POLYGON_DESC = 56,        /**< shd_polygon_desc */
+    SHD_DESC_KIND_POLYGON_POINTS = 57,      /**< shd_polygon_points */
+    SHD_DESC_KIND_POLYGON_WEIGHTS = 58,     /**< shd_polygon_weights */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -171,6 +171,11 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_ENVIRONMENT_INFO: return write_defaults(shd_environment_info_default(), ptr, size);
     case SHD_DESC_KIND_ENVIRONMENT_LOOKUPS: return write_defaults(shd_environment_lookups_default(), ptr, size);
     case SHD_DESC_KIND_ENVIRONMENT_LIGHT: return write_defaults(shd_environment_light_default(), ptr, size);
+    case SHD_DESC_KIND_DIRECTIONS: return write_defaults(shd_directions_default(), ptr, size);
+    case SHD_DESC_KIND_PROJECTED_POINTS: return write_defaults(shd_projected_points_default(), ptr, size);
+    case SHD_DESC_KIND_IMAGE_POINTS: return write_defaults(shd_image_points_default(), ptr, size);
+    case SHD_DESC_KIND_POINT_DIRECTIONS: return write_defaults(shd_point_directions_default(), ptr, size);
+    case SHD_DESC_KIND_DIRECTION_IMAGES: return write_defaults(shd_direction_images_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

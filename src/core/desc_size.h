@@ -59,6 +59,7 @@ SHD_SIZED(shd_environment_desc, image, tables, 24);
 SHD_SIZED(shd_environment_info, map_size, byte_size, 48);
 SHD_SIZED(shd_environment_light, rgb, rgb, 56);
 SHD_SIZED(shd_environment_lookups, direction, exponent, 96);
+SHD_SIZED(shd_direction_images, images, images, 24);
 SHD_SIZED(shd_derivatives, dudx, dvdy, 72);
 SHD_SIZED(shd_mesh_desc, position, index_count, 296);
 SHD_SIZED(shd_mesh_info, triangle_count, split_count, 52);

@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/direction/filters-inl.h"
 #include "texture/explain/record-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/fixed-inl.h"
@@ -35,9 +36,16 @@ RunFilter FilterOf(shd_filter filter) {
 }
 
 /// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup.
-Kernels KernelsOf(const Sampler& sampler, image::Component component, bool gradient) {
+Kernels KernelsOf(const Texture& texture, const Sampler& sampler, bool gradient) {
+  const image::Component component = texture.component;
   const bool bordered = has_border(sampler);
   Kernels kernels = {};
+  if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
+    kernels.run = DirectionFilterOf(sampler.filter);
+    kernels.format.values = ValuesOf(component);
+    kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+    return kernels;
+  }
   kernels.run = FilterOf(sampler.filter);
   kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
@@ -108,7 +116,7 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
                      const Lookups& lookups, const Texels& wanted, Recording* recording) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
-  const Kernels kernels = HWY_DISPATCH_TABLE(KernelsOf)[target](sampler, texture.component, gradient);
+  const Kernels kernels = HWY_DISPATCH_TABLE(KernelsOf)[target](texture, sampler, gradient);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
     return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});

@@ -73,6 +73,11 @@ DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
 DEFAULTS(shd_scene_info)
 DEFAULTS(shd_scene_instance)
+DEFAULTS(shd_directions)
+DEFAULTS(shd_projected_points)
+DEFAULTS(shd_image_points)
+DEFAULTS(shd_point_directions)
+DEFAULTS(shd_direction_images)
 static void defaults_shd_slot(void *p)
 {
     const shd_slot value = shd_slot_default(SHD_SLOT_DIFFUSE);
@@ -173,6 +178,16 @@ static const struct kind_case k_kinds[] = {
      REQUIRED(shd_environment_lookups, direction), defaults_shd_environment_lookups},
     {"environment_light", SHD_DESC_KIND_ENVIRONMENT_LIGHT, sizeof(shd_environment_light),
      REQUIRED(shd_environment_light, rgb), defaults_shd_environment_light},
+    {"directions", SHD_DESC_KIND_DIRECTIONS, sizeof(shd_directions), REQUIRED(shd_directions, direction),
+     defaults_shd_directions},
+    {"projected_points", SHD_DESC_KIND_PROJECTED_POINTS, sizeof(shd_projected_points),
+     REQUIRED(shd_projected_points, u), defaults_shd_projected_points},
+    {"image_points", SHD_DESC_KIND_IMAGE_POINTS, sizeof(shd_image_points), REQUIRED(shd_image_points, v),
+     defaults_shd_image_points},
+    {"point_directions", SHD_DESC_KIND_POINT_DIRECTIONS, sizeof(shd_point_directions),
+     REQUIRED(shd_point_directions, direction), defaults_shd_point_directions},
+    {"direction_images", SHD_DESC_KIND_DIRECTION_IMAGES, sizeof(shd_direction_images),
+     REQUIRED(shd_direction_images, images), defaults_shd_direction_images},
 };
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */
@@ -262,7 +277,7 @@ static void test_unknown_kinds(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[64];
+    struct CMUnitTest tests[sizeof k_kinds / sizeof k_kinds[0] + 8];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};

@@ -2,6 +2,7 @@
 /* Results have the same bits for any SIMD target, worker count, scheduling order and run, and these bits have the
  * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
+#include "support/direction_hash.h"
 #include "support/environment_hash.h"
 #include "support/lookup_hash.h"
 #include "support/pixel_hash.h"
@@ -246,6 +247,12 @@ static void test_solid(void **state)
     expect_hash("solid textures", shd_solid_hash, 3);
 }
 
+static void test_directions(void **state)
+{
+    (void)state;
+    expect_hash("directions", shd_direction_hash, 3);
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
@@ -268,14 +275,16 @@ enum {
     EXACT,
     TEXTURED,
     PARALLEL,
-    SOLID,
+    DIRECTIONS,
     ENVIRONMENT,
+    SOLID,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
-    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},   {"lines", 0},
-    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0}, {"pixels", 0},
-    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"solid", 0},   {"environment", 0}};
+    {"mixed", 0},    {"floor", 0},      {"lit", 0},         {"glass", 0},   {"moved", 0},
+    {"lines", 0},    {"surface", 0},    {"lookups", 0},     {"filters", 0}, {"profiles", 0},
+    {"shadows", 0},  {"pixels", 0},     {"fast", 0},        {"exact", 0},   {"textured", 0},
+    {"parallel", 0}, {"directions", 0}, {"environment", 0}, {"solid", 0}};
 
 static void measure_golden(void)
 {
@@ -299,8 +308,9 @@ static void measure_golden(void)
     k_golden[FAST].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
     k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
-    k_golden[SOLID].hash = shd_solid_hash(NULL);
+    k_golden[DIRECTIONS].hash = shd_direction_hash(NULL);
     k_golden[ENVIRONMENT].hash = shd_environment_hash(NULL);
+    k_golden[SOLID].hash = shd_solid_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -355,6 +365,7 @@ int main(int argc, char **argv)
         {"textured", test_textured, NULL, NULL, NULL},
         {"parallel", test_parallel, NULL, NULL, NULL},
         {"solid", test_solid, NULL, NULL, NULL},
+        {"directions", test_directions, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

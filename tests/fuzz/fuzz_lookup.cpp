@@ -19,25 +19,28 @@ struct Case {
   TextureCase texture;
   shd_sampler_desc sampler = shd_sampler_desc_default();
   size_t count = 0;
-  std::vector<float> columns[7];  // u, v, dudx, dvdx, dudy, dvdy, lod
-  size_t steps[7] = {};
+  std::vector<float> columns[10];  // u, v, dudx, dvdx, dudy, dvdy, lod, w, dwdx, dwdy
+  size_t steps[10] = {};
   std::vector<uint32_t> integers[2];  // layer, random
   uint32_t outputs = 0;               // bits
   size_t out_step = 1;
   uint64_t budget = 0;
 };
 
+void choose_column(Source& source, Case& c, int k, float scale) {
+  c.steps[k] = 1 + source.below(2);
+  const bool hostile = source.one_in(4);
+  c.columns[k].resize(c.count == 0 ? 1 : (c.count - 1) * c.steps[k] + 1);
+  for (size_t i = 0; i < c.count; ++i) {
+    c.columns[k][i * c.steps[k]] = hostile ? source.hostile() : scale * source.real();
+  }
+}
+
 void choose_lookups(Source& source, Case& c) {
   c.count = source.below(kMaxLookups + 1);
   for (int k = 0; k < 7; ++k) {
     if (k >= 2 && source.one_in(k == 6 ? 2 : 8)) continue;
-    c.steps[k] = 1 + source.below(2);
-    const bool hostile = source.one_in(4);
-    c.columns[k].resize(c.count == 0 ? 1 : (c.count - 1) * c.steps[k] + 1);
-    const float scale = k < 2 ? 2.0f : k < 6 ? 0.5f : 4.0f;
-    for (size_t i = 0; i < c.count; ++i) {
-      c.columns[k][i * c.steps[k]] = hostile ? source.hostile() : scale * source.real();
-    }
+    choose_column(source, c, k, k < 2 ? 2.0f : k < 6 ? 0.5f : 4.0f);
   }
   for (std::vector<uint32_t>& column : c.integers) {
     if (!source.one_in(4)) continue;
@@ -48,20 +51,40 @@ void choose_lookups(Source& source, Case& c) {
   c.out_step = 1 + source.below(2);
 }
 
+/// Makes the texture one of directions, of at most 5 x 5 texels a face.
+void choose_directions(Source& source, Case& c) {
+  shd_texture_desc& desc = c.texture.desc;
+  desc.projection = source.constant<shd_projection>(6);
+  for (int k = 7; k < 10; ++k) {
+    if (!source.one_in(16)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
+  }
+  if (!desc.texels || desc.width - 1 >= 9 || desc.height - 1 >= 9 || desc.layers > 6 || desc.flags || source.one_in(32))
+    return;
+  if (desc.projection != SHD_PROJECTION_LAT_LONG) desc.width = desc.height = desc.width < 5 ? desc.width : 5;
+  if (desc.projection == SHD_PROJECTION_CUBE) desc.layers = 6;
+  if (!source.one_in(32)) desc.tables &= SHD_TABLE_MIPMAP;
+  const size_t pixel = shd_format_size(desc.format);
+  const size_t stride = desc.row_stride ? desc.row_stride : desc.width * pixel;
+  const size_t given = c.texture.texels.size(), size = stride * desc.height * desc.layers;
+  for (size_t i = given; given > 0 && i < size; ++i) c.texture.texels.push_back(c.texture.texels[i - given]);
+  desc.texels = c.texture.texels.data();
+}
+
 void choose_case(Source& source, Case& c) {
   c.budget = choose_budget(source);
   choose_sampler(source, c.sampler);
   choose_texture(source, c.texture, 9);
   choose_lookups(source, c);
   if (c.sampler.filter == SHD_FILTER_EXACT && c.count > 2) c.count = 2;
+  if (source.one_in(3)) choose_directions(source, c);
 }
 
 shd_lookups make_lookups(const Case& c) {
   shd_lookups lookups = shd_lookups_default();
   lookups.count = c.count;
-  shd_f32_in* columns[7] = {&lookups.u,    &lookups.v,    &lookups.dudx, &lookups.dvdx,
-                            &lookups.dudy, &lookups.dvdy, &lookups.lod};
-  for (int k = 0; k < 7; ++k) {
+  shd_f32_in* columns[10] = {&lookups.u,    &lookups.v,   &lookups.dudx, &lookups.dvdx, &lookups.dudy,
+                             &lookups.dvdy, &lookups.lod, &lookups.w,    &lookups.dwdx, &lookups.dwdy};
+  for (int k = 0; k < 10; ++k) {
     if (!c.columns[k].empty()) *columns[k] = shd_f32_column(c.columns[k].data(), 4 * c.steps[k]);
   }
   if (!c.integers[0].empty()) lookups.layer.data = c.integers[0].data();

@@ -105,6 +105,18 @@ class Emitter {
     self().commit(d, op);
   }
 
+  /// Emits the quad of four given texels, none of which is the border.
+  template <class D, class... AnyShare>
+  HWY_INLINE void quad_of(D d, uint32_t op, const Ints<D> (&index)[4], hn::Vec<D> s, hn::Vec<D> t,
+                          const AnyShare&... share) {
+    const size_t at = self().add(d);
+    auto& to = self().elements();
+    hn::Store(s, d, to.s + at);
+    hn::Store(t, d, to.t + at);
+    for (size_t k = 0; k < 4; ++k) hn::Store(index[k], hn::RebindToSigned<D>(), to.index[k] + at);
+    self().commit(d, op | kQuad | write_share(d, at, share...));
+  }
+
   template <class D, class AnyShare>
   HWY_INLINE void row(D d, uint32_t op, const Row<D>& row, const AnyShare& share) {
     const size_t at = self().add(d);
