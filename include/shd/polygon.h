@@ -6,19 +6,19 @@
  * Every kind gives each vertex i of a polygon a weight b_i at a point x, with
  * - partition of unity: the sum of all b_i is 1;
  * - linear precision: the sum of b_i v_i is x, for x inside the polygon;
- * - Lagrange property: at vertex j, b_j is 1 and all others are 0; on an edge the weights of its two vertices are linear
- *   along the edge, and all others are 0.
+ * - Lagrange property: at vertex j, b_j is 1 and all others are 0; on an edge the weights of its two vertices are
+ *   linear along the edge, and all others are 0.
  *
- * With s_i = v_i - x, r_i = |s_i|, A_i the area of the triangle (x, v_i, v_i+1), C_i that of (v_i-1, v_i, v_i+1), and
- * b_i = w_i / sum of all w_j:
+ * With s_i = v_i - x, r_i = |s_i|, A_i the area of the triangle (x, v_i, v_i+1), C_i that of (v_i-1, v_i, v_i+1), a_i
+ * the angle from s_i to s_i+1, and b_i = w_i / sum of all w_j:
  *
- * | kind              | polygons | w_i                                                            | b_i >= 0           |
- * |-------------------|----------|----------------------------------------------------------------|--------------------|
- * | WACHSPRESS        | convex   | C_i / (A_i-1 A_i)                                              | yes                |
- * | MEAN_VALUE        | simple   | (tan(a_i-1 / 2) + tan(a_i / 2)) / r_i, a_i the angle s_i s_i+1 | in convex polygons |
- * | DISCRETE_HARMONIC | convex   | cot of the angles at v_i-1 and v_i+1 to the edges at v_i, in   | not always         |
- * |                   |          | the triangles (x, v_i-1, v_i) and (x, v_i, v_i+1)              |                    |
- * | HARMONIC          | simple   | solution of the Laplace equation with the values of the edges  | up to its error    |
+ * | kind              | polygons | w_i                                                        | b_i >= 0           |
+ * |-------------------|----------|------------------------------------------------------------|--------------------|
+ * | WACHSPRESS        | convex   | C_i / (A_i-1 A_i)                                          | yes                |
+ * | MEAN_VALUE        | simple   | (tan(a_i-1 / 2) + tan(a_i / 2)) / r_i                      | in convex polygons |
+ * | DISCRETE_HARMONIC | convex   | cot of the angles at v_i-1 in (x, v_i-1, v_i) and at v_i+1 | not always         |
+ * |                   |          | in (x, v_i, v_i+1)                                         |                    |
+ * | HARMONIC          | simple   | solution of the Laplace equation with the values on edges  | up to its error    |
  *
  * Sources: Wachspress, "A Rational Finite Element Basis" (1975), in the form of Meyer et al., "Generalized Barycentric
  * Coordinates on Irregular Polygons" (2002); Floater, "Mean Value Coordinates" (2003), and Hormann and Floater, "Mean
@@ -79,8 +79,8 @@ typedef struct shd_polygon_desc {
     shd_f32_in vertex[2];  /**< [vertex_count] x and y, finite; required */
     uint32_t vertex_count; /**< 3..SHD_MAX_POLYGON_VERTICES */
     /**
-     * HARMONIC: parts of each side of a triangle, 1..256; default 32. The solution has about vertex_count segments^2 / 2
-     * nodes. Nodes times vertices are limited to 2^24.
+     * HARMONIC: parts of each side of a triangle, 1..256; default 32. The solution has about
+     * vertex_count segments^2 / 2 nodes. Nodes times vertices are limited to 2^24.
      */
     uint32_t segments;
     /* ---- end of 0.1; append below ---- */

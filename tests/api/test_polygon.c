@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Generalised barycentric coordinates through the public function: checks, strides, contexts, points that are not finite
-   or outside. */
+/* Generalised barycentric coordinates through the public function: checks, strides, contexts, points that are not
+   finite or outside. */
 #include "support/fault_allocator.h"
 #include "support/rows.h"
 
