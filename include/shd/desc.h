@@ -86,6 +86,9 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_ENVIRONMENT_LOOKUPS = 52, /**< shd_environment_lookups */
     SHD_DESC_KIND_ENVIRONMENT_LIGHT = 53,   /**< shd_environment_light */
     SHD_DESC_KIND_DIRECTION_IMAGES = 54,    /**< shd_direction_images */
+    SHD_DESC_KIND_POLYGON_DESC = 56,        /**< shd_polygon_desc */
+    SHD_DESC_KIND_POLYGON_POINTS = 57,      /**< shd_polygon_points */
+    SHD_DESC_KIND_POLYGON_WEIGHTS = 58,     /**< shd_polygon_weights */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

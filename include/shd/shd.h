@@ -66,6 +66,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/polygon.h>
 #include <shd/present.h>
 #include <shd/projection.h>
 #include <shd/render.h>

@@ -164,6 +164,9 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_SOLID_DESC: return write_defaults(shd_solid_desc_default(), ptr, size);
     case SHD_DESC_KIND_SOLID_POINTS: return write_defaults(shd_solid_points_default(), ptr, size);
     case SHD_DESC_KIND_SOLID_VALUES: return write_defaults(shd_solid_values_default(), ptr, size);
+    case SHD_DESC_KIND_POLYGON_DESC: return write_defaults(shd_polygon_desc_default(), ptr, size);
+    case SHD_DESC_KIND_POLYGON_POINTS: return write_defaults(shd_polygon_points_default(), ptr, size);
+    case SHD_DESC_KIND_POLYGON_WEIGHTS: return write_defaults(shd_polygon_weights_default(), ptr, size);
     case SHD_DESC_KIND_ENVIRONMENT_DESC: return write_defaults(shd_environment_desc_default(), ptr, size);
     case SHD_DESC_KIND_ENVIRONMENT_INFO: return write_defaults(shd_environment_info_default(), ptr, size);
     case SHD_DESC_KIND_ENVIRONMENT_LOOKUPS: return write_defaults(shd_environment_lookups_default(), ptr, size);

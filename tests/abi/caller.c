@@ -209,6 +209,30 @@ static void use_footprint(void)
     expect(shd_derivatives_from_cones(cones, derivatives) == SHD_OK, "ray cones");
 }
 
+static void use_polygon(void)
+{
+    static const float x[3] = {0, 1, 0}, y[3] = {0, 0, 1}, quarter[1] = {0.25f};
+    float value[3] = {7, 7, 7};
+    shd_f32_out columns[3];
+    int i;
+    MAKE(shd_polygon_desc, desc);
+    MAKE(shd_polygon_points, points);
+    MAKE(shd_polygon_weights, weights);
+    desc->vertex[0] = shd_f32_column(x, 0);
+    desc->vertex[1] = shd_f32_column(y, 0);
+    desc->vertex_count = 3;
+    points->count = 1;
+    points->position[0] = points->position[1] = shd_f32_column(quarter, 0);
+    for (i = 0; i < 3; ++i) columns[i] = shd_f32_out_column(value + i, 0);
+    weights->weight = columns;
+    weights->weight_count = 3;
+    EXPECT_READ(desc, shd_polygon_evaluate(g_context, desc, points, weights));
+    EXPECT_READ(points, shd_polygon_evaluate(g_context, desc, points, weights));
+    EXPECT_READ(weights, shd_polygon_evaluate(g_context, desc, points, weights));
+    expect(shd_polygon_evaluate(g_context, desc, points, weights) == SHD_OK, "polygon");
+    expect(value[0] == 0.5f && value[1] == 0.25f && value[2] == 0.25f, "weights of a triangle");
+}
+
 static void use_solid(void)
 {
     static const float x[2] = {0.5f, 1.5f};
@@ -480,6 +504,7 @@ int main(int argc, char **argv)
     use_lookups();
     use_footprint();
     use_solid();
+    use_polygon();
     use_shapes();
     use_mesh();
     use_render();

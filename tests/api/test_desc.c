@@ -37,6 +37,9 @@ DEFAULTS(shd_explanation)
 DEFAULTS(shd_ray_differentials)
 DEFAULTS(shd_ray_cones)
 DEFAULTS(shd_solid_desc)
+DEFAULTS(shd_polygon_desc)
+DEFAULTS(shd_polygon_points)
+DEFAULTS(shd_polygon_weights)
 DEFAULTS(shd_solid_points)
 DEFAULTS(shd_solid_values)
 DEFAULTS(shd_derivatives)
@@ -114,6 +117,12 @@ static const struct kind_case k_kinds[] = {
     {"edges", SHD_DESC_KIND_EDGES, sizeof(shd_edges), REQUIRED(shd_edges, vertex), defaults_shd_edges},
     {"tessellation_desc", SHD_DESC_KIND_TESSELLATION_DESC, sizeof(shd_tessellation_desc),
      REQUIRED(shd_tessellation_desc, mode), defaults_shd_tessellation_desc},
+    {"polygon_desc", SHD_DESC_KIND_POLYGON_DESC, sizeof(shd_polygon_desc), REQUIRED(shd_polygon_desc, vertex_count),
+     defaults_shd_polygon_desc},
+    {"polygon_points", SHD_DESC_KIND_POLYGON_POINTS, sizeof(shd_polygon_points), REQUIRED(shd_polygon_points, position),
+     defaults_shd_polygon_points},
+    {"polygon_weights", SHD_DESC_KIND_POLYGON_WEIGHTS, sizeof(shd_polygon_weights),
+     REQUIRED(shd_polygon_weights, weight), defaults_shd_polygon_weights},
     {"solid_desc", SHD_DESC_KIND_SOLID_DESC, sizeof(shd_solid_desc), REQUIRED(shd_solid_desc, kind),
      defaults_shd_solid_desc},
     {"solid_points", SHD_DESC_KIND_SOLID_POINTS, sizeof(shd_solid_points), REQUIRED(shd_solid_points, position),
