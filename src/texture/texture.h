@@ -215,6 +215,7 @@ struct Texels {
     }
     return false;
   }
+  bool wants_deep_gradient() const { return dw[0] || dw[1] || dw[2] || dw[3]; }
 };
 
 /// Returns the columns of elements first..first + count - 1.
