@@ -74,6 +74,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_SCENE_DESC = 38,         /**< shd_scene_desc, of shd/scene.h */
     SHD_DESC_KIND_SCENE_INFO = 39,         /**< shd_scene_info, of shd/scene.h */
     SHD_DESC_KIND_SCENE_INSTANCE = 40,     /**< shd_scene_instance, of shd/scene.h */
+    SHD_DESC_KIND_VOLUME_DESC = 48,        /**< shd_volume_desc */
+    SHD_DESC_KIND_VOLUME_DRAW = 49,        /**< shd_volume_draw */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

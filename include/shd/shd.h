@@ -78,6 +78,7 @@
 #include <shd/transform.h>
 #include <shd/vertices.h>
 #include <shd/view.h>
+#include <shd/volume.h>
 #include <shd/wrap.h>
 
 #endif /* SHD_SHD_H */

@@ -161,6 +161,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
+    case SHD_DESC_KIND_VOLUME_DESC: return write_defaults(shd_volume_desc_default(), ptr, size);
+    case SHD_DESC_KIND_VOLUME_DRAW: return write_defaults(shd_volume_draw_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

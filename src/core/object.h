@@ -22,6 +22,7 @@ enum class ObjectType : uint32_t {
   kLight = 5,
   kFramebuffer = 6,
   kShadow = 7,
+  kVolume = 9,
 };
 
 /// The memory behind every handle except a context's. It stays mapped, in its context's slabs, until the context is
