@@ -51,16 +51,16 @@ typedef struct shd_volume_desc {
     uint32_t struct_size;  /**< set by shd_volume_desc_default() */
     uint32_t point_count;  /**< points of the transfer function, 1..256 */
     shd_texture *texture;  /**< 3D texture; retained */
-    shd_f32_in density;    /**< [point_count] densities of the points, finite, none below the one before it. Values are
+    shd_f32_in density;    /**< [point_count] densities of the points, finite, never decreasing. Values are
                                 interpolated between points; two points of one density are a jump */
     shd_f32_in extinction; /**< [point_count] sigma [1 / world unit], 0..1e12 */
     shd_f32_in color[3];   /**< [point_count] scene-linear r, g, b, 0..1e6: radiance, or the diffuse colour of
                                 `material`; absent = 1 */
     /**
-     * Shades the points by the lights of the frame, with shadows and cookies: any model that reflects light, with
-     * constant slots. Its diffuse colour is multiplied by `color`. The normal is the direction in which density falls
+     * Shades the points by the lights of the frame, with shadows and cookies: an opaque material without slots, of a
+     * model that reflects light. Its diffuse colour is multiplied by `color`. The normal is the direction in which density falls
      * fastest, by central differences over two texels; it faces the viewer where the gradient is 0, and always with
-     * SHD_MATERIAL_DOUBLE_SIDED. Opacity and blend have no effect. NULL = `color` is radiance; retained.
+     * SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
      */
     shd_material *material;
     float box_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */

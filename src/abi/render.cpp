@@ -12,6 +12,7 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/volume.h"
 #include "core/scratch.h"
 #include "frame/frame.h"
 #include "frame/supersample.h"
@@ -138,6 +139,10 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   for (size_t i = 0; i < shadows.size(); ++i) {
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
+  core::Buffer<frame::VolumeDraw> volumes(context.allocator);
+  SHD_TRY(read_volumes(desc.volumes, desc.volume_count, &volumes));
+  frame.volumes = volumes.data();
+  frame.volume_count = volumes.size();
   frame.load = (desc.flags & SHD_RENDER_LOAD) != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;

@@ -83,7 +83,7 @@ SHD_SIZED(shd_shape_columns, position, indices, 160);
 SHD_SIZED(shd_scene_desc, flags, time_limit, 88);
 SHD_SIZED(shd_scene_info, instance_count, bounds_max, 72);
 SHD_SIZED(shd_scene_instance, object_to_world, object_to_world, 76);
-SHD_SIZED(shd_volume_desc, extinction, flags, 160);
+SHD_SIZED(shd_volume_desc, extinction, flags, 144);
 SHD_SIZED(shd_volume_draw, volume, object_to_world, 80);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE

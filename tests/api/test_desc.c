@@ -63,6 +63,8 @@ DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
 DEFAULTS(shd_scene_info)
 DEFAULTS(shd_scene_instance)
+DEFAULTS(shd_volume_desc)
+DEFAULTS(shd_volume_draw)
 static void defaults_shd_slot(void *p)
 {
     const shd_slot value = shd_slot_default(SHD_SLOT_DIFFUSE);
@@ -143,6 +145,10 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_scene_info},
     {"scene_instance", SHD_DESC_KIND_SCENE_INSTANCE, sizeof(shd_scene_instance),
      REQUIRED(shd_scene_instance, object_to_world), defaults_shd_scene_instance},
+    {"volume_desc", SHD_DESC_KIND_VOLUME_DESC, sizeof(shd_volume_desc), REQUIRED(shd_volume_desc, extinction),
+     defaults_shd_volume_desc},
+    {"volume_draw", SHD_DESC_KIND_VOLUME_DRAW, sizeof(shd_volume_draw), REQUIRED(shd_volume_draw, volume),
+     defaults_shd_volume_draw},
 };
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */

@@ -8,6 +8,7 @@
 #include "support/scene.h"
 #include "support/shadow_hash.h"
 #include "support/simd.h"
+#include "support/volume_scene.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
                                                           "small", "moved", "lines", "surface"};
@@ -232,6 +233,18 @@ static void test_parallel(void **state)
     expect_hash("frames without perspective", shd_parallel_hash, 3);
 }
 
+static void test_solids(void **state)
+{
+    (void)state;
+    expect_hash("lookups in 3D textures", shd_solid_hash, 2);
+}
+
+static void test_volumes(void **state)
+{
+    (void)state;
+    expect_hash("frames with volumes", shd_volume_hash, 3);
+}
+
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
 struct golden_row {
     const char *name;
@@ -254,12 +267,14 @@ enum {
     EXACT,
     TEXTURED,
     PARALLEL,
+    TEXTURE3D,
+    VOLUME,
     k_golden_count
 };
-static struct golden_row k_golden[k_golden_count] = {{"mixed", 0},   {"floor", 0},    {"lit", 0},      {"glass", 0},
-                                                     {"moved", 0},   {"lines", 0},    {"surface", 0},  {"lookups", 0},
-                                                     {"filters", 0}, {"profiles", 0}, {"shadows", 0},  {"pixels", 0},
-                                                     {"fast", 0},    {"exact", 0},    {"textured", 0}, {"parallel", 0}};
+static struct golden_row k_golden[k_golden_count] = {
+    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},     {"lines", 0},
+    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0},   {"pixels", 0},
+    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"texture3d", 0}, {"volume", 0}};
 
 static void measure_golden(void)
 {
@@ -283,6 +298,8 @@ static void measure_golden(void)
     k_golden[FAST].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
     k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
+    k_golden[TEXTURE3D].hash = shd_solid_hash(NULL);
+    k_golden[VOLUME].hash = shd_volume_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -335,6 +352,8 @@ int main(int argc, char **argv)
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"textured", test_textured, NULL, NULL, NULL},
         {"parallel", test_parallel, NULL, NULL, NULL},
+        {"solids", test_solids, NULL, NULL, NULL},
+        {"volumes", test_volumes, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();
