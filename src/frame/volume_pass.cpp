@@ -51,7 +51,9 @@ class VolumeDrawer {
   void add_pixel(int32_t x, int32_t y) {
     const volume::Sight sight = volume::sight_of(lens_, x, y);
     volume::Ray ray;
-    if (!sight.is_valid || !volume::make_ray(sight, draw_.world_to_box, sight.end, draw_.volume->step, &ray)) return;
+    if (!sight.is_valid) return;
+    const bool has_samples = tile_.pattern.count > 1;
+    if (has_samples && !volume::make_ray(sight, draw_.world_to_box, sight.end, draw_.volume->step, &ray)) return;
     const auto pixel = static_cast<uint32_t>((y - tile_.top) * raster::kTile + (x - tile_.left));
     const float h = draw_.volume->jitter > 0.0f ? jitter_of(x, y, draw_.volume->seed) : 0.5f;
     for (uint32_t rest = tile_.all_samples(); rest != 0;) {

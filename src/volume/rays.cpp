@@ -52,7 +52,8 @@ Homogeneous world_of(const Lens& lens, double x, double y, double depth) {
 }
 
 Vec3d point_of(const Homogeneous& h) {
-  return {h.x / h.w, h.y / h.w, h.z / h.w};
+  const double scale = 1.0 / h.w;
+  return {h.x * scale, h.y * scale, h.z * scale};
 }
 
 }  // namespace
@@ -110,6 +111,7 @@ bool make_ray(const Sight& sight, const WorldToBox& box, double end, float step,
     const double* row = box.row[c];
     origin[c] = row[0] * sight.origin.x + row[1] * sight.origin.y + row[2] * sight.origin.z + row[3];
     direction[c] = row[0] * sight.direction.x + row[1] * sight.direction.y + row[2] * sight.direction.z;
+    if (!std::isfinite(origin[c]) || !std::isfinite(direction[c])) return false;
     if (direction[c] == 0.0) {  // parallel to two faces: between them, or outside
       if (!(origin[c] >= 0.0 && origin[c] <= 1.0)) return false;
       continue;

@@ -198,7 +198,7 @@ static void test_scene(void **state)
         assert_true(g_planes[3][i] >= 0 && g_planes[3][i] <= 1);
         assert_true(g_planes[0][i] >= 0 && isfinite(g_planes[0][i]));
     }
-    assert_true(changed > k_pixels / 4 && kept > k_pixels / 8);
+    assert_true(changed > k_pixels / 8 && kept > k_pixels / 8);
     assert_true(*at(g_planes, 3, k_ball_width / 2, k_ball_height / 2) == 1);
     shd_ball_close(&scene);
 }

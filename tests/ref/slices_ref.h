@@ -102,9 +102,8 @@ inline double anisotropic(const Solid& solid, const Spread& s, int count, const 
   const double ratio = s.a == 0 ? 1 : s.a > limit * s.b ? limit : s.a / s.b;
   double sum = 0, total = 0;
   for (int k = 0; k < count; ++k) {
-    const double t = (2.0 * k + 1 - count) / (2.0 * count) * s.a;
-    const double weight =
-        solid.sampler->probe_weights == SHD_PROBE_WEIGHTS_GAUSSIAN ? exp(-8 * t * t / (s.a * s.a)) : 1;
+    const double part = (2.0 * k + 1 - count) / (2.0 * count), t = part * s.a;
+    const double weight = solid.sampler->probe_weights == SHD_PROBE_WEIGHTS_GAUSSIAN ? exp(-8 * part * part) : 1;
     const auto moved = [&](shd_wrap wrap, double at, double axis, int64_t size) {
       const bool periodic = wrap == SHD_WRAP_REPEAT || wrap == SHD_WRAP_MIRROR;
       return (periodic || !isfinite(at) ? reduce(wrap, at) : at) + t * axis / static_cast<double>(size);

@@ -53,10 +53,10 @@ static inline shd_texture *shd_solid_texture(shd_context *context, shd_format fo
 /* Lookups of every filter of 3D textures with derivatives, on formats of every kind. */
 static inline uint64_t shd_solid_hash(const shd_context_desc *context_desc)
 {
-    static const shd_format k_formats[] = {SHD_FORMAT_R8,  SHD_FORMAT_RGBA8,   SHD_FORMAT_RGBA8_SRGB,
-                                           SHD_FORMAT_R16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F};
-    static const shd_filter k_filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
-                                           SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC};
+    static const shd_format k_solid_formats[] = {SHD_FORMAT_R8,  SHD_FORMAT_RGBA8,   SHD_FORMAT_RGBA8_SRGB,
+                                                 SHD_FORMAT_R16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F};
+    static const shd_filter k_solid_filters[] = {SHD_FILTER_NEAREST,      SHD_FILTER_BILINEAR,  SHD_FILTER_NEAREST_MIP,
+                                                 SHD_FILTER_BILINEAR_MIP, SHD_FILTER_TRILINEAR, SHD_FILTER_ANISOTROPIC};
     static float in[9][k_solid_lookups], out[16][k_solid_lookups];
     shd_context *context = NULL;
     uint64_t hash = SHD_HASH_START;
@@ -69,17 +69,17 @@ static inline uint64_t shd_solid_hash(const shd_context_desc *context_desc)
     }
     in[2][7] = NAN;
     in[5][8] = INFINITY;
-    for (t = 0; t < sizeof k_formats / sizeof k_formats[0]; ++t) {
-        shd_texture *texture = shd_solid_texture(context, k_formats[t]);
-        for (f = 0; f < sizeof k_filters / sizeof k_filters[0]; ++f) {
-            const int smooth = k_filters[f] != SHD_FILTER_NEAREST && k_filters[f] != SHD_FILTER_NEAREST_MIP;
+    for (t = 0; t < sizeof k_solid_formats / sizeof k_solid_formats[0]; ++t) {
+        shd_texture *texture = shd_solid_texture(context, k_solid_formats[t]);
+        for (f = 0; f < sizeof k_solid_filters / sizeof k_solid_filters[0]; ++f) {
+            const int smooth = k_solid_filters[f] != SHD_FILTER_NEAREST && k_solid_filters[f] != SHD_FILTER_NEAREST_MIP;
             shd_sampler_desc desc = shd_sampler_desc_default();
             shd_lookups lookups = shd_lookups_default();
             shd_texels texels = shd_texels_default();
             shd_f32_in *const column[9] = {&lookups.u,    &lookups.v,    &lookups.w,    &lookups.dudx, &lookups.dvdx,
                                            &lookups.dwdx, &lookups.dudy, &lookups.dvdy, &lookups.dwdy};
             shd_sampler *sampler = NULL;
-            desc.filter = k_filters[f];
+            desc.filter = k_solid_filters[f];
             desc.wrap_u = (shd_wrap)(f % 5);
             desc.wrap_v = (shd_wrap)((f + t) % 5);
             desc.wrap_w = (shd_wrap)((2 * f + t) % 5);

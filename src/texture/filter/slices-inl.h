@@ -11,10 +11,13 @@
 
 #include <hwy/highway.h>
 
+// The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
+// clang-format off
+#include "texture/footprint/places-inl.h"
 #include "texture/filter/level-inl.h"
 #include "texture/filter/prefetch.h"
 #include "texture/filter/runner-inl.h"
-#include "texture/footprint/places-inl.h"
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {

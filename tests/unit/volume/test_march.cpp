@@ -11,7 +11,7 @@ namespace {
 using namespace fixture;
 using shd::volume::Ray;
 
-constexpr uint32_t kWidth = 37, kHeight = 24, kDepth = 19;
+constexpr uint32_t kWidth = 61, kHeight = 40, kDepth = 33;
 constexpr size_t kTestRays = 300;
 
 float t_texels[kWidth * kHeight * kDepth];
@@ -98,7 +98,7 @@ void test_march(void**) {
   Texture* texture = make_solid();
   shd::volume::Volume* volume = make_volume(*texture);
   size_t skipped = 0;
-  for (const uint8_t distance : volume->distance) skipped += distance > 1;
+  for (const uint8_t distance : volume->distance) skipped += distance > 0;
   assert_true(skipped > volume->distance.size() / 8);
   march_all(*volume, rays, shd::volume::kRays, hwy::SupportedAndGeneratedTargets()[0], first);
   for_each_target([&](int64_t target) {
