@@ -2,6 +2,10 @@
 // frame/lights:<n>/<target>: a plane over 1024 x 1024 pixels under n point lights whose range covers a 64th of it,
 // spread evenly; Blinn-Phong per fragment, one thread. `over_8` is the time divided by the time for 8 lights.
 // frame/model:<name>/<target>: the same plane with every model under two lights without range. Items are pixels.
+// frame/environment:<name>/<target>: the same plane in the light of an environment instead; `over_model` is the time
+// divided by the time of frame/model. frame/background/<target>: an environment alone.
+// environment/irradiance and environment/lobes: an environment of 1024 x 512 texels, made with harmonics alone or with
+// the radiance and the lobes of GGX as well; one thread.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -49,6 +53,7 @@ class Plane {
   }
   ~Plane() {
     for (const shd_light* light : lights_) shd_light_release(const_cast<shd_light*>(light));
+    shd_environment_release(environment_);
     shd_framebuffer_release(framebuffer_);
     shd_material_release(material_);
     shd_mesh_release(mesh_);
@@ -57,6 +62,17 @@ class Plane {
   Plane(const Plane&) = delete;
   Plane& operator=(const Plane&) = delete;
 
+  /// Replaces the lights by an environment.
+  void surround(shd_environment* environment) {
+    desc_.light_count = 0;
+    desc_.environment = environment_ = environment;
+  }
+  /// Shows the environment and no plane.
+  void show_background() {
+    desc_.draw_count = 0;
+    desc_.background = SHD_BACKGROUND_ENVIRONMENT;
+  }
+  shd_context* context() const { return context_; }
   void render() { check(shd_render(context_, &desc_)); }
 
  private:
@@ -91,6 +107,7 @@ class Plane {
   shd_context* context_;
   shd_mesh* mesh_ = nullptr;
   shd_material* material_ = nullptr;
+  shd_environment* environment_ = nullptr;
   shd_framebuffer* framebuffer_ = nullptr;
   std::vector<const shd_light*> lights_;
   shd_draw draw_ = shd_draw_default();
@@ -118,21 +135,89 @@ void run_lights(benchmark::State& state, uint32_t count, const Target& target) {
   if (few > 0.0) state.counters["over_8"] = few / rate;
 }
 
+constexpr uint32_t kSkyWidth = 1024, kSkyHeight = 512;
+
+/// A sky of smooth noise with a small sun.
+std::vector<float> make_sky() {
+  std::vector<float> texels;
+  for (uint32_t y = 0; y < kSkyHeight; ++y) {
+    for (uint32_t x = 0; x < kSkyWidth; ++x) {
+      const float u = static_cast<float>(x) / kSkyWidth, v = static_cast<float>(y) / kSkyHeight;
+      const bool sun = x >= 300 && x < 304 && y >= 150 && y < 154;
+      for (const float phase : {0.0f, 1.0f, 2.0f}) {
+        texels.push_back(0.5f + 0.3f * std::sin(40.0f * u + phase) * std::sin(20.0f * v) + (sun ? 5000.0f : 0.0f));
+      }
+    }
+  }
+  return texels;
+}
+
+shd_environment* make_environment(shd_context* context, shd_environment_tables tables) {
+  static const std::vector<float> texels = make_sky();
+  shd_image image = shd_image_default();
+  image.format = SHD_FORMAT_RGB32F;
+  image.width = kSkyWidth;
+  image.height = kSkyHeight;
+  image.pixels = const_cast<float*>(texels.data());
+  shd_environment_desc desc = shd_environment_desc_default();
+  desc.image = &image;
+  desc.tables = tables;
+  shd_environment* environment = nullptr;
+  check(shd_environment_create(context, &desc, &environment));
+  return environment;
+}
+
+std::string model_name(const char* what, const Model& model, const Target& target) {
+  return std::string("frame/") + what + ":" + model.name + "/" + target.name;
+}
+
+void run_model(benchmark::State& state, const Model& model, const Target& target) {
+  Plane plane(target.simd, model.model, 2, false);
+  record_rate(model_name("model", model, target), run(state, &plane));
+}
+
+void run_environment(benchmark::State& state, const Model& model, const Target& target) {
+  Plane plane(target.simd, model.model, 2, false);
+  plane.surround(make_environment(plane.context(), SHD_ENVIRONMENT_TABLE_ALL));
+  const double rate = run(state, &plane), lit = recorded_rate(model_name("model", model, target));
+  if (lit > 0.0) state.counters["over_model"] = lit / rate;
+}
+
+void run_background(benchmark::State& state, const Target& target) {
+  Plane plane(target.simd, SHD_MODEL_LAMBERT, 2, false);
+  plane.surround(make_environment(plane.context(), SHD_ENVIRONMENT_TABLE_RADIANCE));
+  plane.show_background();
+  run(state, &plane);
+}
+
+void run_create(benchmark::State& state, shd_environment_tables tables) {
+  shd_context* context = make_context(SHD_SIMD_BEST);
+  shd_environment_release(make_environment(context, tables));
+  for (auto _ : state) shd_environment_release(make_environment(context, tables));
+  state.SetItemsProcessed(state.iterations() * int64_t{kSkyWidth} * int64_t{kSkyHeight});
+  shd_context_release(context);
+}
+
 }  // namespace
 
 void register_lights() {
+  benchmark::RegisterBenchmark("environment/irradiance",
+                               [](benchmark::State& state) { run_create(state, SHD_ENVIRONMENT_TABLE_NONE); });
+  benchmark::RegisterBenchmark("environment/lobes",
+                               [](benchmark::State& state) { run_create(state, SHD_ENVIRONMENT_TABLE_GGX); });
   for (const Target& target : targets()) {
     for (const uint32_t count : {8u, 64u, 256u}) {
       benchmark::RegisterBenchmark(lights_name(count, target).c_str(),
                                    [=](benchmark::State& state) { run_lights(state, count, target); });
     }
     for (const Model& model : kModels) {
-      const std::string name = std::string("frame/model:") + model.name + "/" + target.name;
-      benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-        Plane plane(target.simd, model.model, 2, false);
-        run(state, &plane);
-      });
+      benchmark::RegisterBenchmark(model_name("model", model, target).c_str(),
+                                   [=](benchmark::State& state) { run_model(state, model, target); });
+      benchmark::RegisterBenchmark(model_name("environment", model, target).c_str(),
+                                   [=](benchmark::State& state) { run_environment(state, model, target); });
     }
+    benchmark::RegisterBenchmark((std::string("frame/background/") + target.name).c_str(),
+                                 [=](benchmark::State& state) { run_background(state, target); });
   }
 }
 

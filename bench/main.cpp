@@ -71,9 +71,11 @@ int main(int argc, char** argv) {
   shd::bench::register_texture();
   shd::bench::register_texture_create();
   shd::bench::register_texture_worst();
+  shd::bench::register_directions();
   shd::bench::register_calls();
   shd::bench::register_scaling();
   shd::bench::register_shadow();
+  shd::bench::register_solid();
   shd::bench::register_quality();
   shd::bench::register_defaults();
   shd::bench::register_mesh();

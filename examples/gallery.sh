@@ -104,6 +104,14 @@ picture uv-transforms "glTF 2.0: TextureTransformTest" --orbit 0,0 --model unlit
 picture earth "A texture on a sphere" --shape sphere --tessellation 24 --orbit 20,20 --texture "$earth" --model lambert \
   --sun 1,0.4,0.9:2,2,2 --ambient 0.1
 
+group "Solid textures"
+declare -A sizes=([marble]=0.8 [wood]=0.22 [perlin]=0.9 [simplex]=0.8 [worley]=0.5 [checker]=0.4)
+for solid in "marble Marble" "wood Wood" "perlin Perlin noise, 6 octaves" "simplex Turbulence of simplex noise" \
+  "worley Worley noise, F2 - F1" "checker A checker of cubes"; do
+  picture "solid-${solid%% *}" "${solid#* }" "${pot[@]}" "${sun[@]}" --solid "${solid%% *}" --solid-size "${sizes[${solid%% *}]}" \
+    --specular 0.3 --exponent 60
+done
+
 group "Surface detail"
 ball=(--shape sphere --tessellation 24 --orbit 20,10 "${sun[@]}" --diffuse 0.45)
 picture bump-gradient "Bumps: gradient of heights" "${ball[@]}" --height "$bark" --bump gradient --bump-scale 0.05

@@ -9,6 +9,13 @@
  * <= 0 trilinear is bilinear on level 0. Otherwise it blends the levels floor(lambda) and the next one by the fraction
  * of lambda. shd_profile has the rules of the other filters and of other texture units.
  *
+ * Lookups of a texture with a projection (shd_texture_desc) read (u, v, w) as a direction of any length in world space,
+ * and the derivatives as its changes per pixel step. The footprint is found on the image, on the equator for LAT_LONG;
+ * texels beyond an edge are those that the directions continue on, so that no filter has a seam or a pole. Wraps and
+ * borders have no effect; `layer` has none for CUBE. Filters are NEAREST, BILINEAR, NEAREST_MIP, BILINEAR_MIP,
+ * TRILINEAR, ANISOTROPIC and EWA, in SHD_PRECISION_FULL, without derivatives of the result; others return
+ * SHD_ERROR_UNSUPPORTED. A direction of length 0, or with a component that is NaN or infinite, counts as +Z.
+ *
  * Coordinates are computed in binary32. Repeat and mirror first reduce a coordinate to its fraction of the period (1 or
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
  * 4e-7 n texels of the exact one, with every wrap and filter.

@@ -14,7 +14,7 @@
  * | CUBE        | face and point of the table below                                  | see below                   |
  * | OCTAHEDRAL  | (1/2, 1/2) + (p, -q) / 2, see below                                | +Z, +X, +Y; -Z in 4 corners |
  *
- * LAT_LONG shows the directions as a viewer in the middle sees them. MIRROR_BALL is the photograph of a mirror ball
+ * LAT_LONG shows the view from the middle. MIRROR_BALL is the photograph of a mirror ball
  * by a distant camera on +Z, and ANGULAR has the same orientation (Debevec, "Rendering Synthetic Objects into Real
  * Scenes", 1998; "Light Probe Image Gallery"). Both show the directions in a disc; texels outside have no direction.
  *
@@ -38,7 +38,7 @@
  *
  * Defined for all inputs: a direction of length 0, or with a component that is NaN or infinite, counts as +Z and is
  * counted. Directions have any other length, and their lengths have no effect. A component below 2^-100 of the largest
- * one may count as 0. -Z has the point (1, 1/2) of MIRROR_BALL and ANGULAR, and so have directions within 2^-50 rad of it.
+ * one may count as 0. -Z, with all directions within 2^-50 rad, has the point (1, 1/2) of MIRROR_BALL and ANGULAR.
  *
  * Thread safety: any thread. Batches of more than 16384 elements are split over the executor of the context.
  *
@@ -54,6 +54,7 @@
 
 #include <shd/column.h>
 #include <shd/context.h>
+#include <shd/image.h>
 #include <shd/result.h>
 
 SHD_BEGIN_DECLS
@@ -176,6 +177,56 @@ static inline shd_point_directions shd_point_directions_default(void)
  */
 SHD_NODISCARD SHD_API shd_result shd_unproject_directions(shd_context *context, const shd_image_points *points,
                                                           shd_point_directions *out);
+
+/** Arrangement of the faces of a cube map in images. n is the size of a face. */
+typedef enum shd_cube_layout {
+    SHD_CUBE_LAYOUT_FACES = 0,            /**< six images of n x n: +X, -X, +Y, -Y, +Z, -Z */
+    SHD_CUBE_LAYOUT_ROW = 1,              /**< one image of 6n x n: the faces from left to right */
+    SHD_CUBE_LAYOUT_COLUMN = 2,           /**< one image of n x 6n: the faces from top to bottom */
+    SHD_CUBE_LAYOUT_HORIZONTAL_CROSS = 3, /**< 4n x 3n: +Y above +Z; -X, +Z, +X, -Z; -Y below +Z */
+    SHD_CUBE_LAYOUT_VERTICAL_CROSS = 4,   /**< 3n x 4n: +Y; -X, +Z, +X; -Y; -Z turned by half a turn */
+    SHD_CUBE_LAYOUT_MAX_ENUM = 0x7fffffff
+} shd_cube_layout;
+
+/** All directions, in one image or six. Required: projection, images. */
+typedef struct shd_direction_images {
+    uint32_t struct_size;      /**< set by shd_direction_images_default() */
+    shd_projection projection; /**< any but SHD_PROJECTION_NONE */
+    shd_cube_layout layout;    /**< arrangement of CUBE; default six images; others ignore it */
+    /**
+     * One image, or the six of SHD_CUBE_LAYOUT_FACES, of one format and size. Square for MIRROR_BALL, ANGULAR and
+     * OCTAHEDRAL, and the size of the layout for CUBE. Borrowed for the call.
+     */
+    const shd_image *images;
+    /* ---- end of 0.1; append below ---- */
+} shd_direction_images;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_direction_images shd_direction_images_default(void)
+{
+    shd_direction_images images = SHD_ZERO_INIT;
+    images.struct_size = (uint32_t)sizeof images;
+    return images;
+}
+
+/**
+ * Convert images of directions to another projection, layout, size or format.
+ *
+ * Faces of the same projection and size are copied. Otherwise each texel becomes the average over its solid angle of
+ * the bilinear lookups of the source, in linear light. Samples are at most half as far apart as the texels of the
+ * source (measured at the narrowest ones; on the equator of LAT_LONG), with at least 2 x 2 in each texel, weighted by
+ * their solid angle. Equal texels give exactly their value. The integral over the sphere is kept to the rounding of
+ * the format and the error of the samples: docs/environments.md has measurements. Texels of MIRROR_BALL and ANGULAR
+ * outside the disc continue the image across the rim, so that bilinear lookups and mip levels at the rim have no
+ * border. Unused parts of crosses become 0. Channels that the source lacks are 0, alpha 1; channels that the target
+ * lacks are dropped.
+ * @param context  its executor and SIMD target are used; its allocator provides a copy of the source in floats
+ * @param from     source; at most 2^26 pixels
+ * @param to       target; at most 2^26 pixels; its pixels are written; they must not overlap other images (checked)
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_projection_convert(shd_context *context, const shd_direction_images *from,
+                                                        const shd_direction_images *to);
 
 SHD_END_DECLS
 

@@ -48,7 +48,8 @@
 
 SHD_BEGIN_DECLS
 
-struct shd_shadow; /* shd/shadow.h */
+struct shd_environment; /* shd/environment.h */
+struct shd_shadow;      /* shd/shadow.h */
 
 /** Points at which the reflectance model is evaluated. Textures are looked up per fragment at every frequency. */
 typedef enum shd_frequency {
@@ -206,6 +207,17 @@ typedef enum shd_visibility {
     SHD_VISIBILITY_MAX_ENUM = 0x7fffffff
 } shd_visibility;
 
+/** Colour of the samples that no draw covers. */
+typedef enum shd_background {
+    SHD_BACKGROUND_CLEAR = 0, /**< clear_color */
+    /**
+     * Radiance of the environment along the line of sight through the centre of the pixel, averaged over the pixel;
+     * a = 1. No effect with SHD_RENDER_LOAD.
+     */
+    SHD_BACKGROUND_ENVIRONMENT = 1,
+    SHD_BACKGROUND_MAX_ENUM = 0x7fffffff
+} shd_background;
+
 /** Statistics of a frame: the counts from nonfinite to rasterised add up to `triangles`. */
 typedef struct shd_render_stats {
     uint32_t struct_size;         /**< set by shd_render_stats_default() */
@@ -331,6 +343,18 @@ typedef struct shd_render_desc {
     shd_progress progress;   /**< default none */
     shd_present present;     /**< receives the finished tiles; default none */
     /**
+     * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
+     * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. The environment has the
+     * tables that the models of the draws take (shd_environment_desc.tables).
+     */
+    const struct shd_environment *environment;
+    float environment_intensity;   /**< factor of its radiance, 0..1e12; default 1 */
+    float environment_to_world[9]; /**< rotation of its directions, column-major, with orthonormal columns within 1e-3;
+                                        default identity */
+    shd_background background;     /**< default SHD_BACKGROUND_CLEAR */
+    float background_roughness;    /**< roughness of the GGX lobe that blurs the environment behind the picture, 0..1;
+                                        above 0 with SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp */
+    /**
      * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
      * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all
      * samples of equal depth. Depth decreases with the distance if clear_depth is below 1/2, and increases otherwise.
@@ -349,6 +373,8 @@ static inline shd_render_desc shd_render_desc_default(void)
     desc.struct_size = (uint32_t)sizeof desc;
     desc.clear_depth = 1.0f;
     for (i = 0; i < 16; i += 5) desc.view.world_to_view[i] = desc.view.view_to_clip[i] = 1.0f;
+    desc.environment_intensity = 1.0f;
+    for (i = 0; i < 9; i += 4) desc.environment_to_world[i] = 1.0f;
     return desc;
 }
 

@@ -55,6 +55,7 @@
 #include <shd/context.h>
 #include <shd/desc.h>
 #include <shd/edges.h>
+#include <shd/environment.h>
 #include <shd/explain.h>
 #include <shd/footprint.h>
 #include <shd/fragments.h>
@@ -73,6 +74,7 @@
 #include <shd/shadow.h>
 #include <shd/shapes.h>
 #include <shd/slot.h>
+#include <shd/solid.h>
 #include <shd/tessellate.h>
 #include <shd/texture.h>
 #include <shd/transform.h>

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Slots: textures, columns of the mesh or functions that feed the coefficients of a material.
+ * @brief Slots: textures, solid textures, columns of the mesh or functions that feed the coefficients of a material.
  *
  * Thread safety: a slot's function runs on any worker of the executor, and calls may be concurrent. It must not throw
- *                or longjmp. The only function of shd that it may call is shd_texture_sample().
+ *                or longjmp. The only functions of shd that it may call are shd_texture_sample() and
+ *                shd_solid_evaluate().
  *
  * @code
  * shd_slot slots[2];
@@ -18,6 +19,7 @@
 
 #include <shd/fragments.h>
 #include <shd/sampler.h>
+#include <shd/solid.h>
 #include <shd/texture.h>
 
 SHD_BEGIN_DECLS
@@ -52,8 +54,20 @@ typedef enum shd_slot_source {
     SHD_SLOT_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler` */
     SHD_SLOT_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 for absent ones */
     SHD_SLOT_SOURCE_PROCEDURE = 3, /**< `procedure` */
+    SHD_SLOT_SOURCE_SOLID = 4,     /**< colours of `solid` at the place of a point */
     SHD_SLOT_SOURCE_MAX_ENUM = 0x7fffffff
 } shd_slot_source;
+
+/** Space of the places at which solid textures are evaluated. */
+typedef enum shd_place_space {
+    /**
+     * Object space: the position in world space through the inverse of shd_draw.object_to_world. The pattern moves with
+     * the object. If the matrix has no inverse, the place is 0 before place_transform.
+     */
+    SHD_PLACE_SPACE_OBJECT = 0,
+    SHD_PLACE_SPACE_WORLD = 1, /**< world space: objects move through the pattern */
+    SHD_PLACE_SPACE_MAX_ENUM = 0x7fffffff
+} shd_place_space;
 
 /**
  * A function that gives the values of a slot: writes in->count values to each column.
@@ -83,7 +97,7 @@ typedef struct shd_slot {
     shd_sampler *sampler;   /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
     shd_slot_fn procedure;  /**< function of SHD_SLOT_SOURCE_PROCEDURE */
     void *user_data;        /**< passed to `procedure`; borrowed until release of the material */
-    uint32_t channel;       /**< channel of the texture for scalars, 0..3; default 0 */
+    uint32_t channel;       /**< channel of the texture or the solid texture for scalars, 0..3; default 0 */
     uint32_t uv_set;        /**< coordinates for the texture: 0 = uv of the mesh, 1 = uv1; default 0 */
     /**
      * (u', v') = (t[0] u + t[1] v + t[2], t[3] u + t[4] v + t[5]), finite; default identity. glTF's
@@ -91,6 +105,19 @@ typedef struct shd_slot {
      * t = {sx cos r, sy sin r, ox, -sx sin r, sy cos r, oy}.
      */
     float uv_transform[6];
+    /**
+     * Solid texture of SHD_SLOT_SOURCE_SOLID, else NULL; copied by the material. Colours take r, g, b and, for the
+     * diffuse slot and normals, a; scalars take `channel`. At Phong frequency, and for slots that scale light, the
+     * width of a pixel is max(|dp/dx|, |dp/dy|), with the exact derivatives of the place p by pixel steps; where lobes
+     * are evaluated at vertices or centroids it is 0. `place_width` multiplies it.
+     */
+    const shd_solid_desc *solid;
+    /**
+     * Place = place_transform * position, column-major, affine: the last row is 0, 0, 0, 1; default identity.
+     */
+    float place_transform[16];
+    shd_place_space place_space; /**< space of the position; default SHD_PLACE_SPACE_OBJECT */
+    float place_width;           /**< factor of the width of a pixel, 0..1000; 0 = no band limit; default 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 
@@ -101,6 +128,8 @@ static inline shd_slot shd_slot_default(shd_slot_target target)
     slot.struct_size = (uint32_t)sizeof slot;
     slot.target = target;
     slot.uv_transform[0] = slot.uv_transform[4] = 1.0f;
+    slot.place_width = 1.0f;
+    slot.place_transform[0] = slot.place_transform[5] = slot.place_transform[10] = slot.place_transform[15] = 1.0f;
     return slot;
 }
 
@@ -130,6 +159,15 @@ static inline shd_slot shd_slot_procedure(shd_slot_target target, shd_slot_fn pr
     slot.source = SHD_SLOT_SOURCE_PROCEDURE;
     slot.procedure = procedure;
     slot.user_data = user_data;
+    return slot;
+}
+
+/** A slot that evaluates a solid texture in object space; `solid` is copied when the material is made. */
+static inline shd_slot shd_slot_solid(shd_slot_target target, const shd_solid_desc *solid)
+{
+    shd_slot slot = shd_slot_default(target);
+    slot.source = SHD_SLOT_SOURCE_SOLID;
+    slot.solid = solid;
     return slot;
 }
 

@@ -108,7 +108,12 @@ typedef struct shd_texture_desc {
      * of slices. Lookups read (u, v, w); w = 0 is the outer face of slice 0. A level halves all three sizes.
      */
     uint32_t depth;
-    shd_projection projection; /**< directions that (u, v, w) of lookups are; default SHD_PROJECTION_NONE */
+    /**
+     * Default SHD_PROJECTION_NONE. With any other one, lookups read (u, v, w) as a direction of any length. `width` and
+     * `height` are equal unless it is LAT_LONG; `layers` of CUBE are the 6 faces +X, -X, +Y, -Y, +Z, -Z; `depth` is 0;
+     * `tables` has SHD_TABLE_MIPMAP at most. Mip levels are averages of texels of one image, unweighted.
+     */
+    shd_projection projection;
     /* ---- end of 0.1; append below ---- */
 } shd_texture_desc;
 

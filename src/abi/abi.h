@@ -16,6 +16,7 @@
 /// | desc.h           | descs of any version in and out, checks that name the field, shd_desc_init        |
 /// | handle.h         | handles to bodies and back                                                        |
 /// | batch.h          | the columns of one call: checked, split over the executor, copied if strided      |
+/// | solid.h          | solid textures of the caller, checked                                             |
 /// | lookup.h         | the columns of lookups; whether a texture has the tables that a filter reads      |
 /// | call_in_place.h  | calls of shd_texture_sample() that need few checks                                |
 /// | camera.h         | cameras and look-at matrices                                                      |

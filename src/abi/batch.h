@@ -89,7 +89,14 @@ namespace batch_detail {
 constexpr size_t kElementSize = sizeof(float);
 constexpr size_t kTaskElements = 16384;
 constexpr size_t kMaxTasks = size_t{1} << 20;
-constexpr size_t kStageElements = 128;  // 14 KB of stack for the columns of shd_texture_sample
+constexpr size_t kStageElements = 128;  // of each packed copy, if a batch has at most kStageColumns columns
+constexpr size_t kStageColumns = 21;    // 11 KB of stack
+
+/// Elements on the stack for packed copies of all columns of a batch.
+template <size_t kIn, size_t kOut>
+constexpr size_t stage_size() {
+  return (kIn + kOut < kStageColumns ? kIn + kOut : kStageColumns) * kStageElements;
+}
 
 template <class Columns>
 bool is_packed(const Columns& columns) {
@@ -116,23 +123,40 @@ Piece<kIn, kOut> packed_part(const Batch<kIn, kOut>& batch, size_t first, size_t
   return piece;
 }
 
-/// run(piece) on up to kStageElements elements, through packed copies.
+/// Returns the number of elements of a batch for which packed copies of all columns fit on the stack.
+template <size_t kIn, size_t kOut>
+size_t staged_elements(const Batch<kIn, kOut>& batch) {
+  size_t columns = 0;
+  for (const auto& column : batch.in) columns += column.data != nullptr;
+  for (const auto& column : batch.out) columns += column.data != nullptr;
+  if (columns <= kStageColumns) return kStageElements;
+  return stage_size<kIn, kOut>() / columns / 16 * 16;
+}
+
+/// run(piece) on up to staged_elements() elements, through packed copies.
 template <size_t kIn, size_t kOut, class Run>
 void run_staged(const Batch<kIn, kOut>& batch, size_t first, size_t count, Run& run) {
-  uint32_t stage[kIn + kOut][kStageElements];
+  uint32_t stage[stage_size<kIn, kOut>()], *next = stage;
+  const size_t stride = (count + 15) / 16 * 16;
   Piece<kIn, kOut> piece = {count, {}, {}};
   for (size_t c = 0; c < kIn; ++c) {
     if (!batch.in[c].data) continue;
     for (size_t i = 0; i < count; ++i) {
-      std::memcpy(&stage[c][i], element_of<const char>(batch.in[c], first + i), kElementSize);
+      std::memcpy(&next[i], element_of<const char>(batch.in[c], first + i), kElementSize);
     }
-    piece.in[c] = stage[c];
+    piece.in[c] = next;
+    next += stride;
   }
-  for (size_t c = 0; c < kOut; ++c) piece.out[c] = batch.out[c].data ? stage[kIn + c] : nullptr;
+  for (size_t c = 0; c < kOut; ++c) {
+    if (!batch.out[c].data) continue;
+    piece.out[c] = next;
+    next += stride;
+  }
   run(static_cast<const Piece<kIn, kOut>&>(piece));
   for (size_t c = 0; c < kOut; ++c) {
     for (size_t i = 0; batch.out[c].data && i < count; ++i) {
-      std::memcpy(element_of<char>(batch.out[c], first + i), &stage[kIn + c][i], kElementSize);
+      std::memcpy(element_of<char>(batch.out[c], first + i), static_cast<const uint32_t*>(piece.out[c]) + i,
+                  kElementSize);
     }
   }
 }
@@ -148,8 +172,9 @@ void run_batch(const core::Context* context, const Batch<kIn, kOut>& batch, Run&
   const bool packed = is_packed(batch.in) && is_packed(batch.out);
   const auto run_part = [&](size_t first, size_t count) {
     if (packed) return run(packed_part(batch, first, count));
-    for (size_t done = 0; done < count; done += kStageElements) {
-      run_staged(batch, first + done, count - done < kStageElements ? count - done : kStageElements, run);
+    const size_t fit = staged_elements(batch);
+    for (size_t done = 0; done < count; done += fit) {
+      run_staged(batch, first + done, count - done < fit ? count - done : fit, run);
     }
   };
   if (!context) return run_part(0, batch.count);

@@ -161,6 +161,18 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_INFO: return write_defaults(shd_scene_info_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_INSTANCE: return write_defaults(shd_scene_instance_default(), ptr, size);
+    case SHD_DESC_KIND_SOLID_DESC: return write_defaults(shd_solid_desc_default(), ptr, size);
+    case SHD_DESC_KIND_SOLID_POINTS: return write_defaults(shd_solid_points_default(), ptr, size);
+    case SHD_DESC_KIND_SOLID_VALUES: return write_defaults(shd_solid_values_default(), ptr, size);
+    case SHD_DESC_KIND_ENVIRONMENT_DESC: return write_defaults(shd_environment_desc_default(), ptr, size);
+    case SHD_DESC_KIND_ENVIRONMENT_INFO: return write_defaults(shd_environment_info_default(), ptr, size);
+    case SHD_DESC_KIND_ENVIRONMENT_LOOKUPS: return write_defaults(shd_environment_lookups_default(), ptr, size);
+    case SHD_DESC_KIND_ENVIRONMENT_LIGHT: return write_defaults(shd_environment_light_default(), ptr, size);
+    case SHD_DESC_KIND_DIRECTIONS: return write_defaults(shd_directions_default(), ptr, size);
+    case SHD_DESC_KIND_PROJECTED_POINTS: return write_defaults(shd_projected_points_default(), ptr, size);
+    case SHD_DESC_KIND_IMAGE_POINTS: return write_defaults(shd_image_points_default(), ptr, size);
+    case SHD_DESC_KIND_POINT_DIRECTIONS: return write_defaults(shd_point_directions_default(), ptr, size);
+    case SHD_DESC_KIND_DIRECTION_IMAGES: return write_defaults(shd_direction_images_default(), ptr, size);
     case SHD_DESC_KIND_VOLUME_DESC: return write_defaults(shd_volume_desc_default(), ptr, size);
     case SHD_DESC_KIND_VOLUME_DRAW: return write_defaults(shd_volume_draw_default(), ptr, size);
     default:

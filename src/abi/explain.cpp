@@ -15,7 +15,7 @@ using namespace shd;
 using namespace shd::abi;
 
 constexpr uint64_t kFirstTap = offsetof(shd_tap, z);  // bytes of a tap without later fields
-constexpr uint64_t kMaxElement = 1u << 12;  // bytes of a tap or a blend of the caller
+constexpr uint64_t kMaxElement = 1u << 12;            // bytes of a tap or a blend of the caller
 
 shd_result check_explanation(const shd_explanation& explanation) {
   SHD_TRY(check_count("explanation.tap_size", explanation.tap_size, kFirstTap, kMaxElement));

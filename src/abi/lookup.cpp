@@ -9,6 +9,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "texture/direction/direction.h"
 #include "texture/sample.h"
 
 namespace shd::abi {
@@ -104,6 +105,14 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
 
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
   if (texture.depth != 0) return check_slices(sampler);
+  if (texture.projection != SHD_PROJECTION_NONE && !texture::filters_directions(sampler.filter)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d, but the texture has projection %d",
+                      static_cast<int>(sampler.filter), static_cast<int>(texture.projection));
+  }
+  if (texture.projection != SHD_PROJECTION_NONE && sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture has projection %d",
+                      static_cast<int>(texture.projection));
+  }
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
   }
@@ -150,6 +159,10 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Texture& text
   if (!wanted) return SHD_OK;
   if (along_w && texture.depth == 0) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
+  }
+  if (texture.projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: set, but the texture has projection %d",
+                      static_cast<int>(texture.projection));
   }
   if (!texture::has_gradient(sampler.filter)) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %d of the sampler has no derivatives",

@@ -7,6 +7,7 @@
 #include "abi/guard.h"
 #include "abi/handle.h"
 #include "abi/lookup.h"
+#include "abi/solid.h"
 #include "material/material.h"
 
 namespace {
@@ -124,11 +125,34 @@ shd_result take_parts(const shd_slot& desc, material::SlotInput* slot, material:
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: its filter needs a table that the texture lacks", sampler.text);
 }
 
-/// Checks a slot and retains its objects.
-shd_result take_slot(material::SlotInput* slot, material::Material* out) {
+shd_result check_place_transform(const char* field, const float (&m)[16]) {
+  SHD_TRY(check_finite(field, m, 16));
+  if (m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: last row is (%g, %g, %g, %g), not (0, 0, 0, 1)", field,
+                    double{m[3]}, double{m[7]}, double{m[11]}, double{m[15]});
+}
+
+/// Copies the solid texture of a slot. Throws std::bad_alloc.
+shd_result take_solid(const core::Allocator& allocator, material::SlotInput* slot, material::Material* out) {
   const shd_slot& desc = slot->desc;
-  const SlotField source(slot->index, "source");
-  SHD_TRY(check_enum(source.text, desc.source, SHD_SLOT_SOURCE_CONSTANT, SHD_SLOT_SOURCE_PROCEDURE));
+  shd_solid_desc solid;
+  SHD_TRY(check_count(SlotField(slot->index, "channel").text, desc.channel, 0, 3));
+  SHD_TRY(check_enum(SlotField(slot->index, "place_space").text, desc.place_space, 0, SHD_PLACE_SPACE_WORLD));
+  SHD_TRY(check_place_transform(SlotField(slot->index, "place_transform").text, desc.place_transform));
+  SHD_TRY(check_range(SlotField(slot->index, "place_width").text, double{desc.place_width}, 0.0, 1000.0));
+  SHD_TRY(read_solid(SlotField(slot->index, "solid").text, desc.solid, &solid));
+  core::Array<procedural::Solid>& copy = out->solid[desc.target];
+  copy = core::Array<procedural::Solid>(allocator, 1);
+  procedural::build(solid, copy.data());
+  slot->solid = copy.data();
+  return SHD_OK;
+}
+
+/// Checks the source of a slot and that no field of another source is set.
+shd_result check_source(const material::SlotInput& slot) {
+  const shd_slot& desc = slot.desc;
+  const SlotField source(slot.index, "source");
+  SHD_TRY(check_enum(source.text, desc.source, SHD_SLOT_SOURCE_CONSTANT, SHD_SLOT_SOURCE_SOLID));
   const bool only_textures = desc.target == SHD_SLOT_HEIGHT || desc.target == SHD_SLOT_MATCAP;
   if (only_textures && desc.source != SHD_SLOT_SOURCE_CONSTANT && desc.source != SHD_SLOT_SOURCE_TEXTURE) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes textures only", source.text,
@@ -138,7 +162,17 @@ shd_result take_slot(material::SlotInput* slot, material::Material* out) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but a texture or sampler is set", source.text,
                       enum_bits(desc.source));
   }
+  if (desc.source == SHD_SLOT_SOURCE_SOLID || !desc.solid) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but a solid texture is set", source.text,
+                    enum_bits(desc.source));
+}
+
+/// Checks a slot and retains or copies its objects. Throws std::bad_alloc.
+shd_result take_slot(const core::Allocator& allocator, material::SlotInput* slot, material::Material* out) {
+  const shd_slot& desc = slot->desc;
+  SHD_TRY(check_source(*slot));
   if (desc.source == SHD_SLOT_SOURCE_TEXTURE) return take_parts(desc, slot, out);
+  if (desc.source == SHD_SLOT_SOURCE_SOLID) return take_solid(allocator, slot, out);
   if (desc.source == SHD_SLOT_SOURCE_VERTEX) {
     return check_count(SlotField(slot->index, "attribute").text, desc.attribute, 0, SHD_MAX_ATTRIBUTES - 1);
   }
@@ -147,9 +181,10 @@ shd_result take_slot(material::SlotInput* slot, material::Material* out) {
   return SHD_OK;
 }
 
-/// Reads slot `index` of the caller's, which are struct_size apart, into its place among `slots`.
-shd_result read_slot(const shd_slot* first, uint32_t index, bool* is_taken, material::SlotInput* slots,
-                     material::Material* out) {
+/// Reads slot `index` of the caller's, which are struct_size apart, into its place among `slots`. Throws
+/// std::bad_alloc.
+shd_result read_slot(const core::Allocator& allocator, const shd_slot* first, uint32_t index, bool* is_taken,
+                     material::SlotInput* slots, material::Material* out) {
   const uint32_t stride = core::struct_size_of(first);
   const char* const in = reinterpret_cast<const char*>(first) + size_t{index} * stride;
   char name[32];
@@ -166,16 +201,17 @@ shd_result read_slot(const shd_slot* first, uint32_t index, bool* is_taken, mate
                       enum_bits(desc.target), slots[desc.target].index);
   }
   is_taken[desc.target] = true;
-  slots[desc.target] = {desc, index, nullptr, nullptr};
-  return take_slot(&slots[desc.target], out);
+  slots[desc.target] = {desc, index, nullptr, nullptr, nullptr};
+  return take_slot(allocator, &slots[desc.target], out);
 }
 
-shd_result fill(const shd_material_desc& desc, material::Material* out) {
+/// Throws std::bad_alloc.
+shd_result fill(const core::Allocator& allocator, const shd_material_desc& desc, material::Material* out) {
   SHD_TRY(check_count("material.slot_count", desc.slot_count, 0, material::kSlotCount));
   if (desc.slot_count) SHD_TRY(check_not_null("material.slots", desc.slots));
   material::SlotInput slots[material::kSlotCount] = {};
   bool is_taken[material::kSlotCount] = {};
-  for (uint32_t i = 0; i < desc.slot_count; ++i) SHD_TRY(read_slot(desc.slots, i, is_taken, slots, out));
+  for (uint32_t i = 0; i < desc.slot_count; ++i) SHD_TRY(read_slot(allocator, desc.slots, i, is_taken, slots, out));
   material::build(desc, slots, out);
   return SHD_OK;
 }
@@ -194,7 +230,14 @@ shd_result shd_material_create(shd_context* context, const shd_material_desc* de
     SHD_TRY(check_material_desc(read));
     core::Context& owner = context_of(context);
     auto* material = core::create<material::Material>(owner.allocator);
-    if (const shd_result result = fill(read, material)) {
+    shd_result result;
+    try {
+      result = fill(owner.allocator, read, material);
+    } catch (...) {
+      core::destroy(owner.allocator, material);
+      throw;
+    }
+    if (result != SHD_OK) {
       core::destroy(owner.allocator, material);
       return result;
     }

@@ -2,6 +2,7 @@
 #include <shd/render.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -14,6 +15,7 @@
 #include "abi/handle.h"
 #include "abi/volume.h"
 #include "core/scratch.h"
+#include "environment/environment.h"
 #include "frame/frame.h"
 #include "frame/supersample.h"
 
@@ -118,6 +120,65 @@ shd_result read_shadow(const shd_shadow* handle, const light::Light& light, cons
   return SHD_OK;
 }
 
+shd_result check_rotation(const char* field, const float* m) {
+  SHD_TRY(check_values(field, m, 9, -2.0, 2.0));
+  for (int a = 0; a < 3; ++a) {
+    for (int b = a; b < 3; ++b) {
+      double dot = 0.0;
+      for (int c = 0; c < 3; ++c) dot += static_cast<double>(m[3 * a + c]) * static_cast<double>(m[3 * b + c]);
+      const double want = a == b ? 1.0 : 0.0;
+      if (std::fabs(dot - want) <= 1e-3) continue;
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: columns %d and %d have the product %g, not %g", field, a, b,
+                        dot, want);
+    }
+  }
+  return SHD_OK;
+}
+
+/// Table of an environment that is missing, or null.
+const char* missing_table(const environment::Environment& map, uint32_t tables) {
+  if (tables & SHD_ENVIRONMENT_TABLE_GGX && map.ggx.count == 0) return "SHD_ENVIRONMENT_TABLE_GGX";
+  if (tables & SHD_ENVIRONMENT_TABLE_PHONG && map.phong.count == 0) return "SHD_ENVIRONMENT_TABLE_PHONG";
+  if (tables & SHD_ENVIRONMENT_TABLE_RADIANCE && map.radiance.count == 0) return "SHD_ENVIRONMENT_TABLE_RADIANCE";
+  return nullptr;
+}
+
+/// The environment, and that it has the tables of the materials.
+shd_result read_environment(const shd_render_desc& desc, const core::Buffer<frame::Draw>& draws,
+                            shade::EnvironmentLight* out) {
+  SHD_TRY(check_range("render.environment_intensity", static_cast<double>(desc.environment_intensity), 0.0, 1e12));
+  SHD_TRY(check_rotation("render.environment_to_world", desc.environment_to_world));
+  SHD_TRY(check_enum("render.background", desc.background, SHD_BACKGROUND_CLEAR, SHD_BACKGROUND_ENVIRONMENT));
+  SHD_TRY(check_range("render.background_roughness", static_cast<double>(desc.background_roughness), 0.0, 1.0));
+  if (!desc.environment) {
+    if (desc.background == SHD_BACKGROUND_CLEAR) return SHD_OK;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "render.background: SHD_BACKGROUND_ENVIRONMENT, but render.environment is NULL");
+  }
+  const environment::Environment* map = nullptr;
+  SHD_TRY(read_handle("render.environment", desc.environment, core::ObjectType::kEnvironment, &map));
+  for (size_t i = 0; i < draws.size(); ++i) {
+    if (!draws[i].material) continue;
+    const char* missing = missing_table(*map, material::info_of(draws[i].material->model).environment_tables);
+    if (!missing) continue;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "render.environment: made without %s, which the model of render.draws[%u] takes", missing,
+                      draws[i].index);
+  }
+  if (desc.background == SHD_BACKGROUND_ENVIRONMENT) {
+    const bool blurs = desc.background_roughness > 0.0f;
+    const char* missing = missing_table(*map, blurs ? SHD_ENVIRONMENT_TABLE_GGX : SHD_ENVIRONMENT_TABLE_RADIANCE);
+    if (missing) {
+      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "render.environment: made without %s, which the background takes",
+                        missing);
+    }
+  }
+  out->map = map;
+  out->intensity = desc.environment_intensity;
+  for (int k = 0; k < 9; ++k) out->world_to_map[k] = desc.environment_to_world[k % 3 * 3 + k / 3];  // the transpose
+  return SHD_OK;
+}
+
 /// Reads a desc with the memory that the frame is drawn with.
 shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
@@ -139,6 +200,9 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   for (size_t i = 0; i < shadows.size(); ++i) {
     SHD_TRY(in_element(read_shadow(desc.shadows[i], *lights[i], &shadows[i]), "render", "shadows", i));
   }
+  SHD_TRY(read_environment(desc, draws, &frame.environment));
+  frame.background = desc.background;
+  frame.background_roughness = desc.background_roughness;
   core::Buffer<frame::VolumeDraw> volumes(context.allocator);
   SHD_TRY(read_volumes(desc.volumes, desc.volume_count, &volumes));
   frame.volumes = volumes.data();

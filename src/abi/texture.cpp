@@ -20,6 +20,26 @@ using namespace shd::abi;
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 constexpr uint64_t kMaxRipmapTexels = uint64_t{1} << 26;
 
+/// Size, layers and tables of a texture of directions.
+shd_result check_directions(const shd_texture_desc& desc) {
+  if (desc.projection == SHD_PROJECTION_NONE) return SHD_OK;
+  const int projection = static_cast<int>(desc.projection);
+  if (desc.projection != SHD_PROJECTION_LAT_LONG && desc.width != desc.height) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.height: %u, but images of projection %d are square, %u x %u",
+                      desc.height, projection, desc.width, desc.width);
+  }
+  if (desc.projection == SHD_PROJECTION_CUBE && desc.layers != 6) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but SHD_PROJECTION_CUBE has 6 faces",
+                      desc.layers);
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.tables: 0x%x, but a texture with projection %d has SHD_TABLE_MIPMAP only", desc.tables,
+                      projection);
+  }
+  return SHD_OK;
+}
+
 /// 2D, 3D, or directions.
 shd_result check_kind(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
@@ -28,10 +48,7 @@ shd_result check_kind(const shd_texture_desc& desc) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
                       static_cast<int>(desc.projection), desc.depth);
   }
-  if (desc.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.projection: %d has no lookups",
-                      static_cast<int>(desc.projection));
-  }
+  SHD_TRY(check_directions(desc));
   if (desc.depth == 0) return SHD_OK;
   if (desc.layers != 1) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but texture.depth is %u, not 0", desc.layers,

@@ -22,6 +22,7 @@ enum class ObjectType : uint32_t {
   kLight = 5,
   kFramebuffer = 6,
   kShadow = 7,
+  kEnvironment = 8,
   kVolume = 9,
 };
 

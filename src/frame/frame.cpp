@@ -45,10 +45,11 @@ class Progress {
 }  // namespace
 
 void render(const core::Context& context, const Frame& frame, shd_render_stats* stats) {
-  const shade::LightTable lights =
-      shade::make_light_table(context.allocator, frame.lights, frame.light_count, frame.shadows);
+  shade::LightTable lights = shade::make_light_table(context.allocator, frame.lights, frame.light_count, frame.shadows);
+  lights.environment = frame.environment;
   const film::Framebuffer& framebuffer = *frame.framebuffer;
   const uint32_t tiles = raster::tile_count(framebuffer.width) * raster::tile_count(framebuffer.height);
+  const Background background = make_background(frame);
   Passes passes(context.allocator, frame);
   std::optional<film::ExpandedColor> expanded;
   if (passes.count() > 1) expanded.emplace(context, frame.framebuffer);
@@ -61,8 +62,13 @@ void render(const core::Context& context, const Frame& frame, shd_render_stats* 
     Stopwatch watch;
     Workers workers(context, pass);
     const bool presents = pass.present.tile && i + 1 == passes.count();
-    const TileRenderer renderer = {
-        context, pass, scene, lights, samples.is_empty() ? nullptr : &samples, presents ? &pass.present : nullptr};
+    const TileRenderer renderer = {context,
+                                   pass,
+                                   scene,
+                                   lights,
+                                   background,
+                                   samples.is_empty() ? nullptr : &samples,
+                                   presents ? &pass.present : nullptr};
     core::parallel_for(context, tiles, [&](uint32_t index, uint32_t worker) {
       renderer.render(index, &workers.get(worker));
       progress.step();

@@ -24,6 +24,7 @@
 /// | worker.h         | memory of one worker for drawing tiles                                |
 /// | fragment_batch.h | fragments gathered into the table that is shaded                      |
 /// | texture_batch.h  | fragments whose colour is one lookup, without that table              |
+/// | background.h     | the environment behind a frame                                        |
 /// | opaque_pass.h    | draws that the visibility buffer resolves                             |
 /// | blended_pass.h   | draws that blend in order or drop fragments                           |
 /// | unordered_pass.h | draws whose blend is order-independent                                |
@@ -49,6 +50,7 @@
 #include "light/shadow.h"
 #include "material/material.h"
 #include "raster/coverage.h"
+#include "shade/light_table.h"
 #include "volume/rays.h"
 #include "volume/volume.h"
 
@@ -97,6 +99,9 @@ struct Frame {
   const light::Light* const* lights;
   size_t light_count;
   const light::Shadow* const* shadows;  // [light_count], or null
+  shade::EnvironmentLight environment;
+  shd_background background;
+  float background_roughness;
   shd_progress progress;
   shd_present present;      // receives finished tiles; shadow maps have none
   uint32_t pass_triangles;  // upper bound of the triangles of a pass

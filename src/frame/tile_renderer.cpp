@@ -32,7 +32,7 @@ bool begin(TileState* tile) {
   tile->color_is_unclear = is_whole && !is_bare;
   const bool needs_color = !is_bare || tile->renderer.present;
   if (!is_whole && needs_color) film::load_color(tile->area, tile->framebuffer, tile->color_planes);
-  if (!tile->color_is_unclear) film::fill_color(tile->area, cleared, frame.clear_color, tile->color_planes);
+  if (!tile->color_is_unclear) tile->fill(cleared);
   if (!is_whole || is_bare) film::clear_depth(cleared, frame.clear_depth, &tile->framebuffer);
   if (is_bare) {
     film::store_color(tile->simd(), tile->area, cleared, tile->color_planes, &tile->framebuffer);

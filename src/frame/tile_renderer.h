@@ -2,6 +2,7 @@
 #pragma once
 
 #include "film/sample_store.h"
+#include "frame/background.h"
 #include "frame/frame.h"
 #include "frame/scene.h"
 #include "frame/worker.h"
@@ -15,6 +16,7 @@ struct TileRenderer {
   const Frame& frame;
   const Scene& scene;
   const shade::LightTable& lights;
+  const Background& background;
   film::SampleStore* samples;  // null with one pass or one sample per pixel
   const shd_present* present;  // null except in the last pass of a frame that is presented
 

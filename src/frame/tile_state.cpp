@@ -25,7 +25,8 @@ shade::DrawShading TileState::shading_of(uint32_t draw) const {
           d.index,
           d.instance,
           film::columns_of(framebuffer.aovs),
-          d.uniforms};
+          d.uniforms,
+          d.object_to_world};
 }
 
 geometry::PixelBox TileState::box() const {
@@ -42,8 +43,16 @@ bool TileState::is_bare() const {
   return true;
 }
 
+void TileState::fill(const film::TileArea& part) {
+  if (renderer.background.map) {
+    fill_background(simd(), renderer.background, area, part, left, top, color_planes);
+  } else {
+    film::fill_color(area, part, renderer.frame.clear_color, color_planes);
+  }
+}
+
 void TileState::clear_color() {
-  if (color_is_unclear) film::fill_color(area, area, renderer.frame.clear_color, color_planes);
+  if (color_is_unclear) fill(area);
   color_is_unclear = false;
 }
 

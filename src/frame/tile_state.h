@@ -54,6 +54,8 @@ class TileState {
 
   /// Whether no triangle and no volume touches the tile.
   bool is_bare() const;
+  /// Fills a part of the tile's colour with the background.
+  void fill(const film::TileArea& part);
   /// Clears colour unless it is already cleared.
   void clear_color();
 

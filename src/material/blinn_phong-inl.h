@@ -28,6 +28,18 @@ HWY_INLINE V BlinnPhongLobe(D d, const Point<V>& point, const Incoming<V>& in, V
   return hn::IfThenElseZero(usable, simd::HWY_NAMESPACE::UnitPow(d, cosine, exponent));
 }
 
+/// The lobe of an environment: the mean radiance over a Phong lobe of the exponent p / 4, which has the same width near
+/// normal incidence, times the integral of the lobe of Blinn for the point's n.v.
+template <class D, class V>
+HWY_INLINE void BlinnPhongSurroundings(D d, const Surroundings<D>& from, V p, environment::LobeSum kind, float factor,
+                                       V (&lobe)[2][3]) {
+  const V one = hn::Set(d, 1.0f), precision = p + one;
+  const V sum = from.Place(precision).LookUp(d, environment::lobe_table().sum[kind][0]);
+  from.Irradiance(lobe[0]);
+  from.Radiance(from.map.phong, from.r, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) / precision), lobe[1]);
+}
+constexpr float kBlinnPhongIntegral = 25.1327412f;  // 8 pi
+
 /// Lambert + sum of k_s E max(0, n.h)^p.
 struct BlinnPhong : SpecularBase {
   struct Lighting : SpecularLighting {
@@ -36,6 +48,11 @@ struct BlinnPhong : SpecularBase {
                                     V* lobe) {
       lobe[0] = in.cosine;
       lobe[1] = BlinnPhongLobe(d, point, in, shape[Shape::kExponent]);
+    }
+
+    template <class D, class V>
+    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong, kBlinnPhongIntegral, lobe);
     }
   };
 };

@@ -34,6 +34,12 @@ struct BlinnPhongNormalized : SpecularBase {
     }
 
     template <class D, class V>
+    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhongCosine, kBlinnPhongIntegral,
+                             lobe);
+    }
+
+    template <class D, class V>
     static HWY_INLINE void Normalize(D d, const V* shape, V (&sum)[2][3]) {
       const V norm = BlinnPhongNorm(d, shape[Shape::kExponent]);
       for (V& channel : sum[1]) channel = channel * norm;

@@ -35,6 +35,13 @@ struct ExponentShape {
     shape[kExponent] = p / (one + p * variance);
     shape[kGain] = (one + shape[kExponent]) / (one + p);
   }
+
+  template <class D, class V>
+  static HWY_INLINE void Widen(D d, V variance, V* shape) {
+    const V one = hn::Set(d, 1.0f), p = shape[kExponent];
+    shape[kExponent] = p / (one + p * variance);
+    shape[kGain] = shape[kGain] * ((one + shape[kExponent]) / (one + p));
+  }
 };
 
 }  // namespace shd::material::HWY_NAMESPACE

@@ -25,6 +25,12 @@ struct Lambert : ModelBase {
     static HWY_INLINE void AddLight(D, const Material&, const Point<V>&, const Incoming<V>& in, const V*, V* lobe) {
       lobe[0] = in.cosine;
     }
+
+    static constexpr bool kReflectsEnvironment = true;
+    template <class D, class V>
+    static HWY_INLINE void AddEnvironment(D, const Surroundings<D>& from, const V*, V (&lobe)[1][3]) {
+      from.Irradiance(lobe[0]);
+    }
   };
 
   struct Combination {

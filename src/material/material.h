@@ -36,6 +36,7 @@
 
 #include <shd/material.h>
 
+#include "core/allocator.h"
 #include "core/object.h"
 #include "material/model.h"
 #include "material/slot.h"
@@ -72,9 +73,10 @@ struct Material {
   shd_interpolation interpolation[SHD_MAX_VARYINGS];
   shd_blend blend;
   float opacity, alpha_cutoff;
-  texture::Sampler default_sampler;               // used by slots without a sampler
-  core::Object* texture_object[kSlotCount] = {};  // retained, or null
-  core::Object* sampler_object[kSlotCount] = {};  // retained, or null
+  texture::Sampler default_sampler;                  // used by slots without a sampler
+  core::Object* texture_object[kSlotCount] = {};     // retained, or null
+  core::Object* sampler_object[kSlotCount] = {};     // retained, or null
+  core::Array<procedural::Solid> solid[kSlotCount];  // one each, or empty
 
   Material() = default;
   Material(const Material&) = delete;
@@ -109,6 +111,7 @@ struct SlotInput {
   uint32_t index;                   // in the caller's array
   const texture::Texture* texture;  // null = none
   const texture::Sampler* sampler;  // null = the default sampler
+  const procedural::Solid* solid;   // null = none
 };
 
 /// Builds a material from a checked desc and its slots by target. The caller sets the references of `out`.

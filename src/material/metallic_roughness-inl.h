@@ -90,6 +90,31 @@ struct MetallicRoughness : ModelBase {
       lobe[1] = lobes.specular_f0;
       lobe[2] = lobes.specular_f90;
     }
+
+    /// The mean radiance over the lobe for n = v = r, times the reflection of uniform light for the point's n.v (Karis,
+    /// "Real Shading in Unreal Engine 4", 2013).
+    static constexpr bool kReflectsEnvironment = true;
+    static constexpr uint32_t kEnvironmentTables = SHD_ENVIRONMENT_TABLE_GGX;
+    template <class D, class V>
+    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[3][3]) {
+      const environment::LobeTable& table = environment::lobe_table();
+      const V precision = hn::Set(d, 1.0f) / shape[Shape::kAlphaSquared];
+      const auto place = from.Place(precision);
+      const V f0 = place.LookUp(d, table.sum[environment::kSumGgxF0][0]);
+      const V f90 = place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
+      const V diffuse = place.LookUpRow(d, table.diffuse);
+      from.Irradiance(lobe[0]);
+      const V one = hn::Set(d, 1.0f), alpha = hn::Sqrt(shape[Shape::kAlphaSquared]), rest = one - alpha;
+      const V turn = rest * (hn::Sqrt(rest) + alpha);
+      const Vec3V<V> axis = {from.n.x + turn * (from.r.x - from.n.x), from.n.y + turn * (from.r.y - from.n.y),
+                             from.n.z + turn * (from.r.z - from.n.z)};
+      from.Radiance(from.map.ggx, axis, precision, one, lobe[1]);
+      for (int c = 0; c < 3; ++c) {
+        lobe[0][c] = lobe[0][c] * diffuse;
+        lobe[2][c] = lobe[1][c] * f90;
+        lobe[1][c] = lobe[1][c] * f0;
+      }
+    }
   };
 
   struct Combination {

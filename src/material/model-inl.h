@@ -8,6 +8,7 @@
 #define SHD_MATERIAL_MODEL_INL_H_
 #endif
 
+#include "environment/look_up-inl.h"
 #include "material/material.h"
 #include "simd/vec3-inl.h"
 
@@ -32,6 +33,37 @@ struct Incoming {
   Vec3V<V> l;
   V n_dot_l;
   V cosine;
+};
+
+/// The light of an environment at a point: its normal n and the direction r of mirror reflection, in the space of the
+/// environment's maps.
+template <class D>
+struct Surroundings {
+  using V = hn::Vec<D>;
+  const environment::Environment& map;
+  D d;
+  Vec3V<V> n, r;
+  V n_dot_v;
+
+  /// Sets the channels of a lobe to the irradiance.
+  HWY_INLINE void Irradiance(V (&lobe)[3]) const {
+    const auto color = environment::HWY_NAMESPACE::Irradiance(d, map, n);
+    for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c];
+  }
+
+  /// Sets the channels of a lobe to the mean radiance over the lobe of a precision around a direction, times a factor.
+  HWY_INLINE void Radiance(const environment::Chain& chain, const Vec3V<V>& axis, V precision, V factor,
+                           V (&lobe)[3]) const {
+    namespace env = environment::HWY_NAMESPACE;
+    const auto color =
+        env::LookUpChain(d, map.texels.data(), chain, env::SquarePoint<D>(d, axis), env::PrecisionLog2(d, precision));
+    for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
+  }
+
+  /// Place in the lobe table.
+  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision) const {
+    return {d, environment::HWY_NAMESPACE::PrecisionLog2(d, precision), n_dot_v};
+  }
 };
 
 /// Values of slots at points from i on. No column is null: see complete().
@@ -70,6 +102,8 @@ struct NoShape {
   static constexpr uint32_t kSlots = 0, kColumns = 0;
   template <class D, class V>
   static HWY_INLINE void Derive(D, const Material&, const SlotsAt<D>&, V, V*) {}
+  template <class D, class V>
+  static HWY_INLINE void Widen(D, V, V*) {}
 };
 
 /// Lighting of unlit models, and default members for the lighting of other models.
@@ -91,6 +125,7 @@ struct LightingBase {
   ///   kSlots    bits of the slots that it reads
   ///   kColumns  number of values, at most kMaxShapeColumns
   ///   Derive(d, material, slots, variance, values)
+  ///   Widen(d, variance, values)  adds a variance of slopes to values
   /// where `variance` is the variance of slopes removed by filtering normal maps, or 0.
   using Shape = NoShape;
 
@@ -102,6 +137,13 @@ struct LightingBase {
   //   Precision(d, shape, length, variance)
   // which gives the precision (1 / variance) of a Gaussian of slopes around the half vector (wo + l) / length that is
   // like the specular lobes, for slope_spread-inl.h. `variance` is the largest variance of slopes.
+  //
+  // Lighting that reflects environments also has
+  //   kEnvironmentTables                               shd_environment_table bits that it takes
+  //   AddEnvironment(d, surroundings, shape, lobe)
+  // which sets lobe[kLobes][3] to the contribution of an environment of intensity 1, before Normalize().
+  static constexpr bool kReflectsEnvironment = false;
+  static constexpr uint32_t kEnvironmentTables = 0;
 
   /// Scales the sums over all lights.
   template <class D, class V, class Sums>

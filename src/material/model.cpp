@@ -38,9 +38,17 @@ constexpr ModelInfo make_info() {
   using Shape = typename Lighting::Shape;
   static_assert(Lighting::kLobes <= kMaxLobes && Shape::kColumns <= kMaxShapeColumns,
                 "columns of shade/ hold all models");
-  return {Model::kSlots,        Lighting::kLobes,    Shape::kSlots,     Shape::kColumns,
-          Model::kShownColumns, Lighting::kNeedsEye, Model::kHasNormal, Lighting::kIgnoresIrradiance,
-          Model::kColorsAmbient};
+  return {Model::kSlots,
+          Lighting::kLobes,
+          Shape::kSlots,
+          Shape::kColumns,
+          Model::kShownColumns,
+          Lighting::kNeedsEye,
+          Model::kHasNormal,
+          Lighting::kIgnoresIrradiance,
+          Model::kColorsAmbient,
+          Lighting::kReflectsEnvironment,
+          Lighting::kEnvironmentTables};
 }
 
 template <class... Rows>

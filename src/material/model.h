@@ -59,6 +59,8 @@ struct ModelInfo {
   bool has_normal;
   bool ignores_irradiance;
   bool colors_ambient;
+  bool reflects_environment;
+  uint32_t environment_tables;  // shd_environment_table bits
 };
 
 /// Properties of a model; all zero for ModelKey::kProgram.

@@ -37,6 +37,11 @@ struct RoughnessShape {
     const V sum = own + (variance + variance);
     shape[kAlphaSquared] = hn::IfThenElse(hn::Lt(sum, one), sum, one);
   }
+
+  template <class D, class V>
+  static HWY_INLINE void Widen(D d, V variance, V* shape) {
+    shape[kAlphaSquared] = hn::Min(shape[kAlphaSquared] + (variance + variance), hn::Set(d, 1.0f));
+  }
 };
 
 }  // namespace shd::material::HWY_NAMESPACE

@@ -5,6 +5,7 @@
 
 #include <shd/slot.h>
 
+#include "procedural/solid.h"
 #include "texture/texture.h"
 
 namespace shd::material {
@@ -23,6 +24,10 @@ struct Slot {
   float uv_transform[6];
   shd_slot_fn procedure;
   void* user_data;
+  const procedural::Solid* solid;  // null unless SHD_SLOT_SOURCE_SOLID
+  shd_place_space place_space;
+  float place_transform[16];
+  float place_width;  // factor of the width of a pixel
 };
 
 /// Values of slots at points, as columns; null = 1.

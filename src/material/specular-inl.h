@@ -23,6 +23,9 @@ struct SpecularLighting : LightingBase {
   static constexpr bool kMayBeUngated = true;
   using Shape = ExponentShape;
 
+  static constexpr bool kReflectsEnvironment = true;
+  static constexpr uint32_t kEnvironmentTables = SHD_ENVIRONMENT_TABLE_PHONG;
+
   template <class D, class V>
   static HWY_INLINE V Precision(D, const V* shape, V, V) {
     return shape[Shape::kExponent];

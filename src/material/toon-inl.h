@@ -29,6 +29,14 @@ struct Toon : SpecularBase {
       lobe[1] = hn::IfThenElseZero(hn::Ge(highlight, hn::Set(d, 0.5f)), one);
     }
 
+    /// Many lights have no steps. The part of the directions with max(0, n.h)^p >= 1/2 is about ln 2 times the integral
+    /// of the lobe.
+    template <class D, class V>
+    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+      BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong,
+                             0.693147181f * kBlinnPhongIntegral, lobe);
+    }
+
     /// The gain is left out, because a step function has no energy to preserve.
     template <class D, class V>
     static HWY_INLINE void Normalize(D, const V*, V (&)[2][3]) {}

@@ -37,11 +37,16 @@ struct LatLong {
 
   /// Change of (u, v) with a change of n.
   HWY_INLINE StepV<V> step(D d, const Vec3V<V>& dn) const {
-    const V along = horizontal.x * dn.z + horizontal.y * dn.x;   // away from the axis
-    const V around = horizontal.y * dn.z - horizontal.x * dn.x;  // eastwards
-    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around * horizontal.inverse),
-            hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * ((y * along - horizontal.length * dn.y) * per_square)};
+    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around(dn) * horizontal.inverse), down(d, dn)};
   }
+
+  /// The change with the length that it would have on the equator: u by the angle, not by the longitude.
+  HWY_INLINE StepV<V> even_step(D d, const Vec3V<V>& dn) const {
+    return {hn::Set(d, 0.5f * simd::HWY_NAMESPACE::kInvPi) * (around(dn) * hn::Sqrt(per_square)), down(d, dn)};
+  }
+
+  /// The change of u by step(), relative to even_step(): 1 / cos(latitude).
+  HWY_INLINE V stretch(D d) const { return hn::Max(horizontal.inverse / hn::Sqrt(per_square), hn::Set(d, 1.0f)); }
 
   /// Unit direction of a point with u and v in [0, 1], and the solid angle per area of (u, v).
   static HWY_INLINE Vec3V<V> direction(D d, V u, V v, VI, V* solid_angle) {
@@ -49,6 +54,14 @@ struct LatLong {
     const auto longitude = simd::HWY_NAMESPACE::SineCosinePi(d, hn::Set(d, 1.0f) - (u + u));  // of x, towards +x
     *solid_angle = hn::Set(d, 19.7392088f) * latitude.sine;                                   // 2 pi^2
     return {longitude.sine * latitude.sine, latitude.cosine, longitude.cosine * latitude.sine};
+  }
+
+ private:
+  /// Change of n along the parallel, eastwards.
+  HWY_INLINE V around(const Vec3V<V>& dn) const { return horizontal.y * dn.z - horizontal.x * dn.x; }
+  HWY_INLINE V down(D d, const Vec3V<V>& dn) const {
+    const V along = horizontal.x * dn.z + horizontal.y * dn.x;  // away from the axis
+    return hn::Set(d, simd::HWY_NAMESPACE::kInvPi) * ((y * along - horizontal.length * dn.y) * per_square);
   }
 };
 

@@ -55,8 +55,8 @@ struct Polygon {
   }
 };
 
-/// A rectangle of the quadrant x, y >= 0. The line x + y = 1 divides it in the part in front, and the part behind, whose
-/// fold is a reflection in this line.
+/// A rectangle of the quadrant x, y >= 0. The line x + y = 1 divides it into the part in front and the part
+/// behind, whose fold is a reflection in this line.
 double on_octahedron(const Rectangle& r) {
   const double x[4] = {r.x0, r.x1, r.x1, r.x0}, y[4] = {r.y0, r.y0, r.y1, r.y1};
   Polygon front, behind;

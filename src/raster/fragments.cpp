@@ -18,6 +18,8 @@ void visit_columns(Fragments& f, Visit visit) {
         &f.v1, &f.du1dx, &f.dv1dx, &f.du1dy,   &f.dv1dy,   &f.tx,      &f.ty,   &f.tz,   &f.tw}) {
     visit(reinterpret_cast<void**>(column));
   }
+  for (float*& column : f.dpdx) visit(reinterpret_cast<void**>(&column));
+  for (float*& column : f.dpdy) visit(reinterpret_cast<void**>(&column));
   for (float*& column : f.attribute) visit(reinterpret_cast<void**>(&column));
 }
 

@@ -29,6 +29,8 @@ struct Fragments {
   float* depth;         // 0..1
   float* bary[3];       // perspective-correct barycentric coordinates, >= 0, sum 1
   float *px, *py, *pz;  // position, world space
+  float* dpdx[3];       // change of the position per pixel to the right
+  float* dpdy[3];       // per pixel down
   float *nx, *ny, *nz;  // shading normal, world space, unit
   float *ox, *oy, *oz;  // wo: towards the eye, world space, unit
   float *u, *v;         // texture coordinates

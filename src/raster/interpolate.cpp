@@ -103,10 +103,24 @@ HWY_INLINE void InterpolateSpace(D d, const geometry::Vertices& vertices, const 
   Store3(d, o, f.ox, f.oy, f.oz, at);
 }
 
+/// Derivatives of the position by pixel steps, of one vector of rows.
+template <class D, class Rows, class V = hn::Vec<D>>
+HWY_INLINE void DifferentiatePosition(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
+                                      const Barycentric<V>& b, size_t at, Fragments& f) {
+  for (int c = 0; c < 3; ++c) {
+    const float* const world = vertices.world.data();
+    const V origin = rows[0].Get(d, world, c);
+    const V side1 = rows[1].Get(d, world, c) - origin, side2 = rows[2].Get(d, world, c) - origin;
+    hn::Store(FiniteOrZero(d, side1 * b.b1_dx + side2 * b.b2_dx), d, f.dpdx[c] + at);
+    hn::Store(FiniteOrZero(d, side1 * b.b1_dy + side2 * b.b2_dy), d, f.dpdy[c] + at);
+  }
+}
+
 /// Interpolates columns that only some materials read.
 template <class D, class Rows, class V = hn::Vec<D>>
 HWY_INLINE void InterpolateExtras(D d, const geometry::Vertices& vertices, const Rows (&rows)[3],
                                   const Barycentric<V>& b, uint32_t wanted, size_t at, Fragments& f) {
+  if (wanted & kPositionSteps) DifferentiatePosition(d, vertices, rows, b, at, f);
   if (wanted & kTexture1 && vertices.texture1.size()) {
     Coordinate(d, ValuesOf(d, geometry::u1_of(vertices), rows), b, at, f.u1, f.du1dx, f.du1dy);
     Coordinate(d, ValuesOf(d, geometry::v1_of(vertices), rows), b, at, f.v1, f.dv1dx, f.dv1dy);

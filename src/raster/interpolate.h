@@ -19,7 +19,8 @@ enum Interpolated : uint32_t {
   kTexture1 = 32,  // second uv set and its derivatives
   kTangent = 64,
   kAttributes = 128,
-  kInterpolateAll = 255
+  kInterpolateAll = 255,  // columns that programs read
+  kPositionSteps = 256    // derivatives of the position
 };
 
 /// Fills the wanted columns (Interpolated bits) of `fragments` from x, y and the three vertices; other columns are left

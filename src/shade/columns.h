@@ -40,11 +40,14 @@ struct MarchColumns {
 struct Columns {
   core::Array<float> block;
   material::Lobes lobes;                     // at fragments
+  material::Lobes environment;               // at fragments: the environment's part of the lobes, without occlusion
   Radiance radiance;                         // at fragments
   float* slot[material::kSlotCount][4];      // values of slots; null beyond their channels
   material::Lobes point_lobes;               // at corners or centroids
+  material::Lobes point_environment;         // at corners or centroids
   Radiance point_radiance;                   // at corners or centroids
   float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
+  float* place[4];                           // x, y, z and width for solid textures
   float* tangent_frame[6];                   // dp/du and dp/dv of the points' triangles, world space
   float* shifted;                            // u or v of lookups displaced by one texel
   float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a
@@ -66,7 +69,8 @@ namespace detail {
 /// Calls visit(column) for every column, including the radiance columns of existing targets.
 template <class Visit>
 void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
-  for (material::Lobes* lobes : {&columns->lobes, &columns->point_lobes}) {
+  for (material::Lobes* lobes :
+       {&columns->lobes, &columns->point_lobes, &columns->environment, &columns->point_environment}) {
     for (auto& lobe : lobes->lobe) {
       for (float*& column : lobe) visit(&column);
     }
@@ -84,6 +88,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
     }
   }
   for (float*& column : columns->uv) visit(&column);
+  for (float*& column : columns->place) visit(&column);
   for (float*& column : columns->tangent_frame) visit(&column);
   for (float*& column : columns->tilt) visit(&column);
   for (float*& column : columns->spread) visit(&column);

@@ -5,10 +5,18 @@
 #include <cstdint>
 
 #include "core/allocator.h"
+#include "environment/environment.h"
 #include "light/light.h"
 #include "light/shadow.h"
 
 namespace shd::shade {
+
+/// The environment of a frame.
+struct EnvironmentLight {
+  const environment::Environment* map;  // null = none
+  float intensity;
+  float world_to_map[9];  // column-major rotation
+};
 
 /// Lights of a frame in the caller's order, except ambient lights, which are summed.
 struct LightTable {
@@ -20,6 +28,7 @@ struct LightTable {
   bool any_range;                             // some light has a range
   core::Array<const light::Shadow*> shadows;  // [count], null = none; read if any_shadow
   bool any_shadow;
+  EnvironmentLight environment;
 };
 
 /// A light that may affect some point of a batch.

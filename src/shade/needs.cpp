@@ -25,6 +25,12 @@ bool reads_attributes(const Material& material) {
   return any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SLOT_SOURCE_VERTEX; });
 }
 
+/// Columns of the fragments that solid textures read.
+uint32_t place_columns(const Material& material) {
+  const bool reads_places = any_slot(material, [](const material::Slot& slot) { return slot.solid != nullptr; });
+  return reads_places ? raster::kPosition | raster::kPositionSteps : 0;
+}
+
 bool reads_tangents(const Material& material) {
   return material::has_slot(material, SHD_SLOT_NORMAL) ||
          (material::has_slot(material, SHD_SLOT_HEIGHT) && material.bump == SHD_BUMP_TEXEL);
@@ -68,9 +74,9 @@ uint32_t needed_columns(const DrawShading& shading, const LightTable& lights) {
   const Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
   if (runs_caller_code(material) && (per_fragment || material.model != SHD_MODEL_PROGRAM))
-    return raster::kInterpolateAll;
+    return raster::kInterpolateAll | place_columns(material);
   const material::ModelInfo& info = material::info_of(material.model);
-  uint32_t needed = info.shown_columns;
+  uint32_t needed = info.shown_columns | place_columns(material);
   if (reads_uv(material, 0)) needed |= raster::kTexture;
   if (reads_uv(material, 1)) needed |= raster::kTexture1;
   if (reads_attributes(material)) needed |= raster::kAttributes;

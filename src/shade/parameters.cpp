@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "shade/places.h"
 #include "shade/program.h"
 #include "texture/sample.h"
 
@@ -13,9 +14,22 @@ using material::Slot;
 
 /// Number of columns of a slot that are filled. The alpha of a diffuse texture has no effect on opaque materials.
 uint32_t filled_channels(const material::Material& material, uint32_t index) {
-  const bool lacks_alpha = index == SHD_SLOT_DIFFUSE && material.slot[index].source == SHD_SLOT_SOURCE_TEXTURE &&
-                           !material::has_opacity(material);
+  const shd_slot_source source = material.slot[index].source;
+  const bool has_texture = source == SHD_SLOT_SOURCE_TEXTURE || source == SHD_SLOT_SOURCE_SOLID;
+  const bool lacks_alpha = index == SHD_SLOT_DIFFUSE && has_texture && !material::has_opacity(material);
   return lacks_alpha ? 3 : material::slot_channels(index);
+}
+
+/// Evaluates the solid texture of a slot.
+void evaluate_solid(const core::SimdTarget& simd, const Slot& slot, uint32_t index, const SlotContext& context,
+                    Columns* columns) {
+  const uint32_t channels = filled_channels(*context.shading.material, index);
+  float* out[4] = {};
+  for (uint32_t c = 0; c < channels; ++c) out[channels == 1 ? slot.channel : c] = columns->slot[index][c];
+  find_places(slot, context, columns->place);
+  const float* const width = context.has_footprint ? columns->place[3] : nullptr;
+  procedural::evaluate_colors(
+      *slot.solid, simd, {context.points.count, columns->place[0], columns->place[1], columns->place[2], width}, out);
 }
 
 /// Adds columns of a slot to the channels of its texture. Returns false if a channel is already in use.
@@ -85,6 +99,7 @@ void look_up_slots(const core::SimdTarget& simd, const SlotContext& context, uin
     std::copy_n(columns->slot[i], filled_channels(material, i), out->value[i]);
     if (slot.source == SHD_SLOT_SOURCE_TEXTURE) textured |= 1u << i;
     if (slot.source == SHD_SLOT_SOURCE_VERTEX) point_to_attributes(slot, i, context, *columns, out);
+    if (slot.source == SHD_SLOT_SOURCE_SOLID) evaluate_solid(simd, slot, i, context, columns);
     if (slot.source == SHD_SLOT_SOURCE_PROCEDURE) run_procedure(slot, i, context, *columns);
   }
   look_up_textures(simd, context, textured, columns);

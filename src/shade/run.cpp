@@ -15,6 +15,7 @@
 #include "shade/parameters.h"
 #include "shade/program.h"
 #include "shade/surface.h"
+#include "shade/surround.h"
 #include "shade/tangent_frames.h"
 
 namespace shd::shade {
@@ -133,6 +134,20 @@ void light_points(const core::SimdTarget& simd, const material::Material& materi
   }
 }
 
+/// Adds the light of the environment, computed at the points, to the lobes of the fragments.
+void add_environment(const core::SimdTarget& simd, const DrawShading& shading, const LobeShape& shape,
+                     const EnvironmentLight& environment, const material::Parameters& parameters, Workspace* w) {
+  const material::Material& material = *shading.material;
+  const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
+  Columns& columns = w->columns;
+  surround(simd, material, shape, environment, per_fragment ? w->fragments : w->points,
+           per_fragment ? &columns.environment : &columns.point_environment);
+  for (uint32_t k = 0; k < 3 * material::info_of(material.model).lobes && !per_fragment; ++k) {
+    spread(simd, shading, *w, columns.point_environment.lobe[k / 3][k % 3], columns.environment.lobe[k / 3][k % 3]);
+  }
+  add_surroundings(simd, material, parameters, columns.environment, w->fragments.count, &columns.lobes);
+}
+
 /// Shades a batch with a reflectance model.
 void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* w) {
@@ -157,6 +172,9 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
     light_points(simd, material, shape, lights, points, w, per_fragment ? &columns.lobes : &columns.point_lobes);
     for (uint32_t k = 0; k < info.lobes && !per_fragment; ++k) {
       for (int c = 0; c < 3; ++c) spread(simd, shading, *w, columns.point_lobes.lobe[k][c], columns.lobes.lobe[k][c]);
+    }
+    if (lights.environment.map && info.reflects_environment) {
+      add_environment(simd, shading, shape, lights.environment, parameters, w);
     }
   } else {
     material::show({simd, material, view, w->fragments, columns.uv}, columns.lobes.lobe[0]);

@@ -25,6 +25,7 @@ struct DrawShading {
   uint32_t instance;  // index in the draw
   uint32_t wanted;    // raster::Interpolated bits of columns that are filled even if shading does not read them
   const void* uniforms;
+  const float* object_to_world;  // [16] of the draw
 };
 
 /// Scratch of one worker.

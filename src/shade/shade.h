@@ -18,12 +18,14 @@
 /// | modulation.h     | factors of the cookie and the shadow of a light                              |
 /// | columns.h        | Radiance and scratch columns                                                 |
 /// | needs.h          | columns that the shading of a draw reads                                     |
+/// | places.h         | places of points in solid textures                                           |
 /// | parameters.h     | values of slots at points                                                    |
 /// | tangent_frames.h | dp/du, dp/dv and tangents of triangles; two-sided normals                    |
 /// | parallax.h       | texture coordinates where lines of sight intersect a height field            |
 /// | normals.h        | kernels: mapped and bumped normals                                           |
 /// | surface.h        | tangents, normals and lobe shapes of a material at points                    |
 /// | illuminate.h     | kernels: shape of the model's lobes, and their sums over lights              |
+/// | surround.h       | kernels: lobes in the light of an environment                                |
 /// | combine.h        | kernels: coefficients times lobes; values of points at their fragments       |
 /// | frequency.h      | points for Gouraud (corners) and flat (centroids) shading                    |
 /// | program.h        | programs and procedures of the caller                                        |

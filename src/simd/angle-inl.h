@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Angle of the vector (x, y) in [-pi, pi] [rad]; 0 for the zero vector. A zero counts as positive whatever its sign
-/// bit, so that (-1, -0) has the angle pi. Relative error <= 3e-7 for components below 1e38 (measured: 2.3e-7). The
+/// Angle of the vector (x, y) in [-pi, pi] [rad]; 0 for the zero vector. Both zeros count as positive, so that
+/// (-1, -0) has the angle pi. Relative error <= 3e-7 for components below 1e38 (measured: 2.3e-7). The
 /// angle modulo 45 degrees is in +-pi / 8, where the arctangent is an odd polynomial of degree 9 with the least largest
 /// error (Remez): 2e-8.
 template <class D, class V>

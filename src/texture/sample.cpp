@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/direction/filters-inl.h"
 #include "texture/explain/record-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/fixed-inl.h"
@@ -61,6 +62,12 @@ Kernels KernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradi
   const image::Component component = texture.component;
   const bool bordered = has_border(sampler);
   Kernels kernels = {};
+  if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
+    kernels.run = DirectionFilterOf(sampler.filter);
+    kernels.format.values = ValuesOf(component);
+    kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+    return kernels;
+  }
   kernels.run = FilterOf(sampler.filter);
   kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;

@@ -22,6 +22,7 @@
 /// | footprint/ | shapes of lookups, block by block: levels of detail, probes, ellipses; profiles              |
 /// | filter/    | filters, one in each file; their shared parts: levels, quads, stream sinks, prefetching      |
 /// | format/    | component types, one in each file: fetch and decode; consumers of values and derivatives     |
+/// | direction/ | lookups of textures of directions; conversions between projections                            |
 /// | explain/   | one lookup as its tree of blends, from a consumer that records                               |
 ///
 /// | file                                         | contents                                                   |
@@ -74,6 +75,10 @@
 /// | format/fixed.h, fixed.cpp, fixed_sums-inl.h  | sums of quads of 8-bit texels in fixed point               |
 /// | format/codec.h                               | texels from and to doubles                                 |
 /// | format/words-inl.h, gather-inl.h             | texels of one or two words; loads of neighbouring texels   |
+/// | direction/direction.h, project.cpp           | points and derivatives of blocks of directions             |
+/// | direction/fold-inl.h, sink-inl.h             | texels beyond edges; the sink that folds quads             |
+/// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
+/// | direction/convert.cpp, layout.cpp            | images of one projection from another; faces in images     |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
 #pragma once
 

@@ -35,6 +35,7 @@ using Mesh = Owned<shd_mesh, shd_mesh_release>;
 using Material = Owned<shd_material, shd_material_release>;
 using Light = Owned<shd_light, shd_light_release>;
 using Shadow = Owned<shd_shadow, shd_shadow_release>;
+using Environment = Owned<shd_environment, shd_environment_release>;
 using Framebuffer = Owned<shd_framebuffer, shd_framebuffer_release>;
 using Bitmap = Owned<shd_bitmap, shd_bitmap_release>;
 using Scene = Owned<shd_scene, shd_scene_release>;

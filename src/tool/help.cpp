@@ -17,7 +17,8 @@ Picture
   --sample-shading      shade every sample, instead of every pixel once
   --supersampling N     each pixel the average of N x N, 1..16 (default 1)
   --visibility V        depth, painter, newell (default depth)
-  --background R,G,B    scene-linear, or one number for grey, or none = transparent (default none)
+  --background R,G,B    scene-linear, or one number for grey, or none = transparent (default none,
+                        or the environment)
   --display NAME        display of the colour config (default sRGB)
   --view NAME           view of that display (default "ACES 1.0 SDR-video"; "Plain" = encoding alone)
   --no-color            no display transform: the sRGB curve alone, clamped
@@ -45,12 +46,16 @@ Light
   --softness S          how wide summed-area filters, and how large lights are to pcss, in radii (default 0.05)
   --shadow-size N       texels a side of each map (default 1024)
   --lamps N             N small coloured lights around the model
+  --environment FILE    light and background from all around: latitude and longitude, .hdr or .exr; replaces the
+                        preset
+  --environment-turn A  that image turned about the vertical, degrees (default 0)
+  --environment-blur R  roughness of its reflection that is the background, 0..1 (default 0 = sharp)
   --exposure EV         all lights but the ambient one times 2^EV (default 0)
-  --ambient R,G,B       or one number for all three (default 0.15)
+  --ambient R,G,B       or one number for all three (default 0.15, with an environment 0)
 
 Surface
   --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap (default ggx
-                        for metallic-roughness, else blinn-phong)
+                        for metallic-roughness and environments, else blinn-phong)
   --show V              normal, uv, level, barycentrics, instead of the shaded model
   --frequency F         flat, gouraud, phong (default phong)
   --diffuse R,G,B       colour, instead of the model's
@@ -59,6 +64,9 @@ Surface
   --metallic M          of ggx, 0..1, instead of the model's
   --roughness R         of ggx, 0..1, instead of the model's
   --texture FILE        on everything, instead of the model's textures; "checker" = a built-in pattern, "none"
+  --solid K             a solid texture on everything, instead: stripes, checker, perlin, value, simplex, worley,
+                        marble, wood
+  --solid-size S        of its cells, stripes or rings, in world units (default 0.5)
   --filter F            nearest, bilinear, trilinear, bicubic, nearest-mip, bilinear-mip, ripmap, summed-area,
                         anisotropic, ewa, stochastic, exact (default trilinear)
   --lod-bias B          added to the level of detail: below 0 sharper, above 0 smoother (default 0)

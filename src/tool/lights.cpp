@@ -146,7 +146,7 @@ std::vector<StageLight> make_lights(shd_context* context, const Options& options
   add_lamps(stage, lights);
   shd_light_desc ambient = shd_light_desc_default();
   ambient.kind = SHD_LIGHT_KIND_AMBIENT;
-  for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = options.ambient[c];
+  for (size_t c = 0; c < 3; ++c) ambient.intensity[c] = (*options.ambient)[c];
   add_light(context, ambient, lights, false);
   return lights;
 }

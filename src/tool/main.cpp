@@ -9,6 +9,7 @@
 
 #include "tool/camera.h"
 #include "tool/draws.h"
+#include "tool/environment.h"
 #include "tool/failure.h"
 #include "tool/lights.h"
 #include "tool/output.h"
@@ -60,6 +61,7 @@ struct Stage {
   const Model& model;
   const Bounds& bounds;
   const Paint& paint;
+  shd_environment* environment;
 };
 
 void render(const Stage& stage, float turn, const shd_progress& progress, shd_framebuffer* framebuffer) {
@@ -85,6 +87,7 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   desc.visibility = options.visibility;
   desc.supersampling = options.supersampling;
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
+  set_environment(options, stage.environment, desc);
   desc.progress = progress;
   const auto start = std::chrono::steady_clock::now();
   check(shd_render(stage.context, &desc), "render");
@@ -114,7 +117,8 @@ void run(const Options& options) {
   if (options.floor) add_floor(context.get(), options, bounds, model);
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
-  const Stage stage = {context.get(), options, model, bounds, paint};
+  const Environment environment = load_environment(context.get(), options);
+  const Stage stage = {context.get(), options, model, bounds, paint, environment.get()};
   const uint32_t pictures = std::max(options.turntable, 1u);
   Progress progress(options.progress || isatty(STDERR_FILENO), pictures);
   for (uint32_t i = 0; i < pictures; ++i) {

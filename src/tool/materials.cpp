@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tool/failure.h"
+#include "tool/solids.h"
 #include "tool/textures.h"
 
 namespace {
@@ -24,7 +25,8 @@ constexpr int kTargets = SHD_SLOT_NORMAL_MIXED + 1;
 /// Textures of the command line, by slot target; null = the texture of the surface.
 struct Replacements {
   shd_texture* texture[kTargets] = {};
-  bool drops_others = false;  // no other textures of the surface are used
+  const shd_solid_desc* solid = nullptr;  // feeds the diffuse slot
+  bool drops_others = false;              // no other textures of the surface are used
 };
 
 /// Slots of one material, at most one for each target.
@@ -42,6 +44,10 @@ Slots make_slots(const shd_material_desc& desc, const Options& options, const Re
     shd_texture* texture = replacements.texture[target];
     if (texture) slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler));
   }
+  if (replacements.solid) {
+    slots.push_back(shd_slot_solid(SHD_SLOT_DIFFUSE, replacements.solid));
+    slots.back().place_space = SHD_PLACE_SPACE_WORLD;
+  }
   for (shd_slot& slot : slots) {
     for (size_t i = 0; i < 6 && slot.target != SHD_SLOT_MATCAP; ++i) slot.uv_transform[i] *= options.uv_scale;
   }
@@ -58,15 +64,16 @@ void set_lobe(shd_material_desc& desc, const Options& options) {
 /// Replaces coefficients of the surface by those of the options; returns the textures that replace its maps.
 Replacements set_extras(shd_material_desc& desc, const Options& options, const Extras& extras) {
   Replacements replacements;
-  replacements.drops_others = !options.texture.empty();
-  replacements.texture[SHD_SLOT_DIFFUSE] = extras.diffuse.get();
+  replacements.drops_others = !options.texture.empty() || extras.solid;
+  if (extras.solid) replacements.solid = &*extras.solid;
+  if (!extras.solid) replacements.texture[SHD_SLOT_DIFFUSE] = extras.diffuse.get();
   replacements.texture[SHD_SLOT_NORMAL] = extras.normal.texture.get();
   replacements.texture[SHD_SLOT_NORMAL_MIXED] = extras.normal.mixed.get();
   replacements.texture[SHD_SLOT_HEIGHT] = extras.height.get();
   replacements.texture[SHD_SLOT_MATCAP] = extras.matcap.get();
   for (size_t c = 0; c < 3; ++c) {
     if (options.diffuse) desc.diffuse[c] = (*options.diffuse)[c];
-    if (extras.diffuse.get()) desc.diffuse[c] = 1.0f;
+    if (extras.diffuse.get() || extras.solid) desc.diffuse[c] = 1.0f;
   }
   if (extras.normal.texture.get() && options.keep == KeepRoughness::kToksvig)
     desc.normal_encoding = SHD_NORMAL_ENCODING_TOKSVIG;
@@ -91,6 +98,7 @@ Texture load_extra(shd_context* context, const Options& options, const std::stri
 Extras make_extras(shd_context* context, const Options& options) {
   Extras extras;
   extras.diffuse = load_extra(context, options, options.texture, false);
+  if (options.solid) extras.solid = make_solid(*options.solid, options.solid_size);
   extras.height = load_extra(context, options, options.height_map, true);
   if (!options.normal_map.empty()) extras.normal = load_normal_map(context, options);
   if (options.reflectance == SHD_MODEL_MATCAP) extras.matcap = make_matcap(context);
@@ -101,7 +109,7 @@ shd_model model_of(const Options& options, const Model& model) {
   if (options.reflectance) return *options.reflectance;
   const auto is_metallic = [](const Surface& surface) { return surface.desc.model == SHD_MODEL_METALLIC_ROUGHNESS; };
   const bool metallic = std::any_of(model.surfaces.begin(), model.surfaces.end(), is_metallic);
-  return metallic ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
+  return metallic || !options.environment.empty() ? SHD_MODEL_METALLIC_ROUGHNESS : SHD_MODEL_BLINN_PHONG;
 }
 
 Material make_material(shd_context* context, const Options& options, shd_model model, const Surface& surface,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "tool/handles.h"
@@ -11,6 +12,7 @@
 struct Extras {
   Texture diffuse, height, matcap;
   NormalMap normal;
+  std::optional<shd_solid_desc> solid;  // instead of `diffuse`
 };
 
 /// Loads the files that the options name. Throws Failure (kExitInput) for a file that cannot be read.

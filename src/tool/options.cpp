@@ -56,6 +56,10 @@ constexpr Name<shd_filter> kFilters[] = {
     {"bicubic", SHD_FILTER_BICUBIC}, {"nearest-mip", SHD_FILTER_NEAREST_MIP}, {"bilinear-mip", SHD_FILTER_BILINEAR_MIP},
     {"ripmap", SHD_FILTER_RIPMAP},   {"summed-area", SHD_FILTER_SUMMED_AREA}, {"anisotropic", SHD_FILTER_ANISOTROPIC},
     {"ewa", SHD_FILTER_EWA},         {"stochastic", SHD_FILTER_STOCHASTIC},   {"exact", SHD_FILTER_EXACT}};
+constexpr Name<shd_solid> kSolids[] = {{"stripes", SHD_SOLID_STRIPES}, {"checker", SHD_SOLID_CHECKER},
+                                       {"perlin", SHD_SOLID_PERLIN},   {"value", SHD_SOLID_VALUE},
+                                       {"simplex", SHD_SOLID_SIMPLEX}, {"worley", SHD_SOLID_WORLEY},
+                                       {"marble", SHD_SOLID_MARBLE},   {"wood", SHD_SOLID_WOOD}};
 constexpr Name<shd_visibility> kVisibilities[] = {
     {"depth", SHD_VISIBILITY_DEPTH}, {"painter", SHD_VISIBILITY_PAINTER}, {"newell", SHD_VISIBILITY_NEWELL}};
 constexpr Name<uint32_t> kAovs[] = {{"uv", SHD_AOV_UV},
@@ -206,6 +210,7 @@ bool set_switch(const std::string& name, Options& out) {
 }
 
 void set_background(const std::string& name, const std::string& value, Options& out) {
+  out.has_background = true;
   if (value == "none") {
     out.background = {0, 0, 0, 0};
     return;
@@ -271,6 +276,13 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
     return out.shadow_size = static_cast<uint32_t>(read_number(name, value, 16, 8192, "a number 16..8192")), true;
   }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
+  if (name == "--environment") return out.environment = value, true;
+  if (name == "--environment-turn") {
+    return out.environment_turn = read_number(name, value, -360, 360, "an angle -360..360 degrees"), true;
+  }
+  if (name == "--environment-blur") {
+    return out.environment_blur = read_number(name, value, 0, 1, "a number 0..1"), true;
+  }
   if (name == "--ambient") return out.ambient = read_color(name, value), true;
   if (name == "--exposure") {
     return out.exposure = std::exp2(read_number(name, value, -20, 20, "a number -20..20")), true;
@@ -291,6 +303,8 @@ bool set_surface_value(const std::string& name, const std::string& value, Option
   if (name == "--filter") return out.filter = pick(name, value, kFilters), true;
   if (name == "--lod-bias") return out.lod_bias = read_number(name, value, -15, 15, "a number -15..15"), true;
   if (name == "--texture") return out.texture = value, true;
+  if (name == "--solid") return out.solid = pick(name, value, kSolids), true;
+  if (name == "--solid-size") return out.solid_size = read_scale(name, value), true;
   if (name == "--uv-scale") return out.uv_scale = read_scale(name, value), true;
   if (name == "--normal-map") return out.normal_map = value, true;
   if (name == "--keep-roughness") return out.keep = pick(name, value, kKeep), true;
@@ -358,7 +372,8 @@ Options parse_options(int argc, const char* const* argv) {
     }
   }
   if (options.camera && options.turntable) throw Failure(kExitUsage, "--turntable turns no --camera of the file");
-  const bool lit = !options.lights.empty() || options.lamps > 0;
+  const bool lit = !options.lights.empty() || options.lamps > 0 || !options.environment.empty();
   if (!options.preset) options.preset = lit ? LightPreset::kNone : LightPreset::kStudio;
+  if (!options.ambient) options.ambient.emplace().fill(options.environment.empty() ? 0.15f : 0.0f);
   return options;
 }

@@ -41,19 +41,24 @@ struct Options {
   std::optional<shd_model> reflectance;  // absent = chosen by the model's materials
   shd_frequency frequency = SHD_FREQUENCY_PHONG;
   std::vector<LightOption> lights;
-  std::optional<LightPreset> preset;  // absent = studio, or none if lights are given
-  std::array<float, 3> ambient = {0.15f, 0.15f, 0.15f};
-  float exposure = 1.0f;                   // factor on all lights
-  float inner_cone = 15.0f, cone = 25.0f;  // spots: half angles [deg]
-  std::string cookie;                      // projected by spots; "window" = built in
-  uint32_t lamps = 0;                      // small coloured lights around the model
+  std::optional<LightPreset> preset;            // absent = studio, or none if lights are given
+  std::optional<std::array<float, 3>> ambient;  // absent = 0.15, or 0 with an environment
+  std::string environment;                      // image of latitude and longitude; empty = none
+  float environment_turn = 0.0f;                // about +Y [deg]
+  float environment_blur = 0.0f;                // roughness of the background
+  float exposure = 1.0f;                        // factor on all lights
+  float inner_cone = 15.0f, cone = 25.0f;       // spots: half angles [deg]
+  std::string cookie;                           // projected by spots; "window" = built in
+  uint32_t lamps = 0;                           // small coloured lights around the model
   std::optional<shd_shadow_filter> shadows;
   float softness = 0.05f;       // size of light sources [radii of the model]
   uint32_t shadow_size = 1024;  // texels per side of each map
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;
-  std::string texture;  // replaces the model's textures; "checker" = built in
+  std::string texture;             // replaces the model's textures; "checker" = built in
+  std::optional<shd_solid> solid;  // replaces the model's textures
+  float solid_size = 0.5f;         // side of a cell [world units]
   std::string normal_map, height_map;
   KeepRoughness keep = KeepRoughness::kNone;
   shd_bump bump_form = SHD_BUMP_NONE;
@@ -66,6 +71,7 @@ struct Options {
   bool color = true;
   std::string display = "sRGB", view = "ACES 1.0 SDR-video";
   std::array<float, 4> background = {0, 0, 0, 0};  // linear, straight alpha
+  bool has_background = false;                     // `background` was given
   uint32_t aovs = SHD_AOV_NONE;
   bool dither = false;
   uint32_t threads = 0;

@@ -14,10 +14,12 @@
 /// | model.h     | the scene of a file, or a shape, and the floor          |
 /// | shapes.h    | meshes of shd/shapes.h                                  |
 /// | materials.h | materials, changed by the options                       |
+/// | solids.h    | built-in solid textures                                 |
 /// | draws.h     | all materials, and the draws of a picture               |
 /// | textures.h  | built-in textures and files; normal_maps.cpp            |
 /// | camera.h    | the camera of a file, or one that shows the whole model |
 /// | lights.h    | presets, options and the lights of a file               |
+/// | environment.h | light and background from an image                    |
 /// | shadows.h   | shadow maps                                             |
 /// | output.h    | file names and saving                                   |
 /// | progress.h  | progress and the time left                              |

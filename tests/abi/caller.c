@@ -209,6 +209,24 @@ static void use_footprint(void)
     expect(shd_derivatives_from_cones(cones, derivatives) == SHD_OK, "ray cones");
 }
 
+static void use_solid(void)
+{
+    static const float x[2] = {0.5f, 1.5f};
+    float value[2] = {7, 7};
+    int c;
+    MAKE(shd_solid_desc, desc);
+    MAKE(shd_solid_points, points);
+    MAKE(shd_solid_values, values);
+    points->count = 2;
+    for (c = 0; c < 3; ++c) points->position[c] = shd_f32_column(x, 0);
+    values->value = shd_f32_out_column(value, 0);
+    EXPECT_READ(desc, shd_solid_evaluate(g_context, desc, points, values));
+    EXPECT_READ(points, shd_solid_evaluate(g_context, desc, points, values));
+    EXPECT_READ(values, shd_solid_evaluate(g_context, desc, points, values));
+    expect(shd_solid_evaluate(g_context, desc, points, values) == SHD_OK, "solid texture");
+    expect(value[0] == 0 && value[1] == 1, "stripes");
+}
+
 static void use_shapes(void)
 {
     float x[4] = {0};
@@ -461,6 +479,7 @@ int main(int argc, char **argv)
     use_mip();
     use_lookups();
     use_footprint();
+    use_solid();
     use_shapes();
     use_mesh();
     use_render();

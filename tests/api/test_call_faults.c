@@ -381,6 +381,30 @@ static shd_result render_lines(struct stage *s)
     return render(s, &desc);
 }
 
+static shd_result render_solid(struct stage *s)
+{
+    shd_material_desc material = shd_material_desc_default();
+    shd_solid_desc solid = shd_solid_desc_default();
+    shd_render_desc desc = s->scene.desc;
+    shd_draw draw = s->scene.draw[0];
+    shd_material *made = (shd_material *)s;
+    shd_slot slots[2];
+    shd_result result;
+    solid.kind = SHD_SOLID_PERLIN;
+    slots[0] = shd_slot_solid(SHD_SLOT_DIFFUSE, &solid);
+    slots[1] = shd_slot_solid(SHD_SLOT_AMBIENT, &solid);
+    material.slots = slots;
+    material.slot_count = 2;
+    result = shd_material_create(s->context, &material, &made);
+    assert_true((made != NULL) == (result == SHD_OK));
+    draw.material = made;
+    desc.draws = &draw;
+    desc.draw_count = 1;
+    if (result == SHD_OK) result = render(s, &desc);
+    shd_material_release(made);
+    return result;
+}
+
 struct call_case {
     const char *name;
     shd_result (*call)(struct stage *s);
@@ -426,6 +450,7 @@ static const struct call_case k_calls[] = {
     {"render/lines", render_lines},
     {"texture/3d", texture_solid},
     {"volume", volume},
+    {"render/solid", render_solid},
 };
 
 /* Four workers that run one after another on the calling thread. */

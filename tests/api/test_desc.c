@@ -36,6 +36,9 @@ DEFAULTS(shd_levels)
 DEFAULTS(shd_explanation)
 DEFAULTS(shd_ray_differentials)
 DEFAULTS(shd_ray_cones)
+DEFAULTS(shd_solid_desc)
+DEFAULTS(shd_solid_points)
+DEFAULTS(shd_solid_values)
 DEFAULTS(shd_derivatives)
 DEFAULTS(shd_mesh_desc)
 DEFAULTS(shd_mesh_info)
@@ -47,6 +50,10 @@ DEFAULTS(shd_light_desc)
 DEFAULTS(shd_shadow_desc)
 DEFAULTS(shd_shadow_render_desc)
 DEFAULTS(shd_shadow_lookups)
+DEFAULTS(shd_environment_desc)
+DEFAULTS(shd_environment_info)
+DEFAULTS(shd_environment_lookups)
+DEFAULTS(shd_environment_light)
 DEFAULTS(shd_framebuffer_desc)
 DEFAULTS(shd_framebuffer_info)
 DEFAULTS(shd_plane_view)
@@ -63,6 +70,11 @@ DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
 DEFAULTS(shd_scene_info)
 DEFAULTS(shd_scene_instance)
+DEFAULTS(shd_directions)
+DEFAULTS(shd_projected_points)
+DEFAULTS(shd_image_points)
+DEFAULTS(shd_point_directions)
+DEFAULTS(shd_direction_images)
 DEFAULTS(shd_volume_desc)
 DEFAULTS(shd_volume_draw)
 static void defaults_shd_slot(void *p)
@@ -104,6 +116,12 @@ static const struct kind_case k_kinds[] = {
     {"edges", SHD_DESC_KIND_EDGES, sizeof(shd_edges), REQUIRED(shd_edges, vertex), defaults_shd_edges},
     {"tessellation_desc", SHD_DESC_KIND_TESSELLATION_DESC, sizeof(shd_tessellation_desc),
      REQUIRED(shd_tessellation_desc, mode), defaults_shd_tessellation_desc},
+    {"solid_desc", SHD_DESC_KIND_SOLID_DESC, sizeof(shd_solid_desc), REQUIRED(shd_solid_desc, kind),
+     defaults_shd_solid_desc},
+    {"solid_points", SHD_DESC_KIND_SOLID_POINTS, sizeof(shd_solid_points), REQUIRED(shd_solid_points, position),
+     defaults_shd_solid_points},
+    {"solid_values", SHD_DESC_KIND_SOLID_VALUES, sizeof(shd_solid_values), REQUIRED(shd_solid_values, value),
+     defaults_shd_solid_values},
     {"material_desc", SHD_DESC_KIND_MATERIAL_DESC, sizeof(shd_material_desc), REQUIRED(shd_material_desc, model),
      defaults_shd_material_desc},
     {"slot", SHD_DESC_KIND_SLOT, sizeof(shd_slot), REQUIRED(shd_slot, user_data), defaults_shd_slot},
@@ -145,6 +163,24 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_scene_info},
     {"scene_instance", SHD_DESC_KIND_SCENE_INSTANCE, sizeof(shd_scene_instance),
      REQUIRED(shd_scene_instance, object_to_world), defaults_shd_scene_instance},
+    {"environment_desc", SHD_DESC_KIND_ENVIRONMENT_DESC, sizeof(shd_environment_desc),
+     REQUIRED(shd_environment_desc, image), defaults_shd_environment_desc},
+    {"environment_info", SHD_DESC_KIND_ENVIRONMENT_INFO, sizeof(shd_environment_info),
+     REQUIRED(shd_environment_info, map_size), defaults_shd_environment_info},
+    {"environment_lookups", SHD_DESC_KIND_ENVIRONMENT_LOOKUPS, sizeof(shd_environment_lookups),
+     REQUIRED(shd_environment_lookups, direction), defaults_shd_environment_lookups},
+    {"environment_light", SHD_DESC_KIND_ENVIRONMENT_LIGHT, sizeof(shd_environment_light),
+     REQUIRED(shd_environment_light, rgb), defaults_shd_environment_light},
+    {"directions", SHD_DESC_KIND_DIRECTIONS, sizeof(shd_directions), REQUIRED(shd_directions, direction),
+     defaults_shd_directions},
+    {"projected_points", SHD_DESC_KIND_PROJECTED_POINTS, sizeof(shd_projected_points),
+     REQUIRED(shd_projected_points, u), defaults_shd_projected_points},
+    {"image_points", SHD_DESC_KIND_IMAGE_POINTS, sizeof(shd_image_points), REQUIRED(shd_image_points, v),
+     defaults_shd_image_points},
+    {"point_directions", SHD_DESC_KIND_POINT_DIRECTIONS, sizeof(shd_point_directions),
+     REQUIRED(shd_point_directions, direction), defaults_shd_point_directions},
+    {"direction_images", SHD_DESC_KIND_DIRECTION_IMAGES, sizeof(shd_direction_images),
+     REQUIRED(shd_direction_images, images), defaults_shd_direction_images},
     {"volume_desc", SHD_DESC_KIND_VOLUME_DESC, sizeof(shd_volume_desc), REQUIRED(shd_volume_desc, extinction),
      defaults_shd_volume_desc},
     {"volume_draw", SHD_DESC_KIND_VOLUME_DRAW, sizeof(shd_volume_draw), REQUIRED(shd_volume_draw, volume),
@@ -238,7 +274,7 @@ static void test_unknown_kinds(void **state)
 
 int main(void)
 {
-    struct CMUnitTest tests[48];
+    struct CMUnitTest tests[sizeof k_kinds / sizeof k_kinds[0] + 8];
     size_t n = 0, i;
     for (i = 0; i < sizeof k_kinds / sizeof k_kinds[0]; ++i) {
         tests[n++] = (struct CMUnitTest){k_kinds[i].name, test_kind, NULL, NULL, (void *)&k_kinds[i]};

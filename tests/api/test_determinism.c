@@ -2,12 +2,15 @@
 /* Results have the same bits for any SIMD target, worker count, scheduling order and run, and these bits have the
  * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
+#include "support/direction_hash.h"
+#include "support/environment_hash.h"
 #include "support/lookup_hash.h"
 #include "support/pixel_hash.h"
 #include "support/pool.h"
 #include "support/scene.h"
 #include "support/shadow_hash.h"
 #include "support/simd.h"
+#include "support/solid_hash.h"
 #include "support/volume_scene.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
@@ -221,6 +224,12 @@ static void test_pixels(void **state)
     expect_hash("interleaved colour", shd_pixel_hash, 3);
 }
 
+static void test_environment(void **state)
+{
+    (void)state;
+    expect_hash("frames in an environment", shd_environment_hash, 3);
+}
+
 static void test_textured(void **state)
 {
     (void)state;
@@ -233,16 +242,28 @@ static void test_parallel(void **state)
     expect_hash("frames without perspective", shd_parallel_hash, 3);
 }
 
-static void test_solids(void **state)
+static void test_texture3d(void **state)
 {
     (void)state;
-    expect_hash("lookups in 3D textures", shd_solid_hash, 2);
+    expect_hash("lookups in 3D textures", shd_texture3d_hash, 2);
 }
 
 static void test_volumes(void **state)
 {
     (void)state;
     expect_hash("frames with volumes", shd_volume_hash, 3);
+}
+
+static void test_solid(void **state)
+{
+    (void)state;
+    expect_hash("solid textures", shd_solid_hash, 3);
+}
+
+static void test_directions(void **state)
+{
+    (void)state;
+    expect_hash("directions", shd_direction_hash, 3);
 }
 
 /* The stored hashes: lines "<name> <hash>", # starts a comment. */
@@ -267,14 +288,18 @@ enum {
     EXACT,
     TEXTURED,
     PARALLEL,
+    DIRECTIONS,
+    ENVIRONMENT,
+    SOLID,
     TEXTURE3D,
     VOLUME,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
-    {"mixed", 0},   {"floor", 0},   {"lit", 0},      {"glass", 0},    {"moved", 0},     {"lines", 0},
-    {"surface", 0}, {"lookups", 0}, {"filters", 0},  {"profiles", 0}, {"shadows", 0},   {"pixels", 0},
-    {"fast", 0},    {"exact", 0},   {"textured", 0}, {"parallel", 0}, {"texture3d", 0}, {"volume", 0}};
+    {"mixed", 0},   {"floor", 0},     {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
+    {"surface", 0}, {"lookups", 0},   {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
+    {"fast", 0},    {"exact", 0},     {"textured", 0}, {"parallel", 0}, {"directions", 0}, {"environment", 0},
+    {"solid", 0},   {"texture3d", 0}, {"volume", 0}};
 
 static void measure_golden(void)
 {
@@ -298,7 +323,10 @@ static void measure_golden(void)
     k_golden[FAST].hash = shd_hash(SHD_HASH_START, fast, sizeof fast);
     k_golden[TEXTURED].hash = shd_textured_hash(NULL);
     k_golden[PARALLEL].hash = shd_parallel_hash(NULL);
-    k_golden[TEXTURE3D].hash = shd_solid_hash(NULL);
+    k_golden[DIRECTIONS].hash = shd_direction_hash(NULL);
+    k_golden[ENVIRONMENT].hash = shd_environment_hash(NULL);
+    k_golden[SOLID].hash = shd_solid_hash(NULL);
+    k_golden[TEXTURE3D].hash = shd_texture3d_hash(NULL);
     k_golden[VOLUME].hash = shd_volume_hash(NULL);
 }
 
@@ -349,10 +377,13 @@ int main(int argc, char **argv)
         {"filters", test_filters, NULL, NULL, NULL},
         {"fast", test_fast, NULL, NULL, NULL},
         {"shadows", test_shadows, NULL, NULL, NULL},
+        {"environment", test_environment, NULL, NULL, NULL},
         {"pixels", test_pixels, NULL, NULL, NULL},
         {"textured", test_textured, NULL, NULL, NULL},
         {"parallel", test_parallel, NULL, NULL, NULL},
-        {"solids", test_solids, NULL, NULL, NULL},
+        {"solid", test_solid, NULL, NULL, NULL},
+        {"directions", test_directions, NULL, NULL, NULL},
+        {"texture3d", test_texture3d, NULL, NULL, NULL},
         {"volumes", test_volumes, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };

@@ -199,9 +199,9 @@ static void edit_bump_scale_nan(shd_material_desc *d) { d->bump_scale = (float)N
 static void edit_parallax_depth_negative(shd_material_desc *d) { d->parallax_depth = -1; }
 static void edit_parallax_steps_1(shd_material_desc *d) { d->parallax_steps = 1; }
 static void edit_parallax_steps_257(shd_material_desc *d) { d->parallax_steps = 257; }
-static void edit_slot_source_4(shd_material_desc *d)
+static void edit_slot_source_5(shd_material_desc *d)
 {
-    add_slot(d, shd_slot_default(SHD_SLOT_EXPONENT))->source = (shd_slot_source)4;
+    add_slot(d, shd_slot_default(SHD_SLOT_EXPONENT))->source = (shd_slot_source)5;
 }
 static void edit_slot_texture_missing(shd_material_desc *d) { add_texture(d, SHD_SLOT_NORMAL)->texture = NULL; }
 static void edit_slot_texture_of_constant(shd_material_desc *d)
@@ -229,6 +229,38 @@ static void edit_slot_transform_nan(shd_material_desc *d)
 {
     add_texture(d, SHD_SLOT_EMISSION)->uv_transform[4] = (float)NAN;
 }
+static shd_slot *add_solid(shd_material_desc *d, shd_slot_target target)
+{
+    static shd_solid_desc solid;
+    solid = shd_solid_desc_default();
+    return add_slot(d, shd_slot_solid(target, &solid));
+}
+static void edit_slot_solid(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE); }
+static void edit_slot_solid_missing(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->solid = NULL; }
+static void edit_slot_solid_of_vertex(shd_material_desc *d)
+{
+    add_solid(d, SHD_SLOT_DIFFUSE)->source = SHD_SLOT_SOURCE_VERTEX;
+}
+static void edit_slot_solid_texture(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->texture = g_texture; }
+static void edit_slot_solid_octaves_0(shd_material_desc *d)
+{
+    static shd_solid_desc solid;
+    solid = shd_solid_desc_default();
+    solid.octaves = 0;
+    add_slot(d, shd_slot_solid(SHD_SLOT_AMBIENT, &solid));
+}
+static void edit_slot_solid_channel_4(shd_material_desc *d) { add_solid(d, SHD_SLOT_OPACITY)->channel = 4; }
+static void edit_slot_place_space_2(shd_material_desc *d)
+{
+    add_solid(d, SHD_SLOT_DIFFUSE)->place_space = (shd_place_space)2;
+}
+static void edit_slot_place_nan(shd_material_desc *d)
+{
+    add_solid(d, SHD_SLOT_DIFFUSE)->place_transform[13] = (float)NAN;
+}
+static void edit_slot_place_projects(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->place_transform[11] = 1; }
+static void edit_slot_place_width(shd_material_desc *d) { add_solid(d, SHD_SLOT_DIFFUSE)->place_width = -1; }
+static void edit_height_as_solid(shd_material_desc *d) { add_solid(d, SHD_SLOT_HEIGHT); }
 static void edit_height_of_vertices(shd_material_desc *d) { add_slot(d, shd_slot_vertex(SHD_SLOT_HEIGHT, 0)); }
 static void edit_matcap_as_procedure(shd_material_desc *d)
 {
@@ -356,7 +388,7 @@ static const struct create_case k_create[] = {
     {"create/parallax_depth_negative", edit_parallax_depth_negative, BAD, "material.parallax_depth: -1"},
     {"create/parallax_steps_1", edit_parallax_steps_1, BAD, "material.parallax_steps: 1 is not in 2..256"},
     {"create/parallax_steps_257", edit_parallax_steps_257, BAD, "material.parallax_steps: 257"},
-    {"create/slot_source_4", edit_slot_source_4, BAD, "material.slots[0].source: 4 is not in 0..3"},
+    {"create/slot_source_5", edit_slot_source_5, BAD, "material.slots[0].source: 5 is not in 0..4"},
     {"create/slot_texture_missing", edit_slot_texture_missing, BAD,
      "material.slots[1].texture: NULL, but the source is a texture"},
     {"create/slot_texture_of_constant", edit_slot_texture_of_constant, BAD,
@@ -372,6 +404,22 @@ static const struct create_case k_create[] = {
     {"create/slot_uv_set_2", edit_slot_uv_set_2, BAD, "material.slots[1].uv_set: 2 is not in 0..1"},
     {"create/slot_channel_4", edit_slot_channel_4, BAD, "material.slots[1].channel: 4 is not in 0..3"},
     {"create/slot_transform_nan", edit_slot_transform_nan, BAD, "material.slots[1].uv_transform[4]: "},
+    {"create/slot_solid", edit_slot_solid, SHD_OK, ""},
+    {"create/slot_solid_missing", edit_slot_solid_missing, BAD, "material.slots[0].solid: NULL"},
+    {"create/slot_solid_of_vertex", edit_slot_solid_of_vertex, BAD,
+     "material.slots[0].source: 2, but a solid texture is set"},
+    {"create/slot_solid_texture", edit_slot_solid_texture, BAD,
+     "material.slots[0].source: 4, but a texture or sampler is set"},
+    {"create/slot_solid_octaves_0", edit_slot_solid_octaves_0, BAD,
+     "material.slots[0].solid.octaves: 0 is not in 1..32"},
+    {"create/slot_solid_channel_4", edit_slot_solid_channel_4, BAD, "material.slots[0].channel: 4 is not in 0..3"},
+    {"create/slot_place_space_2", edit_slot_place_space_2, BAD, "material.slots[0].place_space: 2 is not in 0..1"},
+    {"create/slot_place_nan", edit_slot_place_nan, BAD, "material.slots[0].place_transform[13]: "},
+    {"create/slot_place_projects", edit_slot_place_projects, BAD,
+     "material.slots[0].place_transform: last row is (0, 0, 1, 1), not (0, 0, 0, 1)"},
+    {"create/slot_place_width", edit_slot_place_width, BAD, "material.slots[0].place_width: -1 is not in 0..1000"},
+    {"create/height_as_solid", edit_height_as_solid, BAD,
+     "material.slots[0].source: 4, but this slot takes textures only"},
     {"create/height_of_vertices", edit_height_of_vertices, BAD,
      "material.slots[0].source: 2, but this slot takes textures only"},
     {"create/matcap_as_procedure", edit_matcap_as_procedure, BAD,

@@ -68,6 +68,25 @@ void choose_slices(Source& source, Case& c) {
   if (source.one_in(4)) c.outputs |= source.below(16) << 12;
 }
 
+/// Makes the texture one of directions, of at most 5 x 5 texels a face.
+void choose_directions(Source& source, Case& c) {
+  shd_texture_desc& desc = c.texture.desc;
+  desc.projection = source.constant<shd_projection>(6);
+  for (int k = 7; k < 10; ++k) {
+    if (!source.one_in(16)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
+  }
+  if (!desc.texels || desc.width - 1 >= 9 || desc.height - 1 >= 9 || desc.layers > 6 || desc.flags || source.one_in(32))
+    return;
+  if (desc.projection != SHD_PROJECTION_LAT_LONG) desc.width = desc.height = desc.width < 5 ? desc.width : 5;
+  if (desc.projection == SHD_PROJECTION_CUBE) desc.layers = 6;
+  if (!source.one_in(32)) desc.tables &= SHD_TABLE_MIPMAP;
+  const size_t pixel = shd_format_size(desc.format);
+  const size_t stride = desc.row_stride ? desc.row_stride : desc.width * pixel;
+  const size_t given = c.texture.texels.size(), size = stride * desc.height * desc.layers;
+  for (size_t i = given; given > 0 && i < size; ++i) c.texture.texels.push_back(c.texture.texels[i - given]);
+  desc.texels = c.texture.texels.data();
+}
+
 void choose_case(Source& source, Case& c) {
   c.budget = choose_budget(source);
   choose_sampler(source, c.sampler);
@@ -75,6 +94,7 @@ void choose_case(Source& source, Case& c) {
   choose_lookups(source, c);
   choose_slices(source, c);
   if (c.sampler.filter == SHD_FILTER_EXACT && c.count > 2) c.count = 2;
+  if (source.one_in(3)) choose_directions(source, c);
 }
 
 shd_lookups make_lookups(const Case& c) {

@@ -219,6 +219,36 @@ static shd_result use_volume(void *handle)
     return shd_render(g_rest.context, &desc);
 }
 
+static shd_result create_environment(shd_context *context, void **out)
+{
+    float texel[3] = {1.0f, 2.0f, 3.0f};
+    shd_image image = shd_image_default();
+    shd_environment_desc desc = shd_environment_desc_default();
+    shd_environment *environment = (shd_environment *)out;
+    shd_result result;
+    image.format = SHD_FORMAT_RGB32F;
+    image.width = image.height = 1;
+    image.pixels = texel;
+    desc.image = &image;
+    desc.tables = SHD_ENVIRONMENT_TABLE_NONE;
+    result = shd_environment_create(context, &desc, &environment);
+    *out = environment;
+    return result;
+}
+static void retain_environment(void *handle) { shd_environment_retain((shd_environment *)handle); }
+static void release_environment(void *handle) { shd_environment_release((shd_environment *)handle); }
+static shd_result use_environment(void *handle)
+{
+    const float half = 0.5f;
+    float red;
+    shd_environment_lookups lookups = shd_environment_lookups_default();
+    shd_environment_light light = shd_environment_light_default();
+    lookups.count = 1;
+    lookups.direction[0].data = lookups.direction[1].data = lookups.direction[2].data = &half;
+    light.rgb[0].data = &red;
+    return shd_environment_irradiance((const shd_environment *)handle, &lookups, &light);
+}
+
 /* A material that holds the only references to a texture and a sampler. */
 static shd_result create_textured_material(shd_context *context, void **out)
 {
@@ -279,6 +309,8 @@ static const struct type_row k_types[] = {
      "shadow: not a live handle of its type"},
     {"volume", "volume", create_volume, retain_volume, release_volume, use_volume,
      "render.volumes[0]: volume.volume: not a live handle of its type"},
+    {"environment", "environment", create_environment, retain_environment, release_environment, use_environment,
+     "environment: not a live handle of its type"},
     {"textured_material", "material", create_textured_material, retain_material, release_material, use_material,
      "render.draws[0]: draw.material: not a live handle of its type"},
     {"textured_light", "light", create_textured_light, retain_light, release_light, use_light,

@@ -51,7 +51,7 @@ static inline shd_texture *shd_solid_texture(shd_context *context, shd_format fo
 }
 
 /* Lookups of every filter of 3D textures with derivatives, on formats of every kind. */
-static inline uint64_t shd_solid_hash(const shd_context_desc *context_desc)
+static inline uint64_t shd_texture3d_hash(const shd_context_desc *context_desc)
 {
     static const shd_format k_solid_formats[] = {SHD_FORMAT_R8,  SHD_FORMAT_RGBA8,   SHD_FORMAT_RGBA8_SRGB,
                                                  SHD_FORMAT_R16, SHD_FORMAT_RGBA16F, SHD_FORMAT_RGBA32F};

@@ -110,6 +110,9 @@ same --lamps 64 --threads 1 --simd baseline -- --lamps 64 --threads 3
 same --texture checker --uv-scale 1 -- --texture checker
 other --texture checker --uv-scale 2 -- --texture checker
 other --texture checker --uv-scale 20 -- --texture checker --uv-scale 20 --lod-bias -2
+for kind in stripes checker perlin value simplex worley wood; do other --solid marble -- --solid $kind; done
+other --solid marble -- --solid marble --solid-size 0.25
+same --solid marble --texture checker -- --solid marble
 same --texture checker --lod-bias 0 -- --texture checker
 same --shape sphere -- --shape sphere --height checker
 same --shape sphere -- --shape sphere --height checker --bump gradient --bump-scale 0

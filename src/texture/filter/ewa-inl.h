@@ -21,8 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Visits the texels in one vector of ellipses, and sums their weights.
-template <class D>
+/// Visits the texels in one vector of ellipses, and sums their weights. An axis without kFolds wraps its positions. The
+/// sink folds the positions of others, and may skip columns: it reads every stride-th one.
+template <class D, class Axis = Walk<D>>
 struct EllipseWalk {
   using V = hn::Vec<D>;
 
@@ -37,6 +38,7 @@ struct EllipseWalk {
   V per_height2, per_width2;
   V top, last;                // rows top..top + last; last = -1: no row
   V total, total_u, total_v;  // sum of the weights, and its derivatives
+  V stride;                   // columns from one texel to the next, with kFolds
   bool any = false;           // an element was emitted
 
   HWY_INLINE EllipseWalk(D d, const Texture& texture, const Sampler& of_sampler, const EllipseBlock& block, size_t i)
@@ -48,6 +50,7 @@ struct EllipseWalk {
     const V bottom = hn::Floor(ellipse.y.x + half_height);
     last = hn::IfThenElse(ellipse.is_quad, hn::Neg(one), bottom - top);
     total = total_u = total_v = hn::Zero(d);
+    stride = one;
   }
 
   /// Returns whether the ellipses differ: the rectangle of the greatest height and the greatest row width of all lanes
@@ -67,9 +70,15 @@ struct EllipseWalk {
     const V rest = hn::Max(hn::Set(d, 1.0f) - row.height, hn::Zero(d));
     const V half_width = hn::Sqrt(rest * ellipse.width2);
     row.left = hn::Ceil(middle - half_width);
-    row.dx = row.left - middle;
     const V right = hn::Floor(middle + half_width);
-    row.last = hn::IfThenElse(hn::Ge(last, r), right - row.left, hn::Set(d, -1.0f));
+    V columns = right - row.left;
+    if constexpr (Axis::kFolds) {
+      const V steps = hn::Floor(columns / stride), spare = columns - steps * stride;
+      row.left = row.left + hn::Floor(hn::Max(spare, hn::Zero(d)) * hn::Set(d, 0.5f));
+      columns = steps;
+    }
+    row.dx = row.left - middle;
+    row.last = hn::IfThenElse(hn::Ge(last, r), columns, hn::Set(d, -1.0f));
     return row;
   }
 
@@ -77,15 +86,15 @@ struct EllipseWalk {
   template <class Sink>
   HWY_INLINE void emit_together(D d, Sink& sink) {
     const float max_row = hn::GetLane(hn::MaxOfLanes(d, last));
-    Walk<D> down(d, sampler.wrap_v, top, ellipse.level.down);
+    Axis down(d, sampler.wrap_v, top, ellipse.level.down);
     for (float r = 0.0f; r <= max_row; r += 1.0f) {
       const Row row = row_at(d, hn::Set(d, r));
       const float max_column = hn::GetLane(hn::MaxOfLanes(d, row.last));
-      Walk<D> across(d, sampler.wrap_u, row.left, ellipse.level.across);
+      Axis across(d, sampler.wrap_u, row.left, ellipse.level.across);
       uint32_t flags = kNewLine;
       for (float c = 0.0f; c <= max_column; c += 1.0f) {
         if (emit_texel(d, row, hn::Set(d, c), down, across, flags, sink)) flags = 0;
-        across.step(d);
+        step_across(d, &across);
       }
       down.step(d);
     }
@@ -96,13 +105,13 @@ struct EllipseWalk {
   HWY_INLINE void emit_apart(D d, Sink& sink) {
     const V one = hn::Set(d, 1.0f);
     V r = hn::Neg(one), column = hn::Neg(one);
-    Walk<D> down(d, sampler.wrap_v, top - one, ellipse.level.down);
-    Walk<D> across(d, sampler.wrap_u, ellipse.x.x, ellipse.level.across);
+    Axis down(d, sampler.wrap_v, top - one, ellipse.level.down);
+    Axis across(d, sampler.wrap_u, ellipse.x.x, ellipse.level.across);
     Row row = row_at(d, r);
     row.last = r;
     for (;;) {
       column = column + one;
-      across.step(d);
+      step_across(d, &across);
       uint32_t flags = 0;
       const auto done = hn::Gt(column, row.last);
       if (!hn::AllFalse(d, done)) {
@@ -135,9 +144,10 @@ struct EllipseWalk {
 
   /// Emits texel `column` of a row. Returns whether it lies in the ellipse of any lane.
   template <class Sink>
-  HWY_INLINE bool emit_texel(D d, const Row& row, V column, const Walk<D>& down, const Walk<D>& across, uint32_t flags,
+  HWY_INLINE bool emit_texel(D d, const Row& row, V column, const Axis& down, const Axis& across, uint32_t flags,
                              Sink& sink) {
-    const V dx = row.dx + column;
+    V dx = row.dx + column;
+    if constexpr (Axis::kFolds) dx = row.dx + column * stride;
     const V x = row.height + dx * dx * per_width2;
     const auto active = hn::And(hn::Ge(row.last, column), hn::Lt(x, hn::Set(d, 1.0f)));
     if (hn::AllFalse(d, active)) return false;
@@ -145,11 +155,22 @@ struct EllipseWalk {
     const auto first = hn::And(active, hn::Eq(total, hn::Zero(d)));
     Share<D> share = sink.has_rates() ? rated_share(d, row, dx, weight, active) : plain_share(d, weight, active);
     share.value = hn::IfThenElse(first, hn::Set(d, kWhole), share.value);
-    MaskOf<D> in_x, in_y;
-    const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
     const bool starts = !hn::AllFalse(d, first);
-    sink.texel(d, how(starts) | flags, texel, hn::And(in_x, in_y), share);
+    if constexpr (Axis::kFolds) {
+      sink.texel(d, how(starts) | flags, sink.folded(d, ellipse.level, across.at, down.at), active, share);
+    } else {
+      MaskOf<D> in_x, in_y;
+      const auto y = down.index(d, &in_y), texel = RowIndex(d, ellipse.level, y) + across.index(d, &in_x);
+      sink.texel(d, how(starts) | flags, texel, hn::And(in_x, in_y), share);
+    }
     return true;
+  }
+
+  HWY_INLINE void step_across(D d, Axis* across) const {
+    if constexpr (Axis::kFolds)
+      return across->step(d, stride);
+    else
+      return across->step(d);
   }
 
   /// Emits the bilinear lookup with its share.

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "texture/filter/bases-inl.h"
+#include "texture/filter/nearest-inl.h"
 #include "texture/stream.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,6 +24,18 @@ HWY_INLINE Level<D> NearestLevel(D d, const Texture& texture, const LodBlock& bl
   const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
   return LevelAt(d, texture, FirstTexel(d, texture, block, i), hn::Max(level, hn::Zero(d)));
 }
+
+struct NearestMip : OnMipLevels {
+  using OnMipLevels::OnMipLevels;
+
+  /// Never prefetches: for one texel per lookup, prefetches cost more than they save.
+  static bool is_scattered(const Texture&, const PointBlock&) { return false; }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
+    emit_nearest(d, sampler, NearestLevel(d, texture, block, i), block, i, sink);
+  }
+};
 
 struct BilinearMip : OnMipLevels {
   using OnMipLevels::OnMipLevels;

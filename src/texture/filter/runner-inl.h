@@ -111,6 +111,18 @@ class Emitter {
     self().commit(d, op);
   }
 
+  /// Emits the quad of four given texels, none of which is the border.
+  template <class D, class... AnyShare>
+  HWY_INLINE void quad_of(D d, uint32_t op, const Ints<D> (&index)[4], hn::Vec<D> s, hn::Vec<D> t,
+                          const AnyShare&... share) {
+    const size_t at = self().add(d);
+    auto& to = self().elements();
+    hn::Store(s, d, to.s + at);
+    hn::Store(t, d, to.t + at);
+    for (size_t k = 0; k < 4; ++k) hn::Store(index[k], hn::RebindToSigned<D>(), to.index[k] + at);
+    self().commit(d, op | kQuad | write_share(d, at, share...));
+  }
+
   template <class D, class AnyShare>
   HWY_INLINE void row(D d, uint32_t op, const Row<D>& row, const AnyShare& share) {
     const size_t at = self().add(d);
@@ -219,6 +231,9 @@ class StreamSink : public Emitter<StreamSink> {
     if (HWY_UNLIKELY(scattered_)) {
       const size_t at = e * hn::Lanes(d);
       prefetch_element(first_.texels, op, stream_.index[0] + at, stream_.index[2] + at, hn::Lanes(d));
+    } else if (op & kNeighbours && op & kQuad) {
+      prefetch_ends(stream_.index[0] + e * hn::Lanes(d));
+      prefetch_ends(stream_.index[2] + e * hn::Lanes(d));
     }
   }
 
@@ -233,6 +248,13 @@ class StreamSink : public Emitter<StreamSink> {
   }
 
  private:
+  /// Prefetches the texels of the first and the last lookup of a vector: those between them are near.
+  HWY_INLINE void prefetch_ends(const int32_t* index) const {
+    const size_t lanes = hn::Lanes(BatchTag());
+    __builtin_prefetch(first_.texels.texel(static_cast<uint32_t>(index[0])));
+    if (lanes > 4) __builtin_prefetch(first_.texels.texel(static_cast<uint32_t>(index[lanes - 1])));
+  }
+
   Stream stream_;
   const Sampler& sampler_;
   const bool bordered_;

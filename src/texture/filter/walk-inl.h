@@ -42,6 +42,8 @@ HWY_INLINE TexelPoint<D> PointOf(D d, shd_wrap wrap, hn::Vec<D> reduced, hn::Vec
 template <class D>
 class Walk {
  public:
+  static constexpr bool kFolds = false;
+
   HWY_INLINE Walk(D d, shd_wrap wrap, hn::Vec<D> start, const AxisSize<D>& size) : wrap_(wrap), size_(size.whole) {
     end_ = wrap == SHD_WRAP_MIRROR ? size_ + size_ : size_;
     real_end_ = wrap == SHD_WRAP_MIRROR ? size.real + size.real : size.real;

@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "texture/direction/project-inl.h"
 #include "texture/footprint/places-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
@@ -38,10 +39,18 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
   if (texture.depth != 0) return PlaceLodColumn(texture, sampler, range, axis, in, out);
   size_t nonfinite = 0;
   for (size_t first = 0; first < in.count; first += kBlock) {
-    const Lookups part = block_of(in, first);
+    Lookups part = block_of(in, first);
     ProbeBlock block;
-    nonfinite += axis == LodAxis::kProbes ? FindShapes(texture, sampler, part, &block, &range)
-                                          : FindShapes(texture, sampler, part, static_cast<LodBlock*>(&block), &range);
+    ProjectedBlock points;
+    const bool directions = texture.projection != SHD_PROJECTION_NONE;
+    if (HWY_UNLIKELY(directions)) {
+      nonfinite += ProjectLookups(texture, part, &points);
+      part = points.points;
+    }
+    const size_t found = axis == LodAxis::kProbes
+                             ? FindShapes(texture, sampler, part, &block, &range)
+                             : FindShapes(texture, sampler, part, static_cast<LodBlock*>(&block), &range);
+    if (!directions) nonfinite += found;
     std::memcpy(out + first, block.lod, part.count * sizeof(float));
   }
   return nonfinite;
@@ -62,7 +71,13 @@ void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup,
     return;
   }
   PointBlock point;
-  FillBlock(texture, sampler, lookup, &point, [&](auto d, const auto& p, size_t) {
+  Lookups in = lookup;
+  ProjectedBlock points;
+  if (texture.projection != SHD_PROJECTION_NONE) {
+    ProjectLookups(texture, lookup, &points);
+    in = points.points;
+  }
+  FillBlock(texture, sampler, in, &point, [&](auto d, const auto& p, size_t) {
     const auto f = lod_given ? RoundFootprint(d, p.lod) : FootprintOf(d, p.derivatives, width, height);
     const auto shorter = f.length * f.roundness;
     axes[0] = hn::GetLane(f.length * f.u);

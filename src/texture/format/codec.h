@@ -83,4 +83,12 @@ void add_each(const uint8_t* texel, size_t count, double* sum) {
   }
 }
 
+/// Clamps a value to the numbers that a codec can store in a channel.
+template <class Codec>
+double clamp_stored(size_t channel, double value) {
+  if (std::isnan(value) || (Codec::kFloat && std::isinf(value))) return Codec::kFloat ? value : 0;
+  const double maximum = Codec::largest(channel), minimum = Codec::kFloat ? -maximum : 0;
+  return value < minimum ? minimum : value > maximum ? maximum : value;
+}
+
 }  // namespace shd::texture

@@ -13,14 +13,6 @@
 namespace shd::texture {
 namespace {
 
-/// Clamps a value to the numbers that a codec can store in a channel.
-template <class Codec>
-double clamp_stored(size_t channel, double value) {
-  if (std::isnan(value) || (Codec::kFloat && std::isinf(value))) return Codec::kFloat ? value : 0;
-  const double maximum = Codec::largest(channel), minimum = Codec::kFloat ? -maximum : 0;
-  return value < minimum ? minimum : value > maximum ? maximum : value;
-}
-
 template <class Codec>
 struct Filter {
   static constexpr size_t kChannels = Codec::kChannels;

@@ -15,7 +15,7 @@ void set_slot(shd_model model, shd_debug_view view, shd_slot_target target, text
   desc.model = model;
   desc.debug_view = view;
   material::SlotInput slots[material::kSlotCount] = {};
-  if (texture) slots[target] = {shd_slot_texture(target, nullptr, nullptr), 0, texture, &g->sampler};
+  if (texture) slots[target] = {shd_slot_texture(target, nullptr, nullptr), 0, texture, &g->sampler, nullptr};
   material::build(desc, slots, &g->material);
 }
 

@@ -313,9 +313,12 @@ void test_texel_solid_angles(void**) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(test_project),    cmocka_unit_test(test_special_directions),
-      cmocka_unit_test(test_same_bits),  cmocka_unit_test(test_unproject),
-      cmocka_unit_test(test_round_trip), cmocka_unit_test(test_texel_solid_angles),
+      {"project", test_project, nullptr, nullptr, nullptr},
+      {"special_directions", test_special_directions, nullptr, nullptr, nullptr},
+      {"same_bits", test_same_bits, nullptr, nullptr, nullptr},
+      {"unproject", test_unproject, nullptr, nullptr, nullptr},
+      {"round_trip", test_round_trip, nullptr, nullptr, nullptr},
+      {"texel_solid_angles", test_texel_solid_angles, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -65,7 +65,7 @@ inline void copy_points(const raster::Fragments& from, raster::Fragments* to) {
 }
 
 inline shade::DrawShading draw_shading() {
-  return {&g->vertices, &g->material, SHD_FREQUENCY_PHONG, 1.0f, 3, 0, 0, nullptr};
+  return {&g->vertices, &g->material, SHD_FREQUENCY_PHONG, 1.0f, 3, 0, 0, nullptr, nullptr};
 }
 
 inline texture::Sampler make_sampler(shd_filter filter, shd_wrap wrap) {

@@ -176,7 +176,7 @@ void shade_everywhere(shd_frequency frequency, size_t fragments, uint64_t seed) 
     Random random = {seed};
     make_scene(&random, fragments);
     const shade::DrawShading shading = {&g->vertices,          &g->material, frequency, 1.0f, 3, 0,
-                                        raster::kBarycentrics, nullptr};
+                                        raster::kBarycentrics, nullptr,      nullptr};
     shd_view view = {};
     for (int c = 0; c < 3; ++c) view.eye[c] = kEye[c];
     shade::shade_batch(target, shading, g->lights, view, &g->workspace);

@@ -27,7 +27,7 @@ void set_material(texture::Texture* heights, uint32_t steps, uint32_t uv_set, co
   slot.uv_set = uv_set;
   if (transform) std::copy_n(transform, 6, slot.uv_transform);
   material::SlotInput slots[material::kSlotCount] = {};
-  slots[SHD_SLOT_HEIGHT] = {slot, 0, heights, &g->sampler};
+  slots[SHD_SLOT_HEIGHT] = {slot, 0, heights, &g->sampler, nullptr};
   material::build(desc, slots, &g->material);
 }
 

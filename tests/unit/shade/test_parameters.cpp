@@ -70,7 +70,7 @@ void random_slots(Random* random, texture::Texture* const textures[2], const tex
     slot.uv_set = random->whole(0, 3) == 0;
     slot.channel = static_cast<uint32_t>(random->whole(0, 3));
     if (random->whole(0, 2) == 0) std::copy_n(turned, 6, slot.uv_transform);
-    slots[i] = {slot, i, textures[random->whole(0, 3) == 0], &samplers[random->whole(0, 3) == 0]};
+    slots[i] = {slot, i, textures[random->whole(0, 3) == 0], &samplers[random->whole(0, 3) == 0], nullptr};
   }
   material::build(desc, slots, &g->material);
 }

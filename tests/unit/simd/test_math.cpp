@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Log2, Exp2 and Pow against libm in double, on every target, and bit for bit between targets.
+// Log2, Exp2, Pow, SinPi and CosPi against libm in double, on every target, and bit for bit between targets.
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace shd::tests {
 #ifndef SHD_TESTS_MATH_FUNCTIONS
 #define SHD_TESTS_MATH_FUNCTIONS
-enum Function { kLog2, kExp2, kPow, kUnitPow };
+enum Function { kLog2, kExp2, kPow, kUnitPow, kSinPi, kCosPi };
 #endif
 }  // namespace shd::tests
 
@@ -34,6 +34,8 @@ void evaluate(int function, const float* x, const float* y, size_t count, float*
     if (function == kExp2) result = simd::HWY_NAMESPACE::Exp2(d, a);
     if (function == kUnitPow) result = simd::HWY_NAMESPACE::UnitPow(d, a, hn::LoadU(d, y + i));
     if (function == kPow) result = simd::HWY_NAMESPACE::Pow(d, a, hn::LoadU(d, y + i));
+    if (function == kSinPi) result = simd::HWY_NAMESPACE::SinPi(d, a);
+    if (function == kCosPi) result = simd::HWY_NAMESPACE::CosPi(d, a);
     hn::StoreU(result, d, out + i);
   }
 }
@@ -109,6 +111,25 @@ void test_exp2(void**) {
   });
 }
 
+/// Sines and cosines of places in a few periods, at the quarters of the period, and of the largest numbers.
+void test_waves(void**) {
+  uint32_t state = 5;
+  const double pi = 3.14159265358979324;
+  for (size_t i = 0; i < kCount; ++i) {
+    g_x[i] = i < 64 ? static_cast<float>(i) / 4.0f - 8.0f : static_cast<float>(next(&state)) * 0x1p-29f - 4.0f;
+  }
+  const float edges[] = {-0.0f, 1e-45f, FLT_MAX, -FLT_MAX, 8388607.5f, 1048576.25f, 0.49999997f, 0.50000006f};
+  std::memcpy(g_x + 64, edges, sizeof edges);
+  for (const Function function : {kSinPi, kCosPi}) {
+    on_every_target(function, [&](size_t i) {
+      const double x = std::fmod(static_cast<double>(g_x[i]), 2.0);
+      const double want = function == kSinPi ? std::sin(pi * x) : std::cos(pi * x);
+      shd_assert_close("wave", i, static_cast<double>(g_out[i]), want, 3e-7, 0.0);
+      if (function == kSinPi && std::floor(x) == x) assert_true(g_out[i] == 0.0f);
+    });
+  }
+}
+
 void fill_powers() {
   uint32_t state = 3;
   for (size_t i = 0; i < kCount; ++i) {
@@ -160,6 +181,7 @@ int main() {
       {"exp2", shd::tests::test_exp2, nullptr, nullptr, nullptr},
       {"pow", shd::tests::test_pow, nullptr, nullptr, nullptr},
       {"unit_pow", shd::tests::test_unit_pow, nullptr, nullptr, nullptr},
+      {"waves", shd::tests::test_waves, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests_name("unit.simd.math", tests, nullptr, nullptr);
 }

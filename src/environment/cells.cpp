@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "environment/cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "environment/map.h"
+
+namespace shd::environment {
+namespace {
+
+/// Turns the sums of a cell at (i, j) of a map of `side` cells into its direction and radius.
+void finish(uint32_t side, uint32_t i, uint32_t j, Cell* cell) {
+  const float length = std::sqrt(cell->x * cell->x + cell->y * cell->y + cell->z * cell->z);
+  const MapDirection centre = map_direction(side, static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
+  const bool has_direction = length > 0.0f && cell->solid_angle > 0.0f;
+  const float inverse = has_direction ? 1.0f / length : 0.0f;
+  cell->x = has_direction ? cell->x * inverse : centre.x;
+  cell->y = has_direction ? cell->y * inverse : centre.y;
+  cell->z = has_direction ? cell->z * inverse : centre.z;
+  float largest = 0.0f;
+  for (uint32_t k = 0; k < 4; ++k) {
+    const MapDirection corner = map_direction(side, static_cast<float>(i + k % 2), static_cast<float>(j + k / 2));
+    const float dx = corner.x - cell->x, dy = corner.y - cell->y, dz = corner.z - cell->z;
+    largest = std::max(largest, dx * dx + dy * dy + dz * dz);
+  }
+  cell->radius = std::sqrt(largest);
+}
+
+/// Adds a finished cell to the sums of its parent. The weight of its direction is its light.
+void add_cell(const Cell& cell, Cell* parent, float floor) {
+  const float weight = cell.flux[0] + cell.flux[1] + cell.flux[2] + floor * cell.solid_angle;
+  parent->x += weight * cell.x;
+  parent->y += weight * cell.y;
+  parent->z += weight * cell.z;
+  for (int c = 0; c < 3; ++c) parent->flux[c] += cell.flux[c];
+  parent->solid_angle += cell.solid_angle;
+}
+
+}  // namespace
+
+CellTree make_cells(const core::Allocator& allocator, uint32_t side, float floor) {
+  CellTree tree = {};
+  size_t count = 0;
+  do {
+    tree.first[tree.levels] = count;
+    count += size_t{tree.side(tree.levels)} * tree.side(tree.levels);
+  } while (tree.side(tree.levels++) < side);
+  tree.cells = core::Array<Cell>(allocator, count);
+  tree.cells.fill_zero();
+  tree.floor = floor;
+  return tree;
+}
+
+void add_light(CellTree* tree, const float direction[3], const float radiance[3], float solid_angle) {
+  const uint32_t level = tree->levels - 1, side = tree->side(level);
+  const OctahedralPoint at = octahedral_point(direction[0], direction[1], direction[2]);
+  const float half = 0.5f * static_cast<float>(side);
+  const auto i = std::min(static_cast<uint32_t>((at.p + 1.0f) * half), side - 1);
+  const auto j = std::min(static_cast<uint32_t>((1.0f - at.q) * half), side - 1);
+  const Cell light = {direction[0],
+                      direction[1],
+                      direction[2],
+                      0.0f,
+                      {radiance[0] * solid_angle, radiance[1] * solid_angle, radiance[2] * solid_angle},
+                      solid_angle};
+  add_cell(light, &tree->cells[tree->first[level] + size_t{j} * side + i], tree->floor);
+}
+
+void finish_cells(CellTree* tree) {
+  for (uint32_t level = tree->levels; level-- > 0;) {
+    const uint32_t side = tree->side(level);
+    for (uint32_t j = 0; j < side; ++j) {
+      for (uint32_t i = 0; i < side; ++i) {
+        Cell* cell = &tree->cells[tree->first[level] + size_t{j} * side + i];
+        finish(side, i, j, cell);
+        if (level == 0 || cell->solid_angle == 0.0f) continue;
+        const size_t parent = tree->first[level - 1] + size_t{j / 2} * (side / 2) + i / 2;
+        add_cell(*cell, &tree->cells[parent], tree->floor);
+      }
+    }
+  }
+}
+
+}  // namespace shd::environment

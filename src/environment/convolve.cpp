@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "environment/convolve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/executor.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "environment/convolve.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "simd/vec3-inl.h"
+
+#ifndef SHD_ENVIRONMENT_CONVOLVE_CPP_
+#define SHD_ENVIRONMENT_CONVOLVE_CPP_
+namespace shd::environment {
+namespace {
+
+constexpr uint32_t kTile = 8;  // texels a side of a tile, which shares one list of cells
+constexpr uint32_t kTexels = kTile * kTile;
+
+/// Cells whose light reaches a tile, as columns.
+struct CellList {
+  core::Buffer<float> column[7];  // x, y, z, flux, solid angle
+
+  explicit CellList(const core::Allocator& allocator) {
+    for (auto& values : column) values.attach(allocator);
+  }
+  void add(const Cell& cell) {
+    const float values[7] = {cell.x, cell.y, cell.z, cell.flux[0], cell.flux[1], cell.flux[2], cell.solid_angle};
+    for (int c = 0; c < 7; ++c) column[c].push_back(values[c]);
+  }
+  void clear() {
+    for (auto& values : column) values.clear();
+  }
+};
+
+/// Directions of a tile's texels, and their sums.
+struct Tile {
+  alignas(64) float x[kTexels], y[kTexels], z[kTexels];
+  alignas(64) float sum[3][kTexels];
+};
+
+}  // namespace
+}  // namespace shd::environment
+#endif  // SHD_ENVIRONMENT_CONVOLVE_CPP_
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::environment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+namespace {
+
+/// Lobe at the squared distance s of two unit vectors: r.l = 1 - s / 2.
+struct Ggx {
+  float alpha_squared;
+  template <class D, class V>
+  HWY_INLINE V operator()(D d, V s) const {
+    const V one = hn::Set(d, 1.0f), a = hn::Set(d, alpha_squared);
+    const V cosine = hn::Max(one - hn::Set(d, 0.5f) * s, hn::Zero(d));
+    const V spread = a + (one - a) * (hn::Set(d, 0.25f) * s);  // (n.h)^2 (alpha^2 - 1) + 1
+    return cosine / (spread * spread);
+  }
+};
+
+struct Phong {
+  uint32_t exponent;
+  template <class D, class V>
+  HWY_INLINE V operator()(D d, V s) const {
+    const V one = hn::Set(d, 1.0f);
+    V power = hn::Max(one - hn::Set(d, 0.5f) * s, hn::Zero(d));
+    V result = hn::IfThenElseZero(hn::Gt(power, hn::Zero(d)), one);
+    for (uint32_t k = 0; k < exponent; ++k) {
+      result = result * power;
+      power = power * power;
+    }
+    return result;
+  }
+};
+
+template <class Lobe>
+HWY_NOINLINE void Accumulate(const Lobe& lobe, const CellList& list, Tile* tile) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const size_t count = list.column[0].size();
+  for (size_t i = 0; i < kTexels; i += hn::Lanes(d)) {
+    const auto n = simd::HWY_NAMESPACE::Load3(d, tile->x, tile->y, tile->z, i);
+    V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, total = hn::Zero(d);
+    for (size_t k = 0; k < count; ++k) {
+      const auto at = [&](int c) { return hn::Set(d, list.column[c][k]); };
+      const V dx = n.x - at(0), dy = n.y - at(1), dz = n.z - at(2);
+      const V weight = lobe(d, dx * dx + dy * dy + dz * dz);
+      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + weight * at(3 + c);
+      total = total + weight * at(6);
+    }
+    const V inverse = hn::Set(d, 1.0f) / hn::Max(total, hn::Set(d, 1e-30f));
+    for (int c = 0; c < 3; ++c) hn::Store(sum[c] * inverse, d, tile->sum[c] + i);
+  }
+}
+
+}  // namespace
+
+void AccumulateLobe(LobeKind kind, uint32_t exponent, const CellList& list, Tile* tile) {
+  if (kind == LobeKind::kPhong) return Accumulate(Phong{exponent}, list, tile);
+  Accumulate(Ggx{1.0f / static_cast<float>(1u << exponent)}, list, tile);
+}
+
+}  // namespace shd::environment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shd::environment {
+namespace {
+
+HWY_EXPORT(AccumulateLobe);
+
+/// Finds the cells of a lobe for the texels of one tile.
+class CellFinder {
+ public:
+  CellFinder(LobeKind kind, uint32_t exponent, const CellTree& cells, const Tile& tile, uint32_t count, CellList* out)
+      : cells_(cells), out_(out) {
+    const float precision = static_cast<float>(1u << exponent);
+    // The squared width of both lobes at half of their height, about.
+    width2_ = std::min(kind == LobeKind::kGgx ? 4.0f / precision : 2.0f / precision, 0.25f);
+    // Phong lobes are below e^-20 beyond this squared distance, and all lobes are 0 beyond a right angle.
+    limit2_ = kind == LobeKind::kPhong && exponent > 0 ? std::min(2.0f, 40.0f / precision) : 2.0f;
+    float sum[3] = {};
+    for (uint32_t i = 0; i < count; ++i) sum[0] += tile.x[i], sum[1] += tile.y[i], sum[2] += tile.z[i];
+    const float length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    for (int c = 0; c < 3; ++c) axis_[c] = length > 0.0f ? sum[c] / length : 0.0f;
+    for (uint32_t i = 0; i < count; ++i) radius_ = std::max(radius_, distance(tile.x[i], tile.y[i], tile.z[i]));
+  }
+
+  void find() {
+    const uint32_t side = cells_.side(0);
+    for (uint32_t j = 0; j < side; ++j) {
+      for (uint32_t i = 0; i < side; ++i) visit(0, i, j);
+    }
+  }
+
+ private:
+  float distance(float x, float y, float z) const {
+    const float dx = x - axis_[0], dy = y - axis_[1], dz = z - axis_[2];
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
+  }
+
+  void visit(uint32_t level, uint32_t i, uint32_t j) {
+    const Cell& cell = cells_.cells[cells_.first[level] + size_t{j} * cells_.side(level) + i];
+    if (cell.solid_angle == 0.0f) return;
+    const float away = std::max(0.0f, distance(cell.x, cell.y, cell.z) - radius_ - cell.radius);
+    if (away * away >= limit2_) return;
+    const bool is_small = cell.radius * cell.radius <= kAccept * (width2_ + away * away);
+    if (is_small || level + 1 == cells_.levels) return out_->add(cell);
+    for (uint32_t k = 0; k < 4; ++k) visit(level + 1, 2 * i + k % 2, 2 * j + k / 2);
+  }
+
+  static constexpr float kAccept = 0.1f;  // largest ratio of squares
+
+  const CellTree& cells_;
+  CellList* out_;
+  float axis_[3];
+  float radius_ = 0.0f, width2_, limit2_;
+};
+
+}  // namespace
+
+void convolve(const core::Context& context, LobeKind kind, uint32_t exponent, const CellTree& cells, const Level& to,
+              float* texels) {
+  const uint32_t tiles = (to.size + kTile - 1) / kTile;
+  core::parallel_for(context, tiles * tiles, [&](uint32_t index, uint32_t) {
+    const uint32_t left = index % tiles * kTile, top = index / tiles * kTile;
+    Tile tile;
+    for (uint32_t i = 0; i < kTexels; ++i) {
+      const MapDirection n = map_direction(to.size, static_cast<float>(left + i % kTile) + 0.5f,
+                                           static_cast<float>(top + i / kTile) + 0.5f);
+      tile.x[i] = n.x, tile.y[i] = n.y, tile.z[i] = n.z;
+    }
+    CellList list(context.allocator);
+    CellFinder(kind, exponent, cells, tile, kTexels, &list).find();
+    SHD_DISPATCH(AccumulateLobe, context.simd)(kind, exponent, list, &tile);
+    for (uint32_t i = 0; i < kTexels; ++i) {
+      float* texel =
+          texels + 4 * texel_index(to, static_cast<int32_t>(left + i % kTile), static_cast<int32_t>(top + i / kTile));
+      for (int c = 0; c < 3; ++c) texel[c] = tile.sum[c][i];
+      texel[3] = 0.0f;
+    }
+  });
+  fill_border(to, texels);
+}
+
+}  // namespace shd::environment
+#endif  // HWY_ONCE

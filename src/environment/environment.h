@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Stage contract: environment, (image of the radiance of all directions -> tables for lighting).
+///
+/// Input:      an image with a projection.
+/// Output:     an Environment: irradiance, and the mean radiance over lobes, by direction.
+/// Units:      radiance and irradiance in the unit of the image; directions in the space of the image, +Y up.
+/// Invariants: an Environment is immutable. A texel of radiance L and solid angle w counts as a directional light of
+///             irradiance L w. Bits depend on neither workers nor SIMD targets. Radiance is finite and not negative.
+///
+/// | file           | contents                                                                      |
+/// |----------------|-------------------------------------------------------------------------------|
+/// | source.h       | kernel: texels as floats, and their integrals with spherical harmonics        |
+/// | map.h          | square maps of directions, and chains of maps for lobes of all widths         |
+/// | cells.h        | quadtree of the light of an image                                             |
+/// | convolve.h     | kernel: maps of the mean radiance over a lobe                                 |
+/// | lobe_table.h   | reflection of uniform light by the lobes of the models                        |
+/// | look_up-inl.h  | irradiance and radiance at points                                             |
+/// | look_up.h      | kernels: batches of look_up-inl.h                                             |
+#pragma once
+
+#include <shd/environment.h>
+
+#include "core/context.h"
+#include "environment/map.h"
+
+namespace shd::environment {
+
+struct Environment {
+  shd_projection projection;  // of the image
+  core::Array<float> texels;  // of all maps
+  Chain radiance;             // levels of the image alone: Chain::lobes is 0
+  Chain ggx, phong;           // count 0 = absent
+  Level irradiance;           // size 0 = harmonics
+  float harmonics[3][9];      // [channel] factors of 1, x, y, z, xy, yz, xz, 3 z^2 - 1 and x^2 - y^2
+  float mean[3];              // mean radiance
+  uint64_t replaced;          // channels of the image that were replaced
+};
+
+/// Builds the tables of a checked desc. Throws Failure and std::bad_alloc.
+void build(const core::Context& context, const shd_environment_desc& desc, Environment* out);
+
+}  // namespace shd::environment

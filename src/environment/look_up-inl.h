@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Irradiance and radiance of an environment at one direction per lane.
+
+#if defined(SHD_ENVIRONMENT_LOOK_UP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_ENVIRONMENT_LOOK_UP_INL_H_
+#undef SHD_ENVIRONMENT_LOOK_UP_INL_H_
+#else
+#define SHD_ENVIRONMENT_LOOK_UP_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "environment/environment.h"
+#include "environment/lobe_table.h"
+#include "simd/finite-inl.h"
+#include "simd/gather-inl.h"
+#include "simd/vec3-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::environment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+using simd::HWY_NAMESPACE::GatherPairs;
+using simd::HWY_NAMESPACE::Vec3V;
+
+/// log2 of x >= 2^-126, linear between powers of two. A mean of the maps of two powers, weighted by the fraction, has
+/// the peak of a lobe of precision x.
+template <class D, class V>
+HWY_INLINE V PrecisionLog2(D d, V x) {
+  const hn::RebindToSigned<D> di;
+  return hn::ConvertTo(d, hn::BitCast(di, x) - hn::Set(di, 0x3f800000)) * hn::Set(d, 0x1p-23f);
+}
+
+/// A point of the octahedral square, -1..1. A direction that is 0 or not finite counts as +Z.
+template <class D>
+struct SquarePoint {
+  using V = hn::Vec<D>;
+  V p, q;
+
+  HWY_INLINE SquarePoint(D d, const Vec3V<V>& n) {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), sign = hn::Set(d, -0.0f);
+    const V sum = hn::Abs(n.x) + hn::Abs(n.y) + hn::Abs(n.z);
+    const auto usable = hn::And(hn::Gt(sum, zero), hn::Lt(sum, hn::Set(d, __builtin_inff())));
+    const V inverse = one / hn::IfThenElse(usable, sum, one);
+    const V x = hn::IfThenElseZero(usable, n.x * inverse), y = hn::IfThenElseZero(usable, n.y * inverse);
+    const auto behind = hn::And(usable, hn::Lt(n.z, zero));
+    p = hn::IfThenElse(behind, hn::Or(one - hn::Abs(y), hn::And(x, sign)), x);
+    q = hn::IfThenElse(behind, hn::Or(one - hn::Abs(x), hn::And(y, sign)), y);
+  }
+};
+
+template <class V>
+struct ColorV {
+  V channel[3];
+};
+
+/// Bilinear lookup of a map, which may differ between lanes.
+template <class D, class V, class VI>
+HWY_INLINE ColorV<V> LookUpMap(D d, const float* texels, VI size, VI first, const SquarePoint<D>& at) {
+  const hn::RebindToSigned<D> di;
+  const V half = hn::ConvertTo(d, size) * hn::Set(d, 0.5f), centre = half + hn::Set(d, 0.5f);
+  const V u = centre + at.p * half, v = centre - at.q * half;
+  const VI column = hn::Min(hn::ConvertTo(di, u), size), row = hn::Min(hn::ConvertTo(di, v), size);
+  const V fu = u - hn::ConvertTo(d, column), fv = v - hn::ConvertTo(d, row);
+  const VI stride = size + hn::Set(di, 2);
+  const VI top = hn::ShiftLeft<2>(first + row * stride + column), bottom = top + hn::ShiftLeft<2>(stride);
+  const V one = hn::Set(d, 1.0f), below = fv, above = one - fv;
+  const V w01 = above * fu, w00 = above - w01, w11 = below * fu, w10 = below - w11;
+  V red[4], green[4], blue[4];
+  const VI corner[4] = {top, top + hn::Set(di, 4), bottom, bottom + hn::Set(di, 4)};
+  for (int k = 0; k < 4; ++k) {
+    GatherPairs(d, texels, corner[k], &red[k], &green[k]);
+    blue[k] = hn::GatherIndex(d, texels + 2, corner[k]);
+  }
+  const auto mean = [&](const V(&c)[4]) { return (w00 * c[0] + w01 * c[1]) + (w10 * c[2] + w11 * c[3]); };
+  return {{mean(red), mean(green), mean(blue)}};
+}
+
+/// Mean radiance around a direction over a lobe whose precision has the logarithm t (PrecisionLog2).
+template <class D, class V>
+HWY_NOINLINE ColorV<V> LookUpChain(D d, const float* texels, const Chain& chain, const SquarePoint<D>& at, V t) {
+  const hn::RebindToSigned<D> di;
+  const V zero = hn::Zero(d), knee = hn::Set(d, chain.knee), last = hn::Set(d, static_cast<float>(chain.count - 1));
+  V place = hn::Min(t, knee) + hn::Max(t - knee, zero) * hn::Set(d, 0.5f) - hn::Set(d, chain.offset);
+  place = hn::IfThenElseZero(hn::Gt(place, zero), hn::Min(place, last));  // NaN gives 0
+  const auto low = hn::ConvertTo(di, place);
+  const auto high = hn::Min(low + hn::Set(di, 1), hn::Set(di, static_cast<int32_t>(chain.count - 1)));
+  const V part = place - hn::ConvertTo(d, low);
+  const auto* levels = reinterpret_cast<const int32_t*>(chain.level);
+  ColorV<V> color[2];
+  for (int k = 0; k < 2; ++k) {
+    const auto index = hn::ShiftLeft<1>(k ? high : low);
+    const auto size = hn::GatherIndex(di, levels, index), first = hn::GatherIndex(di, levels + 1, index);
+    color[k] = LookUpMap<D, V>(d, texels, size, first, at);
+  }
+  for (int c = 0; c < 3; ++c) {
+    color[0].channel[c] = color[0].channel[c] + part * (color[1].channel[c] - color[0].channel[c]);
+  }
+  return color[0];
+}
+
+/// Irradiance of a surface with the unit normal n; 0 where n is not finite.
+template <class D, class V>
+HWY_NOINLINE ColorV<V> Irradiance(D d, const Environment& environment, const Vec3V<V>& n) {
+  const hn::RebindToSigned<D> di;
+  if (environment.irradiance.size) {
+    const Level& level = environment.irradiance;
+    return LookUpMap<D, V>(d, environment.texels.data(), hn::Set(di, static_cast<int32_t>(level.size)),
+                           hn::Set(di, static_cast<int32_t>(level.first)), SquarePoint<D>(d, n));
+  }
+  const V one = hn::Set(d, 1.0f);
+  const V basis[9] = {
+      one, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, hn::Set(d, 3.0f) * (n.z * n.z) - one, n.x * n.x - n.y * n.y};
+  ColorV<V> color;
+  for (int c = 0; c < 3; ++c) {
+    V sum = hn::Set(d, environment.harmonics[c][0]);
+    for (int k = 1; k < 9; ++k) sum = sum + hn::Set(d, environment.harmonics[c][k]) * basis[k];
+    color.channel[c] = hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), sum);
+  }
+  return color;
+}
+
+/// Place in the lobe table: a row for PrecisionLog2() and a column for n.v.
+template <class D>
+struct TablePoint {
+  using V = hn::Vec<D>;
+  using VI = hn::Vec<hn::RebindToSigned<D>>;
+  VI index, column;
+  V down, right;
+
+  HWY_INLINE TablePoint(D d, V t, V n_dot_v) {
+    const hn::RebindToSigned<D> di;
+    const V zero = hn::Zero(d);
+    const V row = Clamped(d, t, kLobeRows - 1);
+    const V cosine = hn::IfThenElseZero(hn::Gt(n_dot_v, zero), hn::Min(n_dot_v, hn::Set(d, 1.0f)));
+    const V across = hn::Sqrt(cosine) * hn::Set(d, static_cast<float>(kLobeColumns - 1));
+    const VI first = hn::Min(hn::ConvertTo(di, row), hn::Set(di, kLobeRows - 2));
+    column = hn::Min(hn::ConvertTo(di, across), hn::Set(di, kLobeColumns - 2));
+    down = row - hn::ConvertTo(d, first);
+    right = across - hn::ConvertTo(d, column);
+    index = hn::ShiftLeft<5>(first) + column;
+  }
+
+  HWY_INLINE V LookUp(D d, const float* table) const {
+    static_assert(kLobeColumns == 32, "the shift of the index");
+    V a, b, c, e;
+    GatherPairs(d, table, index, &a, &b);
+    GatherPairs(d, table + kLobeColumns, index, &c, &e);
+    const V above = a + right * (b - a), below = c + right * (e - c);
+    return above + down * (below - above);
+  }
+
+  /// A table of one row.
+  HWY_INLINE V LookUpRow(D d, const float* row) const {
+    V a, b;
+    GatherPairs(d, row, column, &a, &b);
+    return a + right * (b - a);
+  }
+
+ private:
+  static HWY_INLINE V Clamped(D d, V x, uint32_t last) {
+    return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Min(x, hn::Set(d, static_cast<float>(last))));
+  }
+};
+
+}  // namespace shd::environment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_ENVIRONMENT_LOOK_UP_INL_H_

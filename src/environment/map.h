@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/context.h"
+
+namespace shd::environment {
+
+/// A square map of all directions in the projection OCTAHEDRAL: texels of four floats (r, g, b, 0), [size + 2][size +
+/// 2], row 0 on top. The border of one texel repeats the texels that lie next to the edge on the octahedron, so that
+/// bilinear lookups need no wrap.
+struct Level {
+  uint32_t size;   // texels a side without the border
+  uint32_t first;  // texel at which the border begins
+};
+
+inline size_t texel_count(uint32_t size) {
+  return size_t{size + 2} * (size + 2);
+}
+
+/// Index of a texel; x and y are -1..size.
+inline size_t texel_index(const Level& level, int32_t x, int32_t y) {
+  return level.first + static_cast<size_t>(y + 1) * (level.size + 2) + static_cast<size_t>(x + 1);
+}
+
+/// A point of the square, -1..1: p to the right and q upwards.
+struct OctahedralPoint {
+  float p, q;
+};
+
+/// Point of a direction that is not 0 (Cigolle et al., "A Survey of Efficient Representations for Independent Unit
+/// Vectors", 2014, section 3.3).
+inline OctahedralPoint octahedral_point(float x, float y, float z) {
+  const float inverse = 1.0f / (std::fabs(x) + std::fabs(y) + std::fabs(z));
+  const float p = x * inverse, q = y * inverse;
+  const float folded_p = std::copysign(1.0f - std::fabs(q), p), folded_q = std::copysign(1.0f - std::fabs(p), q);
+  return z >= 0.0f ? OctahedralPoint{p, q} : OctahedralPoint{folded_p, folded_q};
+}
+
+/// Unit direction of a point of a map, in texels from its corner: the centre of texel (i, j) is (i + 1/2, j + 1/2).
+/// `norm` = |x| + |y| + |z|, 1..sqrt(3). A texel has the solid angle (2 / size)^2 norm^3.
+struct MapDirection {
+  float x, y, z, norm;
+};
+inline MapDirection map_direction(uint32_t size, float i, float j) {
+  const float scale = 2.0f / static_cast<float>(size);
+  const float p = i * scale - 1.0f, q = 1.0f - j * scale;
+  const float z = 1.0f - std::fabs(p) - std::fabs(q), fold = z < 0.0f ? z : 0.0f;
+  const float x = p - std::copysign(fold, p), y = q - std::copysign(fold, q);
+  const float norm = 1.0f / std::sqrt(x * x + y * y + z * z);
+  return {x * norm, y * norm, z * norm, norm};
+}
+
+/// Fills the border of a map from its texels.
+void fill_border(const Level& level, float* texels);
+
+/// Makes a level of half the size: means weighted by solid angle. Throws Failure.
+void halve(const core::Context& context, const Level& from, const Level& to, float* texels);
+
+/// Maps from the widest lobe to the narrowest. Map k, for k up to `lobes` - 1, is a lobe of precision 2^k: 1 / alpha^2
+/// of GGX lobes, p + 1 of Phong lobes. The other maps are levels of the radiance from coarse to fine, each of 4 times
+/// the precision of its predecessor.
+constexpr uint32_t kMaxMaps = 24;
+struct Chain {
+  uint32_t count;  // 0 = absent
+  uint32_t lobes;
+  float knee, offset;  // log2 t of a precision lies at map min(t, knee) + max(t - knee, 0) / 2 - offset
+  Level level[kMaxMaps];
+};
+
+}  // namespace shd::environment

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Lookups of textures of directions. The direction of a lookup and its derivatives become a point of an image and the
+/// derivatives of the point; footprints and filters then are those of 2D textures. Only their sink differs: it folds
+/// quads over the seams of the projection, so that the image continues as the directions do.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "texture/footprint/block.h"
+#include "texture/texture.h"
+
+namespace shd::texture {
+
+/// Parts of a round footprint near a pole of SHD_PROJECTION_LAT_LONG: lookups along its parallel, at most.
+constexpr float kMaxParallel = 16.0f;
+
+/// Largest number of lookups along parallels for all probes of an anisotropic lookup together.
+constexpr float kMaxQuads = 32.0f;
+
+/// Stretch from which a lookup near a pole takes two parts [texels].
+constexpr float kMinStretch = 0.25f;
+
+/// Points of a block of directions.
+struct ProjectedBlock {
+  Lookups points;  // at the columns below; layers are faces
+  alignas(64) float u[kBlock], v[kBlock];
+  alignas(64) float step[4][kBlock];  // du/dx, dv/dx, du/dy, dv/dy, within +-1; du of LAT_LONG as on the equator
+  alignas(64) uint32_t face[kBlock];
+  /// Width of a parallel of LAT_LONG in (u, v), relative to the equator's: 1 or more; otherwise 1.
+  alignas(64) float stretch[kBlock];
+};
+
+/// Returns whether a filter can read textures of directions.
+constexpr bool filters_directions(shd_filter filter) {
+  return filter == SHD_FILTER_NEAREST || filter == SHD_FILTER_BILINEAR || filter == SHD_FILTER_NEAREST_MIP ||
+         filter == SHD_FILTER_BILINEAR_MIP || filter == SHD_FILTER_TRILINEAR || filter == SHD_FILTER_ANISOTROPIC ||
+         filter == SHD_FILTER_EWA;
+}
+
+/// Returns a sampler with the wraps of a projection, without border and without rounded weights.
+Sampler sampler_of_directions(const Texture& texture, const Sampler& sampler);
+
+}  // namespace shd::texture

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Filters of textures of directions.
+
+#if defined(SHD_TEXTURE_DIRECTION_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_DIRECTION_FILTERS_INL_H_
+#undef SHD_TEXTURE_DIRECTION_FILTERS_INL_H_
+#else
+#define SHD_TEXTURE_DIRECTION_FILTERS_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "texture/stream.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+
+/// The run of a filter with filters_directions() (filters.cpp).
+RunFilter DirectionFilterOf(shd_filter filter);
+
+size_t RunEwaDirections(const FilterCall& call);
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_DIRECTION_FILTERS_INL_H_
