@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // texture/3d_<filter>/<format>/<target>/<floor or random>/edge:128: one lookup per pixel of a 1024 x 1024 frame, in a
 // 3D texture of 128^3 texels. ratio_2d is the rate over that of the same lookups in a 2D texture of 1024 x 2048 texels
-// (texture/2d_<filter>/...). The floor is a plane that crosses the slices; random lookups have a footprint of 1.5 texels.
+// (texture/2d_<filter>/...). The floor is a plane that crosses the slices; random lookups have a footprint of 1.5
+// texels.
 //
 // volume/<scene>/<target>: a head of 256^3 texels on 512 x 512 pixels, in steps of a texel: its surface with lights
 // (skin), or as fog (fog), and a cloud.

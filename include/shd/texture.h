@@ -180,8 +180,8 @@ static inline shd_texture_info shd_texture_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 
 /**
- * Copy one mip level of a layer, or a slice of a level of a 3D texture, out as stored: sRGB stays encoded, and the swizzle does not apply. The fourth channel of a format
- * of three is 0 here, while lookups give `fill`.
+ * Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
+ * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
  * @param layer  0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
  * @param out    image of that size, and of the format in shd_texture_info
@@ -199,8 +199,8 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * Cost: the first update of a layer whose size halves evenly several times rebuilds all its mip levels and keeps
  * unrounded averages of every 16 x 16 texels (32 x 32 of floats), 1/32 of the memory of RGBA8 texels. Other updates
  * compute only the texels that cover the rectangle. Levels below an odd width or height read all base texels under
- * these texels; ripmap levels do so in whole rows. A summed-area table is recomputed for the whole layer. Levels of a 3D
- * texture read 16 slices under the rectangle, or all base texels below an odd size.
+ * these texels; ripmap levels do so in whole rows. A summed-area table is recomputed for the whole layer. Levels of 3D
+ * textures read 16 slices under the rectangle, or all base texels below an odd size.
  *
  * If the base level is borrowed, the caller writes its texels before this call, while no other call uses the texture.
  * `texels` then has the size of the rectangle, and its pixels are NULL.

@@ -13,8 +13,8 @@
  *
  * (C, A) is then blended over the pixel as a premultiplied colour. Transmittance 1 - A is in [0, 1] for any input.
  *
- * Density is the red channel of lookups of level 0, linear on three axes, with clamped edges. NaN counts as 0. Densities
- * below the first point or above the last one have the values of that point.
+ * Density is the red channel of lookups of level 0, linear on three axes, with clamped edges. NaN counts as 0. Below
+ * the first point and above the last one, the values are those of that point.
  *
  * Lifetime:      reference counted; create returns an owned reference. The texture must not change afterwards.
  * Thread safety: retain/release from any thread; a volume never changes, so concurrent renders may use it.
@@ -58,9 +58,9 @@ typedef struct shd_volume_desc {
                                 `material`; absent = 1 */
     /**
      * Shades the points by the lights of the frame, with shadows and cookies: an opaque material without slots, of a
-     * model that reflects light. Its diffuse colour is multiplied by `color`. The normal is the direction in which density falls
-     * fastest, by central differences over two texels; it faces the viewer where the gradient is 0, and always with
-     * SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
+     * model that reflects light. Its diffuse colour is multiplied by `color`. The normal is the direction in which
+     * density falls fastest, by central differences over two texels; it faces the viewer where the gradient is 0, and
+     * always with SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
      */
     shd_material *material;
     float box_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */

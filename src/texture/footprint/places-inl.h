@@ -108,7 +108,7 @@ HWY_INLINE Squares<D> SquaresOf(const Places<D>& p) {
           (p.dudx * p.dudy + p.dvdx * p.dvdy) + p.dwdx * p.dwdy};
 }
 
-/// Returns log2 of the longer half axis, or of the root mean square of both half axes, as LambdaOf() and RmsLambda() do.
+/// Returns log2 of the longer half axis, or of the root mean square of both half axes.
 template <class D, class V = hn::Vec<D>>
 SHD_KERNEL_PART V LambdaOfPlaces(D d, const Places<D>& p, bool rms) {
   const V half = hn::Set(d, 0.5f);

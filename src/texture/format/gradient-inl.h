@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Derivatives in u and v, or in w, by forward differentiation: the tree of blends is that of the values, and each value carries
-// its derivatives. The footprint is constant, so weights that depend on it alone have no derivative. At a texel centre
-// the result is the derivative to the right.
+// Derivatives in u and v, or in w, by forward differentiation: the tree of blends is that of the values, and each value
+// carries its derivatives. The footprint is constant, so weights that depend on it alone have no derivative. At a texel
+// centre the result is the derivative to the right.
 
 #if defined(SHD_TEXTURE_GRADIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_GRADIENT_INL_H_
