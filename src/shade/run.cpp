@@ -234,6 +234,16 @@ void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Works
   out->active = core::Array<ActiveLight>(allocator, data::padded(size.light_count));
 }
 
+void shade_points(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
+                  Workspace* w) {
+  Columns& columns = w->columns;
+  if (lights.any_shadow) keep_shadow_normals(w->points, &columns);
+  light_points(simd, material, {}, lights, w->points, w, &columns.point_lobes);
+  material::Parameters parameters = {};
+  for (int c = 0; c < 3; ++c) parameters.value[SHD_SLOT_DIFFUSE][c] = columns.slot[SHD_SLOT_DIFFUSE][c];
+  combine(simd, material, lights, columns.point_lobes, parameters, w->points.count, &columns.point_radiance);
+}
+
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* w) {
   complete_fragments(simd, shading, view.eye, shading.wanted | needed_columns(shading, lights), &w->fragments);
