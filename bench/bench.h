@@ -59,6 +59,7 @@ void register_defaults();
 void register_frame();
 void register_surface();
 void register_lights();
+void register_volume();
 void register_mesh();
 void register_load();
 void register_display();

@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   shd::bench::register_frame();
   shd::bench::register_surface();
   shd::bench::register_lights();
+  shd::bench::register_volume();
   shd::bench::register_texture();
   shd::bench::register_texture_create();
   shd::bench::register_texture_worst();

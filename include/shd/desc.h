@@ -81,6 +81,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_PROJECTED_POINTS = 45,    /**< shd_projected_points */
     SHD_DESC_KIND_IMAGE_POINTS = 46,        /**< shd_image_points */
     SHD_DESC_KIND_POINT_DIRECTIONS = 47,    /**< shd_point_directions */
+    SHD_DESC_KIND_VOLUME_DESC = 48,         /**< shd_volume_desc */
+    SHD_DESC_KIND_VOLUME_DRAW = 49,         /**< shd_volume_draw */
     SHD_DESC_KIND_ENVIRONMENT_DESC = 50,    /**< shd_environment_desc */
     SHD_DESC_KIND_ENVIRONMENT_INFO = 51,    /**< shd_environment_info */
     SHD_DESC_KIND_ENVIRONMENT_LOOKUPS = 52, /**< shd_environment_lookups */

@@ -40,6 +40,7 @@ typedef struct shd_tap {
     float weight;     /**< share of the result; the weights of all taps sum to 1 up to rounding */
     float value[4];   /**< stored channels as the blends read them: unorm channels as integers, unless a wrap is
                            SHD_WRAP_BORDER */
+    uint32_t z;       /**< slice of a 3D texture, after wrapping; else 0 */
 } shd_tap;
 
 /** A blend of two nodes of the tree. Grows with shd_explanation.blend_size. */
@@ -69,10 +70,10 @@ typedef struct shd_explanation {
     uint32_t channel_source[4];
     /**
      * Written: longer half axis of the footprint's ellipse, u and v in base-level texels, width and blur included;
-     * (2^lod, 0) if the lookup has a level of detail. At most 2^100 long.
+     * (2^lod, 0) if the lookup has a level of detail. At most 2^100 long. 3D textures: the first two components.
      */
     float longer_axis[2];
-    float shorter_axis[2]; /**< written: the shorter half axis, before any limit of anisotropy */
+    float shorter_axis[2]; /**< written: the shorter half axis, before any limit of anisotropy; 0 for 3D textures */
     /* ---- end of 0.1; append below ---- */
 } shd_explanation;
 

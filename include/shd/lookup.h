@@ -20,6 +20,11 @@
  * 2 images), with an error of at most 2^-24 of the period. On an axis of n texels the point of a lookup is within
  * 4e-7 n texels of the exact one, with every wrap and filter.
  *
+ * A 3D texture is linear in w, too. BILINEAR is linear on all three axes, TRILINEAR between two levels as well, and
+ * probes of ANISOTROPIC lie along the longer axis of the footprint's ellipse in space. J is then the 3 x 2 matrix of
+ * derivatives, and s the root mean square of its two singular values. Only these filters, NEAREST, NEAREST_MIP and
+ * BILINEAR_MIP, with LEAST_ERROR or EXACT and without blur, filter 3D textures.
+ *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN derivatives as 0, infinite derivatives as the
  * coarsest level; a NaN `lod` counts as 0. A texel of weight 0 has no effect, even if it is NaN. Finite texels and
  * borders give finite values and derivatives: a blend that leaves the range of float, which takes the lobes of a

@@ -80,6 +80,13 @@ typedef enum shd_model {
     /** k_d times SHD_SLOT_MATCAP at (1/2 + x/2, 1/2 - y/2) of the normal in view space; a normal
      * without a direction reads the middle */
     SHD_MODEL_MATCAP = 10,
+    /**
+     * A clear solid: k_a I_a + sum of E max(0, n.l) F D V + k_d (1 - F) T, with F, D and V of METALLIC_ROUGHNESS for
+     * F0 = ((ior - 1) / (ior + 1))^2, and T the radiance of the frame's environment (shd_render_desc.environment) along
+     * the refracted line of sight, 0 without one. The solid counts as a sphere with the normal of the fragment, which
+     * turns the line of sight twice. Other draws are not seen through it
+     */
+    SHD_MODEL_GLASS = 11,
     SHD_MODEL_MAX_ENUM = 0x7fffffff
 } shd_model;
 
@@ -220,7 +227,8 @@ typedef struct shd_material_desc {
     float exponent;            /**< p, 0..1e6; default 64 */
     float metallic;            /**< 0..1; default 0 */
     float roughness;           /**< 0..1; default 0.5 */
-    float ior;                 /**< index of refraction of METALLIC_ROUGHNESS for the part that is not metal, 1..10;
+    float ior;                 /**< index of refraction of GLASS, and of METALLIC_ROUGHNESS for the part that is not
+                                    metal, 1..10;
                                     default 1.5 */
     float emission[3];         /**< 0..1e12; default 0, so a slot needs a larger value here */
     float opacity;             /**< opacity of models, 0..1; default 1 */

@@ -44,6 +44,7 @@
 #include <shd/mesh.h>
 #include <shd/present.h>
 #include <shd/view.h>
+#include <shd/volume.h>
 
 SHD_BEGIN_DECLS
 
@@ -353,6 +354,14 @@ typedef struct shd_render_desc {
     shd_background background;     /**< default SHD_BACKGROUND_CLEAR */
     float background_roughness;    /**< roughness of the GGX lobe that blurs the environment behind the picture, 0..1;
                                         above 0 with SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp */
+    /**
+     * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
+     * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all
+     * samples of equal depth. Depth decreases with the distance if clear_depth is below 1/2, and increases otherwise.
+     * Depth and planes other than colour keep their values. NULL if volume_count is 0.
+     */
+    const shd_volume_draw *volumes;
+    size_t volume_count; /**< up to 1024; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_render_desc;
 

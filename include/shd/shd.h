@@ -81,6 +81,7 @@
 #include <shd/transform.h>
 #include <shd/vertices.h>
 #include <shd/view.h>
+#include <shd/volume.h>
 #include <shd/wrap.h>
 
 #endif /* SHD_SHD_H */

@@ -98,13 +98,14 @@ typedef struct shd_texture_desc {
     /**
      * The caller's mip levels for SHD_TABLE_MIPMAP: [layers][level_count], all of one struct_size, of this format;
      * copied. Element l is level l + 1: max(1, width >> (l + 1)) by max(1, height >> (l + 1)). A ripmap of the same
-     * texture uses them for the levels that it shares with the mipmap.
+     * texture uses them for the levels that it shares with the mipmap. A 3D texture has the max(1, depth >> 1) slices
+     * of level 1 first, then the slices of level 2, and so on.
      */
     const shd_image *levels;
     /**
-     * Slices of a 3D texture, 1..65536; default 0 = a 2D texture. width * height * depth is at most 2^28, and `layers`
-     * is 1. Slices are [depth][height][width] texels, `layer_stride` bytes apart. Lookups read (u, v, w); w = 0 is the
-     * outer face of slice 0.
+     * Slices of a 3D texture, 1..65536; default 0 = a 2D texture. width * height * depth is at most 2^28, `layers` is
+     * 1, and SHD_TABLE_MIPMAP is the only table. Texels are [depth][height][width], and `layer_stride` is the distance
+     * of slices. Lookups read (u, v, w); w = 0 is the outer face of slice 0. A level halves all three sizes.
      */
     uint32_t depth;
     /**
@@ -179,9 +180,9 @@ static inline shd_texture_info shd_texture_info_default(void)
 SHD_NODISCARD SHD_API shd_result shd_texture_get_info(const shd_texture *texture, shd_texture_info *out_info);
 
 /**
- * Copy one mip level out as stored: sRGB stays encoded, and the swizzle does not apply. The fourth channel of a format
- * of three is 0 here, while lookups give `fill`.
- * @param layer  0..layers - 1
+ * Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
+ * apply. The fourth channel of a format of three is 0 here, while lookups give `fill`.
+ * @param layer  0..layers - 1; of a 3D texture the slice, 0..max(1, depth >> level) - 1
  * @param level  0..level_count - 1; its size is max(1, width >> level) by max(1, height >> level)
  * @param out    image of that size, and of the format in shd_texture_info
  * @since 0.1
@@ -190,7 +191,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
                                                         const shd_image *out);
 
 /**
- * Write a rectangle of the base level of one layer, and rebuild the tables that depend on it.
+ * Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it.
  *
  * The texture then has the bits that shd_texture_create() gives for the changed base. Mip levels that the caller gave
  * stay as they are.
@@ -198,7 +199,8 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * Cost: the first update of a layer whose size halves evenly several times rebuilds all its mip levels and keeps
  * unrounded averages of every 16 x 16 texels (32 x 32 of floats), 1/32 of the memory of RGBA8 texels. Other updates
  * compute only the texels that cover the rectangle. Levels below an odd width or height read all base texels under
- * these texels; ripmap levels do so in whole rows. A summed-area table is recomputed for the whole layer.
+ * these texels; ripmap levels do so in whole rows. A summed-area table is recomputed for the whole layer. Levels of 3D
+ * textures read 16 slices under the rectangle, or all base texels below an odd size.
  *
  * If the base level is borrowed, the caller writes its texels before this call, while no other call uses the texture.
  * `texels` then has the size of the rectangle, and its pixels are NULL.
@@ -206,7 +208,7 @@ SHD_NODISCARD SHD_API shd_result shd_texture_read_level(const shd_texture *textu
  * Nothing is written if an argument is refused or memory runs out. After SHD_ERROR_CALLBACK, when the executor fails,
  * the rectangle and the table entries that cover it are undefined until the same update succeeds.
  * @param texture  used by no other call concurrently
- * @param layer    0..layers - 1
+ * @param layer    0..layers - 1; of a 3D texture the slice, 0..depth - 1
  * @param x,y      first column and row of the rectangle
  * @param texels   size and texels of the rectangle, in the format of shd_texture_desc or of shd_texture_info; borrowed
  *                 for the call

@@ -89,7 +89,7 @@ namespace batch_detail {
 constexpr size_t kElementSize = sizeof(float);
 constexpr size_t kTaskElements = 16384;
 constexpr size_t kMaxTasks = size_t{1} << 20;
-constexpr size_t kStageElements = 128;  // of each packed copy, if a batch has at most kStageColumns columns
+constexpr size_t kStageElements = 128;  // in a packed copy, if a batch has at most kStageColumns columns
 constexpr size_t kStageColumns = 21;    // 11 KB of stack
 
 /// Elements on the stack for packed copies of all columns of a batch.

@@ -10,14 +10,6 @@
 namespace shd::abi {
 namespace {
 
-shd_result check_matrix(const char* field, const float m[16]) {
-  SHD_TRY(check_finite(field, m, 16));
-  if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: the last row is not 0 0 0 1", field);
-  }
-  return SHD_OK;
-}
-
 /// Matrices of a draw: its own, or those of its instances.
 struct Instances {
   const float* matrices;
@@ -82,6 +74,14 @@ shd_result append_draw(frame::Draw draw, const Instances& instances, core::Buffe
 }
 
 }  // namespace
+
+shd_result check_matrix(const char* field, const float m[16]) {
+  SHD_TRY(check_finite(field, m, 16));
+  if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: the last row is not 0 0 0 1", field);
+  }
+  return SHD_OK;
+}
 
 shd_result in_element(shd_result result, const char* desc, const char* array, size_t index) {
   if (result == SHD_OK) return result;

@@ -12,6 +12,9 @@ namespace shd::abi {
 
 constexpr uint64_t kMaxItems = 1u << 20;  // draws, instances, lights
 
+/// Checks an affine matrix.
+shd_result check_matrix(const char* field, const float m[16]);
+
 /// Prefixes the field of the latest error with the element of a desc that it belongs to.
 shd_result in_element(shd_result result, const char* desc, const char* array, size_t index);
 

@@ -129,7 +129,7 @@ shd_result shd_environment_get_info(const shd_environment* environment, shd_envi
     info.map_size = body->radiance.count ? body->radiance.level[body->radiance.count - 1].size : 0;
     info.replaced_count = body->replaced;
     std::copy_n(body->mean, 3, info.mean);
-    info.byte_size = sizeof *body + body->texels.size() * sizeof(float);
+    info.byte_size = sizeof *body + body->texels.size() * sizeof(environment::PackedTexel);
     write_desc(info, out_info);
     return SHD_OK;
   });

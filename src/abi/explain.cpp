@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <shd/explain.h>
 
+#include <cstddef>
+
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
@@ -12,10 +14,11 @@ namespace {
 using namespace shd;
 using namespace shd::abi;
 
-constexpr uint64_t kMaxElement = 1u << 12;  // bytes of a tap or a blend of the caller
+constexpr uint64_t kFirstTap = offsetof(shd_tap, z);  // bytes of a tap without later fields
+constexpr uint64_t kMaxElement = 1u << 12;            // bytes of a tap or a blend of the caller
 
 shd_result check_explanation(const shd_explanation& explanation) {
-  SHD_TRY(check_count("explanation.tap_size", explanation.tap_size, sizeof(shd_tap), kMaxElement));
+  SHD_TRY(check_count("explanation.tap_size", explanation.tap_size, kFirstTap, kMaxElement));
   SHD_TRY(check_count("explanation.blend_size", explanation.blend_size, sizeof(shd_blend_step), kMaxElement));
   if (explanation.tap_capacity > 0) SHD_TRY(check_not_null("explanation.taps", explanation.taps));
   if (explanation.blend_capacity > 0) SHD_TRY(check_not_null("explanation.blends", explanation.blends));

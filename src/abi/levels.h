@@ -9,30 +9,47 @@
 
 namespace shd::abi {
 
-/// Checks [layers][count] images as levels 1..count of a base of a known format.
+/// Checks element i of an array of images as a level of a base of a known format.
+inline shd_result check_level(const char* name, const shd_image* levels, size_t i, uint32_t level, shd_format format,
+                              uint32_t width, uint32_t height) {
+  char element[48], field[64];
+  std::snprintf(element, sizeof element, "%s[%zu]", name, i);
+  shd_image image;
+  const shd_image* given = texture::element_of(levels, i);
+  SHD_TRY(read_image(element, given, &image));
+  if (texture::struct_size_of(given) != texture::struct_size_of(levels)) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s[0]", element,
+                      texture::struct_size_of(given), texture::struct_size_of(levels), name);
+  }
+  if (image.format != format) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,
+                      static_cast<int>(image.format), static_cast<int>(format));
+  }
+  const uint32_t level_width = texture::level_size(width, level), level_height = texture::level_size(height, level);
+  std::snprintf(field, sizeof field, "%s.width", element);
+  SHD_TRY(check_count(field, image.width, level_width, level_width));
+  std::snprintf(field, sizeof field, "%s.height", element);
+  return check_count(field, image.height, level_height, level_height);
+}
+
+/// Checks [layers][count] images as levels 1..count.
 inline shd_result check_levels(const char* name, const shd_image* levels, uint32_t layers, uint32_t count,
                                shd_format format, uint32_t width, uint32_t height) {
   if (count > 0) SHD_TRY(check_not_null(name, levels));
   for (size_t i = 0; i < size_t{layers} * count; ++i) {
-    char element[48], field[64];
-    std::snprintf(element, sizeof element, "%s[%zu]", name, i);
-    shd_image image;
-    const shd_image* given = texture::element_of(levels, i);
-    SHD_TRY(read_image(element, given, &image));
-    if (texture::struct_size_of(given) != texture::struct_size_of(levels)) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s[0]", element,
-                        texture::struct_size_of(given), texture::struct_size_of(levels), name);
+    SHD_TRY(check_level(name, levels, i, static_cast<uint32_t>(i % count) + 1, format, width, height));
+  }
+  return SHD_OK;
+}
+
+/// Checks the slices of level 1, then of level 2 and so on, of a 3D texture.
+inline shd_result check_slices(const char* name, const shd_image* levels, uint32_t count, shd_format format,
+                               uint32_t width, uint32_t height, uint32_t depth) {
+  size_t i = 0;
+  for (uint32_t level = 1; level <= count; ++level) {
+    for (uint32_t end = texture::level_size(depth, level); end > 0; --end, ++i) {
+      SHD_TRY(check_level(name, levels, i, level, format, width, height));
     }
-    if (image.format != format) {
-      return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,
-                        static_cast<int>(image.format), static_cast<int>(format));
-    }
-    const auto level = static_cast<uint32_t>(i % count) + 1;
-    const uint32_t level_width = texture::level_size(width, level), level_height = texture::level_size(height, level);
-    std::snprintf(field, sizeof field, "%s.width", element);
-    SHD_TRY(check_count(field, image.width, level_width, level_width));
-    std::snprintf(field, sizeof field, "%s.height", element);
-    SHD_TRY(check_count(field, image.height, level_height, level_height));
   }
   return SHD_OK;
 }

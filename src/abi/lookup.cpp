@@ -46,7 +46,65 @@ shd_result read_lookups(const shd_lookups* in, const texture::Texture& texture, 
   return check_columns(columns->data(), columns->size(), read.count);
 }
 
+const char* filter_name(shd_filter filter) {
+  switch (filter) {
+    case SHD_FILTER_TRILINEAR: return "TRILINEAR";
+    case SHD_FILTER_NEAREST: return "NEAREST";
+    case SHD_FILTER_BILINEAR: return "BILINEAR";
+    case SHD_FILTER_BICUBIC: return "BICUBIC";
+    case SHD_FILTER_NEAREST_MIP: return "NEAREST_MIP";
+    case SHD_FILTER_BILINEAR_MIP: return "BILINEAR_MIP";
+    case SHD_FILTER_RIPMAP: return "RIPMAP";
+    case SHD_FILTER_SUMMED_AREA: return "SUMMED_AREA";
+    case SHD_FILTER_ANISOTROPIC: return "ANISOTROPIC";
+    case SHD_FILTER_EWA: return "EWA";
+    case SHD_FILTER_STOCHASTIC: return "STOCHASTIC";
+    case SHD_FILTER_EXACT: return "EXACT";
+    case SHD_FILTER_MAX_ENUM: break;
+  }
+  return "unknown";
+}
+
+namespace {
+
+/// Whether a sampler has a meaning for 3D textures.
+shd_result check_slices(const texture::Sampler& sampler) {
+  switch (sampler.filter) {
+    case SHD_FILTER_NEAREST:
+    case SHD_FILTER_BILINEAR:
+    case SHD_FILTER_NEAREST_MIP:
+    case SHD_FILTER_BILINEAR_MIP:
+    case SHD_FILTER_TRILINEAR:
+    case SHD_FILTER_ANISOTROPIC: break;
+    default:
+      return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %s, but the texture is 3D",
+                        filter_name(sampler.filter));
+  }
+  if (sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture is 3D");
+  }
+  if (sampler.profile != SHD_PROFILE_LEAST_ERROR && sampler.profile != SHD_PROFILE_EXACT) {
+    return core::fail(SHD_ERROR_UNSUPPORTED,
+                      "sampler.profile: %d, but the texture is 3D, which needs LEAST_ERROR or EXACT",
+                      static_cast<int>(sampler.profile));
+  }
+  if (sampler.blur_u != 0.0f || sampler.blur_v != 0.0f) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.blur_%c: not 0, but the texture is 3D",
+                      sampler.blur_u != 0.0f ? 'u' : 'v');
+  }
+  return SHD_OK;
+}
+
+}  // namespace
+
+shd_result check_flat(const char* field, const texture::Texture& texture) {
+  if (!texture::needs_w(texture)) return SHD_OK;
+  return core::fail(SHD_ERROR_UNSUPPORTED, "%s: a texture %s, not a 2D one", field,
+                    texture.depth != 0 ? "of 3D" : "of directions");
+}
+
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
+  if (texture.depth != 0) return check_slices(sampler);
   if (texture.projection != SHD_PROJECTION_NONE && !texture::filters_directions(sampler.filter)) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d, but the texture has projection %d",
                       static_cast<int>(sampler.filter), static_cast<int>(texture.projection));

@@ -56,7 +56,13 @@ texture::Lookups lookups_of(const Piece<kLookupColumns, kOut>& piece) {
   return lookups;
 }
 
-/// Whether the texture has the table that the filter cannot do without.
+/// Returns the name of a filter without its prefix.
+const char* filter_name(shd_filter filter);
+
+/// Whether a texture has two coordinates.
+shd_result check_flat(const char* field, const texture::Texture& texture);
+
+/// Whether the filter has a meaning for the texture, and the texture has the table that the filter needs.
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler);
 
 }  // namespace shd::abi

@@ -120,6 +120,7 @@ shd_result take_parts(const shd_slot& desc, material::SlotInput* slot, material:
                       &out->texture_object[desc.target]));
   SHD_TRY(retain_part(sampler.text, desc.sampler, core::ObjectType::kSampler, &slot->sampler,
                       &out->sampler_object[desc.target]));
+  SHD_TRY(check_flat(texture.text, *slot->texture));
   if (!slot->sampler || check_tables(*slot->texture, *slot->sampler) == SHD_OK) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: its filter needs a table that the texture lacks", sampler.text);
 }

@@ -13,6 +13,7 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/volume.h"
 #include "core/scratch.h"
 #include "environment/environment.h"
 #include "frame/frame.h"
@@ -202,6 +203,10 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   SHD_TRY(read_environment(desc, draws, &frame.environment));
   frame.background = desc.background;
   frame.background_roughness = desc.background_roughness;
+  core::Buffer<frame::VolumeDraw> volumes(context.allocator);
+  SHD_TRY(read_volumes(desc.volumes, desc.volume_count, &volumes));
+  frame.volumes = volumes.data();
+  frame.volume_count = volumes.size();
   frame.load = (desc.flags & SHD_RENDER_LOAD) != 0;
   std::memcpy(frame.clear_color, desc.clear_color, sizeof frame.clear_color);
   frame.clear_depth = desc.clear_depth;

@@ -20,6 +20,52 @@ using namespace shd::abi;
 constexpr uint64_t kMaxTexels = uint64_t{1} << 28;
 constexpr uint64_t kMaxRipmapTexels = uint64_t{1} << 26;
 
+/// Size, layers and tables of a texture of directions.
+shd_result check_directions(const shd_texture_desc& desc) {
+  if (desc.projection == SHD_PROJECTION_NONE) return SHD_OK;
+  const int projection = static_cast<int>(desc.projection);
+  if (desc.projection != SHD_PROJECTION_LAT_LONG && desc.width != desc.height) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.height: %u, but images of projection %d are square, %u x %u",
+                      desc.height, projection, desc.width, desc.width);
+  }
+  if (desc.projection == SHD_PROJECTION_CUBE && desc.layers != 6) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but SHD_PROJECTION_CUBE has 6 faces",
+                      desc.layers);
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.tables: 0x%x, but a texture with projection %d has SHD_TABLE_MIPMAP only", desc.tables,
+                      projection);
+  }
+  return SHD_OK;
+}
+
+/// 2D, 3D, or directions.
+shd_result check_kind(const shd_texture_desc& desc) {
+  SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
+  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, SHD_PROJECTION_OCTAHEDRAL));
+  if (desc.depth != 0 && desc.projection != SHD_PROJECTION_NONE) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
+                      static_cast<int>(desc.projection), desc.depth);
+  }
+  SHD_TRY(check_directions(desc));
+  if (desc.depth == 0) return SHD_OK;
+  if (desc.layers != 1) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but texture.depth is %u, not 0", desc.layers,
+                      desc.depth);
+  }
+  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texture.tables: %#x, but a 3D texture has SHD_TABLE_MIPMAP only",
+                      desc.tables);
+  }
+  return SHD_OK;
+}
+
+/// Layers of a texture, or slices of a 3D texture.
+uint32_t image_count(const shd_texture_desc& desc) {
+  return desc.depth != 0 ? desc.depth : desc.layers;
+}
+
 /// `layer_size` is the size of one layer in bytes, with its row stride.
 shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& format, size_t layer_size) {
   const size_t stride = desc.layer_stride ? desc.layer_stride : layer_size;
@@ -31,9 +77,9 @@ shd_result check_layers(const shd_texture_desc& desc, const image::FormatInfo& f
                       format.channel_size);
   }
   size_t bytes;
-  if (__builtin_mul_overflow(stride, size_t{desc.layers}, &bytes) || bytes > PTRDIFF_MAX) {
+  if (__builtin_mul_overflow(stride, size_t{image_count(desc)}, &bytes) || bytes > PTRDIFF_MAX) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layer_stride: %zu times %u layers exceeds the address space",
-                      stride, desc.layers);
+                      stride, image_count(desc));
   }
   return SHD_OK;
 }
@@ -78,6 +124,11 @@ shd_result check_borrow(const shd_texture_desc& desc, const image::FormatInfo& f
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
                       "texture.flags: SHD_TEXTURE_BORROW, but texture.row_stride %zu, not %zu", desc.row_stride, row);
   }
+  if (desc.depth > 1 && desc.layer_stride != 0 && desc.layer_stride != row * desc.height) {
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
+                      "texture.flags: SHD_TEXTURE_BORROW, but texture.layer_stride %zu, not %zu", desc.layer_stride,
+                      row * desc.height);
+  }
   const size_t alignment = format.pixel_size < 4 ? format.pixel_size : 4;
   if (reinterpret_cast<uintptr_t>(desc.texels) % alignment != 0) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT,
@@ -91,44 +142,23 @@ shd_result check_given_levels(const shd_texture_desc& desc) {
   if (!(desc.tables & SHD_TABLE_MIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.level_count: %u without SHD_TABLE_MIPMAP", desc.level_count);
   }
-  SHD_TRY(
-      check_count("texture.level_count", desc.level_count, 0, texture::full_level_count(desc.width, desc.height) - 1));
+  SHD_TRY(check_count("texture.level_count", desc.level_count, 0,
+                      texture::full_level_count(desc.width, desc.height, desc.depth) - 1));
   SHD_TRY(check_not_null("texture.levels", desc.levels));
+  if (desc.depth != 0) {
+    return check_slices("texture.levels", desc.levels, desc.level_count, desc.format, desc.width, desc.height,
+                        desc.depth);
+  }
   return check_levels("texture.levels", desc.levels, desc.layers, desc.level_count, desc.format, desc.width,
                       desc.height);
 }
 
-/// Size, layers and tables of a texture of directions.
-shd_result check_directions(const shd_texture_desc& desc) {
-  if (desc.projection == SHD_PROJECTION_NONE) return SHD_OK;
-  const int projection = static_cast<int>(desc.projection);
-  if (desc.projection != SHD_PROJECTION_LAT_LONG && desc.width != desc.height) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.height: %u, but images of projection %d are square, %u x %u",
-                      desc.height, projection, desc.width, desc.width);
-  }
-  if (desc.projection == SHD_PROJECTION_CUBE && desc.layers != 6) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.layers: %u, but SHD_PROJECTION_CUBE has 6 faces",
-                      desc.layers);
-  }
-  if (desc.tables & ~uint32_t{SHD_TABLE_MIPMAP}) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT,
-                      "texture.tables: 0x%x, but a texture with projection %d has SHD_TABLE_MIPMAP only", desc.tables,
-                      projection);
-  }
-  return SHD_OK;
-}
-
-/// 2D, 3D, or directions.
-shd_result check_kind(const shd_texture_desc& desc) {
-  SHD_TRY(check_count("texture.depth", desc.depth, 0, 65536));
-  SHD_TRY(check_enum("texture.projection", desc.projection, SHD_PROJECTION_NONE, SHD_PROJECTION_OCTAHEDRAL));
-  if (desc.depth != 0 && desc.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "texture.projection: %d, but texture.depth is %u, not 0",
-                      static_cast<int>(desc.projection), desc.depth);
-  }
-  SHD_TRY(check_directions(desc));
-  if (desc.depth != 0) return core::fail(SHD_ERROR_UNSUPPORTED, "texture.depth: %u has no lookups", desc.depth);
-  return SHD_OK;
+shd_result check_texels(const shd_texture_desc& desc) {
+  const char* const product = desc.depth != 0 ? "texture.width * texture.height * texture.depth"
+                                              : "texture.width * texture.height * texture.layers";
+  const uint64_t slice = uint64_t{desc.width} * desc.height;  // at most 2^32
+  return check_count(product, slice * image_count(desc), 1,
+                     desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels);
 }
 
 shd_result check_texture_desc(const shd_texture_desc& desc) {
@@ -141,9 +171,7 @@ shd_result check_texture_desc(const shd_texture_desc& desc) {
   SHD_TRY(check_count("texture.layers", desc.layers, 1, 2048));
   SHD_TRY(check_kind(desc));
   SHD_TRY(check_flags("texture.tables", desc.tables, SHD_TABLE_MIPMAP | SHD_TABLE_RIPMAP | SHD_TABLE_SUMMED_AREA));
-  SHD_TRY(check_count("texture.width * texture.height * texture.layers",
-                      uint64_t{desc.width} * desc.height * desc.layers, 1,
-                      desc.tables & SHD_TABLE_RIPMAP ? kMaxRipmapTexels : kMaxTexels));
+  SHD_TRY(check_texels(desc));
   SHD_TRY(check_rows(desc, image::format_info(desc.format)));
   SHD_TRY(check_borrow(desc, image::format_info(desc.format)));
   SHD_TRY(check_given_levels(desc));
@@ -169,7 +197,7 @@ shd_result read_update_texels(const texture::Texture& texture, const shd_image* 
 /// Texels of an update: their format, and that the rectangle lies in the base level.
 shd_result check_update(const texture::Texture& texture, uint32_t layer, uint32_t x, uint32_t y,
                         const shd_image& texels) {
-  SHD_TRY(check_count("layer", layer, 0, texture.layers - 1));
+  SHD_TRY(check_count("layer", layer, 0, texture::image_count(texture) - 1));
   SHD_TRY(check_count("x", x, 0, texture.width - 1));
   SHD_TRY(check_count("y", y, 0, texture.height - 1));
   SHD_TRY(check_count("texels.width", texels.width, 1, texture.width - x));
@@ -252,8 +280,9 @@ shd_result shd_texture_read_level(const shd_texture* texture, uint32_t layer, ui
   return guard([&]() -> shd_result {
     const texture::Texture* body;
     SHD_TRY(read_handle("texture", texture, core::ObjectType::kTexture, &body));
-    SHD_TRY(check_count("layer", layer, 0, body->layers - 1));
     SHD_TRY(check_count("level", level, 0, body->level_count - 1));
+    const uint32_t slices = texture::level_size(body->depth, level);
+    SHD_TRY(check_count("layer", layer, 0, (body->depth != 0 ? slices : body->layers) - 1));
     shd_image image;
     SHD_TRY(read_image("out", out, &image));
     if (image.format != body->format) {

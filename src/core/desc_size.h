@@ -94,6 +94,8 @@ SHD_SIZED(shd_polygon_weights, weight, nonfinite_count, 32);
 SHD_SIZED(shd_solid_desc, kind, colors, 188);
 SHD_SIZED(shd_solid_points, position, width, 80);
 SHD_SIZED(shd_solid_values, value, nonfinite_count, 144);
+SHD_SIZED(shd_volume_desc, extinction, flags, 144);
+SHD_SIZED(shd_volume_draw, volume, object_to_world, 80);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE
 

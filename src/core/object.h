@@ -23,6 +23,7 @@ enum class ObjectType : uint32_t {
   kFramebuffer = 6,
   kShadow = 7,
   kEnvironment = 8,
+  kVolume = 9,
 };
 
 /// The memory behind every handle except a context's. It stays mapped, in its context's slabs, until the context is

@@ -201,6 +201,25 @@ struct Layout {
   }
 };
 
+/// Fills the texels of all maps.
+void build_maps(const core::Context& context, const Source& source, const Environment* out, float* texels) {
+  if (out->radiance.count) build_radiance(context, source, out->radiance, texels);
+  const bool is_convolved = out->irradiance.size != 0;
+  if (!out->ggx.count && !out->phong.count && !is_convolved) return;
+  const CellTree cells = build_cells(context, source);
+  for (uint32_t k = 0; k < out->ggx.lobes; ++k) {
+    convolve(context, LobeKind::kGgx, k, cells, out->ggx.level[k], texels);
+  }
+  for (uint32_t k = 0; k < out->phong.lobes; ++k) {
+    convolve(context, LobeKind::kPhong, k, cells, out->phong.level[k], texels);
+  }
+  // The irradiance is pi times the mean over the Phong lobe with p = 1, which is the cosine.
+  if (!is_convolved) return;
+  convolve(context, LobeKind::kPhong, 1, cells, out->irradiance, texels);
+  float* texel = texels + 4 * size_t{out->irradiance.first};
+  for (size_t i = 0; i < 4 * texel_count(out->irradiance.size); ++i) texel[i] *= static_cast<float>(data::kPi);
+}
+
 }  // namespace
 
 void build(const core::Context& context, const shd_environment_desc& desc, Environment* out) {
@@ -219,22 +238,14 @@ void build(const core::Context& context, const shd_environment_desc& desc, Envir
   if (has_ggx) out->ggx = layout.lobes(0, cell_size(source), out->radiance);
   if (has_phong) out->phong = layout.lobes(1, cell_size(source), out->radiance);
   if (is_convolved) out->irradiance = layout.add(kIrradianceMap);
-  out->texels = core::Array<float>(context.allocator, 4 * layout.count);
-  float* texels = out->texels.data();
-  if (desc.tables) build_radiance(context, source, out->radiance, texels);
-  if (!has_ggx && !has_phong && !is_convolved) return;
-  const CellTree cells = build_cells(context, source);
-  for (uint32_t k = 0; k < out->ggx.lobes; ++k) {
-    convolve(context, LobeKind::kGgx, k, cells, out->ggx.level[k], texels);
-  }
-  for (uint32_t k = 0; k < out->phong.lobes; ++k) {
-    convolve(context, LobeKind::kPhong, k, cells, out->phong.level[k], texels);
-  }
-  // The irradiance is pi times the mean over the Phong lobe with p = 1, which is the cosine.
-  if (!is_convolved) return;
-  convolve(context, LobeKind::kPhong, 1, cells, out->irradiance, texels);
-  float* texel = texels + 4 * size_t{out->irradiance.first};
-  for (size_t i = 0; i < 4 * texel_count(out->irradiance.size); ++i) texel[i] *= static_cast<float>(data::kPi);
+  core::Array<float> texels(context.allocator, 4 * layout.count);
+  out->texels = core::Array<PackedTexel>(context.allocator, layout.count);
+  build_maps(context, source, out, texels.data());
+  constexpr size_t kPart = 4096;
+  core::parallel_for(context, static_cast<uint32_t>((layout.count + kPart - 1) / kPart), [&](uint32_t part, uint32_t) {
+    const size_t end = std::min(layout.count, (part + size_t{1}) * kPart);
+    for (size_t i = part * kPart; i < end; ++i) out->texels[i] = pack(&texels[4 * i]);
+  });
 }
 
 }  // namespace shd::environment

@@ -27,14 +27,14 @@
 namespace shd::environment {
 
 struct Environment {
-  shd_projection projection;  // of the image
-  core::Array<float> texels;  // of all maps
-  Chain radiance;             // levels of the image alone: Chain::lobes is 0
-  Chain ggx, phong;           // count 0 = absent
-  Level irradiance;           // size 0 = harmonics
-  float harmonics[3][9];      // [channel] factors of 1, x, y, z, xy, yz, xz, 3 z^2 - 1 and x^2 - y^2
-  float mean[3];              // mean radiance
-  uint64_t replaced;          // channels of the image that were replaced
+  shd_projection projection;        // of the image
+  core::Array<PackedTexel> texels;  // of all maps
+  Chain radiance;                   // levels of the image alone: Chain::lobes is 0
+  Chain ggx, phong;                 // count 0 = absent
+  Level irradiance;                 // size 0 = harmonics
+  float harmonics[3][9];            // [channel] factors of 1, x, y, z, xy, yz, xz, 3 z^2 - 1 and x^2 - y^2
+  float mean[3];                    // mean radiance
+  uint64_t replaced;                // channels of the image that were replaced
 };
 
 /// Builds the tables of a checked desc. Throws Failure and std::bad_alloc.

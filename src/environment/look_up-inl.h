@@ -53,49 +53,61 @@ struct ColorV {
   V channel[3];
 };
 
-/// Bilinear lookup of a map, which may differ between lanes.
+/// Bilinear lookup of a map. Its size and its first texel may differ between lanes.
 template <class D, class V, class VI>
-HWY_INLINE ColorV<V> LookUpMap(D d, const float* texels, VI size, VI first, const SquarePoint<D>& at) {
+HWY_INLINE ColorV<V> LookUpMap(D d, const PackedTexel* texels, VI size, VI first, const SquarePoint<D>& at) {
   const hn::RebindToSigned<D> di;
   const V half = hn::ConvertTo(d, size) * hn::Set(d, 0.5f), centre = half + hn::Set(d, 0.5f);
   const V u = centre + at.p * half, v = centre - at.q * half;
   const VI column = hn::Min(hn::ConvertTo(di, u), size), row = hn::Min(hn::ConvertTo(di, v), size);
   const V fu = u - hn::ConvertTo(d, column), fv = v - hn::ConvertTo(d, row);
-  const VI stride = size + hn::Set(di, 2);
-  const VI top = hn::ShiftLeft<2>(first + row * stride + column), bottom = top + hn::ShiftLeft<2>(stride);
-  const V one = hn::Set(d, 1.0f), below = fv, above = one - fv;
-  const V w01 = above * fu, w00 = above - w01, w11 = below * fu, w10 = below - w11;
-  V red[4], green[4], blue[4];
-  const VI corner[4] = {top, top + hn::Set(di, 4), bottom, bottom + hn::Set(di, 4)};
+  const VI stride = size + hn::Set(di, 2), two = hn::Set(di, 2), low = hn::Set(di, 0xffff);
+  const VI top = first + row * stride + column, above = top + top, below = above + (stride + stride);
+  const VI corner[4] = {above, above + two, below, below + two};
+  const V w3 = fv * fu, w2 = fv - w3, w1 = fu - w3, w0 = (hn::Set(d, 1.0f) - fv) - w1;
+  const V weight[4] = {w0, w1, w2, w3};
+  const auto* words = reinterpret_cast<const int32_t*>(texels);
+  ColorV<V> sum = {{hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
   for (int k = 0; k < 4; ++k) {
-    GatherPairs(d, texels, corner[k], &red[k], &green[k]);
-    blue[k] = hn::GatherIndex(d, texels + 2, corner[k]);
+    VI rg, be;
+    GatherPairs(di, words, corner[k], &rg, &be);
+    const V scale = weight[k] * hn::BitCast(d, hn::ShiftLeft<23>(hn::ShiftRight<16>(be)));
+    const auto number = [&](VI bits) HWY_ATTR { return hn::ConvertTo(d, hn::And(bits, low)); };
+    sum.channel[0] = sum.channel[0] + scale * number(rg);
+    sum.channel[1] = sum.channel[1] + scale * number(hn::ShiftRight<16>(rg));
+    sum.channel[2] = sum.channel[2] + scale * number(be);
   }
-  const auto mean = [&](const V(&c)[4]) { return (w00 * c[0] + w01 * c[1]) + (w10 * c[2] + w11 * c[3]); };
-  return {{mean(red), mean(green), mean(blue)}};
+  return sum;
 }
 
 /// Mean radiance around a direction over a lobe whose precision has the logarithm t (PrecisionLog2).
 template <class D, class V>
-HWY_NOINLINE ColorV<V> LookUpChain(D d, const float* texels, const Chain& chain, const SquarePoint<D>& at, V t) {
+HWY_NOINLINE ColorV<V> LookUpChain(D d, const PackedTexel* texels, const Chain& chain, const SquarePoint<D>& at, V t) {
   const hn::RebindToSigned<D> di;
+  using VI = hn::Vec<decltype(di)>;
   const V zero = hn::Zero(d), knee = hn::Set(d, chain.knee), last = hn::Set(d, static_cast<float>(chain.count - 1));
   V place = hn::Min(t, knee) + hn::Max(t - knee, zero) * hn::Set(d, 0.5f) - hn::Set(d, chain.offset);
   place = hn::IfThenElseZero(hn::Gt(place, zero), hn::Min(place, last));  // NaN gives 0
   const auto low = hn::ConvertTo(di, place);
-  const auto high = hn::Min(low + hn::Set(di, 1), hn::Set(di, static_cast<int32_t>(chain.count - 1)));
   const V part = place - hn::ConvertTo(d, low);
-  const auto* levels = reinterpret_cast<const int32_t*>(chain.level);
-  ColorV<V> color[2];
-  for (int k = 0; k < 2; ++k) {
-    const auto index = hn::ShiftLeft<1>(k ? high : low);
-    const auto size = hn::GatherIndex(di, levels, index), first = hn::GatherIndex(di, levels + 1, index);
-    color[k] = LookUpMap<D, V>(d, texels, size, first, at);
-  }
-  for (int c = 0; c < 3; ++c) {
-    color[0].channel[c] = color[0].channel[c] + part * (color[1].channel[c] - color[0].channel[c]);
-  }
-  return color[0];
+  const int32_t only = hn::GetLane(low);
+  const auto is_only = hn::AllTrue(di, hn::Eq(low, hn::Set(di, only)));
+  const auto look_up = [&](int32_t step) HWY_ATTR {
+    if (is_only) {  // most vectors: one roughness
+      const Level& level = chain.level[only + step];
+      return LookUpMap<D, V, VI>(d, texels, hn::Set(di, static_cast<int32_t>(level.size)),
+                                 hn::Set(di, static_cast<int32_t>(level.first)), at);
+    }
+    const VI next = hn::Min(low + hn::Set(di, step), hn::Set(di, static_cast<int32_t>(chain.count - 1)));
+    VI size, first;
+    GatherPairs(di, reinterpret_cast<const int32_t*>(chain.level), next + next, &size, &first);
+    return LookUpMap<D, V, VI>(d, texels, size, first, at);
+  };
+  ColorV<V> color = look_up(0);
+  if (hn::AllTrue(d, hn::Eq(part, zero))) return color;
+  const ColorV<V> next = look_up(1);
+  for (int c = 0; c < 3; ++c) color.channel[c] = color.channel[c] + part * (next.channel[c] - color.channel[c]);
+  return color;
 }
 
 /// Irradiance of a surface with the unit normal n; 0 where n is not finite.

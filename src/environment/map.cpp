@@ -7,6 +7,17 @@
 
 namespace shd::environment {
 
+PackedTexel pack(const float rgb[3]) {
+  const float largest = std::max(rgb[0], std::max(rgb[1], rgb[2]));
+  int exponent = 0;
+  std::frexp(largest, &exponent);  // largest < 2^exponent
+  if (!(largest >= 1e-30f)) return {{0, 0}};
+  if (std::ldexp(largest, 16 - exponent) >= 65535.5f) ++exponent;
+  uint32_t channel[3];
+  for (int c = 0; c < 3; ++c) channel[c] = static_cast<uint32_t>(std::ldexp(rgb[c], 16 - exponent) + 0.5f);
+  return {{channel[0] | channel[1] << 16, channel[2] | static_cast<uint32_t>(exponent - 16 + 127) << 16}};
+}
+
 void fill_border(const Level& level, float* texels) {
   const auto size = static_cast<int32_t>(level.size);
   const auto copy = [&](int32_t x, int32_t y, int32_t from_x, int32_t from_y) {

@@ -8,8 +8,8 @@
 
 namespace shd::environment {
 
-/// A square map of all directions in the projection OCTAHEDRAL: texels of four floats (r, g, b, 0), [size + 2][size +
-/// 2], row 0 on top. The border of one texel repeats the texels that lie next to the edge on the octahedron, so that
+/// A square map of all directions in the projection OCTAHEDRAL: [size + 2][size + 2] texels, row 0 on top. While maps are
+/// made, texels are four floats (r, g, b, 0); then they are packed. The border of one texel repeats the texels that lie next to the edge on the octahedron, so that
 /// bilinear lookups need no wrap.
 struct Level {
   uint32_t size;   // texels a side without the border
@@ -52,6 +52,15 @@ inline MapDirection map_direction(uint32_t size, float i, float j) {
   const float norm = 1.0f / std::sqrt(x * x + y * y + z * z);
   return {x * norm, y * norm, z * norm, norm};
 }
+
+/// A texel of a finished map: r and g in the first word, b and e in the second, 16 bits each. A channel is its number
+/// times the float with the exponent bits e.
+struct PackedTexel {
+  uint32_t word[2];
+};
+
+/// The nearest texel of a colour of finite numbers that are not negative. |error| <= 2^-16 of the largest channel.
+PackedTexel pack(const float rgb[3]);
 
 /// Fills the border of a map from its texels.
 void fill_border(const Level& level, float* texels);

@@ -146,6 +146,15 @@ void TileColor::blend(shd_blend mode, uint32_t pixel, uint32_t mask, const Fragm
   }
 }
 
+void TileColor::over(uint32_t pixel, uint32_t mask, const FragmentColor& color) {
+  if (mask == all_ && (samples_ == 1 || !split_.is_split[pixel])) {
+    return film::blend(SHD_BLEND_PREMULTIPLIED, color, whole(pixel, 0));
+  }
+  for (; mask; mask &= mask - 1) {
+    film::blend(SHD_BLEND_PREMULTIPLIED, color, sample(pixel, static_cast<uint32_t>(__builtin_ctz(mask))));
+  }
+}
+
 void TileColor::resolve() {
   if (samples_ == 1) return;
   const size_t stride = 4 * size_t{target_count_};

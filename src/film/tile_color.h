@@ -43,6 +43,8 @@ class TileColor {
   /// Blends a colour, and the targets of a row of `from`, over the samples in a mask.
   void blend(shd_blend mode, uint32_t pixel, uint32_t mask, const FragmentColor& color, const shade::Radiance& from,
              size_t row);
+  /// Blends a premultiplied colour over the samples in a mask. Other targets keep their values.
+  void over(uint32_t pixel, uint32_t mask, const FragmentColor& color);
   /// The colour of one sample, as the destination of a blend.
   Destination sample(uint32_t pixel, uint32_t sample);
   /// Writes the plain average of each split pixel to the planes; if all samples are equal, it keeps their bits.

@@ -28,6 +28,7 @@
 /// | opaque_pass.h    | draws that the visibility buffer resolves                             |
 /// | blended_pass.h   | draws that blend in order or drop fragments                           |
 /// | unordered_pass.h | draws whose blend is order-independent                                |
+/// | volume_pass.h    | volumes over the finished draws                                       |
 /// | supersample.h    | frames averaged from a picture n times as large                       |
 /// | shadow_map.h     | depth maps of lights, drawn as frames                                 |
 /// | present.h        | finished tiles for the host                                           |
@@ -50,6 +51,8 @@
 #include "material/material.h"
 #include "raster/coverage.h"
 #include "shade/light_table.h"
+#include "volume/rays.h"
+#include "volume/volume.h"
 
 namespace shd::frame {
 
@@ -73,6 +76,12 @@ struct Draw {
 /// Position of the framebuffer's first pixel in the picture.
 struct Window {
   int32_t left, top;
+};
+
+/// A checked shd_volume_draw.
+struct VolumeDraw {
+  const volume::Volume* volume;
+  volume::WorldToBox world_to_box;
 };
 
 /// A checked shd_render_desc.
@@ -99,7 +108,9 @@ struct Frame {
   uint32_t supersampling;   // 0 and 1 = off
   bool counts_hidden;       // counts samples that fail the depth test before shading
   shd_visibility visibility;
-  bool counts_conflicts;  // counts errors in the order of painting
+  bool counts_conflicts;      // counts errors in the order of painting
+  const VolumeDraw* volumes;  // blended over the finished draws, in order
+  size_t volume_count;
 };
 
 /// Renders a frame on the context's executor, pass by pass; frame.supersampling is ignored. Throws Failure and

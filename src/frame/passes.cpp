@@ -67,6 +67,7 @@ const Frame& Passes::next() {
   });
   pass_.draws = draws_.data();
   pass_.draw_count = draws_.size();
+  pass_.volume_count = is_done(cursor_) ? frame_.volume_count : 0;  // over the last pass
   return pass_;
 }
 

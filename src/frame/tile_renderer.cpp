@@ -6,6 +6,7 @@
 #include "frame/present.h"
 #include "frame/tile_state.h"
 #include "frame/unordered_pass.h"
+#include "frame/volume_pass.h"
 
 namespace shd::frame {
 namespace {
@@ -81,6 +82,7 @@ void draw(TileState* tile) {
   tile->clear_color();
   if (unfinished.weighted) draw_weighted(tile);
   if (unfinished.sorted) draw_sorted(tile);
+  if (tile->renderer.frame.volume_count > 0) draw_volumes(tile);
   tile->color.resolve();
   film::store_color(tile->simd(), tile->area, tile->area, tile->color_planes, &tile->framebuffer);
   film::store_depth(tile->area, tile->worker.tile, &tile->framebuffer);

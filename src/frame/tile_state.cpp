@@ -35,6 +35,7 @@ geometry::PixelBox TileState::box() const {
 }
 
 bool TileState::is_bare() const {
+  if (renderer.frame.volume_count > 0) return false;
   const raster::Bins& bins = renderer.scene.bins;
   for (uint32_t g = 0; g < bins.group_count; ++g) {
     if (raster::segment(bins, index, g).count) return false;

@@ -52,7 +52,7 @@ class TileState {
     return worker.tile.depth.data() + size_t{pixel} * pattern.count + sample;
   }
 
-  /// Whether no triangle touches the tile.
+  /// Whether no triangle and no volume touches the tile.
   bool is_bare() const;
   /// Fills a part of the tile's colour with the background.
   void fill(const film::TileArea& part);

@@ -14,6 +14,7 @@
 #include "raster/coverage.h"
 #include "raster/fragments.h"
 #include "shade/run.h"
+#include "volume/march.h"
 
 namespace shd::frame {
 
@@ -45,6 +46,7 @@ struct Worker {
   BatchRuns runs;
   film::Unordered unordered;
   film::AovScratch aovs;
+  core::Array<volume::March> march;  // one if the frame has volumes
   uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
@@ -64,6 +66,7 @@ class Workers {
   const core::Context& context_;
   const film::Framebuffer& framebuffer_;
   const size_t light_count_;
+  const bool has_volumes_;
   uint32_t varying_count_ = 0;  // maximum over all draws
   core::Array<Worker*> workers_;
 };

@@ -51,7 +51,8 @@ struct BlinnPhong : SpecularBase {
     }
 
     template <class D, class V>
-    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+    static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
+                                          V (&lobe)[2][3]) {
       BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong, kBlinnPhongIntegral, lobe);
     }
   };

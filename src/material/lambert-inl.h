@@ -28,7 +28,7 @@ struct Lambert : ModelBase {
 
     static constexpr bool kReflectsEnvironment = true;
     template <class D, class V>
-    static HWY_INLINE void AddEnvironment(D, const Surroundings<D>& from, const V*, V (&lobe)[1][3]) {
+    static HWY_INLINE void AddEnvironment(D, const Material&, const Surroundings<D>& from, const V*, V (&lobe)[1][3]) {
       from.Irradiance(lobe[0]);
     }
   };

@@ -86,6 +86,7 @@ void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Mat
   out->exponent = desc.exponent;
   out->metallic = desc.metallic;
   out->roughness = desc.roughness;
+  out->ior = desc.ior;
   out->dielectric_f0 = dielectric_f0_of(desc.ior);
   out->occlusion_strength = desc.occlusion_strength;
   out->warm_mix = desc.warm_mix;

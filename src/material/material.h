@@ -28,6 +28,7 @@
 /// | toon-inl.h                   | model                                                                 |
 /// | gooch-inl.h                  | model                                                                 |
 /// | metallic_roughness-inl.h     | model: the microfacets of glTF                                        |
+/// | glass-inl.h                  | model: reflection and refraction                                      |
 /// | unlit-inl.h, matcap-inl.h    | models without lights                                                 |
 /// | show_*-inl.h                 | debug views of normal, uv, level of detail, barycentric coordinates   |
 #pragma once
@@ -53,6 +54,7 @@ struct Material {
   float exponent;     // p
   float emission[3];
   float metallic, roughness;
+  float ior;
   float dielectric_f0;  // reflectance of ior at normal incidence
   float occlusion_strength;
   float warm[3], cool[3];    // Gooch model

@@ -96,7 +96,8 @@ struct MetallicRoughness : ModelBase {
     static constexpr bool kReflectsEnvironment = true;
     static constexpr uint32_t kEnvironmentTables = SHD_ENVIRONMENT_TABLE_GGX;
     template <class D, class V>
-    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[3][3]) {
+    static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
+                                          V (&lobe)[3][3]) {
       const environment::LobeTable& table = environment::lobe_table();
       const V precision = hn::Set(d, 1.0f) / shape[Shape::kAlphaSquared];
       const auto place = from.Place(precision);

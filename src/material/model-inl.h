@@ -140,7 +140,7 @@ struct LightingBase {
   //
   // Lighting that reflects environments also has
   //   kEnvironmentTables                               shd_environment_table bits that it takes
-  //   AddEnvironment(d, surroundings, shape, lobe)
+  //   AddEnvironment(d, material, surroundings, shape, lobe)
   // which sets lobe[kLobes][3] to the contribution of an environment of intensity 1, before Normalize().
   static constexpr bool kReflectsEnvironment = false;
   static constexpr uint32_t kEnvironmentTables = 0;

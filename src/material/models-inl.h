@@ -11,6 +11,7 @@
 #include "material/blinn_phong-inl.h"
 #include "material/blinn_phong_normalized-inl.h"
 #include "material/combined-inl.h"
+#include "material/glass-inl.h"
 #include "material/gooch-inl.h"
 #include "material/lambert-inl.h"
 #include "material/matcap-inl.h"
@@ -51,6 +52,7 @@ using Models = ModelTable<
     ModelRow<SHD_MODEL_TOON, Toon>,
     ModelRow<SHD_MODEL_METALLIC_ROUGHNESS, MetallicRoughness>,
     ModelRow<SHD_MODEL_MATCAP, Matcap>,
+    ModelRow<SHD_MODEL_GLASS, Glass>,
     ModelRow<SHD_DEBUG_VIEW_NORMAL, ShowNormal>,
     ModelRow<SHD_DEBUG_VIEW_UV, ShowUv>,
     ModelRow<SHD_DEBUG_VIEW_LEVEL, ShowLevel>,

@@ -45,7 +45,8 @@ struct Phong : SpecularBase {
 
     /// The integral of the whole lobe is 2 pi / (p + 1).
     template <class D, class V>
-    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+    static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
+                                          V (&lobe)[2][3]) {
       const V precision = shape[Shape::kExponent] + hn::Set(d, 1.0f);
       const V part = from.Place(precision).LookUp(d, environment::lobe_table().sum[environment::kSumPhong][0]);
       from.Irradiance(lobe[0]);

@@ -32,7 +32,8 @@ struct Toon : SpecularBase {
     /// Many lights have no steps. The part of the directions with max(0, n.h)^p >= 1/2 is about ln 2 times the integral
     /// of the lobe.
     template <class D, class V>
-    static HWY_INLINE void AddEnvironment(D d, const Surroundings<D>& from, const V* shape, V (&lobe)[2][3]) {
+    static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
+                                          V (&lobe)[2][3]) {
       BlinnPhongSurroundings(d, from, shape[Shape::kExponent], environment::kSumBlinnPhong,
                              0.693147181f * kBlinnPhongIntegral, lobe);
     }

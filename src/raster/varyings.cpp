@@ -43,16 +43,20 @@ struct Weights {
   V b1, b2;  // weights of vertices 1 and 2
 };
 
-/// Screen-space barycentrics of raster position (px, py); `perspective` where they do not exist.
+/// Screen-space barycentrics of raster position (px, py); `perspective` where they do not exist, and where the vertices
+/// have one w, so that both are equal.
 template <class D, class Triangle, class V = hn::Vec<D>>
 HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& triangle, V px, V py,
                                     const Weights<V>& perspective) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   auto usable = hn::Eq(zero, zero);
   V x[3], y[3], e[3];
+  const V w0 = triangle.Get(d, raster, 4, 0, 3);
+  auto one_w = usable;
   for (int k = 0; k < 3; ++k) {
     const V rx = triangle.Get(d, raster, 4, k, 0), ry = triangle.Get(d, raster, 4, k, 1);
     const V w = triangle.Get(d, raster, 4, k, 3), reach = w * hn::Set(d, 0x1p60f);
+    one_w = hn::And(one_w, hn::Eq(w, w0));
     usable = hn::And(usable, hn::Ge(w, hn::Set(d, geometry::kMinW)));
     usable = hn::And(usable, hn::And(hn::Le(hn::Abs(rx), reach), hn::Le(hn::Abs(ry), reach)));
     // Subtracting the pixel before the division keeps the remainder small.
@@ -66,7 +70,7 @@ HWY_INLINE Weights<V> ScreenWeights(D d, const float* raster, const Triangle& tr
   const V sum = e[0] + e[1] + e[2];
   const V size = hn::Abs(e[0]) + hn::Abs(e[1]) + hn::Abs(e[2]);
   usable = hn::And(usable, hn::Lt(size, hn::Set(d, __builtin_inff())));
-  usable = hn::And(usable, hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f)));
+  usable = hn::AndNot(one_w, hn::And(usable, hn::Ge(hn::Abs(sum), hn::Set(d, 0x1p-126f))));
   const V inverse = one / hn::IfThenElse(usable, sum, one);
   const V raw1 = hn::IfThenElse(usable, e[1] * inverse, perspective.b1);
   const V raw2 = hn::IfThenElse(usable, e[2] * inverse, perspective.b2);

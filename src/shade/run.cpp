@@ -14,6 +14,7 @@
 #include "shade/parallax.h"
 #include "shade/parameters.h"
 #include "shade/program.h"
+#include "shade/reflection.h"
 #include "shade/surface.h"
 #include "shade/surround.h"
 #include "shade/tangent_frames.h"
@@ -134,15 +135,31 @@ void light_points(const core::SimdTarget& simd, const material::Material& materi
   }
 }
 
+/// Whether lobes may be so narrow that the size of pixels matters.
+bool reflects_sharply(const material::Material& material) {
+  constexpr float kRough = 0.35f, kWide = 60.0f;
+  if (material::info_of(material.model).environment_tables & SHD_ENVIRONMENT_TABLE_GGX) {
+    return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS);
+  }
+  return material::info_of(material.model).environment_tables != 0 && material.exponent > kWide;
+}
+
 /// Adds the light of the environment, computed at the points, to the lobes of the fragments.
 void add_environment(const core::SimdTarget& simd, const DrawShading& shading, const LobeShape& shape,
-                     const EnvironmentLight& environment, const material::Parameters& parameters, Workspace* w) {
+                     const EnvironmentLight& environment, const float eye[3], const material::Parameters& parameters,
+                     Workspace* w) {
   const material::Material& material = *shading.material;
   const bool per_fragment = shading.frequency == SHD_FREQUENCY_PHONG;
   Columns& columns = w->columns;
-  surround(simd, material, shape, environment, per_fragment ? w->fragments : w->points,
-           per_fragment ? &columns.environment : &columns.point_environment);
-  for (uint32_t k = 0; k < 3 * material::info_of(material.model).lobes && !per_fragment; ++k) {
+  if (per_fragment) {
+    const bool is_sharp = reflects_sharply(material);
+    if (is_sharp) find_reflected_variance(*shading.vertices, eye, w->fragments, columns.variance);
+    surround(simd, material, shape, environment, w->fragments, &parameters, is_sharp ? columns.variance : nullptr,
+             &columns.lobes);
+    return;
+  }
+  surround(simd, material, shape, environment, w->points, nullptr, nullptr, &columns.point_environment);
+  for (uint32_t k = 0; k < 3 * material::info_of(material.model).lobes; ++k) {
     spread(simd, shading, *w, columns.point_environment.lobe[k / 3][k % 3], columns.environment.lobe[k / 3][k % 3]);
   }
   add_surroundings(simd, material, parameters, columns.environment, w->fragments.count, &columns.lobes);
@@ -174,7 +191,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
       for (int c = 0; c < 3; ++c) spread(simd, shading, *w, columns.point_lobes.lobe[k][c], columns.lobes.lobe[k][c]);
     }
     if (lights.environment.map && info.reflects_environment) {
-      add_environment(simd, shading, shape, lights.environment, parameters, w);
+      add_environment(simd, shading, shape, lights.environment, view.eye, parameters, w);
     }
   } else {
     material::show({simd, material, view, w->fragments, columns.uv}, columns.lobes.lobe[0]);
@@ -215,6 +232,16 @@ void allocate(const core::Allocator& allocator, const WorkspaceSize& size, Works
   allocate(allocator, size.targets, &out->columns);
   out->affecting = core::Array<uint32_t>(allocator, data::padded(size.light_count));
   out->active = core::Array<ActiveLight>(allocator, data::padded(size.light_count));
+}
+
+void shade_points(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
+                  Workspace* w) {
+  Columns& columns = w->columns;
+  if (lights.any_shadow) keep_shadow_normals(w->points, &columns);
+  light_points(simd, material, {}, lights, w->points, w, &columns.point_lobes);
+  material::Parameters parameters = {};
+  for (int c = 0; c < 3; ++c) parameters.value[SHD_SLOT_DIFFUSE][c] = columns.slot[SHD_SLOT_DIFFUSE][c];
+  combine(simd, material, lights, columns.point_lobes, parameters, w->points.count, &columns.point_radiance);
 }
 
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,

@@ -56,4 +56,10 @@ constexpr size_t kGouraudTriangles = raster::kBatch / 3;
 void shade_batch(const core::SimdTarget& simd, const DrawShading& shading, const LightTable& lights,
                  const shd_view& view, Workspace* workspace);
 
+/// Shades workspace->points, whose position, normal and wo are set up to the next whole vector, by a model with lobes
+/// and without slots. workspace->columns.slot of SHD_SLOT_DIFFUSE multiplies the diffuse colour. The result is in
+/// workspace->columns.point_radiance.
+void shade_points(const core::SimdTarget& simd, const material::Material& material, const LightTable& lights,
+                  Workspace* workspace);
+
 }  // namespace shd::shade

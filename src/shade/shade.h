@@ -25,6 +25,7 @@
 /// | normals.h        | kernels: mapped and bumped normals                                           |
 /// | surface.h        | tangents, normals and lobe shapes of a material at points                    |
 /// | illuminate.h     | kernels: shape of the model's lobes, and their sums over lights              |
+/// | reflection.h     | blur of mirror reflections over pixels                                       |
 /// | surround.h       | kernels: lobes in the light of an environment                                |
 /// | combine.h        | kernels: coefficients times lobes; values of points at their fragments       |
 /// | frequency.h      | points for Gouraud (corners) and flat (centroids) shading                    |

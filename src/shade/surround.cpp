@@ -30,9 +30,18 @@ HWY_INLINE Vec3V<Vec> Rotated(const float* m, const Vec3V<Vec>& v) {
   return {row(0), row(1), row(2)};
 }
 
+/// The part of the environment's light that occlusion keeps.
+HWY_INLINE Vec Kept(const material::Material& material, const material::Parameters& parameters, size_t i) {
+  const Tag d;
+  const Vec one = hn::Set(d, 1.0f), strength = hn::Set(d, material.occlusion_strength);
+  const material::HWY_NAMESPACE::SlotsAt<Tag> slots = {parameters, d, i};
+  return one + strength * (slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one);
+}
+
 template <class Lighting>
 void SurroundPoints(const material::Material& material, const LobeShape& shape, const EnvironmentLight& environment,
-                    const raster::Fragments& f, material::Lobes& out) {
+                    const raster::Fragments& f, const material::Parameters* parameters, const float* widening,
+                    material::Lobes& out) {
   namespace mat = material::HWY_NAMESPACE;
   const Tag d;
   const Vec zero = hn::Zero(d), intensity = hn::Set(d, environment.intensity);
@@ -58,12 +67,16 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
       const auto a = Load3(d, s[0], s[1], s[2], i), b = Load3(d, s[3], s[4], s[5], i);
       Lighting::Shape::Widen(d, hn::Set(d, 0.5f) * (Dot(a, a) + Dot(b, b)), values);
     }
+    if (widening) Lighting::Shape::Widen(d, hn::Load(d, widening + i), values);
     const mat::Surroundings<Tag> from = {*environment.map, d, Rotated(environment.world_to_map, n),
                                          Rotated(environment.world_to_map, r), n_dot_v};
-    Lighting::AddEnvironment(d, from, values, lobe);
+    Lighting::AddEnvironment(d, material, from, values, lobe);
     Lighting::Normalize(d, values, lobe);
+    const Vec scale = parameters ? intensity * Kept(material, *parameters, i) : intensity;
     for (uint32_t k = 0; k < 3 * Lighting::kLobes; ++k) {
-      hn::Store(lobe[k / 3][k % 3] * intensity, d, out.lobe[k / 3][k % 3] + i);
+      float* const to = out.lobe[k / 3][k % 3] + i;
+      const Vec value = lobe[k / 3][k % 3] * scale;
+      hn::Store(parameters ? hn::Load(d, to) + value : value, d, to);
     }
   }
 }
@@ -71,20 +84,21 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
 }  // namespace
 
 void Surround(const material::Material& material, const LobeShape& shape, const EnvironmentLight& environment,
-              const raster::Fragments& points, material::Lobes& out) {
+              const raster::Fragments& points, const material::Parameters* parameters, const float* widening,
+              material::Lobes& out) {
   material::HWY_NAMESPACE::VisitModel(material.model, [&](auto model) {
     using Lighting = typename decltype(model)::Lighting;
-    if constexpr (Lighting::kReflectsEnvironment) SurroundPoints<Lighting>(material, shape, environment, points, out);
+    if constexpr (Lighting::kReflectsEnvironment) {
+      SurroundPoints<Lighting>(material, shape, environment, points, parameters, widening, out);
+    }
   });
 }
 
 void AddSurroundings(const material::Material& material, const material::Parameters& parameters, uint32_t lobe_count,
                      const material::Lobes& environment, size_t count, material::Lobes& lobes) {
   const Tag d;
-  const Vec one = hn::Set(d, 1.0f), strength = hn::Set(d, material.occlusion_strength);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const material::HWY_NAMESPACE::SlotsAt<Tag> slots = {parameters, d, i};
-    const Vec kept = one + strength * (slots.Get(1.0f, SHD_SLOT_OCCLUSION, 0) - one);
+    const Vec kept = Kept(material, parameters, i);
     for (uint32_t k = 0; k < 3 * lobe_count; ++k) {
       float* sum = lobes.lobe[k / 3][k % 3] + i;
       hn::Store(hn::Load(d, sum) + kept * hn::Load(d, environment.lobe[k / 3][k % 3] + i), d, sum);
@@ -102,8 +116,11 @@ HWY_EXPORT(Surround);
 HWY_EXPORT(AddSurroundings);
 
 void surround(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
-              const EnvironmentLight& environment, const raster::Fragments& points, material::Lobes* out) {
-  SHD_DISPATCH(Surround, simd)(material, shape, environment, points, *out);
+              const EnvironmentLight& environment, const raster::Fragments& points,
+              const material::Parameters* parameters, const float* widening, material::Lobes* out) {
+  material::Parameters all;
+  if (parameters) all = material::complete(*parameters);
+  SHD_DISPATCH(Surround, simd)(material, shape, environment, points, parameters ? &all : nullptr, widening, *out);
 }
 
 void add_surroundings(const core::SimdTarget& simd, const material::Material& material,

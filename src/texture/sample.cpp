@@ -35,8 +35,30 @@ RunFilter FilterOf(shd_filter filter) {
   return nullptr;
 }
 
+RunFilter SliceFilterOf(shd_filter filter) {
+  switch (filter) {
+#define SHD_TEXTURE_CASE(name, run) \
+  case name: return run;
+    SHD_TEXTURE_SLICE_FILTERS(SHD_TEXTURE_CASE)
+#undef SHD_TEXTURE_CASE
+    default: return nullptr;
+  }
+}
+
+/// Kernels of a 3D texture. kDeep: derivatives in w.
+Kernels SliceKernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradient) {
+  Kernels kernels = {};
+  kernels.run = SliceFilterOf(sampler.filter);
+  kernels.format.values = has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
+  kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
+  if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(texture.component);
+  if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
+  return kernels;
+}
+
 /// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup.
-Kernels KernelsOf(const Texture& texture, const Sampler& sampler, bool gradient) {
+Kernels KernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradient) {
+  if (HWY_UNLIKELY(texture.depth != 0)) return SliceKernelsOf(texture, sampler, gradient);
   const image::Component component = texture.component;
   const bool bordered = has_border(sampler);
   Kernels kernels = {};
@@ -49,7 +71,7 @@ Kernels KernelsOf(const Texture& texture, const Sampler& sampler, bool gradient)
   kernels.run = FilterOf(sampler.filter);
   kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
-  if (gradient) {
+  if (gradient != Gradient::kNone) {
     kernels.format.gradient = GradientOf(component);
   } else if (!bordered) {
     kernels.fused = FusedOf(sampler.filter, component);
@@ -111,12 +133,27 @@ void complete_columns(const Texture& texture, const Texels& stored, size_t count
   }
 }
 
+Texels of_columns(const Texels& columns, size_t first, size_t end) {
+  Texels some = {};
+  for (size_t i = first; i < end; ++i) some.column(i) = columns.column(i);
+  return some;
+}
+
 /// Filters the stored channels. `wanted` holds their columns.
 size_t sample_stored(const Texture& texture, const Sampler& sampler, const core::SimdTarget& simd,
                      const Lookups& lookups, const Texels& wanted, Recording* recording) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
-  const Kernels kernels = HWY_DISPATCH_TABLE(KernelsOf)[target](texture, sampler, gradient);
+  const auto kernels_of = [&](Gradient kind) { return HWY_DISPATCH_TABLE(KernelsOf)[target](texture, sampler, kind); };
+  if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
+    const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
+    const size_t nonfinite =
+        kernels_of(Gradient::kDeep)
+            .run({texture, sampler, lookups, deep, kernels_of(Gradient::kDeep).format, nullptr, nullptr});
+    if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
+    return sample_stored(texture, sampler, simd, lookups, others, nullptr);
+  }
+  const Kernels kernels = kernels_of(gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
     return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});

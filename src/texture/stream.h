@@ -18,6 +18,7 @@
 ///   bilinear     quad                                    trilinear   quad, quad
 ///   ripmap       2 quads, 2 quads into the second, merge anisotropic a quad of each level for each probe, merge
 ///   bicubic      4 rows                                  EWA         texels, a quad where it meets bilinear
+///   3D linear    a quad of each of two slices            3D trilinear 2 quads, 2 quads into the second, merge
 #pragma once
 
 #include <cstddef>
@@ -43,6 +44,7 @@ enum StreamOp : uint16_t {
   kRated = 64,       // the share depends on the point; its rates are stored if the stream has rates
   kNewLine = 128,    // the texel begins a row (hint for prefetching)
   kLast = 256,       // last element of its vector of lookups
+  kDeep = 1024,      // as kRated, but the share depends on w alone; its rate in w is in share_rate_u
 };
 
 /// Share that makes a lane of a kReplace element start with the value.
@@ -117,10 +119,13 @@ struct FixedKernels {
   void (*store)(const FixedVector* vectors, size_t count, size_t end, const Texels& out);
 };
 
+/// Derivatives that a call computes in addition to values, or instead: none, in u and v, or in w.
+enum class Gradient { kNone, kPlane, kDeep };
+
 /// The consumers of one format on one target, for one sampler.
 struct FormatKernels {
   Consume values;      // values, with the border colour if the sampler's lookups may read it
-  Consume gradient;    // derivatives in u and v; null if none are wanted
+  Consume gradient;    // derivatives in u and v, or in w; null if none are wanted
   FixedKernels fixed;  // values in fixed point
 };
 

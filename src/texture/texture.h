@@ -35,7 +35,7 @@
 /// | kernel_part.h                                | macros that control inlining                               |
 /// | store/storage.h                              | layout of levels; copy of the base level                   |
 /// | store/update.cpp                             | a rectangle of the base rewritten, and its tables rebuilt  |
-/// | store/mip.cpp, mip_sums.h                    | mip levels: exact averages in linear light, rounded once   |
+/// | store/mip.cpp, mip_slices.cpp, mip_sums.h, halve.h | mip levels: exact averages, in 2D and 3D              |
 /// | store/ripmap.cpp, span.h                     | ripmap levels: averages with a level for each axis         |
 /// | store/summed_area.h                          | sums over rectangles at the origin                         |
 /// | store/mip_build.h, mip_weights.h             | mip levels in the caller's memory; normals, alpha coverage |
@@ -44,7 +44,7 @@
 /// | store/rows.h                                 | loop over rows on the executor                             |
 /// | store/wrap.h, wrap-inl.h                     | texel coordinates and wrapping: one index, vectors         |
 /// | footprint/block.h                            | blocks: points, levels of detail, probes, ellipses         |
-/// | footprint/shapes-inl.h                       | kernels that fill blocks; inputs that are not finite       |
+/// | footprint/shapes-inl.h, places-inl.h         | kernels that fill blocks, in 2D and 3D                     |
 /// | footprint/ellipses.cpp                       | the kernel that fills ellipses                             |
 /// | footprint/lods.cpp, probes.cpp               | the same kernels, called outside of filters                |
 /// | footprint/lod.h, lod-inl.h                   | level of detail                                            |
@@ -58,7 +58,7 @@
 /// | filter/bases-inl.h                           | bases of filters on level 0 and on mip levels              |
 /// | filter/level-inl.h                           | levels of a texture; addresses of texels                   |
 /// | filter/nearest, bilinear, bicubic, mip       | one filter each (.cpp, most with -inl.h)                   |
-/// | filter/trilinear, ripmap, anisotropic, ewa   | one filter each (.cpp, most with -inl.h)                   |
+/// | filter/trilinear, ripmap, anisotropic, ewa; slices, slices_anisotropic: filters of 3D textures            |
 /// | filter/cubic-inl.h                           | weights of bicubic                                         |
 /// | filter/ellipse-inl.h, walk-inl.h             | ellipses of EWA; walks over wrapped texels                 |
 /// | filter/stochastic.cpp, random-inl.h          | random texels or quads; random numbers                     |
@@ -70,7 +70,7 @@
 /// | format/formats.h, formats-inl.h              | table of formats; their consumers                          |
 /// | format/consume-inl.h, gradient-inl.h         | the consumer of a stream; blends of values, of derivatives |
 /// | format/values.cpp, bordered.cpp              | consumers of values, without and with border colour        |
-/// | format/gradient.cpp                          | consumers of derivatives                                   |
+/// | format/gradient.cpp, deep_gradient.cpp       | consumers of derivatives in u and v, and in w              |
 /// | format/unorm8, srgb8, unorm16, float16, float32 | one format each (-inl.h)                                |
 /// | format/fixed.h, fixed.cpp, fixed_sums-inl.h  | sums of quads of 8-bit texels in fixed point               |
 /// | format/codec.h                               | texels from and to doubles                                 |
@@ -220,6 +220,7 @@ struct Texels {
     }
     return false;
   }
+  bool wants_deep_gradient() const { return dw[0] || dw[1] || dw[2] || dw[3]; }
 };
 
 /// Returns the columns of elements first..first + count - 1.

@@ -81,7 +81,8 @@ constexpr Name<shd_model> kModels[] = {{"lambert", SHD_MODEL_LAMBERT},
                                        {"gooch", SHD_MODEL_GOOCH},
                                        {"toon", SHD_MODEL_TOON},
                                        {"unlit", SHD_MODEL_UNLIT},
-                                       {"matcap", SHD_MODEL_MATCAP}};
+                                       {"matcap", SHD_MODEL_MATCAP},
+                                       {"glass", SHD_MODEL_GLASS}};
 constexpr Name<shd_debug_view> kViews[] = {{"normal", SHD_DEBUG_VIEW_NORMAL},
                                            {"uv", SHD_DEBUG_VIEW_UV},
                                            {"level", SHD_DEBUG_VIEW_LEVEL},

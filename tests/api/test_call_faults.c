@@ -97,6 +97,62 @@ static shd_result texture_update(struct stage *s)
     return result;
 }
 
+static shd_texture_desc solid_desc(struct stage *s)
+{
+    shd_texture_desc desc = shd_texture_desc_default();
+    desc.format = SHD_FORMAT_RGBA8;
+    desc.width = desc.height = desc.depth = 16;
+    desc.texels = s->texels;
+    desc.tables = SHD_TABLE_MIPMAP;
+    return desc;
+}
+
+static shd_result texture_solid(struct stage *s)
+{
+    static unsigned char texel[4];
+    const shd_texture_desc desc = solid_desc(s);
+    shd_image image = shd_image_default();
+    shd_texture *texture = NULL;
+    shd_result result = shd_texture_create(s->context, &desc, &texture);
+    image.format = SHD_FORMAT_RGBA8;
+    image.width = image.height = 9;
+    image.pixels = s->texels + 512;
+    if (result == SHD_OK) result = shd_texture_update(texture, 5, 3, 4, &image);
+    image.width = image.height = 1;
+    image.pixels = texel;
+    if (result == SHD_OK) shd_assert_ok(shd_texture_read_level(texture, 0, 4, &image));
+    if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, texel, 4);
+    shd_texture_release(texture);
+    return result;
+}
+
+/* A volume, and a frame with it. */
+static shd_result volume(struct stage *s)
+{
+    static const float k_density[2] = {0.0f, 0.25f}, k_extinction[2] = {0.0f, 3.0f};
+    const shd_texture_desc texture_desc = solid_desc(s);
+    shd_material_desc material_desc = shd_material_desc_default();
+    shd_volume_desc desc = shd_volume_desc_default();
+    shd_volume_draw placed = shd_volume_draw_default();
+    shd_render_desc frame = s->scene.desc;
+    shd_volume *made = NULL;
+    shd_result result = shd_texture_create(s->context, &texture_desc, &desc.texture);
+    if (result == SHD_OK) result = shd_material_create(s->context, &material_desc, &desc.material);
+    desc.point_count = 2;
+    desc.density.data = k_density;
+    desc.extinction.data = k_extinction;
+    if (result == SHD_OK) result = shd_volume_create(s->context, &desc, &made);
+    placed.volume = made;
+    frame.volumes = &placed;
+    frame.volume_count = 1;
+    if (result == SHD_OK) result = shd_render(s->context, &frame);
+    if (result == SHD_OK) s->hash = shd_hash_framebuffer(s->scene.framebuffer);
+    shd_volume_release(made);
+    shd_material_release(desc.material);
+    shd_texture_release(desc.texture);
+    return result;
+}
+
 static shd_result build_mips(struct stage *s, shd_mip_kernel kernel, shd_texel_content content)
 {
     static unsigned char levels[3][32 * 32 * 4];
@@ -392,6 +448,8 @@ static const struct call_case k_calls[] = {
     {"render/painter", render_painter},
     {"render/newell", render_newell},
     {"render/lines", render_lines},
+    {"texture/3d", texture_solid},
+    {"volume", volume},
     {"render/solid", render_solid},
 };
 

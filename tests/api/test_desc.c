@@ -78,6 +78,8 @@ DEFAULTS(shd_projected_points)
 DEFAULTS(shd_image_points)
 DEFAULTS(shd_point_directions)
 DEFAULTS(shd_direction_images)
+DEFAULTS(shd_volume_desc)
+DEFAULTS(shd_volume_draw)
 static void defaults_shd_slot(void *p)
 {
     const shd_slot value = shd_slot_default(SHD_SLOT_DIFFUSE);
@@ -188,6 +190,10 @@ static const struct kind_case k_kinds[] = {
      REQUIRED(shd_point_directions, direction), defaults_shd_point_directions},
     {"direction_images", SHD_DESC_KIND_DIRECTION_IMAGES, sizeof(shd_direction_images),
      REQUIRED(shd_direction_images, images), defaults_shd_direction_images},
+    {"volume_desc", SHD_DESC_KIND_VOLUME_DESC, sizeof(shd_volume_desc), REQUIRED(shd_volume_desc, extinction),
+     defaults_shd_volume_desc},
+    {"volume_draw", SHD_DESC_KIND_VOLUME_DRAW, sizeof(shd_volume_draw), REQUIRED(shd_volume_draw, volume),
+     defaults_shd_volume_draw},
 };
 
 /* Padding bytes are unspecified, so both structs get the same bytes there. */

@@ -11,6 +11,7 @@
 #include "support/shadow_hash.h"
 #include "support/simd.h"
 #include "support/solid_hash.h"
+#include "support/volume_scene.h"
 
 static const char *const k_kind_names[SHD_SCENE_KINDS] = {"mixed", "floor", "lit",   "glass",
                                                           "small", "moved", "lines", "surface"};
@@ -241,6 +242,18 @@ static void test_parallel(void **state)
     expect_hash("frames without perspective", shd_parallel_hash, 3);
 }
 
+static void test_texture3d(void **state)
+{
+    (void)state;
+    expect_hash("lookups in 3D textures", shd_texture3d_hash, 2);
+}
+
+static void test_volumes(void **state)
+{
+    (void)state;
+    expect_hash("frames with volumes", shd_volume_hash, 3);
+}
+
 static void test_solid(void **state)
 {
     (void)state;
@@ -278,13 +291,15 @@ enum {
     DIRECTIONS,
     ENVIRONMENT,
     SOLID,
+    TEXTURE3D,
+    VOLUME,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
-    {"mixed", 0},    {"floor", 0},      {"lit", 0},         {"glass", 0},   {"moved", 0},
-    {"lines", 0},    {"surface", 0},    {"lookups", 0},     {"filters", 0}, {"profiles", 0},
-    {"shadows", 0},  {"pixels", 0},     {"fast", 0},        {"exact", 0},   {"textured", 0},
-    {"parallel", 0}, {"directions", 0}, {"environment", 0}, {"solid", 0}};
+    {"mixed", 0},   {"floor", 0},     {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
+    {"surface", 0}, {"lookups", 0},   {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
+    {"fast", 0},    {"exact", 0},     {"textured", 0}, {"parallel", 0}, {"directions", 0}, {"environment", 0},
+    {"solid", 0},   {"texture3d", 0}, {"volume", 0}};
 
 static void measure_golden(void)
 {
@@ -311,6 +326,8 @@ static void measure_golden(void)
     k_golden[DIRECTIONS].hash = shd_direction_hash(NULL);
     k_golden[ENVIRONMENT].hash = shd_environment_hash(NULL);
     k_golden[SOLID].hash = shd_solid_hash(NULL);
+    k_golden[TEXTURE3D].hash = shd_texture3d_hash(NULL);
+    k_golden[VOLUME].hash = shd_volume_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -366,6 +383,8 @@ int main(int argc, char **argv)
         {"parallel", test_parallel, NULL, NULL, NULL},
         {"solid", test_solid, NULL, NULL, NULL},
         {"directions", test_directions, NULL, NULL, NULL},
+        {"texture3d", test_texture3d, NULL, NULL, NULL},
+        {"volumes", test_volumes, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

@@ -230,10 +230,10 @@ static void test_constant(void **state)
         for (size_t k = 0; k < sizeof k_widths / sizeof k_widths[0]; ++k) {
             for (size_t i = 0; i < DIRECTIONS; ++i) width[i] = k_widths[k];
             look_up(environment, k_widths[k] <= 1.0f ? width : NULL, k_widths[k] <= 1.0f ? NULL : width);
-            for (size_t i = 0; i < DIRECTIONS; ++i) shd_assert_close("lobe", i, (double)g_out[2][i], 1.0, 0.0, 1e-5);
+            for (size_t i = 0; i < DIRECTIONS; ++i) shd_assert_close("lobe", i, (double)g_out[2][i], 1.0, 0.0, 3e-5);
         }
         look_up(environment, NULL, NULL);
-        for (size_t i = 0; i < DIRECTIONS; ++i) shd_assert_close("radiance", i, (double)g_out[0][i], 1.0, 0.0, 1e-5);
+        for (size_t i = 0; i < DIRECTIONS; ++i) shd_assert_close("radiance", i, (double)g_out[0][i], 1.0, 0.0, 3e-5);
         shd_environment_release(environment);
         free(texels);
     }
@@ -362,7 +362,7 @@ static void test_bad_texels(void **state)
     assert_int_equal(info.map_size, 64);
     assert_int_equal(info.tables, SHD_ENVIRONMENT_TABLE_ALL);
     assert_int_equal(info.irradiance, SHD_IRRADIANCE_CONVOLVED);
-    assert_true(info.byte_size > 64 * 64 * 16);
+    assert_true(info.byte_size > 64 * 64 * 8);
     assert_true(info.mean[1] > 1e8f && info.mean[1] < 1e12f);
     for (size_t i = 0; i < DIRECTIONS; ++i) width[i] = (float)(i % 10) * 0.1f;
     for (int k = 0; k < 3; ++k) {

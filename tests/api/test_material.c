@@ -307,7 +307,7 @@ static const struct create_case k_create[] = {
     {"create/all_1e6", edit_largest, SHD_OK, ""},
     {"create/struct_size_4", edit_size, BAD, "material.struct_size: 4"},
     {"create/unlit", edit_unlit, SHD_OK, ""},
-    {"create/model_15", edit_model, BAD, "material.model: 15 is not in 0..10"},
+    {"create/model_15", edit_model, BAD, "material.model: 15 is not in 0..11"},
     {"create/model_negative", edit_model_negative, BAD, "material.model: "},
     {"create/program_without_fragment", edit_program_missing, BAD,
      "material.program.fragment: NULL, but the model is SHD_MODEL_PROGRAM"},

@@ -6,6 +6,7 @@
 #include <shd/shd.h>
 
 #include "ref/environment_ref.h"
+#include "support/noise.h"
 #include "support/rows.h"
 
 enum { EDGE = 48, WIDTH = 32, HEIGHT = 16, LIGHTS = WIDTH * HEIGHT };
@@ -269,6 +270,109 @@ static void test_rotation(void **state)
     shd_material_release(material);
 }
 
+static double dot3(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/** Snell's law: the direction of a ray `in` after a surface with the normal n towards it; eta = ratio of indices. */
+static void refract(const double *in, const double *n, double eta, double *out)
+{
+    const double cosine = -dot3(in, n);
+    const double inside = sqrt(1.0 - eta * eta * (1.0 - cosine * cosine));
+    for (int c = 0; c < 3; ++c) out[c] = eta * in[c] + (eta * cosine - inside) * n[c];
+}
+
+/** A glass sphere refracts as two refractions of each ray at the sphere, and reflects as Schlick's formula. */
+static void test_glass(void **state)
+{
+    static struct picture got;
+    static float through[3][EDGE * EDGE], mirrored[3][EDGE * EDGE], color[2][3][EDGE * EDGE], fresnel[EDGE * EDGE];
+    static int hit[EDGE * EDGE];
+    shd_material_desc desc = shd_material_desc_default();
+    shd_material *material = NULL;
+    struct scene scene;
+    int checked = 0;
+    (void)state;
+    desc.model = SHD_MODEL_GLASS;
+    desc.roughness = 0.0f;
+    desc.ior = 1.4f;
+    desc.diffuse[0] = 0.5f, desc.diffuse[1] = desc.diffuse[2] = 1.0f;
+    shd_assert_ok(shd_material_create(g_context, &desc, &material));
+    open_scene(&scene, material);
+    render(&scene, &got);
+    for (size_t i = 0; i < EDGE * EDGE; ++i) {
+        const double x = tan(0.4) * (2.0 * ((double)(i % EDGE) + 0.5) / EDGE - 1.0);
+        const double y = tan(0.4) * (1.0 - 2.0 * ((double)(i / EDGE) + 0.5) / EDGE);
+        const double length = sqrt(1.0 + x * x + y * y), in[3] = {x / length, y / length, -1.0 / length};
+        const double eye[3] = {0.0, 0.0, 3.0}, b = dot3(in, eye), root = b * b - 8.0;
+        double n[3], t[3], exit[3], out[3], cosine, f0 = 0.4 / 2.4;
+        hit[i] = root > 0.3; /* not at the silhouette, where the mesh differs from the sphere */
+        if (!hit[i]) continue;
+        for (int c = 0; c < 3; ++c) n[c] = eye[c] - (b + sqrt(root)) * in[c];
+        refract(in, n, 1.0 / 1.4, t);
+        for (int c = 0; c < 3; ++c) exit[c] = -(n[c] - 2.0 * dot3(n, t) * t[c]);
+        refract(t, exit, 1.4, out);
+        cosine = -dot3(in, n);
+        f0 *= f0;
+        fresnel[i] = (float)(f0 + (1.0 - f0) * pow(1.0 - cosine, 5.0));
+        for (int c = 0; c < 3; ++c) {
+            through[c][i] = (float)out[c];
+            mirrored[c][i] = (float)(in[c] + 2.0 * cosine * n[c]);
+        }
+    }
+    for (int k = 0; k < 2; ++k) {
+        shd_environment_lookups lookups = shd_environment_lookups_default();
+        shd_environment_light light = shd_environment_light_default();
+        lookups.count = EDGE * EDGE;
+        for (int c = 0; c < 3; ++c) {
+            lookups.direction[c] = shd_f32_column(k ? mirrored[c] : through[c], 0);
+            light.rgb[c] = shd_f32_out_column(color[k][c], 0);
+        }
+        shd_assert_ok(shd_environment_radiance(g_environment, &lookups, &light));
+    }
+    for (size_t i = 0; i < EDGE * EDGE; ++i) {
+        if (!hit[i]) continue;
+        for (int c = 0; c < 3; ++c) {
+            const double f = (double)fresnel[i], tint = c ? 1.0 : 0.5;
+            const double want = tint * (1.0 - f) * (double)color[0][c][i] + f * (double)color[1][c][i];
+            shd_assert_close("glass", 3 * i + (size_t)c, (double)got.plane[c][i], want, 0.03, 0.06);
+        }
+        ++checked;
+    }
+    assert_true(checked > 600);
+    close_scene(&scene);
+    shd_material_release(material);
+}
+
+/** Reflections of fine noise in a mirror sphere are near the average over each pixel. */
+static void test_mirror(void **state)
+{
+    enum { NOISE_WIDTH = 256, NOISE_HEIGHT = 128 };
+    static const struct model_case k_row = {"", SHD_MODEL_METALLIC_ROUGHNESS, SHD_FREQUENCY_PHONG, 0, 0, 1, 0, 0};
+    static float texels[3 * NOISE_WIDTH * NOISE_HEIGHT];
+    static struct picture got, want;
+    shd_image image = shd_image_default();
+    shd_environment_desc desc = shd_environment_desc_default();
+    shd_environment *noise = NULL;
+    shd_material *material = make_material(&k_row);
+    struct scene scene;
+    uint32_t seed = 5;
+    (void)state;
+    for (size_t i = 0; i < sizeof texels / sizeof texels[0]; ++i) texels[i] = (float)(shd_noise(&seed) >> 31);
+    image.format = SHD_FORMAT_RGB32F;
+    image.width = NOISE_WIDTH, image.height = NOISE_HEIGHT;
+    image.pixels = texels;
+    desc.image = &image;
+    shd_assert_ok(shd_environment_create(g_context, &desc, &noise));
+    open_scene(&scene, material);
+    scene.desc.environment = noise;
+    render(&scene, &got);
+    scene.desc.supersampling = 8;
+    render(&scene, &want);
+    compare("mirror", &got, &want, 0.6, 0.1);
+    close_scene(&scene);
+    shd_environment_release(noise);
+    shd_material_release(material);
+}
+
 struct background_case {
     const char *name;
     float roughness;
@@ -496,6 +600,8 @@ int main(void)
     ADD_ROWS(k_models, test_model);
     ADD_ROWS(k_backgrounds, test_background);
     ADD_ROWS(k_refusals, test_desc);
+    add("glass", test_glass, NULL);
+    add("mirror", test_mirror, NULL);
     add("combination", test_combination, NULL);
     add("rotation", test_rotation, NULL);
     add("same_bits", test_same_bits, NULL);

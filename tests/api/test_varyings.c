@@ -206,7 +206,7 @@ static const varying_case k_cases[] = {
     {"clipped/guard_band", make_beyond_guard, 1e-4, 1e-4, 1, 0},
 };
 
-/* If all three w are the same power of two, both interpolations have the same bits. */
+/* If all three w are equal, both interpolations have the same bits. */
 static void test_affine_is_perspective(void **state)
 {
     static scene s;

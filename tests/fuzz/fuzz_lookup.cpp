@@ -11,7 +11,8 @@ namespace shd::fuzz {
 namespace {
 
 constexpr size_t kMaxLookups = 8;
-constexpr size_t kOutputs = 12;  // channel, du, dv
+constexpr size_t kOutputs = 16;  // channel, du, dv, dw
+constexpr int kColumns = 10;
 constexpr uint32_t kMaxTaps = 4096;
 
 /// The arguments that one input describes, so that they can run on several contexts.
@@ -19,8 +20,8 @@ struct Case {
   TextureCase texture;
   shd_sampler_desc sampler = shd_sampler_desc_default();
   size_t count = 0;
-  std::vector<float> columns[10];  // u, v, dudx, dvdx, dudy, dvdy, lod, w, dwdx, dwdy
-  size_t steps[10] = {};
+  std::vector<float> columns[kColumns];  // u, v, dudx, dvdx, dudy, dvdy, lod, w, dwdx, dwdy
+  size_t steps[kColumns] = {};
   std::vector<uint32_t> integers[2];  // layer, random
   uint32_t outputs = 0;               // bits
   size_t out_step = 1;
@@ -47,8 +48,24 @@ void choose_lookups(Source& source, Case& c) {
     column.resize(c.count + 1);
     for (size_t i = 0; i < c.count; ++i) column[i] = source.one_in(2) ? source.word() : source.below(4);
   }
-  c.outputs = source.one_in(4) ? source.below(1 << kOutputs) : 15;
+  c.outputs = source.one_in(4) ? source.below(1 << 12) : 15;
   c.out_step = 1 + source.below(2);
+}
+
+/// Turns the layers of a texture into slices.
+void choose_slices(Source& source, Case& c) {
+  if (!source.one_in(4) || c.texture.desc.layers > 3) return;  // more layers have no texels
+  c.texture.desc.depth = c.texture.desc.layers;
+  c.texture.desc.layers = 1;
+  c.texture.desc.level_count = 0;
+  if (!source.one_in(8)) c.texture.desc.tables &= SHD_TABLE_MIPMAP;
+  c.sampler.wrap_w = static_cast<shd_wrap>(source.below(source.one_in(16) ? 8 : 5));
+  if (!source.one_in(8)) c.sampler.profile = SHD_PROFILE_LEAST_ERROR;
+  if (!source.one_in(8)) c.sampler.blur_u = c.sampler.blur_v = 0.0f;
+  for (int k = 7; k < kColumns; ++k) {
+    if (!source.one_in(8)) choose_column(source, c, k, k == 7 ? 2.0f : 0.5f);
+  }
+  if (source.one_in(4)) c.outputs |= source.below(16) << 12;
 }
 
 /// Makes the texture one of directions, of at most 5 x 5 texels a face.
@@ -75,6 +92,7 @@ void choose_case(Source& source, Case& c) {
   choose_sampler(source, c.sampler);
   choose_texture(source, c.texture, 9);
   choose_lookups(source, c);
+  choose_slices(source, c);
   if (c.sampler.filter == SHD_FILTER_EXACT && c.count > 2) c.count = 2;
   if (source.one_in(3)) choose_directions(source, c);
 }
@@ -82,9 +100,9 @@ void choose_case(Source& source, Case& c) {
 shd_lookups make_lookups(const Case& c) {
   shd_lookups lookups = shd_lookups_default();
   lookups.count = c.count;
-  shd_f32_in* columns[10] = {&lookups.u,    &lookups.v,   &lookups.dudx, &lookups.dvdx, &lookups.dudy,
-                             &lookups.dvdy, &lookups.lod, &lookups.w,    &lookups.dwdx, &lookups.dwdy};
-  for (int k = 0; k < 10; ++k) {
+  shd_f32_in* columns[kColumns] = {&lookups.u,    &lookups.v,   &lookups.dudx, &lookups.dvdx, &lookups.dudy,
+                                   &lookups.dvdy, &lookups.lod, &lookups.w,    &lookups.dwdx, &lookups.dwdy};
+  for (int k = 0; k < kColumns; ++k) {
     if (!c.columns[k].empty()) *columns[k] = shd_f32_column(c.columns[k].data(), 4 * c.steps[k]);
   }
   if (!c.integers[0].empty()) lookups.layer.data = c.integers[0].data();
@@ -122,7 +140,12 @@ void sample(const Host& host, const Case& c, const Objects& o, Output& output) {
   const shd_lookups lookups = make_lookups(c);
   shd_texels out = shd_texels_default();
   shd_f32_out* places[kOutputs];
-  for (int k = 0; k < 4; ++k) places[k] = &out.channel[k], places[4 + k] = &out.du[k], places[8 + k] = &out.dv[k];
+  for (int k = 0; k < 4; ++k) {
+    places[k] = &out.channel[k];
+    places[4 + k] = &out.du[k];
+    places[8 + k] = &out.dv[k];
+    places[12 + k] = &out.dw[k];
+  }
   std::vector<Column<float>> columns(kOutputs, Column<float>(c.count, c.out_step, kCanary));
   for (size_t k = 0; k < kOutputs; ++k) {
     if (c.outputs >> k & 1) *places[k] = to_column(columns[k]);
@@ -183,6 +206,8 @@ void check_taps(const Case& c, const shd_explanation& e) {
     const shd_tap& tap = e.taps[i];
     SHD_FUZZ_CHECK(tap.layer < c.texture.desc.layers && tap.level_u < 32 && tap.level_v < 32);
     const uint32_t width = c.texture.desc.width >> tap.level_u, height = c.texture.desc.height >> tap.level_v;
+    const uint32_t depth = c.texture.desc.depth >> tap.level_u;
+    SHD_FUZZ_CHECK(tap.z < (depth ? depth : 1));
     SHD_FUZZ_CHECK(tap.border == 1 ||
                    (tap.border == 0 && tap.x < (width ? width : 1) && tap.y < (height ? height : 1)));
   }

@@ -182,6 +182,43 @@ static shd_result use_shadow(void *handle)
     return shd_shadow_render(g_rest.context, (shd_shadow *)handle, &desc);
 }
 
+/* A volume that holds the only references to a texture and a material. */
+static shd_result create_volume(shd_context *context, void **out)
+{
+    static const unsigned char k_texels[8] = {0, 10, 20, 30, 40, 50, 60, 255};
+    static const float k_density[2] = {0.0f, 1.0f};
+    shd_texture_desc texture = shd_texture_desc_default();
+    shd_volume_desc desc = shd_volume_desc_default();
+    shd_volume *volume = NULL;
+    void *material = NULL;
+    shd_result result;
+    texture.format = SHD_FORMAT_R8;
+    texture.width = texture.height = texture.depth = 2;
+    texture.texels = k_texels;
+    result = shd_texture_create(context, &texture, &desc.texture);
+    if (result == SHD_OK) result = create_material(context, &material);
+    desc.material = (shd_material *)material;
+    desc.point_count = 2;
+    desc.density.data = desc.extinction.data = k_density;
+    if (result == SHD_OK) result = shd_volume_create(context, &desc, &volume);
+    release_material(material);
+    shd_texture_release(desc.texture);
+    *out = volume;
+    return result;
+}
+static void retain_volume(void *handle) { shd_volume_retain((shd_volume *)handle); }
+static void release_volume(void *handle) { shd_volume_release((shd_volume *)handle); }
+static shd_result use_volume(void *handle)
+{
+    shd_volume_draw draw = shd_volume_draw_default();
+    shd_render_desc desc = shd_render_desc_default();
+    draw.volume = (const shd_volume *)handle;
+    desc.framebuffer = g_rest.framebuffer;
+    desc.volumes = &draw;
+    desc.volume_count = 1;
+    return shd_render(g_rest.context, &desc);
+}
+
 static shd_result create_environment(shd_context *context, void **out)
 {
     float texel[3] = {1.0f, 2.0f, 3.0f};
@@ -270,6 +307,8 @@ static const struct type_row k_types[] = {
      "sampler: not a live handle of its type"},
     {"shadow", "shadow", create_shadow, retain_shadow, release_shadow, use_shadow,
      "shadow: not a live handle of its type"},
+    {"volume", "volume", create_volume, retain_volume, release_volume, use_volume,
+     "render.volumes[0]: volume.volume: not a live handle of its type"},
     {"environment", "environment", create_environment, retain_environment, release_environment, use_environment,
      "environment: not a live handle of its type"},
     {"textured_material", "material", create_textured_material, retain_material, release_material, use_material,

@@ -48,7 +48,7 @@ class DirectionSink {
     most_ = most;
     face_ = hn::BitCast(hn::RebindToSigned<D>(), hn::Load(hn::RebindToUnsigned<D>(), points.face + i));
     stretch_ = (hn::Load(d, points.stretch + i) - hn::Set(d, 1.0f)) * blur;
-    stretched_ = !hn::AllTrue(d, hn::Le(stretch_, hn::Set(d, kMinStretch)));
+    stretched_ = !hn::AllTrue(d, hn::Le(stretch_, hn::Set(d, kParallelStep - 1.0f)));
   }
 
   template <class... AnyShare>
@@ -230,7 +230,7 @@ class DirectionSink {
   HWY_NOINLINE void along_parallel(D d, uint32_t op, const Level<D>& level, V u, V v, V share) {
     const V one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
     const V extent = hn::Min(stretch_, level.across.real);  // [texels]
-    const V count = hn::Max(hn::Min(hn::Ceil(extent - hn::Set(d, kMinStretch)) + one, most_), one);
+    const V count = hn::Max(hn::Min(hn::Ceil((extent + one) * hn::Set(d, 1.0f / kParallelStep)), most_), one);
     const auto single = hn::Eq(count, one);
     const V width = extent / level.across.real, step = width / count, begin = u - half * width;
     const float steps = hn::GetLane(hn::MaxOfLanes(d, count));

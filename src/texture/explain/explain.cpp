@@ -58,7 +58,7 @@ Place ripmap_place(const Texture& texture, uint32_t texel) {
 
 shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording& recording, const RecordedTap& tap) {
   shd_tap out = {};
-  out.layer = tap.index / texture.layer_texels;
+  out.layer = tap.index / texture.layer_texels;  // 0 for 3D textures
   const uint32_t in_layer = tap.index % texture.layer_texels;
   const Place place =
       sampler.filter == SHD_FILTER_RIPMAP ? ripmap_place(texture, in_layer) : mip_place(texture, in_layer);
@@ -66,7 +66,9 @@ shd_tap describe(const Texture& texture, const Sampler& sampler, const Recording
   out.level_u = place.level_u;
   out.level_v = place.level_v;
   out.x = (in_layer - place.first) % width;
-  out.y = (in_layer - place.first) / width;
+  const uint32_t row = (in_layer - place.first) / width, height = level_size(texture.height, place.level_v);
+  out.y = texture.depth != 0 ? row % height : row;
+  out.z = texture.depth != 0 ? row / height : 0;
   out.border = tap.border;
   const uint8_t* texel = texel_at(texture, tap.index);
   for (size_t c = 0; c < texture.channels; ++c) {
@@ -134,6 +136,7 @@ void explain(const core::Context& context, const Texture& texture, const Sampler
              shd_explanation* out) {
   const Sampler taken = sampler_of(texture, sampler, context.simd, lookups);
   Recording recording(context.allocator);
+  recording.finished_taps = has_border(texture, taken);
   sample(texture, taken, context.simd, lookups, {}, &recording);
   write_tree(context, texture, taken, recording, out);
   out->filter = taken.filter;

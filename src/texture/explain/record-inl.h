@@ -51,9 +51,7 @@ struct RecordedBlend {
 
   Recording* recording;
 
-  explicit RecordedBlend(const Consumption& consumption) : recording(consumption.recording) {
-    recording->finished_taps = has_border(consumption.sampler);
-  }
+  explicit RecordedBlend(const Consumption& consumption) : recording(consumption.recording) {}
 
   template <size_t C, class D>
   HWY_INLINE Node tap(D d, Ints<D> index, MaskOf<D> in) const {
@@ -79,6 +77,7 @@ struct RecordedBlend {
   HWY_INLINE Node replace(D, MaskOf<D>, Node a, Node) const {
     return a;
   }
+  static constexpr uint32_t kRates = kRated;
   static constexpr size_t kResults = 1, kFirstColumn = 0;
 
   /// Is never called, because a recording has no output columns.

@@ -26,6 +26,15 @@
   ROW(SHD_FILTER_EWA, RunEwa, true)                  \
   ROW(SHD_FILTER_STOCHASTIC, RunStochastic, false)   \
   ROW(SHD_FILTER_EXACT, RunExact, false)
+
+// The filters of 3D textures.
+#define SHD_TEXTURE_SLICE_FILTERS(ROW)               \
+  ROW(SHD_FILTER_NEAREST, RunNearestInSlices)        \
+  ROW(SHD_FILTER_BILINEAR, RunLinearInSlices)        \
+  ROW(SHD_FILTER_NEAREST_MIP, RunNearestMipInSlices) \
+  ROW(SHD_FILTER_BILINEAR_MIP, RunLinearMipInSlices) \
+  ROW(SHD_FILTER_TRILINEAR, RunTrilinearInSlices)    \
+  ROW(SHD_FILTER_ANISOTROPIC, RunAnisotropicInSlices)
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -33,6 +42,9 @@ namespace shd::texture::HWY_NAMESPACE {
 
 #define SHD_TEXTURE_DECLARE_FILTER(filter, run, gradient) size_t run(const FilterCall& call);
 SHD_TEXTURE_FILTERS(SHD_TEXTURE_DECLARE_FILTER)
+#undef SHD_TEXTURE_DECLARE_FILTER
+#define SHD_TEXTURE_DECLARE_FILTER(filter, run) size_t run(const FilterCall& call);
+SHD_TEXTURE_SLICE_FILTERS(SHD_TEXTURE_DECLARE_FILTER)
 #undef SHD_TEXTURE_DECLARE_FILTER
 
 }  // namespace shd::texture::HWY_NAMESPACE

@@ -7,21 +7,36 @@
 
 namespace shd::texture {
 
-bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod) {
+namespace {
+
+/// is_scattered() with a third coordinate, or null.
+bool is_far_apart(const Texture& texture, const PointBlock& block, const float* w, const float* lod) {
   constexpr size_t kPairs = 8, kNear = size_t{1} << 20;
   constexpr float kApart = 16.0f;  // [texels of the level]
   if (texture.texels.size() + texture.borrowed_texels * texel_size(texture) <= kNear || block.count <= kPairs) {
     return false;
   }
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
+  const auto depth = static_cast<float>(texture.depth);
   size_t apart = 0;
   for (size_t k = 0; k < kPairs; ++k) {
     const size_t i = k * (block.count - 1) / kPairs;
     const float limit = lod ? kApart * static_cast<float>(uint64_t{1} << static_cast<uint32_t>(lod[i])) : kApart;
     apart += std::fabs(block.u[i + 1] - block.u[i]) * width > limit ||
-             std::fabs(block.v[i + 1] - block.v[i]) * height > limit;
+             std::fabs(block.v[i + 1] - block.v[i]) * height > limit ||
+             (w && std::fabs(w[i + 1] - w[i]) * depth > limit);
   }
   return apart > kPairs / 2;
+}
+
+}  // namespace
+
+bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod) {
+  return is_far_apart(texture, block, nullptr, lod);
+}
+
+bool is_scattered_in_slices(const Texture& texture, const PointBlock& block, const float* w, const float* lod) {
+  return is_far_apart(texture, block, w, lod);
 }
 
 void prefetch_element(const TexelSource& source, uint32_t op, const int32_t* index0, const int32_t* index2,

@@ -15,6 +15,9 @@ namespace shd::texture {
 /// answer changes the speed of the lookups, not their results.
 bool is_scattered(const Texture& texture, const PointBlock& block, const float* lod);
 
+/// is_scattered() of lookups in a 3D texture; `w` is the third coordinate.
+bool is_scattered_in_slices(const Texture& texture, const PointBlock& block, const float* w, const float* lod);
+
 /// The input columns that a batch of lookups has.
 class InputColumns {
  public:

@@ -32,6 +32,12 @@ struct Share {
   hn::Vec<D> value, rate_u, rate_v;
 };
 
+/// A share in a running average that depends on w, with its derivative in w.
+template <class D>
+struct DeepShare {
+  hn::Vec<D> value, rate;
+};
+
 /// Four texels of a row of a level around a point, in the order of columns 1, 2, 0, 3.
 template <class D>
 struct Row {
@@ -53,7 +59,7 @@ struct Row {
 ///
 /// Sinks of Run() also have begin() and flush() for each block of lookups, and kBuffered.
 ///
-/// A share is a vector or a Share. Elements that start an average have no share.
+/// A share is a vector, a Share or a DeepShare. Elements that start an average have no share.
 template <class Sink>
 class Emitter {
  public:
@@ -178,6 +184,13 @@ class Emitter {
     hn::Store(share.rate_v, d, to.share_rate_v + at);
     return kRated;
   }
+  template <class D>
+  HWY_INLINE uint32_t write_share(D d, size_t at, const DeepShare<D>& share) {
+    hn::Store(share.value, d, self().elements().share + at);
+    if (HWY_LIKELY(!self().has_rates())) return 0;
+    hn::Store(share.rate, d, self().elements().share_rate_u + at);
+    return kDeep;
+  }
 };
 
 /// Buffers elements and passes them to the consumers of a call whenever the buffer is full.
@@ -187,7 +200,7 @@ class StreamSink : public Emitter<StreamSink> {
 
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
-        bordered_(has_border(call.sampler)),
+        bordered_(has_border(call.texture, call.sampler)),
         first_(call, TexelSource(call.texture), call.recording),
         second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;

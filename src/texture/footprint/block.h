@@ -42,6 +42,17 @@ struct ProbeBlock : LodBlock {
   alignas(64) float probes[kBlock], reach[kBlock];
 };
 
+/// Lookups in 3D textures: the same shapes with a third coordinate.
+struct PlaceBlock : PointBlock {
+  alignas(64) float w[kBlock];
+};
+struct PlaceLodBlock : LodBlock {
+  alignas(64) float w[kBlock];
+};
+struct PlaceProbeBlock : ProbeBlock {
+  alignas(64) float w[kBlock], step_w[kBlock];
+};
+
 /// Ellipses in texels of their level. A point (x, y) relative to the centre is inside if r^2 = y^2 / height2 +
 /// (x - shear y)^2 / width2 is below 1. This is the Cholesky form: it has no cancellation, and rounding cannot make it
 /// indefinite.

@@ -11,14 +11,32 @@
 #include <hwy/highway.h>
 
 #include "texture/direction/project-inl.h"
+#include "texture/footprint/places-inl.h"
 #include "texture/footprint/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// LodColumn() of a 3D texture.
+size_t PlaceLodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis,
+                      const Lookups& in, float* out) {
+  size_t nonfinite = 0;
+  for (size_t first = 0; first < in.count; first += kBlock) {
+    const Lookups part = block_of(in, first);
+    PlaceProbeBlock probes;
+    PlaceLodBlock levels;
+    const bool by_probes = axis == LodAxis::kProbes;
+    nonfinite += by_probes ? FindShapes(texture, sampler, part, &probes, &range)
+                           : FindShapes(texture, sampler, part, &levels, &range);
+    std::memcpy(out + first, by_probes ? probes.lod : levels.lod, part.count * sizeof(float));
+  }
+  return nonfinite;
+}
+
 size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange& range, LodAxis axis, const Lookups& in,
                  float* out) {
+  if (texture.depth != 0) return PlaceLodColumn(texture, sampler, range, axis, in, out);
   size_t nonfinite = 0;
   for (size_t first = 0; first < in.count; first += kBlock) {
     Lookups part = block_of(in, first);
@@ -42,6 +60,16 @@ size_t LodColumn(const Texture& texture, const Sampler& sampler, const LodRange&
 void Axes(const Texture& texture, const Sampler& sampler, const Lookups& lookup, float (&axes)[4]) {
   const auto width = static_cast<float>(texture.width), height = static_cast<float>(texture.height);
   const bool lod_given = lookup.lod != nullptr;
+  if (texture.depth != 0) {
+    PlaceBlock place;
+    FillPlaces(texture, sampler, lookup, &place, place.w, [&](auto d, const auto& p, size_t) {
+      const auto f = lod_given ? RoundPlaceAxes(d, p.lod) : AxesOfPlaces(d, p);
+      axes[0] = hn::GetLane(f.length * f.u);
+      axes[1] = hn::GetLane(f.length * f.v);
+      axes[2] = axes[3] = 0.0f;
+    });
+    return;
+  }
   PointBlock point;
   Lookups in = lookup;
   ProjectedBlock points;

@@ -19,7 +19,8 @@
 //   tap<C>           value of a texel, or of the border colour in lanes outside `in`
 //   blend            a + s (b - a), where s does not depend on the point
 //   blend_s, blend_t blend with ds/du = rate, and blend with dt/dv = rate
-//   blend_by         blend with the rates of s in u and v
+//   blend_by         blend with the rates of s in u and v, or in w
+//   kRates           flag of elements whose share has these rates: kRated or kDeep
 //   replace          b in some lanes, a in the others
 //   finish<C>        result of a value: number k of kResults, written to the output column kFirstColumn + 4 k + C
 //   wanted           whether a channel is written
@@ -124,6 +125,7 @@ struct Blend {
     return hn::IfThenElse(lanes, b, a);
   }
 
+  static constexpr uint32_t kRates = kRated;
   static constexpr size_t kResults = 1, kFirstColumn = 0;
 
   /// Returns the result. All NaN become the same NaN, because the NaN of an operation depends on the target.
@@ -225,7 +227,7 @@ template <class B, class D, class Value, class Elements>
 HWY_INLINE Value Averaged(D d, const B& b, const Value& average, const Value& value, const Elements& stream,
                           uint32_t op, size_t at) {
   const auto share = hn::Load(d, stream.share + at);
-  const Value blended = HWY_UNLIKELY(op & kRated)
+  const Value blended = HWY_UNLIKELY(op & B::kRates)
                             ? b.blend_by(d, average, value, share, stream.share_rate_u + at, stream.share_rate_v + at)
                             : b.blend(d, average, value, share);
   if ((op & kHow) != kReplace) return blended;

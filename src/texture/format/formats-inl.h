@@ -19,6 +19,8 @@ namespace shd::texture::HWY_NAMESPACE {
 Consume ValuesOf(image::Component component);
 Consume BorderedOf(image::Component component);
 Consume GradientOf(image::Component component);
+/// Derivatives in w, of 3D textures.
+Consume DeepGradientOf(image::Component component);
 
 /// Returns the fixed-point kernels of a component type; null if it has none.
 FixedKernels FixedOf(image::Component component);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Derivatives in u and v by forward differentiation: the tree of blends is that of the values, and each value carries
-// its derivatives. The footprint is constant, so weights that depend on it alone have no derivative. At a texel centre
-// the result is the derivative to the right.
+// Derivatives in u and v, or in w, by forward differentiation: the tree of blends is that of the values, and each value
+// carries its derivatives. The footprint is constant, so weights that depend on it alone have no derivative. At a texel
+// centre the result is the derivative to the right.
 
 #if defined(SHD_TEXTURE_GRADIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHD_TEXTURE_GRADIENT_INL_H_
@@ -17,6 +17,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace shd::texture::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Derivatives of blends of format F.
+template <class F>
+struct Slopes {
+  /// Returns rate (b - a). A rate of 0 gives 0 even if the values are infinite or NaN.
+  template <class D, class V>
+  static HWY_INLINE V Slope(D d, V a, V b, V rate) {
+    return hn::IfThenZeroElse(hn::Eq(rate, hn::Zero(d)), rate * (b - a));
+  }
+
+  /// Returns the derivative of a + s (b - a) from those of a and b and the rate of s. Finite floats give finite results
+  /// in float formats. In the others only a border above 1e30 overflows.
+  template <class D, class V>
+  static HWY_INLINE V Mixed(D d, V a_slope, V b_slope, V s, V a, V b, V rate) {
+    if constexpr (!F::kFloat) return Mix(d, a_slope, b_slope, s) + Slope(d, a, b, rate);
+    const V mixed = hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a_slope, a_slope + s * (b_slope - a_slope));
+    const V sum = mixed + Slope(d, a, b, rate);
+    if (HWY_LIKELY(hn::AllTrue(d, IsFinite(d, sum)))) return sum;
+    return Overflowed(d, Mix(d, a_slope, b_slope, s), a, b, rate);
+  }
+
+  /// Returns mixed + rate (b - a). Where finite arguments overflow, the product and the sum become the largest float of
+  /// their sign.
+  template <class D, class V>
+  static HWY_NOINLINE V Overflowed(D d, V mixed, V a, V b, V rate) {
+    const V sum = mixed + Slope(d, a, b, rate);
+    const V half = hn::Set(d, 0.5f), halved = Slope(d, half * a, half * b, rate);
+    const auto clamped = hn::And(IsFinite(d, mixed), hn::And(IsFinite(d, a), IsFinite(d, b)));
+    const V safe = ClampWhere(d, clamped, mixed + ClampWhere(d, clamped, halved + halved));
+    return hn::IfThenElse(hn::Or(IsFinite(d, sum), hn::Not(clamped)), sum, safe);
+  }
+};
 
 template <class F>
 struct GradientBlend {
@@ -41,19 +73,19 @@ struct GradientBlend {
   }
   template <class D>
   HWY_INLINE Value<D> blend_s(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate) const {
-    return {Mix(d, a.value, b.value, s), MixSlopes(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate)),
+    return {Mix(d, a.value, b.value, s), Slopes<F>::Mixed(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate)),
             Mix(d, a.dv, b.dv, s)};
   }
   template <class D>
   HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> t, const float* rate) const {
     return {Mix(d, a.value, b.value, t), Mix(d, a.du, b.du, t),
-            MixSlopes(d, a.dv, b.dv, t, a.value, b.value, hn::Load(d, rate))};
+            Slopes<F>::Mixed(d, a.dv, b.dv, t, a.value, b.value, hn::Load(d, rate))};
   }
   template <class D>
   HWY_INLINE Value<D> blend_by(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate_u,
                                const float* rate_v) const {
-    return {Mix(d, a.value, b.value, s), MixSlopes(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate_u)),
-            MixSlopes(d, a.dv, b.dv, s, a.value, b.value, hn::Load(d, rate_v))};
+    return {Mix(d, a.value, b.value, s), Slopes<F>::Mixed(d, a.du, b.du, s, a.value, b.value, hn::Load(d, rate_u)),
+            Slopes<F>::Mixed(d, a.dv, b.dv, s, a.value, b.value, hn::Load(d, rate_v))};
   }
   template <class D>
   HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, const Value<D>& a, const Value<D>& b) const {
@@ -61,6 +93,7 @@ struct GradientBlend {
             hn::IfThenElse(lanes, b.dv, a.dv)};
   }
 
+  static constexpr uint32_t kRates = kRated;
   static constexpr size_t kResults = 2, kFirstColumn = 4;
 
   /// Returns the derivative in u (k = 0) or v (k = 1).
@@ -69,35 +102,56 @@ struct GradientBlend {
     return Values::template finish<C>(d, k == 0 ? value.du : value.dv);
   }
   static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.du[channel] || out.dv[channel]; }
+};
 
- private:
-  /// Returns rate (b - a). A rate of 0 gives 0 even if the values are infinite or NaN.
-  template <class D, class V>
-  static HWY_INLINE V Slope(D d, V a, V b, V rate) {
-    return hn::IfThenZeroElse(hn::Eq(rate, hn::Zero(d)), rate * (b - a));
+/// Values with their derivatives in w. Only shares of slices depend on w.
+template <class F>
+struct DeepBlend {
+  using Values = Blend<F, true>;
+
+  template <class D>
+  struct Value {
+    hn::Vec<D> value, dw;
+  };
+
+  Values values;
+
+  explicit DeepBlend(const Consumption& consumption) : values(consumption) {}
+
+  template <size_t C, class D>
+  HWY_INLINE Value<D> tap(D d, const typename F::template Texel<D>& texel, MaskOf<D> in) const {
+    return {values.template tap<C>(d, texel, in), hn::Zero(d)};
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s) const {
+    return {Mix(d, a.value, b.value, s), Mix(d, a.dw, b.dw, s)};
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_s(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float*) const {
+    return {Mix(d, a.value, b.value, s), hn::Zero(d)};  // within a slice
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_t(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> t, const float*) const {
+    return {Mix(d, a.value, b.value, t), hn::Zero(d)};
+  }
+  template <class D>
+  HWY_INLINE Value<D> blend_by(D d, const Value<D>& a, const Value<D>& b, hn::Vec<D> s, const float* rate,
+                               const float*) const {
+    return {Mix(d, a.value, b.value, s), Slopes<F>::Mixed(d, a.dw, b.dw, s, a.value, b.value, hn::Load(d, rate))};
+  }
+  template <class D>
+  HWY_INLINE Value<D> replace(D, MaskOf<D> lanes, const Value<D>& a, const Value<D>& b) const {
+    return {hn::IfThenElse(lanes, b.value, a.value), hn::IfThenElse(lanes, b.dw, a.dw)};
   }
 
-  /// Returns the derivative of a + s (b - a) from those of a and b and the rate of s. Finite floats give finite results
-  /// in float formats. In the others only a border above 1e30 overflows.
-  template <class D, class V>
-  static HWY_INLINE V MixSlopes(D d, V a_slope, V b_slope, V s, V a, V b, V rate) {
-    if constexpr (!F::kFloat) return Mix(d, a_slope, b_slope, s) + Slope(d, a, b, rate);
-    const V mixed = hn::IfThenElse(hn::Eq(s, hn::Zero(d)), a_slope, a_slope + s * (b_slope - a_slope));
-    const V sum = mixed + Slope(d, a, b, rate);
-    if (HWY_LIKELY(hn::AllTrue(d, IsFinite(d, sum)))) return sum;
-    return MixSlopesOverflowed(d, Mix(d, a_slope, b_slope, s), a, b, rate);
-  }
+  static constexpr uint32_t kRates = kDeep;
+  static constexpr size_t kResults = 1, kFirstColumn = 12;
 
-  /// Returns mixed + rate (b - a). Where finite arguments overflow, the product and the sum become the largest float of
-  /// their sign.
-  template <class D, class V>
-  static HWY_NOINLINE V MixSlopesOverflowed(D d, V mixed, V a, V b, V rate) {
-    const V sum = mixed + Slope(d, a, b, rate);
-    const V half = hn::Set(d, 0.5f), halved = Slope(d, half * a, half * b, rate);
-    const auto clamped = hn::And(IsFinite(d, mixed), hn::And(IsFinite(d, a), IsFinite(d, b)));
-    const V safe = ClampWhere(d, clamped, mixed + ClampWhere(d, clamped, halved + halved));
-    return hn::IfThenElse(hn::Or(IsFinite(d, sum), hn::Not(clamped)), sum, safe);
+  template <size_t C, class D>
+  HWY_INLINE hn::Vec<D> finish(D d, const Value<D>& value, size_t) const {
+    return Values::template finish<C>(d, value.dw);
   }
+  static HWY_INLINE bool wanted(const Texels& out, size_t channel) { return out.dw[channel] != nullptr; }
 };
 
 }  // namespace shd::texture::HWY_NAMESPACE

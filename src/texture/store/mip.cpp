@@ -17,6 +17,7 @@
 // constant base gives constant levels: c n is exact for n <= 2^28 and a c of 24 bits.
 #include <cstring>
 
+#include "texture/store/halve.h"
 #include "texture/store/mip_sums.h"
 #include "texture/store/rows.h"
 #include "texture/store/span.h"
@@ -34,37 +35,12 @@ Region level_region(const Texture& texture, const Region& region, uint32_t level
           level_range(region.y, texture.height, level_size(texture.height, level))};
 }
 
-/// Averages pairs of columns (or a single column) of two rows. The rows are `down` doubles apart; 0 for a single row.
-template <size_t kChannels>
-void halve_rows(const double* row, size_t down, uint32_t width, double* to) {
-  const size_t right = width > 1 ? kChannels : 0;
-  for (uint32_t x = 0; x < (width + 1) / 2; ++x, row += 2 * right) {
-    for (size_t c = 0; c < kChannels; ++c) {
-      *to++ = 0.25 * ((row[c] + row[c + right]) + (row[c + down] + row[c + right + down]));
-    }
-  }
-}
-
 /// Averages blocks of 2 x 2 of a whole plane in place.
 template <size_t kChannels>
 void halve(double* plane, uint32_t width, uint32_t height) {
   const size_t pitch = width * kChannels, to_pitch = (width + 1) / 2 * kChannels;
   for (uint32_t y = 0; y < (height + 1) / 2; ++y) {
     halve_rows<kChannels>(plane + 2 * y * pitch, height > 1 ? pitch : 0, width, plane + y * to_pitch);
-  }
-}
-
-/// Averages blocks of 2 x 2 texels of two stored rows. Both rows are the same if the height is 1.
-template <class Codec>
-void halve_texels(const uint8_t* top, const uint8_t* bottom, uint32_t width, double* to) {
-  const size_t right = width > 1 ? Codec::kSize : 0;
-  for (uint32_t x = 0; x < (width + 1) / 2; ++x, top += 2 * right, bottom += 2 * right) {
-    double a[Codec::kChannels], b[Codec::kChannels], c[Codec::kChannels], d[Codec::kChannels];
-    Codec::load(top, a);
-    Codec::load(top + right, b);
-    Codec::load(bottom, c);
-    Codec::load(bottom + right, d);
-    for (size_t i = 0; i < Codec::kChannels; ++i) *to++ = 0.25 * ((a[i] + b[i]) + (c[i] + d[i]));
   }
 }
 
@@ -186,23 +162,6 @@ struct FirstRound {
   }
 };
 
-/// Adds the weighted sum of the texels of `span` in one stored row.
-template <class Codec>
-void add_row(const uint8_t* row, const AxisSpan& span, double weight, double* sum) {
-  double value[Codec::kChannels], total[Codec::kChannels] = {};
-  if (span.last > span.first + 1) {
-    Codec::add(row + (size_t{span.first} + 1) * Codec::kSize, span.last - span.first - 1, total);
-  }
-  for (size_t c = 0; c < Codec::kChannels; ++c) total[c] *= span.full;
-  Codec::load(row + size_t{span.first} * Codec::kSize, value);
-  for (size_t c = 0; c < Codec::kChannels; ++c) total[c] += span.head * value[c];
-  if (span.last > span.first) {
-    Codec::load(row + size_t{span.last} * Codec::kSize, value);
-    for (size_t c = 0; c < Codec::kChannels; ++c) total[c] += span.tail * value[c];
-  }
-  for (size_t c = 0; c < Codec::kChannels; ++c) sum[c] += weight * total[c];
-}
-
 /// Sums one level from the base.
 template <class Codec>
 void sum_level(const core::Context& context, Texture& texture, uint32_t layer, uint32_t level, const Region& region) {
@@ -288,6 +247,7 @@ void build_layer(const core::Context& context, Texture& texture, uint32_t layer,
 }  // namespace
 
 size_t mip_sums_size(const Texture& texture) {
+  if (texture.depth != 0) return slice_sums_size(texture);
   const uint32_t even = even_steps(texture);
   size_t size = 0;
   for (uint32_t level = 0; level < even;) {

@@ -43,4 +43,9 @@ struct Region {
   AxisRange x, y;
 };
 
+/// A box of texels.
+struct Box {
+  AxisRange x, y, z;
+};
+
 }  // namespace shd::texture

@@ -68,12 +68,15 @@ size_t lay_out(const shd_texture_desc& desc, Texture* texture) {
   texture->level_count = desc.level_count + 1;
   texture->levels_given = desc.level_count > 0;
   if (desc.level_count == 0 && desc.tables & SHD_TABLE_MIPMAP) {
-    texture->level_count = full_level_count(desc.width, desc.height);
+    texture->level_count = full_level_count(desc.width, desc.height, desc.depth);
   }
+  const auto slices = [&](uint32_t level) { return desc.depth != 0 ? level_size(desc.depth, level) : 1; };
   size_t texels = 0;
   for (uint32_t level = 0; level < kMaxLevels; ++level) {
     texture->offset[level] = static_cast<uint32_t>(texels);
-    if (level < texture->level_count) texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level);
+    if (level < texture->level_count) {
+      texels += size_t{level_size(desc.width, level)} * level_size(desc.height, level) * slices(level);
+    }
   }
   texture->ripmap_columns = texture->ripmap_rows = 0;
   if (desc.tables & SHD_TABLE_RIPMAP) texels = lay_out_ripmap(texture, texels);
@@ -95,12 +98,28 @@ void copy_base(const core::Context& context, const shd_texture_desc& desc, Textu
   const size_t layer_stride = desc.layer_stride ? desc.layer_stride : desc.height * stride;
   const auto* source = static_cast<const uint8_t*>(desc.texels);
   const uint32_t tasks_per_layer = (desc.height + kRowsPerTask - 1) / kRowsPerTask;
-  core::parallel_for(context, tasks_per_layer * desc.layers, [&](uint32_t task, uint32_t) {
+  core::parallel_for(context, tasks_per_layer * image_count(*texture), [&](uint32_t task, uint32_t) {
     const uint32_t layer = task / tasks_per_layer;
     const uint32_t first = task % tasks_per_layer * kRowsPerTask;
     const uint32_t end = first + kRowsPerTask < desc.height ? first + kRowsPerTask : desc.height;
     copy_rows({source + layer * layer_stride, stride, format}, layer, 0, whole(*texture), {first, end}, texture);
   });
+}
+
+/// Copies the levels of a 3D texture that the caller gave: the slices of level 1, then of level 2 and so on.
+void copy_slices(const core::Context& context, const shd_texture_desc& desc, Texture* texture) {
+  const image::FormatInfo format = image::format_info(desc.format);
+  size_t first = 0;
+  for (uint32_t level = 1; level <= desc.level_count; ++level) {
+    const uint32_t slices = level_size(desc.depth, level);
+    core::parallel_for(context, slices, [&](uint32_t slice, uint32_t) {
+      const shd_image image = image_at(desc.levels, first + slice);
+      const GivenTexels given = {static_cast<const uint8_t*>(image.pixels), image.row_stride, format};
+      const Region region = {{0, image.width}, {0, image.height}};
+      copy_rows(given, slice, level, region, region.y, texture);
+    });
+    first += slices;
+  }
 }
 
 /// Copies the levels that the caller gave.
@@ -118,7 +137,7 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
 void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
   if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
-    texture->borrowed_texels = desc.width * desc.height;
+    texture->borrowed_texels = desc.width * desc.height * (desc.depth != 0 ? desc.depth : 1);
   }
   const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
   texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);
@@ -130,6 +149,7 @@ void allocate(const core::Context& context, const shd_texture_desc& desc, size_t
 void build_tables(const core::Context& context, Texture* texture) {
   if (has_built_levels(*texture)) {
     core::Array<double> sums(context.allocator, mip_sums_size(*texture));
+    if (texture->depth != 0) return build_slice_levels(context, texture, whole_box(*texture), sums.data());
     for (uint32_t layer = 0; layer < texture->layers; ++layer) {
       build_mip_levels(context, texture, layer, whole(*texture), sums.data());
     }
@@ -159,9 +179,10 @@ void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const R
   }
 }
 
-uint32_t full_level_count(uint32_t width, uint32_t height) {
+uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth) {
   uint32_t count = 1;
-  for (uint32_t size = width > height ? width : height; size > 1; size >>= 1) ++count;
+  const uint32_t larger = width > height ? width : height;
+  for (uint32_t size = larger > depth ? larger : depth; size > 1; size >>= 1) ++count;
   return count;
 }
 
@@ -171,7 +192,11 @@ void build(const core::Context& context, const shd_texture_desc& desc, Texture* 
   const size_t texels = lay_out(desc, &texture);
   allocate(context, desc, texels, &texture);
   if (!texture.borrowed) copy_base(context, desc, &texture);
-  if (desc.level_count > 0) copy_levels(context, desc, &texture);
+  if (desc.depth != 0) {
+    copy_slices(context, desc, &texture);
+  } else if (desc.level_count > 0) {
+    copy_levels(context, desc, &texture);
+  }
   build_tables(context, &texture);
   *out = static_cast<Texture&&>(texture);
 }

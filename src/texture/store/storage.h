@@ -39,8 +39,8 @@ inline uint32_t level_size(uint32_t base, uint32_t level) {
   return size ? size : 1;
 }
 
-/// Returns the number of levels down to one texel: floor(log2(max(width, height))) + 1.
-uint32_t full_level_count(uint32_t width, uint32_t height);
+/// Returns the number of levels down to one texel: floor(log2(max(width, height, depth))) + 1.
+uint32_t full_level_count(uint32_t width, uint32_t height, uint32_t depth = 1);
 
 /// Returns the size of one stored texel [bytes].
 inline size_t texel_size(const Texture& texture) {
@@ -62,6 +62,9 @@ inline Region whole(const Texture& texture) {
 inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
+inline bool has_border(const Texture& texture, const Sampler& sampler) {
+  return has_border(sampler) || (texture.depth != 0 && sampler.wrap_w == SHD_WRAP_BORDER);
+}
 
 /// Returns the first byte of a texel, which may be borrowed.
 inline const uint8_t* texel_at(const Texture& texture, size_t index) {
@@ -72,10 +75,12 @@ inline uint8_t* texel_at(Texture& texture, size_t index) {
   return const_cast<uint8_t*>(texel_at(static_cast<const Texture&>(texture), index));
 }
 
-/// Returns the first byte of row y of a level of a layer. Rows are packed.
+/// Returns the first byte of row y of a level of a layer, or of a slice of the level of a 3D texture. Rows and slices
+/// are packed.
 inline uint8_t* row_of(Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
-  const size_t first =
-      size_t{layer} * texture.layer_texels + texture.offset[level] + size_t{y} * level_size(texture.width, level);
+  const size_t before = texture.depth != 0 ? size_t{layer} * level_size(texture.height, level) : 0;
+  const size_t first = (texture.depth != 0 ? 0 : size_t{layer} * texture.layer_texels) + texture.offset[level] +
+                       (before + y) * level_size(texture.width, level);
   return texel_at(texture, first);
 }
 inline const uint8_t* row_of(const Texture& texture, uint32_t layer, uint32_t level, uint32_t y) {
@@ -97,6 +102,20 @@ size_t mip_sums_size(const Texture& texture);
 /// the layer are read; an earlier call for the same layer has written them.
 void build_mip_levels(const core::Context& context, Texture* texture, uint32_t layer, const Region& region,
                       double* sums);
+
+/// Returns the number of images of the base: layers, or slices.
+inline uint32_t image_count(const Texture& texture) {
+  return texture.depth != 0 ? texture.depth : texture.layers;
+}
+
+/// Returns the box of all texels of the base of a 3D texture.
+inline Box whole_box(const Texture& texture) {
+  return {{0, texture.width}, {0, texture.height}, {0, texture.depth}};
+}
+
+/// mip_sums_size() and build_mip_levels() of a 3D texture, over a box of the base (mip_slices.cpp).
+size_t slice_sums_size(const Texture& texture);
+void build_slice_levels(const core::Context& context, Texture* texture, const Box& box, double* sums);
 
 /// Returns whether ripmap level (i, j) is the base or level max(i, j) of the texture's mipmap.
 inline bool is_mip_level(const Texture& texture, uint32_t i, uint32_t j) {
@@ -130,7 +149,7 @@ struct GivenTexels {
   image::FormatInfo format;
 };
 
-/// Copies the rows `rows` of a region into a level. Three channels become four.
+/// Copies the rows `rows` of a region into a level of a layer or of a slice. Three channels become four.
 void copy_rows(const GivenTexels& given, uint32_t layer, uint32_t level, const Region& region, AxisRange rows,
                Texture* texture);
 

@@ -30,18 +30,24 @@ Scratch make_scratch(const core::Context& context, const Texture& texture) {
 
 /// Rebuilds the mip levels over a region, or of the whole layer if its sums are missing. The sums count as missing
 /// until the rebuild is complete, so that the next update repairs a layer after a failed update.
-void update_mip_levels(const core::Context& context, uint32_t layer, const Region& region, Texture* texture) {
+void update_mip_levels(const core::Context& context, uint32_t image, const Region& region, Texture* texture) {
+  const uint32_t layer = texture->depth != 0 ? 0 : image;  // a 3D texture has one layer
   uint32_t* ready = &texture->mip_sums_ready[layer / 32];
   const uint32_t bit = 1u << (layer % 32);
   const size_t size = mip_sums_size(*texture);
   const bool partial = size == 0 || *ready & bit;
   *ready &= ~bit;
   double* sums = texture->mip_sums.data() + layer * size;
-  build_mip_levels(context, texture, layer, partial ? region : whole(*texture), sums);
+  if (texture->depth != 0) {
+    const Box box = {region.x, region.y, {image, image + 1}};
+    build_slice_levels(context, texture, partial ? box : whole_box(*texture), sums);
+  } else {
+    build_mip_levels(context, texture, layer, partial ? region : whole(*texture), sums);
+  }
   *ready |= bit;
 }
 
-/// Rebuilds all tables that depend on a region of the base.
+/// Rebuilds all tables that depend on a region of the base of a layer or slice.
 void rebuild(const core::Context& context, uint32_t layer, const Region& region, Scratch* scratch, Texture* texture) {
   if (has_built_levels(*texture)) update_mip_levels(context, layer, region, texture);
   if (texture->tables & SHD_TABLE_RIPMAP) build_ripmap_levels(context, texture, layer, region, scratch->ripmap.data());

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// Lookups in 3D textures: quads of the two slices around a point. A 3D texture has the levels of a 2D texture, each
+// with its slices one after the other.
+
+#if defined(SHD_TEXTURE_SLICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHD_TEXTURE_SLICES_INL_H_
+#undef SHD_TEXTURE_SLICES_INL_H_
+#else
+#define SHD_TEXTURE_SLICES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+// The loop of runner-inl.h calls the overloads of FindShapes() that are declared before it.
+// clang-format off
+#include "texture/footprint/places-inl.h"
+#include "texture/filter/level-inl.h"
+#include "texture/filter/prefetch.h"
+#include "texture/filter/runner-inl.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace shd::texture::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One level of a 3D texture per lane.
+template <class D>
+struct Slices {
+  Level<D> level;  // its offset is that of slice 0
+  AxisSize<D> deep;
+};
+
+/// Returns one level per lane. `level` contains integer-valued floats.
+template <class D>
+SHD_KERNEL_PART Slices<D> SlicesAt(D d, const Texture& texture, hn::Vec<D> level) {
+  const hn::RebindToSigned<D> di;
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Set(di, 127) - ToInt(level)));
+  return {LevelAt(d, texture, hn::Zero(di), level), ScaledSize(d, texture.depth, scale)};
+}
+
+/// Returns a slice as a level.
+template <class D>
+HWY_INLINE Level<D> SliceOf(D, const Slices<D>& slices, Ints<D> z) {
+  Level<D> slice = slices.level;
+  slice.offset = slice.offset + z * (slice.across.whole * slice.down.whole);
+  return slice;
+}
+
+/// Returns the taps of rows of a slice, which are the border where the slice is.
+template <class D>
+HWY_INLINE LinearTaps<D> RowsOf(D, const LinearTaps<D>& y, MaskOf<D> slice_in) {
+  LinearTaps<D> rows = y;
+  rows.in0 = hn::And(y.in0, slice_in);
+  rows.in1 = hn::And(y.in1, slice_in);
+  return rows;
+}
+
+/// The 2 x 2 x 2 texels of a level around reduced coordinates.
+template <class D>
+struct Cube {
+  Slices<D> slices;
+  LinearTaps<D> x, y, z;
+
+  SHD_KERNEL_PART Cube(D d, const Sampler& sampler, const Slices<D>& of_slices, hn::Vec<D> u, hn::Vec<D> v,
+                       hn::Vec<D> w)
+      : slices(of_slices),
+        x(WrapLinear(d, sampler.wrap_u, u, slices.level.across)),
+        y(WrapLinear(d, sampler.wrap_v, v, slices.level.down)),
+        z(WrapLinear(d, sampler.wrap_w, w, slices.deep)) {}
+
+  /// Emits the quads of the first and of the second slice.
+  template <class Sink, class... AnyShare>
+  HWY_INLINE void emit_first(D d, uint32_t op, Sink& sink, const AnyShare&... share) const {
+    sink.quad(d, op, SliceOf(d, slices, z.i0), x, RowsOf(d, y, z.in0), share...);
+  }
+  template <class Sink, class AnyShare>
+  HWY_INLINE void emit_second(D d, uint32_t op, Sink& sink, const AnyShare& share) const {
+    sink.quad(d, op, SliceOf(d, slices, z.i1), x, RowsOf(d, y, z.in1), share);
+  }
+  /// Emits the linear interpolation as the start of an average.
+  template <class Sink>
+  HWY_INLINE void emit(D d, uint32_t second, Sink& sink) const {
+    emit_first(d, kStart | second, sink);
+    emit_second(d, kBlend | second, sink, DeepShare<D>{z.s, z.rate});
+  }
+};
+
+/// Base of filters of 3D textures.
+template <class AnyBlock>
+struct OnSlices {
+  using Block = AnyBlock;
+
+  const Texture& texture;
+  const Sampler& sampler;
+
+  OnSlices(const Texture& of_texture, const Sampler& of_sampler) : texture(of_texture), sampler(of_sampler) {}
+
+  static bool is_scattered(const Texture& texture, const PlaceBlock& block) {
+    return is_scattered_in_slices(texture, block, block.w, nullptr);
+  }
+  template <class LevelBlock>
+  static bool is_scattered(const Texture& texture, const LevelBlock& block) {
+    return is_scattered_in_slices(texture, block, block.w, block.lod);
+  }
+};
+
+/// Returns the nearest level: ceil(lod + 1/2) - 1 (Vulkan 1.3 specification, "Image Level(s) Selection").
+template <class D>
+HWY_INLINE Slices<D> NearestSlices(D d, const Texture& texture, const PlaceLodBlock& block, size_t i) {
+  const auto level = hn::Ceil(hn::Load(d, block.lod + i) + hn::Set(d, 0.5f)) - hn::Set(d, 1.0f);
+  return SlicesAt(d, texture, hn::Max(level, hn::Zero(d)));
+}
+
+/// Emits the texel that contains the point.
+template <class D, class Block, class Sink>
+HWY_INLINE void EmitNearestTexel(D d, const Sampler& sampler, const Slices<D>& slices, const Block& block, size_t i,
+                                 Sink& sink) {
+  MaskOf<D> in_x, in_y, in_z;
+  const auto x = WrapNearest(d, sampler.wrap_u, hn::Load(d, block.u + i), slices.level.across, &in_x);
+  const auto y = WrapNearest(d, sampler.wrap_v, hn::Load(d, block.v + i), slices.level.down, &in_y);
+  const auto z = WrapNearest(d, sampler.wrap_w, hn::Load(d, block.w + i), slices.deep, &in_z);
+  const auto index = RowIndex(d, SliceOf(d, slices, z), y) + x;
+  sink.texel(d, kStart | kNewLine, index, hn::And(hn::And(in_x, in_y), in_z));
+  sink.finish();
+}
+
+struct NearestInSlices : OnSlices<PlaceBlock> {
+  using OnSlices::OnSlices;
+
+  /// Never prefetches, as Nearest.
+  static bool is_scattered(const Texture&, const PlaceBlock&) { return false; }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
+    EmitNearestTexel(d, sampler, SlicesAt(d, texture, hn::Zero(d)), block, i, sink);
+  }
+};
+
+struct NearestMipInSlices : OnSlices<PlaceLodBlock> {
+  using OnSlices::OnSlices;
+
+  static bool is_scattered(const Texture&, const PlaceLodBlock&) { return false; }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
+    EmitNearestTexel(d, sampler, NearestSlices(d, texture, block, i), block, i, sink);
+  }
+};
+
+struct LinearInSlices : OnSlices<PlaceBlock> {
+  using OnSlices::OnSlices;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PlaceBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
+    Cube<D>(d, sampler, SlicesAt(d, texture, hn::Zero(d)), u, v, w).emit(d, 0, sink);
+    sink.finish();
+  }
+};
+
+struct LinearMipInSlices : OnSlices<PlaceLodBlock> {
+  using OnSlices::OnSlices;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
+    Cube<D>(d, sampler, NearestSlices(d, texture, block, i), u, v, w).emit(d, 0, sink);
+    sink.finish();
+  }
+};
+
+/// The two levels around the level of detail of each lane (LevelPair).
+template <class D>
+struct SlicesPair {
+  Slices<D> high, low;
+  hn::Vec<D> fraction;
+  bool blended;
+
+  SHD_KERNEL_PART SlicesPair(D d, const Texture& texture, hn::Vec<D> lod) {
+    const auto floor = hn::Floor(lod);
+    const auto last = hn::Set(d, static_cast<float>(texture.level_count - 1));
+    fraction = lod - floor;
+    blended = !hn::AllTrue(d, hn::Eq(fraction, hn::Zero(d)));
+    high = SlicesAt(d, texture, floor);
+    if (blended) low = SlicesAt(d, texture, hn::Min(floor + hn::Set(d, 1.0f), last));
+  }
+};
+
+/// Linear on three axes and between two levels.
+struct TrilinearInSlices : OnSlices<PlaceLodBlock> {
+  using OnSlices::OnSlices;
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const PlaceLodBlock& block, size_t i, Sink& sink) const {
+    const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i), w = hn::Load(d, block.w + i);
+    const SlicesPair<D> levels(d, texture, hn::Load(d, block.lod + i));
+    Cube<D>(d, sampler, levels.high, u, v, w).emit(d, 0, sink);
+    if (levels.blended) {
+      Cube<D>(d, sampler, levels.low, u, v, w).emit(d, kSecond, sink);
+      sink.merge(d, levels.fraction);
+    }
+    sink.finish();
+  }
+};
+
+}  // namespace shd::texture::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHD_TEXTURE_SLICES_INL_H_
