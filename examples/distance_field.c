@@ -160,7 +160,7 @@ static vec3 surface_color(vec3 p, int thing)
 
 static vec3 shade(vec3 p, vec3 n, vec3 view, int thing)
 {
-    const vec3 to_sun = unit(vec(-0.65f, 0.6f, 0.15f));
+    const vec3 to_sun = unit(vec(-0.6f, 0.6f, 0.4f));
     const float lambert = fmaxf(dot(n, to_sun), 0), up = 0.5f + 0.5f * n.y;
     const vec3 h = unit(add(to_sun, scale(-1, view)));
     const float sun = lambert > 0 ? sunlight(add(p, scale(2e-3f, n)), to_sun) : 0;
@@ -255,10 +255,11 @@ static shd_result render(shd_context *context, struct picture *picture, uint8_t 
     return result;
 }
 
-/* The middle of the drop is red, and the sky above is blue. */
+/* The drop is red where the sun shines on it, and the sky above is blue. */
 static int is_right(const struct picture *picture, const uint8_t *pixels)
 {
-    const uint8_t *const drop = pixels + 4 * ((size_t)picture->height * 2 / 5 * picture->width + picture->width / 2);
+    const size_t x = (size_t)picture->width * 23 / 50, y = (size_t)picture->height * 31 / 100;
+    const uint8_t *const drop = pixels + 4 * (y * picture->width + x);
     const uint8_t *const top = pixels + 4 * (size_t)(picture->width / 8);
     return drop[0] > drop[2] + 40 && top[2] > top[0];
 }
