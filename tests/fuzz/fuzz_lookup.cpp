@@ -92,9 +92,12 @@ void choose_case(Source& source, Case& c) {
   choose_sampler(source, c.sampler);
   choose_texture(source, c.texture, 9);
   choose_lookups(source, c);
-  choose_slices(source, c);
   if (c.sampler.filter == SHD_FILTER_EXACT && c.count > 2) c.count = 2;
-  if (source.one_in(3)) choose_directions(source, c);
+  if (source.one_in(3)) {
+    choose_directions(source, c);
+  } else {
+    choose_slices(source, c);
+  }
 }
 
 shd_lookups make_lookups(const Case& c) {
