@@ -16,6 +16,7 @@ packages=(
   libhwy-dev libtbb-dev                             # SIMD (Highway), threads
   libopenimageio-dev libopencolorio-dev             # image files, colour management
   libassimp-dev assimp-testmodels xplanet-images    # the importer, models, and a map of the earth
+  blender-data                                      # environments
   openimageio-tools fonts-dejavu-core               # oiiotool puts the sheet together, with labels
 )
 install_packages "${packages[@]}"
@@ -36,6 +37,7 @@ transforms=$models/glTF2/textureTransform/TextureTransformTest.gltf
 bark=$models/OBJ/drkwood2.jpg
 stones=$models/IRRMesh/crackedground_1-6.jpg
 earth=/usr/share/xplanet/images/earth.jpg
+world=/usr/share/blender/datafiles/studiolights/world
 render=$build/src/tool/shd-render
 out=out/gallery
 mkdir -p "$out"
@@ -139,6 +141,18 @@ for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area Summed-area
   picture "shadow-${filter%% *}" "${filter#* }" --floor --orbit 30,35,3.2 --sun -0.8,1.1,0.3:1.6,1.5,1.4 --ambient 0.2 \
     --shadow-size 1024 --shadows "${filter%% *}" "$spider"
 done
+
+group "Light from environments"
+for roughness in 0 0.25 0.5 0.75 1; do
+  picture "environment-metal-$roughness" "Metal, roughness $roughness" --environment "$world/courtyard.exr" \
+    --shape sphere --tessellation 64 --metallic 1 --diffuse 0.9,0.65,0.3 --roughness "$roughness"
+done
+picture environment-dielectric "Dielectric" --environment "$world/courtyard.exr" --shape sphere --tessellation 64 \
+  --diffuse 0.5,0.08,0.05 --roughness 0.15
+picture environment-mirror "Mirror" --environment "$world/forest.exr" --metallic 1 --diffuse 0.95 --roughness 0
+picture environment-glass "Glass" --environment "$world/sunset.exr" --model glass --diffuse 0.93,0.97,0.95 --roughness 0
+picture environment-coat "Clear coat" --environment "$world/studio.exr" --environment-blur 0.4 --orbit 0,0 --exposure 1 \
+  "$coat/ClearCoatTest.gltf"
 
 group "Lines"
 picture line-drawing "Silhouettes and creases" --orbit 40,15 --model unlit --texture none --diffuse 0.9 --background 0.9 \

@@ -88,7 +88,7 @@ static inline shd_environment_desc shd_environment_desc_default(void)
  * Make an environment on the executor of the context.
  *
  * The radiance takes 11 bytes for each of 1 to 4 times as many texels as the image has pixels, at most
- * 45 MB, and each kind of lobe at most 3 MB. While it is made, it takes 16 bytes more for each of these texels and for
+ * 45 MB, and each kind of lobe at most 5 MB. While it is made, it takes 16 bytes more for each of these texels and for
  * each pixel of the image. Maps hold three channels of 16 bits with a common exponent: errors of up to 2^-16 of the
  * largest channel.
  * @param context          retained

@@ -259,6 +259,14 @@ typedef struct shd_material_desc {
                                                  SHD_INTERPOLATION_PERSPECTIVE */
     size_t varying_count;                   /**< varyings that program.vertex writes, 0..SHD_MAX_VARYINGS; 0 without
                                                  program.vertex */
+    /**
+     * Strength c of a clear coat over METALLIC_ROUGHNESS, 0..1; default 0 = none. As KHR_materials_clearcoat of glTF,
+     * with its own roughness and normal n_c and F = 0.04 + 0.96 (1 - |n_c.v|)^5: the model times 1 - c F, plus the sum
+     * of E max(0, n_c.l) c F D V. Without SHD_SLOT_CLEARCOAT_NORMAL, n_c is the normal without normal maps and bumps.
+     * Ambient light and emission are not darkened. No effect on other models.
+     */
+    float clearcoat;
+    float clearcoat_roughness; /**< 0..1; default 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_material_desc;
 

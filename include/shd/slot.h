@@ -31,20 +31,23 @@ SHD_BEGIN_DECLS
  * three channels, scalars one.
  */
 typedef enum shd_slot_target {
-    SHD_SLOT_DIFFUSE = 0,       /**< colour k_d or base colour; the fourth channel multiplies opacity */
-    SHD_SLOT_AMBIENT = 1,       /**< colour k_a */
-    SHD_SLOT_SPECULAR = 2,      /**< colour k_s */
-    SHD_SLOT_EXPONENT = 3,      /**< scalar p */
-    SHD_SLOT_OPACITY = 4,       /**< scalar */
-    SHD_SLOT_EMISSION = 5,      /**< colour */
-    SHD_SLOT_METALLIC = 6,      /**< scalar */
-    SHD_SLOT_ROUGHNESS = 7,     /**< scalar */
-    SHD_SLOT_OCCLUSION = 8,     /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
-    SHD_SLOT_NORMAL = 9,        /**< tangent-space normal in shd_material_desc.normal_encoding */
-    SHD_SLOT_HEIGHT = 10,       /**< scalar height, for bumps and parallax; takes textures only */
-    SHD_SLOT_MATCAP = 11,       /**< colour by the direction of the normal in view space; takes textures only */
-    SHD_SLOT_NORMAL_MIXED = 12, /**< scalar: mixed moment of slopes; read with SHD_NORMAL_ENCODING_MOMENTS and
+    SHD_SLOT_DIFFUSE = 0,              /**< colour k_d or base colour; the fourth channel multiplies opacity */
+    SHD_SLOT_AMBIENT = 1,              /**< colour k_a */
+    SHD_SLOT_SPECULAR = 2,             /**< colour k_s */
+    SHD_SLOT_EXPONENT = 3,             /**< scalar p */
+    SHD_SLOT_OPACITY = 4,              /**< scalar */
+    SHD_SLOT_EMISSION = 5,             /**< colour */
+    SHD_SLOT_METALLIC = 6,             /**< scalar */
+    SHD_SLOT_ROUGHNESS = 7,            /**< scalar */
+    SHD_SLOT_OCCLUSION = 8,            /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
+    SHD_SLOT_NORMAL = 9,               /**< tangent-space normal in shd_material_desc.normal_encoding */
+    SHD_SLOT_HEIGHT = 10,              /**< scalar height, for bumps and parallax; takes textures only */
+    SHD_SLOT_MATCAP = 11,              /**< colour by the direction of the normal in view space; takes textures only */
+    SHD_SLOT_NORMAL_MIXED = 12,        /**< scalar: mixed moment of slopes; read with SHD_NORMAL_ENCODING_MOMENTS and
                                      SHD_SLOT_NORMAL only. A constant slot gives slopes without covariance */
+    SHD_SLOT_CLEARCOAT = 13,           /**< scalar: strength of the clear coat, clamped to 0..1 */
+    SHD_SLOT_CLEARCOAT_ROUGHNESS = 14, /**< scalar: roughness of the clear coat */
+    SHD_SLOT_CLEARCOAT_NORMAL = 15, /**< tangent-space normal of the clear coat, SHD_NORMAL_ENCODING_XYZ with z > 0 */
     SHD_SLOT_TARGET_MAX_ENUM = 0x7fffffff
 } shd_slot_target;
 
@@ -80,8 +83,9 @@ typedef void (*shd_slot_fn)(const shd_fragments *in, float *const out[4], void *
  * A source for a coefficient. Required: target, and the fields that the source uses.
  *
  * Slots that scale light (diffuse, ambient, specular, opacity, emission, metallic, occlusion, matcap) are looked up for
- * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height) are
- * looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or vertex, on level 0.
+ * every fragment at every frequency. Slots that shape a lobe (exponent, roughness, normal, normal_mixed, height and
+ * those of the clear coat) are looked up where lobes are evaluated: at flat and Gouraud frequency at the centroid or
+ * vertex, on level 0.
  *
  * Values are not clamped, even if negative. NaN and infinity propagate to the colours of their fragments, which
  * shd_render_stats.nonfinite_fragments counts. There are two exceptions. Exponents are clamped to 0..1e6 (NaN becomes

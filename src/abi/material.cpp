@@ -58,6 +58,8 @@ shd_result check_metal(const shd_material_desc& desc) {
   SHD_TRY(check_values("material.emission", desc.emission, 3, 0.0, 1e12));
   SHD_TRY(check_range("material.metallic", double{desc.metallic}, 0.0, 1.0));
   SHD_TRY(check_range("material.roughness", double{desc.roughness}, 0.0, 1.0));
+  SHD_TRY(check_range("material.clearcoat", double{desc.clearcoat}, 0.0, 1.0));
+  SHD_TRY(check_range("material.clearcoat_roughness", double{desc.clearcoat_roughness}, 0.0, 1.0));
   SHD_TRY(check_range("material.ior", double{desc.ior}, 1.0, 10.0));
   return check_range("material.occlusion_strength", double{desc.occlusion_strength}, 0.0, 1.0);
 }

@@ -66,7 +66,7 @@ SHD_SIZED(shd_mesh_info, triangle_count, split_count, 52);
 SHD_SIZED(shd_edges_desc, edges, crease_cosine, 28);
 SHD_SIZED(shd_edges, vertex, kinds, 88);
 SHD_SIZED(shd_tessellation_desc, mode, normals, 80);
-SHD_SIZED(shd_material_desc, model, varying_count, 216);
+SHD_SIZED(shd_material_desc, model, clearcoat_roughness, 224);
 SHD_SIZED(shd_slot, user_data, place_width, 160);
 SHD_SIZED(shd_light_desc, position, sampler, 96);
 SHD_SIZED(shd_shadow_desc, filter, min_variance, 48);

@@ -14,7 +14,7 @@
 namespace shd::environment {
 namespace {
 
-constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kMinLobeMap = 32, kIrradianceMap = 64;
+constexpr uint32_t kMinBase = 64, kMaxBase = 2048, kMaxLobeMap = 256, kMinLobeMap = 64, kIrradianceMap = 64;
 
 /// log2 of a power of two.
 uint32_t log2_of(uint32_t size) {
@@ -189,7 +189,7 @@ struct Layout {
     Chain chain = {};
     const uint32_t last = std::min(12u, 2 * log2_of(cells) - 4);  // an even number, of GGX
     for (uint32_t k = first; k <= last; ++k) {
-      const uint32_t size = std::max(kMinLobeMap, 16u << k / 2);
+      const uint32_t size = std::max(kMinLobeMap, 32u << k / 2);
       chain.level[chain.count++] = add(std::min({kMaxLobeMap, cells, size}));
     }
     chain.lobes = chain.count;

@@ -8,9 +8,9 @@
 
 namespace shd::environment {
 
-/// A square map of all directions in the projection OCTAHEDRAL: [size + 2][size + 2] texels, row 0 on top. While maps are
-/// made, texels are four floats (r, g, b, 0); then they are packed. The border of one texel repeats the texels that lie next to the edge on the octahedron, so that
-/// bilinear lookups need no wrap.
+/// A square map of all directions in the projection OCTAHEDRAL: [size + 2][size + 2] texels, row 0 on top. While maps
+/// are made, texels are four floats (r, g, b, 0); then they are packed. The border of one texel repeats the texels that
+/// lie next to the edge on the octahedron, so that bilinear lookups need no wrap.
 struct Level {
   uint32_t size;   // texels a side without the border
   uint32_t first;  // texel at which the border begins

@@ -51,9 +51,13 @@ void build_ambient(const shd_material_desc& desc, const SlotInput slots[kSlotCou
     out->ambient_slot = SHD_SLOT_DIFFUSE;
 }
 
+bool has_unorm_texels(const texture::Texture* normals) noexcept {
+  return normals && normals->component != image::Component::kFloat16 &&
+         normals->component != image::Component::kFloat32;
+}
+
 void build_surface(const shd_material_desc& desc, const texture::Texture* normals, Material* out) noexcept {
-  const bool is_unorm =
-      normals && normals->component != image::Component::kFloat16 && normals->component != image::Component::kFloat32;
+  const bool is_unorm = has_unorm_texels(normals);
   out->normal_factor = is_unorm ? 2.0f : 1.0f;
   out->normal_offset = is_unorm ? -1.0f : 0.0f;
   out->normal_encoding = desc.normal_encoding;
@@ -76,6 +80,12 @@ Material::~Material() {
 
 void build(const shd_material_desc& desc, const SlotInput slots[kSlotCount], Material* out) noexcept {
   out->model = model_key(desc.model, desc.debug_view);
+  if (out->model == SHD_MODEL_METALLIC_ROUGHNESS && desc.clearcoat > 0.0f) out->model = ModelKey::kClearCoat;
+  out->coat = desc.clearcoat;
+  out->coat_roughness = desc.clearcoat_roughness;
+  const bool has_coat_unorm = has_unorm_texels(slots[SHD_SLOT_CLEARCOAT_NORMAL].texture);
+  out->coat_normal_factor = has_coat_unorm ? 2.0f : 1.0f;
+  out->coat_normal_offset = has_coat_unorm ? -1.0f : 0.0f;
   out->flags = out->model == ModelKey::kProgram ? desc.flags : desc.flags & ~uint32_t{SHD_MATERIAL_DISCARDS};
   build_ambient(desc, slots, out);
   std::copy_n(desc.diffuse, 3, out->diffuse);

@@ -28,6 +28,7 @@
 /// | toon-inl.h                   | model                                                                 |
 /// | gooch-inl.h                  | model                                                                 |
 /// | metallic_roughness-inl.h     | model: the microfacets of glTF                                        |
+/// | clear_coat-inl.h             | model: metallic-roughness below a clear coat                          |
 /// | glass-inl.h                  | model: reflection and refraction                                      |
 /// | unlit-inl.h, matcap-inl.h    | models without lights                                                 |
 /// | show_*-inl.h                 | debug views of normal, uv, level of detail, barycentric coordinates   |
@@ -54,6 +55,8 @@ struct Material {
   float exponent;     // p
   float emission[3];
   float metallic, roughness;
+  float coat, coat_roughness;                    // clear coat
+  float coat_normal_factor, coat_normal_offset;  // as normal_factor and normal_offset
   float ior;
   float dielectric_f0;  // reflectance of ior at normal incidence
   float occlusion_strength;

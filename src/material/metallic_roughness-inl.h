@@ -61,6 +61,15 @@ HWY_INLINE MetallicRoughnessLobes<V> EvaluateMetallicRoughness(D d, const Point<
   return {in.cosine * (one - f), lobe * (one - f), lobe * f};
 }
 
+/// The middle of a lobe of an environment: rough lobes turn from the reflected direction r towards the normal (Lagarde
+/// and de Rousiers, "Moving Frostbite to Physically Based Rendering", 2014, section 4.9.3).
+template <class D, class V>
+HWY_INLINE Vec3V<V> LobeAxis(D d, const Vec3V<V>& n, const Vec3V<V>& r, V alpha_squared) {
+  const V alpha = hn::Sqrt(alpha_squared), rest = hn::Set(d, 1.0f) - alpha;
+  const V turn = rest * (hn::Sqrt(rest) + alpha);
+  return {n.x + turn * (r.x - n.x), n.y + turn * (r.y - n.y), n.z + turn * (r.z - n.z)};
+}
+
 /// k_a I_a (b (1 - m) + F0) + sum of E max(0, n.l) (b (1 - m) (1 - f0) (1 - f) / pi + (F0 (1 - f) + f) D V) with base
 /// colour b = k_d, metallic m, f0 the reflectance of the dielectric and F0 = f0 (1 - m) + b m.
 struct MetallicRoughness : ModelBase {
@@ -105,11 +114,8 @@ struct MetallicRoughness : ModelBase {
       const V f90 = place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
       const V diffuse = place.LookUpRow(d, table.diffuse);
       from.Irradiance(lobe[0]);
-      const V one = hn::Set(d, 1.0f), alpha = hn::Sqrt(shape[Shape::kAlphaSquared]), rest = one - alpha;
-      const V turn = rest * (hn::Sqrt(rest) + alpha);
-      const Vec3V<V> axis = {from.n.x + turn * (from.r.x - from.n.x), from.n.y + turn * (from.r.y - from.n.y),
-                             from.n.z + turn * (from.r.z - from.n.z)};
-      from.Radiance(from.map.ggx, axis, precision, one, lobe[1]);
+      const Vec3V<V> axis = LobeAxis(d, from.n, from.r, shape[Shape::kAlphaSquared]);
+      from.Radiance(from.map.ggx, axis, precision, hn::Set(d, 1.0f), lobe[1]);
       for (int c = 0; c < 3; ++c) {
         lobe[0][c] = lobe[0][c] * diffuse;
         lobe[2][c] = lobe[1][c] * f90;

@@ -44,6 +44,15 @@ struct Surroundings {
   D d;
   Vec3V<V> n, r;
   V n_dot_v;
+  const float* world_to_map;  // column-major rotation
+
+  HWY_INLINE Vec3V<V> Rotated(const Vec3V<V>& v) const {
+    const float* m = world_to_map;
+    const auto row = [&](int k) HWY_ATTR {
+      return hn::Set(d, m[k]) * v.x + hn::Set(d, m[3 + k]) * v.y + hn::Set(d, m[6 + k]) * v.z;
+    };
+    return {row(0), row(1), row(2)};
+  }
 
   /// Sets the channels of a lobe to the irradiance.
   HWY_INLINE void Irradiance(V (&lobe)[3]) const {
@@ -114,6 +123,8 @@ struct LightingBase {
   static constexpr bool kNeedsEye = false;
   /// Whether SHD_MATERIAL_SPECULAR_UNGATED keeps the specular lobes where n.l <= 0. If false, they are always 0 there.
   static constexpr bool kMayBeUngated = false;
+  /// Whether AddLight() sets specular lobes to 0 where they are not lit. If false, they are set to 0 where n.l <= 0.
+  static constexpr bool kGatesLobes = false;
   /// Whether lobe 0 sums every light with weight 1 instead of E, without range, cookie, shadow or side.
   static constexpr bool kIgnoresIrradiance = false;
   /// Whether the lobes are averaged over the normals of SHD_NORMAL_ENCODING_MOMENTS; otherwise their mean is used.

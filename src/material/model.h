@@ -17,8 +17,12 @@ struct Material;
 enum class ModelKey : uint32_t {
   kProgram = SHD_MODEL_PROGRAM,
   kFirstView = 32,  // above all models
+  kClearCoat = 64,  // SHD_MODEL_METALLIC_ROUGHNESS with a clear coat
 };
 
+constexpr ModelKey key_of(ModelKey key) {
+  return key;
+}
 constexpr ModelKey key_of(shd_model model) {
   return static_cast<ModelKey>(model);
 }
@@ -38,9 +42,11 @@ constexpr ModelKey model_key(shd_model model, shd_debug_view view) {
 }
 
 /// Largest number of lobes of a model.
-constexpr uint32_t kMaxLobes = 3;
+constexpr uint32_t kMaxLobes = 4;
 /// Largest number of shape parameters of the lobes of a model at a point.
-constexpr uint32_t kMaxShapeColumns = 2;
+constexpr uint32_t kMaxShapeColumns = 6;
+/// First of three shape parameters that are the normal of a clear coat.
+constexpr uint32_t kCoatNormalColumn = 3;
 
 /// Reflected light of each point before the coefficients are applied: the lobes of the model, RGB, summed over the
 /// lights.

@@ -10,6 +10,7 @@
 
 #include "material/blinn_phong-inl.h"
 #include "material/blinn_phong_normalized-inl.h"
+#include "material/clear_coat-inl.h"
 #include "material/combined-inl.h"
 #include "material/glass-inl.h"
 #include "material/gooch-inl.h"
@@ -53,6 +54,7 @@ using Models = ModelTable<
     ModelRow<SHD_MODEL_METALLIC_ROUGHNESS, MetallicRoughness>,
     ModelRow<SHD_MODEL_MATCAP, Matcap>,
     ModelRow<SHD_MODEL_GLASS, Glass>,
+    ModelRow<ModelKey::kClearCoat, ClearCoat>,
     ModelRow<SHD_DEBUG_VIEW_NORMAL, ShowNormal>,
     ModelRow<SHD_DEBUG_VIEW_UV, ShowUv>,
     ModelRow<SHD_DEBUG_VIEW_LEVEL, ShowLevel>,

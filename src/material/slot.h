@@ -11,7 +11,7 @@
 namespace shd::material {
 
 /// Number of coefficients that slots feed.
-constexpr uint32_t kSlotCount = SHD_SLOT_NORMAL_MIXED + 1;
+constexpr uint32_t kSlotCount = SHD_SLOT_CLEARCOAT_NORMAL + 1;
 
 /// A checked shd_slot.
 struct Slot {
@@ -44,7 +44,8 @@ inline bool is_set(const Slot& slot) {
 constexpr uint32_t slot_channels(uint32_t slot) {
   switch (slot) {
     case SHD_SLOT_DIFFUSE:
-    case SHD_SLOT_NORMAL: return 4;
+    case SHD_SLOT_NORMAL:
+    case SHD_SLOT_CLEARCOAT_NORMAL: return 4;
     case SHD_SLOT_AMBIENT:
     case SHD_SLOT_SPECULAR:
     case SHD_SLOT_EMISSION:
@@ -55,7 +56,8 @@ constexpr uint32_t slot_channels(uint32_t slot) {
 
 /// Slots that are looked up at the points where lobes are computed; the other slots are looked up at every fragment.
 constexpr uint32_t kShapingSlots = 1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_NORMAL |
-                                   1u << SHD_SLOT_NORMAL_MIXED | 1u << SHD_SLOT_HEIGHT;
+                                   1u << SHD_SLOT_NORMAL_MIXED | 1u << SHD_SLOT_HEIGHT | 1u << SHD_SLOT_CLEARCOAT |
+                                   1u << SHD_SLOT_CLEARCOAT_ROUGHNESS | 1u << SHD_SLOT_CLEARCOAT_NORMAL;
 
 /// Whether two slots make equal lookups in one texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {

@@ -96,13 +96,14 @@ std::array<float, 6> uv_transform_of(const aiUVTransform& t) {
   return {sx * c, sy * s, x, -sx * s, sy * c, y};
 }
 
-/// Reads the first texture of a type, unless `map` already has a texture.
-void read_map(Materials& materials, const aiMaterial& material, aiTextureType type, bool data, Map& map) {
+/// Reads a texture of a type, unless `map` already has a texture.
+void read_map(Materials& materials, const aiMaterial& material, aiTextureType type, bool data, Map& map,
+              unsigned index = 0) {
   aiString path;
   unsigned uv_set = 0;
   aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
   if (map.texture >= 0 ||
-      material.GetTexture(type, 0, &path, nullptr, &uv_set, nullptr, nullptr, modes) != AI_SUCCESS) {
+      material.GetTexture(type, index, &path, nullptr, &uv_set, nullptr, nullptr, modes) != AI_SUCCESS) {
     return;
   }
   if (uv_set > 1) {
@@ -115,10 +116,21 @@ void read_map(Materials& materials, const aiMaterial& material, aiTextureType ty
   map.wrap_u = wrap_of(modes[0]);
   map.wrap_v = wrap_of(modes[1]);
   aiUVTransform transform;
-  if (materials.gltf2 && material.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == AI_SUCCESS) {
+  if (materials.gltf2 && material.Get(AI_MATKEY_UVTRANSFORM(type, index), transform) == AI_SUCCESS) {
     map.uv_transform = uv_transform_of(transform);
   }
   for (float& c : map.uv_transform) c = std::isfinite(c) ? c : 0.0f;
+}
+
+/// The extension KHR_materials_clearcoat of glTF.
+void read_clear_coat(Materials& materials, const aiMaterial& material, Surface& surface) {
+  if (!read_number(material, AI_MATKEY_CLEARCOAT_FACTOR, 0.0f, 1.0f, surface.clearcoat)) return;
+  read_number(material, AI_MATKEY_CLEARCOAT_ROUGHNESS_FACTOR, 0.0f, 1.0f, surface.clearcoat_roughness);
+  Map* const maps = surface.maps.data();
+  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT], 0);
+  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT_ROUGHNESS], 1);
+  read_map(materials, material, aiTextureType_CLEARCOAT, true, maps[SHD_SLOT_CLEARCOAT_NORMAL], 2);
+  maps[SHD_SLOT_CLEARCOAT_ROUGHNESS].channel = 1;
 }
 
 void read_metallic_roughness(Materials& materials, const aiMaterial& material, Surface& surface) {
@@ -136,6 +148,7 @@ void read_metallic_roughness(Materials& materials, const aiMaterial& material, S
   read_number(material, AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), -1e3f, 1e3f, surface.normal_scale);
   read_number(material, AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), 0.0f, 1.0f,
               surface.occlusion_strength);
+  read_clear_coat(materials, material, surface);
 }
 
 void read_alpha(const aiMaterial& material, Surface& surface) {

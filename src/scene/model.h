@@ -54,7 +54,8 @@ struct Surface {
   Alpha alpha = Alpha::kOpaque;
   float opacity = 1.0f, alpha_cutoff = 0.5f;
   bool double_sided = false;
-  std::array<Map, SHD_SLOT_MATCAP + 1> maps;  // by shd_slot_target
+  float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
+  std::array<Map, SHD_SLOT_CLEARCOAT_NORMAL + 1> maps;  // by shd_slot_target
 };
 
 /// A geometry placed in the world.

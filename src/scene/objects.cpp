@@ -72,6 +72,8 @@ shd_material_desc desc_of(const Surface& surface) {
     desc.emission[c] = surface.emission[c];
   }
   desc.ambient_share = 1.0f;  // ambient light is reflected by the diffuse colour
+  desc.clearcoat = surface.clearcoat;
+  desc.clearcoat_roughness = surface.clearcoat_roughness;
   desc.exponent = metallic ? exponent_of(surface.roughness) : surface.exponent;
   desc.roughness = metallic ? surface.roughness : roughness_of(surface.exponent);
   desc.metallic = surface.metallic;

@@ -57,6 +57,7 @@ struct Columns {
   MarchColumns march;                        // parallax scratch
   float* shape[material::kMaxShapeColumns];  // shape parameters of the lobes at points
   float* factor[kModulated][3];              // at points: factor of a light's cookie and shadow
+  float* coat_normal[3];                     // at points: normal of a clear coat
   float* shadow_normal[3];                   // at points, before normal maps and bumps; set only with shadows
   float* visibility;                         // at points, for a light with a cookie and a shadow
   uint32_t* point;                           // [fragment] first point of its triangle
@@ -93,6 +94,7 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
   for (float*& column : columns->tilt) visit(&column);
   for (float*& column : columns->spread) visit(&column);
   for (float*& column : columns->shadow_normal) visit(&column);
+  for (float*& column : columns->coat_normal) visit(&column);
   for (float*& column : columns->shape) visit(&column);
   for (float** column : {&columns->visibility, &columns->shifted, &columns->variance}) visit(column);
   MarchColumns& march = columns->march;

@@ -126,7 +126,8 @@ void IlluminatePoints(const material::Material& material, const LobeShape& shape
   const D d;
   using V = hn::Vec<D>;
   constexpr uint32_t kLobes = Lighting::kLobes;
-  const bool gated = !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
+  const bool gated =
+      !Lighting::kGatesLobes && !(Lighting::kMayBeUngated && material.flags & SHD_MATERIAL_SPECULAR_UNGATED);
   const V zero = hn::Zero(d);
   V constant[material::kMaxShapeColumns];
   const material::HWY_NAMESPACE::SlotsAt<D> unset = {material::unset_parameters(), d, 0};

@@ -32,7 +32,7 @@ uint32_t place_columns(const Material& material) {
 }
 
 bool reads_tangents(const Material& material) {
-  return material::has_slot(material, SHD_SLOT_NORMAL) ||
+  return material::has_slot(material, SHD_SLOT_NORMAL) || material::has_slot(material, SHD_SLOT_CLEARCOAT_NORMAL) ||
          (material::has_slot(material, SHD_SLOT_HEIGHT) && material.bump == SHD_BUMP_TEXEL);
 }
 

@@ -71,7 +71,7 @@ void point_to_attributes(const Slot& slot, uint32_t index, const SlotContext& co
     const uint32_t column = slot.attribute + c;
     const bool is_there = column < SHD_MAX_ATTRIBUTES && vertices.has_attribute[column];
     out->value[index][c] = is_there ? context.points.attribute[column] : nullptr;
-    if (is_there || index != SHD_SLOT_NORMAL) continue;
+    if (is_there || (index != SHD_SLOT_NORMAL && index != SHD_SLOT_CLEARCOAT_NORMAL)) continue;
     std::fill_n(columns.slot[index][c], context.points.count, 1.0f);
     out->value[index][c] = columns.slot[index][c];
   }

@@ -139,7 +139,9 @@ void light_points(const core::SimdTarget& simd, const material::Material& materi
 bool reflects_sharply(const material::Material& material) {
   constexpr float kRough = 0.35f, kWide = 60.0f;
   if (material::info_of(material.model).environment_tables & SHD_ENVIRONMENT_TABLE_GGX) {
-    return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS);
+    const bool has_coat = material.model == material::ModelKey::kClearCoat;
+    return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS) ||
+           (has_coat && material.coat_roughness < kRough) || material::has_slot(material, SHD_SLOT_CLEARCOAT_ROUGHNESS);
   }
   return material::info_of(material.model).environment_tables != 0 && material.exponent > kWide;
 }

@@ -72,6 +72,38 @@ void find_gradient(const core::SimdTarget& simd, const SlotContext& context, Col
   }
 }
 
+/// Calls body() while the points' normals are those of the clear coat.
+template <class Body>
+void with_coat_normals(raster::Fragments* points, Columns* columns, const Body& body) {
+  const auto swap = [&] {
+    std::swap(points->nx, columns->coat_normal[0]);
+    std::swap(points->ny, columns->coat_normal[1]);
+    std::swap(points->nz, columns->coat_normal[2]);
+  };
+  swap();
+  body();
+  swap();
+}
+
+/// Sets the normals of the clear coat to the points' normals, tilted by its normal map.
+void map_coat_normals(const core::SimdTarget& simd, const material::Material& material,
+                      const material::Parameters& parameters, raster::Fragments* points, Columns* columns) {
+  const size_t count = points->count;
+  std::copy_n(points->nx, count, columns->coat_normal[0]);
+  std::copy_n(points->ny, count, columns->coat_normal[1]);
+  std::copy_n(points->nz, count, columns->coat_normal[2]);
+  if (!material::has_slot(material, SHD_SLOT_CLEARCOAT_NORMAL)) return;
+  const float* const* map = parameters.value[SHD_SLOT_CLEARCOAT_NORMAL];
+  const float factor = material.coat_normal_factor, offset = material.coat_normal_offset;
+  const float up = material.flags & SHD_MATERIAL_NORMAL_Y_DOWN ? -1.0f : 1.0f;
+  for (size_t i = 0; i < count; ++i) {
+    const float inverse = 1.0f / std::max(factor * map[2][i] + offset, 1e-3f);
+    columns->tilt[0][i] = (factor * map[0][i] + offset) * inverse;
+    columns->tilt[1][i] = up * (factor * map[1][i] + offset) * inverse;
+  }
+  with_coat_normals(points, columns, [&] { tilt_normals(simd, columns->tilt, points); });
+}
+
 }  // namespace
 
 void make_tangent_bases(const SlotContext& context, raster::Fragments* points, Columns* columns) {
@@ -80,7 +112,8 @@ void make_tangent_bases(const SlotContext& context, raster::Fragments* points, C
   const geometry::Vertices& vertices = *context.shading.vertices;
   const float orientation = context.shading.orientation;
   if (vertices.tangent.size() == 0) {
-    const uint32_t set = material::has_slot(material, SHD_SLOT_NORMAL) ? material.slot[SHD_SLOT_NORMAL].uv_set : 0;
+    const uint32_t slot = material::has_slot(material, SHD_SLOT_NORMAL) ? SHD_SLOT_NORMAL : SHD_SLOT_CLEARCOAT_NORMAL;
+    const uint32_t set = material::has_slot(material, slot) ? material.slot[slot].uv_set : 0;
     make_tangent_frames(vertices, orientation, set, true, points, columns);
   }
   const bool has_height = material::has_slot(material, SHD_SLOT_HEIGHT);
@@ -93,6 +126,8 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
                         Columns* columns, material::Parameters* parameters) {
   const material::Material& material = *context.shading.material;
   look_up_slots(simd, context, material::kShapingSlots, columns, parameters);
+  const bool has_coat = material.model == material::ModelKey::kClearCoat;
+  if (has_coat) map_coat_normals(simd, material, *parameters, points, columns);
   const bool bumps = material::has_slot(material, SHD_SLOT_HEIGHT) && material.bump_scale != 0.0f;
   const bool maps = material::has_slot(material, SHD_SLOT_NORMAL);
   if (bumps && material.bump == SHD_BUMP_TEXEL) find_texel_tilt(simd, context, columns);
@@ -106,12 +141,18 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
   }
   if (bumps && material.bump == SHD_BUMP_TEXEL) tilt_normals(simd, columns->tilt, points);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) bump_normals(simd, columns->tilt, columns->tangent_frame, points);
-  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED)
-    face_normals(*context.shading.vertices, context.shading.orientation, points);
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED) {
+    const auto face = [&] { face_normals(*context.shading.vertices, context.shading.orientation, points); };
+    face();
+    if (has_coat) with_coat_normals(points, columns, face);
+  }
   const bool has_variance = maps && material.normal_encoding == SHD_NORMAL_ENCODING_TOKSVIG;
   LobeShape shape =
       shape_lobes(simd, material, *parameters, has_variance ? columns->variance : nullptr, points->count, columns);
   for (int k = 0; k < 6 && has_moments; ++k) shape.spread[k] = columns->spread[k];
+  for (uint32_t c = 0; c < 3 && has_coat; ++c) {
+    shape.column[material::kCoatNormalColumn + c] = columns->coat_normal[c];
+  }
   return shape;
 }
 

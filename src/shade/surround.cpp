@@ -22,14 +22,6 @@ namespace {
 using Tag = hn::ScalableTag<float>;
 using Vec = hn::Vec<Tag>;
 
-HWY_INLINE Vec3V<Vec> Rotated(const float* m, const Vec3V<Vec>& v) {
-  const Tag d;
-  const auto row = [&](int r) HWY_ATTR {
-    return hn::Set(d, m[r]) * v.x + hn::Set(d, m[3 + r]) * v.y + hn::Set(d, m[6 + r]) * v.z;
-  };
-  return {row(0), row(1), row(2)};
-}
-
 /// The part of the environment's light that occlusion keeps.
 HWY_INLINE Vec Kept(const material::Material& material, const material::Parameters& parameters, size_t i) {
   const Tag d;
@@ -68,8 +60,9 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
       Lighting::Shape::Widen(d, hn::Set(d, 0.5f) * (Dot(a, a) + Dot(b, b)), values);
     }
     if (widening) Lighting::Shape::Widen(d, hn::Load(d, widening + i), values);
-    const mat::Surroundings<Tag> from = {*environment.map, d, Rotated(environment.world_to_map, n),
-                                         Rotated(environment.world_to_map, r), n_dot_v};
+    mat::Surroundings<Tag> from = {*environment.map, d, n, r, n_dot_v, environment.world_to_map};
+    from.n = from.Rotated(n);
+    from.r = from.Rotated(r);
     Lighting::AddEnvironment(d, material, from, values, lobe);
     Lighting::Normalize(d, values, lobe);
     const Vec scale = parameters ? intensity * Kept(material, *parameters, i) : intensity;

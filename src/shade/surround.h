@@ -12,8 +12,8 @@
 namespace shd::shade {
 
 /// Lobes of the model at points in the light of an environment. The model reflects environments. If `parameters` is not
-/// null, points are fragments: the lobes times the occlusion of the material are added to `out`. `widening` is a variance
-/// of slopes that is added to the lobes, null = 0.
+/// null, points are fragments: the lobes times the occlusion of the material are added to `out`. `widening` is a
+/// variance of slopes that is added to the lobes, null = 0.
 void surround(const core::SimdTarget& simd, const material::Material& material, const LobeShape& shape,
               const EnvironmentLight& environment, const raster::Fragments& points,
               const material::Parameters* parameters, const float* widening, material::Lobes* out);

@@ -54,8 +54,8 @@ Light
   --ambient R,G,B       or one number for all three (default 0.15, with an environment 0)
 
 Surface
-  --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap, glass (default ggx
-                        for metallic-roughness and environments, else blinn-phong)
+  --model M             lambert, phong, blinn-phong, normalized, combined, ggx, gooch, toon, unlit, matcap, glass
+                        (default ggx for metallic-roughness and environments, else blinn-phong)
   --show V              normal, uv, level, barycentrics, instead of the shaded model
   --frequency F         flat, gouraud, phong (default phong)
   --diffuse R,G,B       colour, instead of the model's

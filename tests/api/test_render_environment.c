@@ -342,6 +342,76 @@ static void test_glass(void **state)
     shd_material_release(material);
 }
 
+/** A coat takes c F of the light, and reflects it as a mirror-white metal of its roughness; with and without lights. */
+struct coat_case {
+    const char *name;
+    int lit, mapped;
+};
+static const struct coat_case k_coats[] = {
+    {"coat/lights", 1, 0}, {"coat/environment", 0, 0}, {"coat/lights/mapped", 1, 1}, {"coat/environment/mapped", 0, 1}};
+
+static void test_coat(void **state)
+{
+    const struct coat_case *row = (const struct coat_case *)*state;
+    static struct picture base, layer, coated;
+    static const unsigned char tilted[4] = {190, 100, 220, 255}, straight[4] = {128, 128, 255, 255};
+    shd_texture *texture[2];
+    shd_slot slots[2];
+    shd_material *material[3];
+    struct scene scene;
+    int checked = 0;
+    for (int k = 0; k < 2; ++k) {
+        shd_texture_desc desc = shd_texture_desc_default();
+        desc.format = SHD_FORMAT_RGBA8;
+        desc.width = desc.height = 1;
+        desc.texels = k ? tilted : straight;
+        shd_assert_ok(shd_texture_create(g_context, &desc, &texture[k]));
+    }
+    for (int k = 0; k < 3; ++k) { /* the base, the coat as a metal with its normal, both */
+        shd_material_desc desc = shd_material_desc_default();
+        desc.model = SHD_MODEL_METALLIC_ROUGHNESS;
+        desc.roughness = k == 1 ? 0.45f : 0.8f;
+        desc.metallic = k == 1 ? 1.0f : 0.0f;
+        desc.diffuse[0] = desc.diffuse[1] = desc.diffuse[2] = k == 1 ? 1.0f : 0.4f;
+        desc.clearcoat = k == 2 ? 0.75f : 0.0f;
+        desc.clearcoat_roughness = 0.45f;
+        slots[0] = shd_slot_texture(SHD_SLOT_NORMAL, texture[row->mapped && k == 1], NULL);
+        slots[1] = shd_slot_texture(SHD_SLOT_CLEARCOAT_NORMAL, texture[1], NULL);
+        desc.slots = slots;
+        desc.slot_count = row->mapped ? (k == 2 ? 2 : 1) : 0;
+        shd_assert_ok(shd_material_create(g_context, &desc, &material[k]));
+    }
+    open_scene(&scene, NULL);
+    scene.desc.draw_count = 1;
+    if (row->lit) {
+        scene.desc.environment = NULL;
+        scene.desc.lights = (const shd_light *const *)g_lights;
+        scene.desc.light_count = LIGHTS;
+    }
+    for (int k = 0; k < 3; ++k) {
+        scene.draw.material = material[k];
+        render(&scene, k == 0 ? &base : k == 1 ? &layer : &coated);
+    }
+    for (size_t i = 0; i < EDGE * EDGE; ++i) {
+        /* Two channels give c F; the third one must have the same. */
+        const double b = (double)base.plane[0][i], l = (double)layer.plane[0][i], d = l - b;
+        double part;
+        if (base.plane[3][i] == 0.0f || fabs(d) < 0.02) continue;
+        part = ((double)coated.plane[0][i] - b) / d;
+        if (!row->mapped) assert_true(part > 0.02 && part < 0.76);
+        for (int c = 1; c < 3; ++c) {
+            const double want = (double)base.plane[c][i] * (1.0 - part) + (double)layer.plane[c][i] * part;
+            shd_assert_close(row->name, i, (double)coated.plane[c][i], want, 2e-3, 2e-3);
+        }
+        if (i == EDGE / 2 * EDGE + EDGE / 2 && !row->mapped) shd_assert_close("F0", i, part, 0.03, 2e-3, 0.0);
+        ++checked;
+    }
+    assert_true(checked > 300);
+    close_scene(&scene);
+    for (int k = 0; k < 3; ++k) shd_material_release(material[k]);
+    for (int k = 0; k < 2; ++k) shd_texture_release(texture[k]);
+}
+
 /** Reflections of fine noise in a mirror sphere are near the average over each pixel. */
 static void test_mirror(void **state)
 {
@@ -599,6 +669,7 @@ int main(void)
 {
     ADD_ROWS(k_models, test_model);
     ADD_ROWS(k_backgrounds, test_background);
+    ADD_ROWS(k_coats, test_coat);
     ADD_ROWS(k_refusals, test_desc);
     add("glass", test_glass, NULL);
     add("mirror", test_mirror, NULL);

@@ -29,6 +29,7 @@ const ModelCase k_models[] = {
     {"toon", material::key_of(SHD_MODEL_TOON), 2, SHD_SLOT_EXPONENT, true, true, false, true, false, 0},
     {"metallic_roughness", material::key_of(SHD_MODEL_METALLIC_ROUGHNESS), 3, SHD_SLOT_ROUGHNESS, true, true, false,
      true, true, 0},
+    {"glass", material::key_of(SHD_MODEL_GLASS), 2, SHD_SLOT_ROUGHNESS, true, true, false, true, false, 0},
     {"matcap", material::key_of(SHD_MODEL_MATCAP), 0, -1, false, true, false, false, false, 0},
     {"show_normal", material::key_of(SHD_DEBUG_VIEW_NORMAL), 0, -1, false, true, false, false, false, 0},
     {"show_uv", material::key_of(SHD_DEBUG_VIEW_UV), 0, -1, false, false, false, false, false, raster::kTexture},
@@ -54,8 +55,8 @@ void test_row(void** state) {
 
 /// Every model and view reads the diffuse slot; programs have no row. A view is shown in place of any model.
 void test_all(void**) {
-  assert_int_equal(material::last_model(), SHD_MODEL_MATCAP);
-  for (int model = 0; model <= SHD_MODEL_MATCAP; ++model) {
+  assert_int_equal(material::last_model(), SHD_MODEL_GLASS);
+  for (int model = 0; model <= SHD_MODEL_GLASS; ++model) {
     const auto key = material::key_of(static_cast<shd_model>(model));
     assert_int_equal(material::info_of(key).slots >> SHD_SLOT_DIFFUSE & 1, model != SHD_MODEL_PROGRAM);
     assert_true(material::model_key(static_cast<shd_model>(model), SHD_DEBUG_VIEW_NONE) == key);
@@ -65,6 +66,11 @@ void test_all(void**) {
     assert_true(material::info_of(key).slots >> SHD_SLOT_DIFFUSE & 1);
     assert_true(material::model_key(SHD_MODEL_PROGRAM, static_cast<shd_debug_view>(view)) == key);
   }
+  const material::ModelInfo& coat = material::info_of(material::ModelKey::kClearCoat);
+  assert_int_equal(coat.lobes, 4);
+  assert_int_equal(coat.shape_slots,
+                   1u << SHD_SLOT_ROUGHNESS | 1u << SHD_SLOT_CLEARCOAT | 1u << SHD_SLOT_CLEARCOAT_ROUGHNESS);
+  assert_int_equal(coat.slots & coat.shape_slots, coat.shape_slots);
 }
 
 }  // namespace
