@@ -141,6 +141,15 @@ other --lines 1 -- --lines 3
 same --show normal -- --show normal --height checker --displace 0
 other --shape sphere --height checker -- --shape sphere --height checker --displace 0.2
 
+expect 0 "" --size 64x32 --background 0.2,0.4,0.8 -o around.exr
+other -- --environment around.exr
+other --environment around.exr -- --environment around.exr --environment-turn 90
+other --environment around.exr -- --environment around.exr --environment-blur 0.6
+other --environment around.exr -- --environment around.exr --background 0
+other --environment around.exr -- --environment around.exr --exposure 1
+other --environment around.exr -- --environment around.exr --model glass
+other --environment around.exr -- --environment around.exr --lights headlight
+
 shapes=(teapot sphere plane box torus)
 for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3
@@ -186,6 +195,9 @@ expect 2 "one of hard" --shadows none
 expect 2 "16..8192" --shadow-size 8
 expect 3 "no-such-normals.png" --normal-map no-such-normals.png
 expect 3 "no-such-heights.png" --height no-such-heights.png
+expect 3 "no-such-sky.hdr" --environment no-such-sky.hdr
+expect 2 "-360..360" --environment-turn 400
+expect 2 "0..1" --environment-blur 2
 expect 3 "no-such-cookie.png" --spot 1,1,1 --cookie no-such-cookie.png
 expect 2 "one of nearest bilinear trilinear" --filter best
 expect 2 "one model at a time" a.obj b.obj
