@@ -62,7 +62,9 @@ inline Region whole(const Texture& texture) {
 inline bool has_border(const Sampler& sampler) {
   return sampler.wrap_u == SHD_WRAP_BORDER || sampler.wrap_v == SHD_WRAP_BORDER;
 }
+/// Returns whether lookups of a texture read it. Directions are never outside.
 inline bool has_border(const Texture& texture, const Sampler& sampler) {
+  if (texture.projection != SHD_PROJECTION_NONE) return false;
   return has_border(sampler) || (texture.depth != 0 && sampler.wrap_w == SHD_WRAP_BORDER);
 }
 
