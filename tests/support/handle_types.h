@@ -307,7 +307,7 @@ static const struct type_row k_types[] = {
      "sampler: not a live handle of its type"},
     {"shadow", "shadow", create_shadow, retain_shadow, release_shadow, use_shadow,
      "shadow: not a live handle of its type"},
-    {"volume", "volume", create_volume, retain_volume, release_volume, use_volume,
+    {"textured_volume", "volume", create_volume, retain_volume, release_volume, use_volume,
      "render.volumes[0]: volume.volume: not a live handle of its type"},
     {"environment", "environment", create_environment, retain_environment, release_environment, use_environment,
      "environment: not a live handle of its type"},
