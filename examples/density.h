@@ -28,9 +28,10 @@ static const struct ellipsoid k_head[10] = {
     {0.1f, 0.023f, 0.046f, 0.02f, 0.06f, -0.605f, 0.0f, 0.0f},
 };
 
-/* Density of the head at a point of [-1, 1]^3. */
+/* Density of the head at a point of [-1, 1]^3. The ellipsoids have soft edges, so that gradients are smooth. */
 static inline float head_density(float x, float y, float z)
 {
+    const float softness = 0.05f;
     float sum = 0.0f;
     size_t i;
     for (i = 0; i < 10; ++i) {
@@ -38,7 +39,9 @@ static inline float head_density(float x, float y, float z)
         const float turn = e->turn * 0.0174532925f, cosine = cosf(turn), sine = sinf(turn);
         const float dx = x - e->x, dy = y - e->y, dz = z - e->z;
         const float u = (dx * cosine + dy * sine) / e->a, v = (dy * cosine - dx * sine) / e->b, w = dz / e->c;
-        if (u * u + v * v + w * w <= 1.0f) sum += e->density;
+        const float axis = e->a < e->b ? e->a : e->b;
+        const float share = 0.5f + (1.0f - sqrtf(u * u + v * v + w * w)) * axis / softness;
+        sum += e->density * (share < 0 ? 0 : share > 1 ? 1 : share);
     }
     return sum;
 }

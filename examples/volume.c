@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Render volumes: a cloud that glows by itself, and the surfaces inside a head, lit from the side. */
+/* Render volumes: a cloud that glows by itself, and the inside of a head, lit from the side. */
 #include "density.h"
 
 #include <stdio.h>
@@ -52,15 +52,21 @@ static shd_result make_volume(struct frame *f, int which, float (*density)(float
     return shd_volume_create(f->context, &vd, &f->volume[which]);
 }
 
+/* The rear half of the head, which shows what is inside. */
+static float open_head_density(float x, float y, float z)
+{
+    return y < 0 ? 0 : head_density(x, y, z);
+}
+
 static shd_result make(struct frame *f)
 {
     /* density, extinction, r, g, b */
     static const float k_cloud[4][5] = {
         {0.02f, 0, 0.55f, 0.6f, 0.7f}, {0.2f, 5, 0.7f, 0.75f, 0.8f}, {0.5f, 18, 1, 0.95f, 0.9f}, {1, 40, 1, 1, 0.95f}};
-    static const float k_head_points[4][5] = {{0.12f, 0, 0.8f, 0.4f, 0.3f},
-                                              {0.25f, 1.2f, 0.9f, 0.35f, 0.2f},
-                                              {0.38f, 25, 0.9f, 0.8f, 0.3f},
-                                              {1, 2, 0.6f, 0.7f, 0.9f}};
+    static const float k_head_points[4][5] = {{0.08f, 0, 0.7f, 0.3f, 0.3f},
+                                              {0.18f, 25, 0.75f, 0.35f, 0.35f},
+                                              {0.3f, 40, 0.8f, 0.05f, 0.05f},
+                                              {0.6f, 40, 0.9f, 0.85f, 0.7f}};
     shd_material_desc md = shd_material_desc_default();
     shd_light_desc ld = shd_light_desc_default();
     shd_result result = shd_context_create(NULL, &f->context);
@@ -73,7 +79,7 @@ static shd_result make(struct frame *f)
     ld.intensity[0] = ld.intensity[1] = ld.intensity[2] = 75.0f;
     if (result == SHD_OK) result = shd_light_create(f->context, &ld, &f->light);
     if (result == SHD_OK) result = make_volume(f, 0, cloud_density, k_cloud, NULL);
-    if (result == SHD_OK) result = make_volume(f, 1, head_density, k_head_points, f->material);
+    if (result == SHD_OK) result = make_volume(f, 1, open_head_density, k_head_points, f->material);
     return result;
 }
 
