@@ -21,7 +21,7 @@ struct Images {
   shd_direction_images desc;
   uint32_t count;
   shd_image image[6];
-  char name[6][16];  // "from.images[0]"
+  char name[6][32];  // "from.images[0]"
 };
 
 shd_result check_size(const char* name, const Images& in) {
