@@ -44,7 +44,7 @@ shd_result check_transfer(const shd_volume_desc& desc) {
   SHD_TRY(check_points("volume.density", desc.density, desc.point_count, -kLargest, kLargest));
   SHD_TRY(check_points("volume.extinction", desc.extinction, desc.point_count, 0.0, 1e12));
   for (int c = 0; c < 3; ++c) {
-    char name[24];
+    char name[32];
     std::snprintf(name, sizeof name, "volume.color[%d]", c);
     SHD_TRY(check_points(name, desc.color[c], desc.point_count, 0.0, 1e6));
   }
