@@ -145,6 +145,7 @@ static shd_result volume(struct stage *s)
     placed.volume = made;
     frame.volumes = &placed;
     frame.volume_count = 1;
+    frame.draw_count = 0; /* other cases draw them */
     if (result == SHD_OK) result = shd_render(s->context, &frame);
     if (result == SHD_OK) s->hash = shd_hash_framebuffer(s->scene.framebuffer);
     shd_volume_release(made);
