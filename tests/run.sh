@@ -92,7 +92,7 @@ stage_asan() {
       UBSAN_OPTIONS=print_stacktrace=1 SHD_ONE_PICTURE=1 run_tests asan -E '^(abi|style|consumer)\.'
 }
 # Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
-# kernels from one thread. The frames and lookups of eight tests and the failures of api.call_faults take minutes here;
+# kernels from one thread. The frames and lookups of ten tests and the failures of api.call_faults take minutes here;
 # other tests run the same threads.
 # What does not run is not built.
 stage_tsan() {
@@ -101,7 +101,7 @@ stage_tsan() {
   build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
       run_tests tsan -R '^(api|unit\.raster\.bin)' \
-        -E '^api\.(call_faults|framebuffer_formats|lookup_bad_footprints|minified_normals|shadow_contact|render_(painter|passes|supersampling|window))$'
+        -E '^api\.(call_faults|environment|framebuffer_formats|lookup_(bad_footprints|small)|minified_normals|shadow_contact|render_(painter|passes|supersampling|window))$'
 }
 # The release stage has built shd as a part of another project, and has run the unit tests on the generic SIMD target;
 # failures of allocations do not depend on it.
