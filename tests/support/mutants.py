@@ -60,7 +60,7 @@ MUTANTS = {
     "endless_ellipse": Mutant("src/texture/footprint/ellipses.cpp",
                               "one / hn::Max(f.roundness, hn::Set(d, 1.0f / sampler.max_anisotropy))",
                               "one / hn::Max(f.roundness, hn::Set(d, 1e-4f))", "api.lookup_bad_footprints"),
-    "many_levels": Mutant("src/abi/texture.cpp", "texture::full_level_count(desc.width, desc.height) - 1", "63",
+    "many_levels": Mutant("src/abi/texture.cpp", "texture::full_level_count(desc.width, desc.height, desc.depth) - 1", "63",
                           "api.bad_sizes"),
     "any_displacement": Mutant(
         "src/abi/tessellate.cpp",
