@@ -181,9 +181,9 @@ struct TextureCorners {
 
 /// Fills texture coordinates at the pixels of one triangle. `row_at(y)` returns the terms that a row of pixels shares,
 /// `weights_at(row, x)` the barycentric coordinates of a vector of its pixels.
-template <class D, class V, class RowAt, class WeightsAt>
-HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorners<V>& corner, const RowAt& row_at,
-                            const WeightsAt& weights_at, Fragments& f) {
+template <class D, class V, class RowTerms, class PixelWeights>
+HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorners<V>& corner, const RowTerms& row_at,
+                            const PixelWeights& weights_at, Fragments& f) {
   const hn::RebindToSigned<D> di;
   const auto lane = hn::Iota(di, 0);
   const V left = hn::Set(d, pixels.left + 0.5f);

@@ -7,19 +7,6 @@ namespace shd::tests
 namespace
 {
 
-shd_context *g_context;
-
-int set_up(void **)
-{
-    shd_assert_ok(shd_context_create(nullptr, &g_context));
-    return 0;
-}
-int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
-}
-
 double smooth(const double *n)
 {
     return 2.0 + 0.5 * n[0] - 0.7 * n[1] + 0.3 * n[2] + 0.4 * n[0] * n[1] - 0.2 * n[1] * n[2];
@@ -28,10 +15,10 @@ double smooth(const double *n)
 /// Random directions, and directions at the poles, axes, edges and corners and near them.
 void add_directions(DirectionLookups *to, size_t random_count)
 {
-    Random random;
+    Random random{1};
     double n[3];
     for (size_t i = 0; i < random_count; ++i) {
-        random.direction(n);
+        random_direction(&random, n);
         to->add(n);
     }
     for (int i = 0; i < 125; ++i) {
@@ -96,7 +83,7 @@ void add_pairs(shd_projection projection, DirectionLookups *to)
     const double e = 1e-5;
     for (int i = 0; i < 2000; ++i) {
         double a[3], b[3];
-        random.direction(a);
+        random_direction(&random, a);
         if (projection == SHD_PROJECTION_LAT_LONG) {
             if (i % 2) a[0] = 0.0, a[2] = -std::fabs(a[2]);  // the meridian u = 0
             if (i % 2 == 0) a[0] *= e, a[2] *= e;            // a pole
@@ -111,7 +98,7 @@ void add_pairs(shd_projection projection, DirectionLookups *to)
         }
         const double sum = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
         for (int c = 0; c < 3; ++c) {
-            const double push = e * (2.0 * random.next() - 1.0) * sum;
+            const double push = e * (2.0 * random.unit() - 1.0) * sum;
             b[c] = a[c] - push, a[c] += push;
         }
         to->add(a), to->add(b);
@@ -272,13 +259,13 @@ Errors errors_of(shd_texture *texture, shd_sampler *sampler, bool at_seam, doubl
     Random random{11};
     for (int i = 0; i < 400; ++i) {
         double n[3], a[3], b[3];
-        random.direction(n);
+        random_direction(&random, n);
         if (at_seam && i % 2) n[0] *= 0.1, n[2] *= 0.1;                // around the poles
         if (at_seam && i % 2 == 0) n[i / 2 % 3] = n[(i / 2 + 1) % 3];  // edges of the cube
         double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         for (double &x : n) x /= length;
-        tangents(n, 6.3 * random.next(), a, b);
-        const double size = 0.02 * std::pow(15.0 / ratio, random.next());
+        tangents(n, 6.3 * random.unit(), a, b);
+        const double size = 0.02 * std::pow(15.0 / ratio, random.unit());
         for (int c = 0; c < 3; ++c) a[c] *= size * ratio, b[c] *= size;
         want.push_back(box_of(n, a, b));
         at.add(n, a, b);

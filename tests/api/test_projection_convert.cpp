@@ -11,19 +11,6 @@ namespace shd::tests
 namespace
 {
 
-shd_context *g_context;
-
-int set_up(void **)
-{
-    shd_assert_ok(shd_context_create(nullptr, &g_context));
-    return 0;
-}
-int tear_down(void **)
-{
-    shd_context_release(g_context);
-    return 0;
-}
-
 /// Images over texels of one format.
 struct Images {
     shd_image image[6];

@@ -10,6 +10,7 @@
 
 #include "ref/projection_ref.h"
 #include "support/check.h"
+#include "support/random.h"
 
 namespace shd::tests
 {
@@ -23,21 +24,26 @@ inline bool is_disc(shd_projection projection)
     return projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR;
 }
 
-/// Deterministic numbers in [0, 1).
-struct Random {
-    uint32_t state = 1;
-    double next()
-    {
-        state = state * 1664525u + 1013904223u;
-        return (state >> 8) * 0x1p-24;
-    }
-    /// Uniform on the sphere.
-    void direction(double *n)
-    {
-        const double z = 2.0 * next() - 1.0, a = 2.0 * M_PI * next(), r = std::sqrt(1.0 - z * z);
-        n[0] = r * std::cos(a), n[1] = z, n[2] = r * std::sin(a);
-    }
-};
+/// A direction, uniform on the sphere.
+inline void random_direction(Random *random, double *n)
+{
+    const double z = random->in(-1.0, 1.0), a = random->in(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
+    n[0] = r * std::cos(a), n[1] = z, n[2] = r * std::sin(a);
+}
+
+/// The context of all tests of a file.
+inline shd_context *g_context;
+
+inline int set_up(void **)
+{
+    shd_assert_ok(shd_context_create(nullptr, &g_context));
+    return 0;
+}
+inline int tear_down(void **)
+{
+    shd_context_release(g_context);
+    return 0;
+}
 
 /// Texels [face][height][width] of one channel.
 struct DirectionImage {
@@ -69,7 +75,7 @@ struct DirectionImage {
     void fill_noise(uint32_t seed)
     {
         Random random{seed};
-        for (float &texel : texels) texel = static_cast<float>(random.next());
+        for (float &texel : texels) texel = static_cast<float>(random.unit());
     }
     shd_texture *texture(shd_context *context) const
     {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 
 #include "procedural/solid.h"
 #include "ref/solid_ref.h"
@@ -97,6 +98,27 @@ inline double ref_value(const solid_case& c, const shd_solid_desc& desc, const p
                         const double (&place)[3], double width) {
   const ref::SolidTable table = {solid.table.permutation, solid.table.x, solid.table.y, solid.table.z};
   return ref::solid(desc, table, mean_of(c, desc), place, width);
+}
+
+/// A test that runs for every case of k_solids.
+struct solid_test {
+  const char* name;
+  CMUnitTestFunction body;
+};
+
+/// Adds the tests "name/case". Returns their number.
+template <size_t kTests>
+size_t add_solid_tests(const solid_test (&bodies)[kTests], CMUnitTest* tests) {
+  static char names[kTests * std::size(k_solids)][64];
+  size_t n = 0;
+  for (const solid_test& test : bodies) {
+    for (const solid_case& c : k_solids) {
+      snprintf(names[n], sizeof names[n], "%s/%s", test.name, c.name);
+      tests[n] = {names[n], test.body, nullptr, nullptr, const_cast<solid_case*>(&c)};
+      ++n;
+    }
+  }
+  return n;
 }
 
 }  // namespace shd::tests

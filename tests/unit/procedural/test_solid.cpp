@@ -231,19 +231,8 @@ void test_colors(void**) {
 int main() {
   using namespace shd::tests;
   CMUnitTest tests[80];
-  static char names[80][64];
-  size_t n = 0;
-  const struct {
-    const char* name;
-    CMUnitTestFunction body;
-  } bodies[] = {{"octave", test_octave}, {"sum", test_sum}, {"gradient", test_gradient}, {"tails", test_tails}};
-  for (const auto& body : bodies) {
-    for (const solid_case& c : k_solids) {
-      snprintf(names[n], sizeof names[n], "%s/%s", body.name, c.name);
-      tests[n] = {names[n], body.body, nullptr, nullptr, const_cast<solid_case*>(&c)};
-      ++n;
-    }
-  }
+  size_t n = add_solid_tests(
+      {{"octave", test_octave}, {"sum", test_sum}, {"gradient", test_gradient}, {"tails", test_tails}}, tests);
   tests[n++] = {"classic_by_hand", test_by_hand, nullptr, nullptr, nullptr};
   tests[n++] = {"table", test_table, nullptr, nullptr, nullptr};
   tests[n++] = {"stripe_edges", test_stripe_edges, nullptr, nullptr, nullptr};

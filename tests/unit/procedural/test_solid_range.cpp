@@ -212,19 +212,8 @@ void test_band_limit(void**) {
 int main() {
   using namespace shd::tests;
   CMUnitTest tests[80];
-  static char names[80][64];
-  size_t n = 0;
-  const struct {
-    const char* name;
-    CMUnitTestFunction body;
-  } bodies[] = {{"mean", test_mean}, {"nonfinite", test_nonfinite}, {"width", test_widths}, {"hostile", test_hostile}};
-  for (const auto& body : bodies) {
-    for (const solid_case& c : k_solids) {
-      snprintf(names[n], sizeof names[n], "%s/%s", body.name, c.name);
-      tests[n] = {names[n], body.body, nullptr, nullptr, const_cast<solid_case*>(&c)};
-      ++n;
-    }
-  }
+  size_t n = add_solid_tests(
+      {{"mean", test_mean}, {"nonfinite", test_nonfinite}, {"width", test_widths}, {"hostile", test_hostile}}, tests);
   tests[n++] = {"bounds", test_bounds, nullptr, nullptr, nullptr};
   tests[n++] = {"band_limit", test_band_limit, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.procedural.solid_range", tests, n, nullptr, nullptr);
