@@ -50,6 +50,7 @@
 #ifndef SHD_SHD_H
 #define SHD_SHD_H
 
+#include <shd/bake.h>
 #include <shd/base.h>
 #include <shd/column.h>
 #include <shd/context.h>
@@ -66,6 +67,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/occlusion.h>
 #include <shd/polygon.h>
 #include <shd/present.h>
 #include <shd/projection.h>

@@ -108,6 +108,16 @@ void FragmentBatch::move_to_centroids(const ShadingPoints& points, size_t begin,
   }
 }
 
+/// Moves rows of a bake from the centre of their texels to the nearest points of their triangles.
+void FragmentBatch::move_to_nearest(size_t begin, size_t end) const {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const raster::NearestTriangles& nearest = worker_.nearest[0];
+  for (size_t row = begin; row < end; ++row) {
+    f.x[row] = nearest.x[f.pixel[row]];
+    f.y[row] = nearest.y[f.pixel[row]];
+  }
+}
+
 /// Appends pixels of the latest triangle to the table, which must have room for them.
 void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
                            const raster::PixelRun& run) {
@@ -124,6 +134,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   f.count += count;
   worker_.runs.run[worker_.runs.count++] = run;
   if (tile_.pattern.count > 1) move_to_centroids(points, begin, f.count);
+  if (tile_.renderer.frame.bake) move_to_nearest(begin, f.count);
   if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
   if (!keeps_triangles_) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);
