@@ -101,7 +101,7 @@ static inline shd_bake_desc shd_bake_desc_default(void)
  *
  * Every draw has a material. Its colour replaces that of the texel: blends have no effect, and a is the opacity of the
  * material. Fragments that a program or the alpha test drops leave their texel empty. SHD_MATERIAL_DOUBLE_SIDED and
- * cull, fill, compare, depth biases and flags of a draw have no effect. The bits of the result do not depend on
+ * _ALPHA_TO_COVERAGE, and cull, fill, compare, depth biases and flags of a draw have no effect. The bits of the result do not depend on
  * workers or SIMD targets.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @param frame    borrowed for the call

@@ -35,7 +35,7 @@ void find_triangles(TileState* tile) {
 /// Whether the alpha test and the program keep a row.
 bool is_kept(const material::Material& material, const shade::Columns& columns, size_t row) {
   if (material.flags & SHD_MATERIAL_DISCARDS && columns.discard[row]) return false;
-  return !(columns.radiance.channel[3][row] < material.alpha_cutoff);
+  return !(material.alpha_cutoff > 0.0f && columns.radiance.channel[3][row] < material.alpha_cutoff);
 }
 
 void write_texels(const Draw& draw, TileState* tile) {
