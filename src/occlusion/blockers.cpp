@@ -20,7 +20,7 @@ void FindOpen(const light::Shadow& shadow, float reach, const light::ShadowLooku
     const auto column = hn::Min(hn::Floor(at.x), last), row = hn::Min(hn::Floor(at.y), last);
     const auto depth = receiver::GatherDepths(d, map, receiver::TexelIndex(d, map, at.face, column, row));
     const auto plane = receiver::PlaneDepth(d, at, column, row);
-    const auto is_open = hn::Or(hn::Le(plane, depth), hn::Gt(plane - depth, hn::Set(d, reach)));
+    const auto is_open = hn::Or(hn::Le(plane, depth), hn::Gt(at.bias + plane - depth, hn::Set(d, reach)));
     return hn::IfThenElseZero(is_open, hn::Set(d, 1.0f));
   });
 }
