@@ -26,7 +26,7 @@ static inline shd_mesh *shd_bake_mesh(shd_context *context, uint32_t triangles, 
     uint32_t i, c;
     assert_true(triangles <= 300);
     for (i = 0; i < 3 * triangles; ++i) {
-        const float size = i % 5 == 0 ? 0.4f : 0.06f;
+        const float size = i % 5 == 0 ? 0.4f : 0.2f;
         for (c = 0; c < 6; ++c) columns[c][i] = 4 * shd_bake_random(&seed) - 2;
         for (c = 6; c < 10; ++c) {
             const float middle = i % 3 == 0 ? 1.1f * shd_bake_random(&seed) - 0.05f : columns[c][i / 3 * 3];
