@@ -37,10 +37,11 @@ SHD_BEGIN_DECLS
 
 /** Source of the value of a baked texel. */
 typedef enum shd_texel_state {
-    SHD_TEXEL_EMPTY = 0,   /**< no triangle: the clear values of the frame */
-    SHD_TEXEL_CENTRE = 1,  /**< a triangle that covers the centre of the texel */
-    SHD_TEXEL_TOUCHED = 2, /**< the nearest point of a triangle that covers a part of the texel, without its centre */
-    SHD_TEXEL_DILATED = 3, /**< a copy of the nearest texel that a triangle shaded */
+    SHD_TEXEL_STATE_EMPTY = 0,  /**< no triangle: the clear values of the frame */
+    SHD_TEXEL_STATE_CENTRE = 1, /**< a triangle that covers the centre of the texel */
+    SHD_TEXEL_STATE_TOUCHED =
+        2, /**< the nearest point of a triangle that covers a part of the texel, without its centre */
+    SHD_TEXEL_STATE_DILATED = 3, /**< a copy of the nearest texel that a triangle shaded */
     SHD_TEXEL_STATE_MAX_ENUM = 0x7fffffff
 } shd_texel_state;
 
@@ -51,9 +52,9 @@ typedef struct shd_bake_stats {
     uint64_t zero_area_triangles; /**< without area in texture coordinates, rounded to 1/256 texel; not baked */
     uint64_t nonfinite_triangles; /**< with a position or texture coordinate that is not finite; not baked */
     uint64_t outside_triangles;   /**< with a corner outside 0..1; the part inside is baked */
-    uint64_t centre_texels;       /**< texels of SHD_TEXEL_CENTRE */
-    uint64_t touched_texels;      /**< texels of SHD_TEXEL_TOUCHED */
-    uint64_t dilated_texels;      /**< texels of SHD_TEXEL_DILATED */
+    uint64_t centre_texels;       /**< texels of SHD_TEXEL_STATE_CENTRE */
+    uint64_t touched_texels;      /**< texels of SHD_TEXEL_STATE_TOUCHED */
+    uint64_t dilated_texels;      /**< texels of SHD_TEXEL_STATE_DILATED */
     uint64_t overlapping_texels;  /**< texels whose centre several triangles cover */
     uint64_t nonfinite_texels;    /**< shaded texels whose r, g, b or a is NaN or infinite (kept as written) */
     /* ---- end of 0.1; append below ---- */
@@ -77,7 +78,7 @@ typedef struct shd_bake_desc {
      * centres; of equally near texels the one in the upper row is copied, then the left one. Default 0 = none.
      */
     uint32_t dilation;
-    uint32_t reserved;     /**< 0 */
+    uint32_t flags;        /**< reserved; 0 */
     shd_u32_out states;    /**< shd_texel_state of width * height texels, row by row from the top; default not wanted */
     shd_bake_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted; all zero on failure */
     /* ---- end of 0.1; append below ---- */
@@ -94,10 +95,10 @@ static inline shd_bake_desc shd_bake_desc_default(void)
 /**
  * Shade the surfaces of draws into a framebuffer at their texture coordinates.
  *
- * Of the frame, a bake reads the framebuffer (with one sample per pixel), clear_color, camera or view, draws, lights,
- * shadows, environment with its intensity and rotation, progress, present and stats. Directions towards the eye come
- * from the view; so do vertex programs, of which the clip position has no effect. The other fields must have their
- * defaults, except pass_triangles, which has no effect: all triangles are processed together. Depth becomes 1.
+ * A bake reads these fields of the frame: the framebuffer (with one sample per pixel), clear_color, camera or view,
+ * draws, lights, shadows, environment with its intensity and rotation, progress, present and stats. The view gives the
+ * eye. Vertex programs run; their clip positions have no effect. The other fields must have their defaults, except
+ * pass_triangles, which has no effect: all triangles are processed together. Depth becomes 1.
  *
  * Every draw has a material. Its colour replaces that of the texel: blends have no effect, and a is the opacity of the
  * material. Fragments that a program or the alpha test drops leave their texel empty. SHD_MATERIAL_DOUBLE_SIDED and

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Ambient occlusion: the part of the sky that each point of a surface sees, at vertices or in a texture.
+ * @brief Ambient occlusion: the part of the sky that is open above each point of a surface, at vertices or in a texture.
  *
  * The value o of a point is the cosine-weighted part of the directions above its surface along which no occluder lies
  * within a radius: 1 = open, 0 = enclosed (Landis, "Production-Ready Global Illumination", SIGGRAPH 2002 course 16,
@@ -49,7 +49,6 @@ SHD_BEGIN_DECLS
  */
 typedef struct shd_rays {
     uint32_t struct_size;      /**< size of the library's struct */
-    uint32_t reserved;         /**< 0 */
     size_t count;              /**< number of rays, at least 1 */
     const float *ox, *oy, *oz; /**< origins, world space */
     const float *dx, *dy, *dz; /**< directions, world space, unit */

@@ -30,9 +30,9 @@ shd_bake_stats finish_bake(const frame::Bake& bake, const shd_render_stats& stat
   out.zero_area_triangles = bake.zero_area_triangles;
   out.nonfinite_triangles = bake.nonfinite_triangles;
   out.outside_triangles = bake.outside_triangles;
-  out.centre_texels = counts[SHD_TEXEL_CENTRE];
-  out.touched_texels = counts[SHD_TEXEL_TOUCHED];
-  out.dilated_texels = counts[SHD_TEXEL_DILATED];
+  out.centre_texels = counts[SHD_TEXEL_STATE_CENTRE];
+  out.touched_texels = counts[SHD_TEXEL_STATE_TOUCHED];
+  out.dilated_texels = counts[SHD_TEXEL_STATE_DILATED];
   out.nonfinite_texels = stats.nonfinite_fragments;
   return out;
 }
@@ -61,7 +61,7 @@ shd_result check_frame(const shd_render_desc& frame) {
 shd_result check_bake(const shd_bake_desc& desc, const film::Framebuffer& framebuffer) {
   SHD_TRY(check_count("bake.uv_set", desc.uv_set, 0, 1));
   SHD_TRY(check_count("bake.dilation", desc.dilation, 0, kMaxDilation));
-  SHD_TRY(check_zero("bake.reserved", desc.reserved));
+  SHD_TRY(check_zero("bake.flags", desc.flags));
   if (framebuffer.samples != 1) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "render.framebuffer: %u samples a pixel, but a bake takes 1",
                       framebuffer.samples);

@@ -19,7 +19,7 @@ struct Bake {
 };
 
 /// Draws a frame with one sample per pixel into its framebuffer, one opaque fragment per touched texel, then dilates
-/// it. Of the frame, window, viewport, scissor, load, passes, supersampling, visibility and volumes are replaced. All
+/// it. Window, viewport, scissor, load, passes, supersampling, visibility and volumes of the frame are replaced. All
 /// draws have a material. Throws Failure and std::bad_alloc; then the framebuffer may hold a part of the result.
 void bake(const core::Context& context, const Frame& frame, Bake* bake, shd_render_stats* stats);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: occlusion, (points and occluders -> the part of the sky that each point sees).
+/// Stage contract: occlusion, (points and occluders -> the part of the sky that is open above each point).
 ///
 /// Input:      points with normals in world space; a tracer of the host, or draws.
 /// Output:     one value for each point: 1 open .. 0 enclosed, weighted by the cosine to the normal.

@@ -72,8 +72,8 @@ class Tracing {
 
   void call(RayBatch* batch) const {
     std::fill_n(batch->blocked.data(), batch->count, 0u);
-    const shd_rays rays = {sizeof rays, 0,         batch->count, batch->ox, batch->oy,
-                           batch->oz,   batch->dx, batch->dy,    batch->dz, batch->length};
+    const shd_rays rays = {sizeof rays, batch->count, batch->ox, batch->oy,    batch->oz,
+                           batch->dx,   batch->dy,    batch->dz, batch->length};
     try {
       options_.tracer.trace(&rays, batch->blocked.data(), options_.tracer.user_data);
     } catch (const std::exception& error) {

@@ -13,7 +13,7 @@ namespace shd::raster {
 /// Bounds of the positions in a texel that a triangle must pass between to touch it: its inside, without the border.
 constexpr geometry::SampleExtent kTouchExtent = {1, geometry::kSubpixels - 1, 1, geometry::kSubpixels - 1};
 
-/// How a triangle meets a texel.
+/// Coverage of a texel by triangles.
 enum class TexelCover : uint8_t {
   kEmpty = 0,    // no triangle shares area with the texel
   kCentre = 1,   // a triangle covers the centre, by the fill rule of raster.h
@@ -24,7 +24,7 @@ enum class TexelCover : uint8_t {
 /// "Conservative Rasterization", GPU Gems 2, 2005, 42), and the point of this triangle that is nearest to the centre of
 /// the texel. A triangle that covers the centre comes first, then the nearest one, then the lowest slot.
 struct NearestTriangles {
-  uint32_t slot[kTilePixels];  // of the triangle, or kNoSlot
+  uint32_t slot[kTilePixels];  // the triangle, or kNoSlot
   TexelCover cover[kTilePixels];
   bool is_shared[kTilePixels];   // several triangles cover the centre
   double distance[kTilePixels];  // squared distance from the centre to the point [1/256 pixel]

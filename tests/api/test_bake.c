@@ -77,7 +77,7 @@ static void test_full_chart(void **state)
     assert_int_equal(f.stats.fragments, k_texels);
     for (i = 0; i < k_texels; ++i) {
         const double u = ((double)(i % k_width) + 0.5) / k_width, v = ((double)(i / k_width) + 0.5) / k_height;
-        assert_int_equal(g_states[i], SHD_TEXEL_CENTRE);
+        assert_int_equal(g_states[i], SHD_TEXEL_STATE_CENTRE);
         shd_assert_close("u", i, f.plane[SHD_PLANE_U][i], u, 2e-7, 0);
         shd_assert_close("v", i, f.plane[SHD_PLANE_V][i], v, 2e-7, 0);
         shd_assert_close("r", i, f.plane[SHD_PLANE_R][i], 4 * u, 1e-6, 0);
@@ -110,9 +110,9 @@ static void test_no_extrapolation(void **state)
         const double left = 0.203 * k_width, right = 0.711 * k_width, top = 0.301 * k_height, bottom = 0.787 * k_height;
         const int touches = x + 1 > left + 0.004 && x < right - 0.004 && y + 1 > top + 0.004 && y < bottom - 0.004;
         const int centre = x + 0.5 > left && x + 0.5 < right && y + 0.5 > top && y + 0.5 < bottom;
-        if (touches) assert_int_equal(g_states[i], centre ? SHD_TEXEL_CENTRE : SHD_TEXEL_TOUCHED);
-        if (!touches) assert_true(g_states[i] == SHD_TEXEL_EMPTY || g_states[i] == SHD_TEXEL_DILATED);
-        if (g_states[i] == SHD_TEXEL_EMPTY) {
+        if (touches) assert_int_equal(g_states[i], centre ? SHD_TEXEL_STATE_CENTRE : SHD_TEXEL_STATE_TOUCHED);
+        if (!touches) assert_true(g_states[i] == SHD_TEXEL_STATE_EMPTY || g_states[i] == SHD_TEXEL_STATE_DILATED);
+        if (g_states[i] == SHD_TEXEL_STATE_EMPTY) {
             assert_int_equal(f.triangle[i], 0xffffffff);
             assert_true(f.plane[SHD_PLANE_R][i] == 0.0f);
             continue;
@@ -323,7 +323,7 @@ static void test_dropped(void **state)
     assert_true(stats.nonfinite_texels > k_texels / 8);
     for (i = 0; i < k_texels; ++i) {
         const int dropped = i % k_width < k_width / 2;
-        assert_int_equal(g_states[i], dropped ? SHD_TEXEL_EMPTY : SHD_TEXEL_CENTRE);
+        assert_int_equal(g_states[i], dropped ? SHD_TEXEL_STATE_EMPTY : SHD_TEXEL_STATE_CENTRE);
         assert_true(f.plane[SHD_PLANE_A][i] == (dropped ? 0.0f : 0.25f));
         assert_int_equal(f.triangle[i] == 0xffffffff, dropped);
     }
@@ -366,7 +366,7 @@ static void test_formats(void **state)
         shd_assert_ok(shd_bake(context, &frame, &desc));
         shd_assert_ok(shd_framebuffer_read_plane(frame.framebuffer, SHD_PLANE_R, &column));
         for (i = 0; i < k_bake_texels; ++i) {
-            shd_assert_close("red", i, red[i], states[i] == SHD_TEXEL_EMPTY ? 1.0 : 0.5, 0.005, 0);
+            shd_assert_close("red", i, red[i], states[i] == SHD_TEXEL_STATE_EMPTY ? 1.0 : 0.5, 0.005, 0);
         }
     }
     shd_mesh_release((shd_mesh *)draw.mesh);
@@ -385,7 +385,7 @@ struct bad_case {
 };
 static void bad_uv_set(shd_render_desc *f, shd_bake_desc *b) { (void)f, b->uv_set = 2; }
 static void bad_dilation(shd_render_desc *f, shd_bake_desc *b) { (void)f, b->dilation = 1025; }
-static void bad_reserved(shd_render_desc *f, shd_bake_desc *b) { (void)f, b->reserved = 1; }
+static void bad_bake_flags(shd_render_desc *f, shd_bake_desc *b) { (void)f, b->flags = 1; }
 static void bad_states(shd_render_desc *f, shd_bake_desc *b) { (void)f, b->states.stride = 3; }
 static void bad_framebuffer(shd_render_desc *f, shd_bake_desc *b) { (void)b, f->framebuffer = NULL; }
 static void bad_flags(shd_render_desc *f, shd_bake_desc *b) { (void)b, f->flags = SHD_RENDER_LOAD; }
@@ -413,7 +413,7 @@ static void bad_material(shd_render_desc *f, shd_bake_desc *b)
 static const struct bad_case k_bad[] = {
     {"bad/uv_set", bad_uv_set, "bake.uv_set: 2 is not in 0..1"},
     {"bad/dilation", bad_dilation, "bake.dilation: 1025 is not in 0..1024"},
-    {"bad/reserved", bad_reserved, "bake.reserved: 1"},
+    {"bad/bake_flags", bad_bake_flags, "bake.flags: 1"},
     {"bad/states", bad_states, "bake.states.stride: 3"},
     {"bad/framebuffer", bad_framebuffer, "render.framebuffer: NULL"},
     {"bad/flags", bad_flags, "render.flags: a bake takes"},

@@ -440,14 +440,18 @@ static shd_result bake(struct stage *s)
 {
     shd_render_desc frame = shd_render_desc_default();
     shd_bake_desc desc = shd_bake_desc_default();
+    shd_framebuffer_desc target = shd_framebuffer_desc_default();
     shd_draw draw = s->scene.draw[0];
     shd_result result;
-    frame.framebuffer = s->scene.framebuffer;
+    target.width = target.height = 70;
+    target.aovs = SHD_AOV_POSITION;
+    result = shd_framebuffer_create(s->context, &target, &frame.framebuffer);
     frame.draws = &draw;
     frame.draw_count = 1;
     desc.dilation = 3;
-    result = shd_bake(s->context, &frame, &desc);
-    if (result == SHD_OK) s->hash = shd_hash_framebuffer(s->scene.framebuffer);
+    if (result == SHD_OK) result = shd_bake(s->context, &frame, &desc);
+    if (result == SHD_OK) s->hash = shd_hash_framebuffer(frame.framebuffer);
+    shd_framebuffer_release(frame.framebuffer);
     return result;
 }
 

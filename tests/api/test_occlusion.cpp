@@ -147,7 +147,7 @@ struct factor_case {
     const char *name;
     Method method;
     uint32_t rays;
-    double tolerance;  // of one point
+    double tolerance;  // largest error of a point
 };
 constexpr factor_case k_factors[] = {
     {"factors/tracer", kTracer, 2048, 0.015},
@@ -168,8 +168,7 @@ void test_open(void **state)
     close(&solid);
 }
 
-/// The foot of a wall that is wide and high sees one half of the sky; at a distance d from a wall of height h it misses
-/// (1 - d / sqrt(d^2 + h^2)) / 2.
+/// A wide wall of height h hides (1 - d / sqrt(d^2 + h^2)) / 2 of the sky at the distance d: one half at its foot.
 void test_wall(void **state)
 {
     const auto &c = *static_cast<const factor_case *>(*state);
@@ -227,7 +226,7 @@ void test_radius(void **state)
     for (float r : radius) {
         desc.radius = r;
         const std::vector<float> values = compute(desc, columns);
-        // Of the directions at an angle a, those with height / cos a below the radius are blocked: 1 - (h / r)^2.
+        // Directions at an angle a with height / cos a below the radius are blocked: 1 - (h / r)^2 of the weight.
         for (size_t i = 0; i < 2; ++i) {
             const double h = i ? 1 : 2, ratio = r > 1e9f ? 0 : h / double{r};
             const double horizon = r > 1e9f ? 0.015 : 0;
@@ -239,7 +238,7 @@ void test_radius(void **state)
 
 // ---- the oracle ----
 
-/// The part of the sky that a point sees, from n x n stratified rays in double.
+/// The part of the sky that is open above a point, from n x n stratified rays in double.
 double open_sky(const Solid &solid, const Vec3 &p, const Vec3 &n, double radius, int count)
 {
     const Vec3 axis = std::fabs(n[0]) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -463,8 +462,9 @@ void test_atlas(void **)
     }
     const std::vector<float> want = compute(desc, columns);
     for (size_t i = 0; i < kTexels; ++i) {
-        const float expected = states[i] == SHD_TEXEL_EMPTY ? -2.0f : want[i];
-        if (std::memcmp(&value[i], &expected, 4) != 0) fail_msg("texel %zu: %g, not %g", i, double{value[i]}, double{expected});
+        const float expected = states[i] == SHD_TEXEL_STATE_EMPTY ? -2.0f : want[i];
+        if (std::memcmp(&value[i], &expected, 4) != 0)
+            fail_msg("texel %zu: %g, not %g", i, double{value[i]}, double{expected});
     }
     shd_material_release(material);
     shd_framebuffer_release(frame.framebuffer);
@@ -553,8 +553,8 @@ void test_bad_points(void **)
     shd_assert_result("context", shd_occlusion_compute(nullptr, &desc, &points, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "context: NULL");
     shd_draw draw = shd_draw_default();
-    shd_assert_result("mesh", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out),
-                      SHD_ERROR_INVALID_ARGUMENT, "draw.mesh: NULL");
+    shd_assert_result("mesh", shd_occlusion_compute_vertices(g_context, &desc, &draw, &out), SHD_ERROR_INVALID_ARGUMENT,
+                      "draw.mesh: NULL");
     draw.mesh = shd_bake_mesh(g_context, 1, 1);
     draw.instances = column;
     draw.instance_count = 1;
@@ -624,10 +624,7 @@ void test_odd_occluders(void **)
     }
 }
 
-void throwing(const shd_rays *, uint32_t *, void *)
-{
-    throw std::runtime_error("no rays");
-}
+void throwing(const shd_rays *, uint32_t *, void *) { throw std::runtime_error("no rays"); }
 
 void test_throws(void **)
 {

@@ -25,13 +25,19 @@ int tear_down(void**) {
 struct dilate_case {
   const char* name;
   uint32_t width, height, radius;
-  double density;  // of filled texels
+  double density;  // part of the texels that are filled
 };
 
 constexpr dilate_case k_cases[] = {
-    {"sparse", 41, 29, 6, 0.01},      {"dense", 37, 23, 3, 0.4},       {"empty", 9, 7, 5, 0.0},
-    {"full", 9, 7, 5, 1.0},           {"one_texel_radius", 31, 17, 1, 0.1}, {"large_radius", 43, 19, 1000, 0.004},
-    {"one_row", 83, 1, 9, 0.05},      {"one_column", 1, 71, 9, 0.05},  {"wide", 401, 5, 40, 0.01},
+    {"sparse", 41, 29, 6, 0.01},
+    {"dense", 37, 23, 3, 0.4},
+    {"empty", 9, 7, 5, 0.0},
+    {"full", 9, 7, 5, 1.0},
+    {"one_texel_radius", 31, 17, 1, 0.1},
+    {"large_radius", 43, 19, 1000, 0.004},
+    {"one_row", 83, 1, 9, 0.05},
+    {"one_column", 1, 71, 9, 0.05},
+    {"wide", 401, 5, 40, 0.01},
 };
 
 void test_dilate(void** state) {
@@ -88,7 +94,8 @@ int main() {
   using namespace shd::tests;
   CMUnitTest tests[16];
   size_t n = 0;
-  for (const dilate_case& c : k_cases) tests[n++] = {c.name, test_dilate, nullptr, nullptr, const_cast<dilate_case*>(&c)};
+  for (const dilate_case& c : k_cases)
+    tests[n++] = {c.name, test_dilate, nullptr, nullptr, const_cast<dilate_case*>(&c)};
   tests[n++] = {"pixels", test_pixels, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.film.dilate", tests, n, set_up, tear_down);
 }

@@ -16,10 +16,10 @@ using geometry::ScreenTriangle;
 
 struct nearest_case {
   const char* name;
-  int32_t left, top;     // of the tile
-  int32_t low, high;     // corners relative to the tile [1/256 pixel]
-  int32_t size;          // largest extent of a triangle
-  int32_t step;          // corners are multiples of it
+  int32_t left, top;  // position of the tile
+  int32_t low, high;  // corners relative to the tile [1/256 pixel]
+  int32_t size;       // largest extent of a triangle
+  int32_t step;       // corners are multiples of it
   size_t count;
 };
 
@@ -34,7 +34,7 @@ constexpr nearest_case k_cases[] = {
     {"outside", 64, 64, -9000, -300, 8000, 1, 20},
 };
 
-/// A random triangle, turned as the rasteriser wants it; slivers have two corners close together.
+/// A random triangle, turned clockwise; slivers have two corners close together.
 bool make_triangle(const nearest_case& c, Random* random, ScreenTriangle* out) {
   const int32_t x = random->whole(c.low, c.high), y = random->whole(c.low, c.high);
   *out = {};
@@ -67,8 +67,9 @@ void check_texel(const nearest_case& c, const std::vector<ScreenTriangle>& trian
     touched = true;
   }
   const size_t at = static_cast<size_t>(y - c.top) * 64 + static_cast<size_t>(x - c.left);
-  const auto want = centre ? raster::TexelCover::kCentre : touched ? raster::TexelCover::kTouched
-                                                                   : raster::TexelCover::kEmpty;
+  const auto want = centre    ? raster::TexelCover::kCentre
+                    : touched ? raster::TexelCover::kTouched
+                              : raster::TexelCover::kEmpty;
   if (got.cover[at] != want) fail_msg("texel %d %d: %d, not %d", x, y, int(got.cover[at]), int(want));
   assert_int_equal(got.is_shared[at], centre > 1);
   if (!touched) return assert_int_equal(got.slot[at], raster::kNoSlot);
@@ -127,7 +128,8 @@ int main() {
   using namespace shd::tests;
   CMUnitTest tests[16];
   size_t n = 0;
-  for (const nearest_case& c : k_cases) tests[n++] = {c.name, test_nearest, nullptr, nullptr, const_cast<nearest_case*>(&c)};
+  for (const nearest_case& c : k_cases)
+    tests[n++] = {c.name, test_nearest, nullptr, nullptr, const_cast<nearest_case*>(&c)};
   tests[n++] = {"quad", test_quad, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.raster.nearest", tests, n, nullptr, nullptr);
 }
