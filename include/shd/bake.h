@@ -79,7 +79,7 @@ typedef struct shd_bake_desc {
      */
     uint32_t dilation;
     uint32_t flags;        /**< reserved; 0 */
-    shd_u32_out states;    /**< shd_texel_state of width * height texels, row by row from the top; default not wanted */
+    shd_u32_out states;    /**< shd_texel_state of width * height texels, row by row; default not wanted */
     shd_bake_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted; all zero on failure */
     /* ---- end of 0.1; append below ---- */
 } shd_bake_desc;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Ambient occlusion: the part of the sky that is open above each point of a surface, at vertices or in a texture.
+ * @brief Ambient occlusion: the part of the sky that is open above each point of a surface, at vertices or in a
+ *        texture.
  *
  * The value o of a point is the cosine-weighted part of the directions above its surface along which no occluder lies
  * within a radius: 1 = open, 0 = enclosed (Landis, "Production-Ready Global Illumination", SIGGRAPH 2002 course 16,
