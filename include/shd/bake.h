@@ -79,8 +79,8 @@ typedef struct shd_bake_desc {
      */
     uint32_t dilation;
     uint32_t flags;        /**< reserved; 0 */
-    shd_u32_out states;    /**< shd_texel_state of width * height texels, row by row; default not wanted */
-    shd_bake_stats *stats; /**< statistics; its struct_size is read; NULL = not wanted; all zero on failure */
+    shd_u32_out states;    /**< shd_texel_state of width * height texels; default not wanted */
+    shd_bake_stats *stats; /**< its struct_size is read; NULL = not wanted; all zero on failure */
     /* ---- end of 0.1; append below ---- */
 } shd_bake_desc;
 
@@ -102,8 +102,8 @@ static inline shd_bake_desc shd_bake_desc_default(void)
  *
  * Every draw has a material. Its colour replaces that of the texel: blends have no effect, and a is the opacity of the
  * material. Fragments that a program or the alpha test drops leave their texel empty. SHD_MATERIAL_DOUBLE_SIDED and
- * _ALPHA_TO_COVERAGE, and cull, fill, compare, depth biases and flags of a draw have no effect. The bits of the result do not depend on
- * workers or SIMD targets.
+ * _ALPHA_TO_COVERAGE, and cull, fill, compare, depth biases and flags of a draw have no effect. The bits of the result
+ * do not depend on workers or SIMD targets.
  * @param context  its executor, allocator and SIMD target do the work; the objects may come from any context
  * @param frame    borrowed for the call
  * @param desc     borrowed for the call; NULL = all defaults

@@ -25,6 +25,7 @@
 /// | bake.h           | statistics of a bake from the states of its texels                                |
 /// | levels.h         | mip levels that the caller gives                                                  |
 /// | color/           | the C functions of libshd_color                                                   |
+/// | embree/          | the C functions of libshd_embree                                                  |
 /// | io/              | the C functions of libshd_io; common.h has declarations that they share           |
 /// | scene/           | the C functions of libshd_scene                                                   |
 #pragma once
