@@ -189,40 +189,12 @@ static shd_result load_maps(struct globe *g, const char *day, const char *night)
 
 /* ---- the frame ---- */
 
-static shd_result make_sphere(struct globe *g)
-{
-    shd_shape_desc shape = shd_shape_desc_default();
-    shd_shape_columns columns = shd_shape_columns_default();
-    shd_mesh_desc md = shd_mesh_desc_default();
-    shd_result result;
-    float *values;
-    uint32_t *indices;
-    size_t c;
-    shape.segments[0] = 128, shape.segments[1] = 64;
-    if ((result = shd_shape_count(&shape, &columns.vertex_count, &columns.index_count)) != SHD_OK) return result;
-    values = (float *)malloc(8 * sizeof(float) * columns.vertex_count);
-    indices = (uint32_t *)malloc(sizeof(uint32_t) * columns.index_count);
-    result = SHD_ERROR_OUT_OF_MEMORY;
-    if (values && indices) {
-        for (c = 0; c < 3; ++c) {
-            md.position[c].data = columns.position[c].data = values + c * columns.vertex_count;
-            md.normal[c].data = columns.normal[c].data = values + (3 + c) * columns.vertex_count;
-        }
-        for (c = 0; c < 2; ++c) md.uv[c].data = columns.uv[c].data = values + (6 + c) * columns.vertex_count;
-        md.indices.data = columns.indices.data = indices;
-        md.vertex_count = columns.vertex_count, md.index_count = columns.index_count;
-        result = shd_shape_fill(&shape, &columns);
-        if (result == SHD_OK) result = shd_mesh_create(g->context, &md, &g->mesh);
-    }
-    free(values), free(indices);
-    return result;
-}
-
 static shd_result make(struct globe *g, int argc, char **argv)
 {
     shd_sampler_desc sd = shd_sampler_desc_default();
     shd_material_desc md = shd_material_desc_default();
     shd_framebuffer_desc fd = shd_framebuffer_desc_default();
+    shd_shape_desc sphere = shd_shape_desc_default();
     shd_result result = shd_context_create(NULL, &g->context);
     if (result == SHD_OK) result = argc == 3 ? load_maps(g, argv[1], argv[2]) : paint_maps(g);
     sd.filter = SHD_FILTER_ANISOTROPIC;
@@ -232,7 +204,8 @@ static shd_result make(struct globe *g, int argc, char **argv)
     md.program.fragment = globe_program;
     md.program.user_data = g;
     if (result == SHD_OK) result = shd_material_create(g->context, &md, &g->material);
-    if (result == SHD_OK) result = make_sphere(g);
+    sphere.segments[0] = 128, sphere.segments[1] = 64;
+    if (result == SHD_OK) result = shd_mesh_create_shape(g->context, &sphere, SHD_MESH_NONE, &g->mesh);
     fd.width = fd.height = SIZE;
     fd.samples = 4;
     return result == SHD_OK ? shd_framebuffer_create(g->context, &fd, &g->framebuffer) : result;
