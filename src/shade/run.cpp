@@ -143,7 +143,8 @@ bool reflects_sharply(const material::Material& material) {
     return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS) ||
            (has_coat && material.coat_roughness < kRough) || material::has_slot(material, SHD_SLOT_CLEARCOAT_ROUGHNESS);
   }
-  return material::info_of(material.model).environment_tables != 0 && material.exponent > kWide;
+  return material::info_of(material.model).environment_tables != 0 &&
+         (material.exponent > kWide || material::has_slot(material, SHD_SLOT_EXPONENT));
 }
 
 /// Adds the light of the environment, computed at the points, to the lobes of the fragments.
