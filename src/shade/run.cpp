@@ -197,7 +197,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
       add_environment(simd, shading, shape, lights.environment, view.eye, parameters, w);
     }
   } else {
-    material::show({simd, material, view, w->fragments, columns.uv}, columns.lobes.lobe[0]);
+    material::show({simd, material, view, w->fragments, shading.object_to_world, columns.uv}, columns.lobes.lobe[0]);
   }
   combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
 }
