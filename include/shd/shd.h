@@ -2,7 +2,7 @@
 /**
  * @file
  * @brief All headers of libshd. libshd_color, libshd_io and libshd_scene have headers of their own: shd/color.h,
- *        shd/io.h and shd/scene.h.
+ *        shd/io.h, shd/volume_file.h and shd/scene.h.
  *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,
