@@ -25,7 +25,7 @@ if [ -z "$build" ]; then
   build=build/demo
   echo "== Building shd in $build: about 240 files, minutes on a few cores"
   cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSHD_BUILD_TESTS=OFF -DSHD_BUILD_EXAMPLES=ON
-  cmake --build "$build" --parallel "$(compile_jobs)" --target shd-render examples/course/all
+  cmake --build "$build" --parallel "$(compile_jobs)" --target shd-render examples/all
 fi
 
 models=/usr/share/assimp/models
@@ -67,11 +67,12 @@ place() {
 }
 
 # picture NAME LABEL OPTIONS...: renders out/gallery/NAME.png
+behind=(--background 0.3)
 picture() {
   local name=$1 text=$2
   shift 2
   echo "   $text"
-  "$render" --size 640x480 --samples 8 --background 0.3 "$@" -o "$out/$name.png"
+  "$render" --size 640x480 --samples 8 "${behind[@]}" "$@" -o "$out/$name.png"
   place "$name" "$text"
 }
 
@@ -143,6 +144,7 @@ for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area Summed-area
 done
 
 group "Light from environments"
+behind=(--environment-blur 0.2)
 for roughness in 0 0.25 0.5 0.75 1; do
   picture "environment-metal-$roughness" "Metal, roughness $roughness" --environment "$world/courtyard.exr" \
     --shape sphere --tessellation 64 --metallic 1 --diffuse 0.9,0.65,0.3 --roughness "$roughness"
@@ -153,6 +155,7 @@ picture environment-mirror "Mirror" --environment "$world/forest.exr" --metallic
 picture environment-glass "Glass" --environment "$world/sunset.exr" --model glass --diffuse 0.93,0.97,0.95 --roughness 0
 picture environment-coat "Clear coat" --environment "$world/studio.exr" --environment-blur 0.4 --orbit 0,0 --exposure 1 \
   "$coat/ClearCoatTest.gltf"
+behind=(--background 0.3)
 
 group "Lines"
 picture line-drawing "Silhouettes and creases" --orbit 40,15 --model unlit --texture none --diffuse 0.9 --background 0.9 \
@@ -172,6 +175,31 @@ for program in "normal Normals" "phong Blinn-Phong" "texture Texture" "bump Bump
   rm "$out/program.png"
   place "course-$name" "${program#* }"
 done
+
+group "Programs of examples/"
+programs=$(cd "$build/examples" && pwd)
+(
+  cd "$out"
+  "$programs/globe" "$earth" "${earth%/*}/night.jpg"
+  "$programs/distance_field" 640
+  "$programs/volume"
+  "$programs/polygon"
+)
+
+# program NAME LABEL OPTIONS...: out/gallery/program-NAME.png by oiiotool
+program() {
+  local name=program-$1 text=$2
+  shift 2
+  oiiotool "$@" --ch R,G,B -o "$out/$name.png"
+  place "$name" "$text"
+}
+program globe "globe: two maps, one program" "$out/globe.png" --fit:pad=1 640x480
+program distance-field "distance_field: no triangles" "$out/distance_field.png" --cut 533x400+53+0
+program cloud "volume: a cloud" "$out/volume.png" --cut 320x240+0+60
+program head "volume: a head, its rear half" "$out/volume.png" --cut 320x240+320+60
+program polygon "polygon: four kinds of weights" --create 720x600 4 --fill:color=1,1,1,1 720x600 \
+  "$out/polygon.png" --cut 300x300+0+0 --swap --paste +50+0 "$out/polygon.png" --cut 300x300+300+0 --swap --paste +370+0 \
+  "$out/polygon.png" --cut 300x300+600+0 --swap --paste +50+300 "$out/polygon.png" --cut 300x300+900+0 --swap --paste +370+300
 
 echo "== The sheet"
 size=$((gap + columns * (cell + gap)))x$((y + tall + label + gap))

@@ -3,7 +3,7 @@
  * @file
  * @brief The context: memory, tasks, log and SIMD target of everything created from it.
  *
- * The only global state of shd is the error text of each thread. Two contexts share nothing.
+ * The only global state of shd is the error text of each thread, and tables of constants. Two contexts share nothing.
  *
  * Lifetime:      reference counted; create returns an owned reference. Every object retains its context, so objects
  *                may be released in any order. A handle whose last reference was released is refused with
@@ -107,7 +107,8 @@ typedef enum shd_context_flag {
     SHD_CONTEXT_DEFAULT = 0,
     /**
      * Working memory of a call is allocated and freed block by block. Without this flag the context keeps it for the
-     * next call, so that a loop of equal frames allocates nothing after its first frame; see shd_context_trim().
+     * next call, so that a loop of equal frames allocates nothing after each worker has drawn a part of a frame, with one
+     * worker after the first frame; see shd_context_trim().
      */
     SHD_CONTEXT_RETURN_MEMORY = 1,
     SHD_CONTEXT_FLAG_MAX_ENUM = 0x7fffffff

@@ -91,6 +91,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_POLYGON_DESC = 56,        /**< shd_polygon_desc */
     SHD_DESC_KIND_POLYGON_POINTS = 57,      /**< shd_polygon_points */
     SHD_DESC_KIND_POLYGON_WEIGHTS = 58,     /**< shd_polygon_weights */
+    SHD_DESC_KIND_RAW_DESC = 64,            /**< shd_raw_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_STACK_DESC = 65,          /**< shd_stack_desc, of shd/volume_file.h */
     SHD_DESC_KIND_BAKE_DESC = 80,           /**< shd_bake_desc */
     SHD_DESC_KIND_BAKE_STATS = 81,          /**< shd_bake_stats */
     SHD_DESC_KIND_OCCLUSION_DESC = 82,      /**< shd_occlusion_desc */

@@ -165,7 +165,7 @@ static inline shd_environment_lookups shd_environment_lookups_default(void)
 /** Columns for irradiance or radiance; NULL = not wanted. */
 typedef struct shd_environment_light {
     uint32_t struct_size; /**< set by shd_environment_light_default() */
-    shd_f32_out rgb[3];   /**< red, green, blue */
+    shd_f32_out rgb[3];   /**< red, green, blue; irradiance, or radiance in the unit of the image */
     /* ---- end of 0.1; append below ---- */
 } shd_environment_light;
 

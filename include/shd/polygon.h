@@ -31,7 +31,9 @@
  * polygon has no reflex vertex. It needs a build with Eigen.
  *
  * Defined for all inputs: points that are not finite count as 0 in that coordinate. Points outside the polygon have the
- * weights of the nearest point of its edges, except for MEAN_VALUE, whose formula holds in the whole plane. Points
+ * weights of the nearest point of its edges, except for MEAN_VALUE, whose formula holds in the whole plane. With D the
+ * distance from vertex 0 to its farthest vertex, points farther than 2^20 D from vertex 0 count as the point at this
+ * distance in their direction. Points
  * closer to an edge than 2^-40 of the distance to its farther vertex count as points of the edge.
  *
  * Thread safety: any thread. With a context, batches of more than 16384 points are split over its executor.
@@ -131,11 +133,12 @@ static inline shd_polygon_weights shd_polygon_weights_default(void)
 
 /**
  * Compute the barycentric coordinates of points.
- * @param context  executor and memory; NULL = the calling thread and malloc
+ * @param context  executor and memory; NULL = the calling thread and malloc. The solver of HARMONIC also uses malloc
  * @param desc     columns, borrowed for the call
  * @param points   columns, borrowed for the call
  * @param out      columns, borrowed for the call; must not overlap any input or each other (checked)
- * @return SHD_ERROR_UNSUPPORTED for HARMONIC in a build without Eigen
+ * @return SHD_ERROR_UNSUPPORTED for HARMONIC in a build without Eigen; SHD_ERROR_OUT_OF_MEMORY; a polygon that is too
+ *         thin for the triangles of HARMONIC is SHD_ERROR_INVALID_ARGUMENT
  * @since 0.1
  */
 SHD_NODISCARD SHD_API shd_result shd_polygon_evaluate(const shd_context *context, const shd_polygon_desc *desc,

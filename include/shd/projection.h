@@ -37,7 +37,7 @@
  * mirrors its images top to bottom.
  *
  * Defined for all inputs: a direction of length 0, or with a component that is NaN or infinite, counts as +Z and is
- * counted. Directions have any other length, and their lengths have no effect. A component below 2^-100 of the largest
+ * counted. All other directions may have any length, which has no effect. A component below 2^-100 of the largest
  * one may count as 0. -Z, with all directions within 2^-50 rad, has the point (1, 1/2) of MIRROR_BALL and ANGULAR.
  *
  * Thread safety: any thread. Batches of more than 16384 elements are split over the executor of the context.
@@ -194,7 +194,7 @@ typedef struct shd_direction_images {
     shd_projection projection; /**< any but SHD_PROJECTION_NONE */
     shd_cube_layout layout;    /**< arrangement of CUBE; default six images; others ignore it */
     /**
-     * One image, or the six of SHD_CUBE_LAYOUT_FACES, of one format and size. Square for MIRROR_BALL, ANGULAR and
+     * One image, or the six of SHD_CUBE_LAYOUT_FACES, of one struct_size, format and size. Square for MIRROR_BALL, ANGULAR and
      * OCTAHEDRAL, and the size of the layout for CUBE. Borrowed for the call.
      */
     const shd_image *images;

@@ -344,16 +344,16 @@ typedef struct shd_render_desc {
     shd_present present;     /**< receives the finished tiles; default none */
     /**
      * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
-     * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. The environment has the
-     * tables that the models of the draws take (shd_environment_desc.tables).
+     * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. It must
+     * have been created with the tables of the models of the draws (shd_environment_desc.tables).
      */
     const struct shd_environment *environment;
     float environment_intensity;   /**< factor of its radiance, 0..1e12; default 1 */
-    float environment_to_world[9]; /**< rotation of its directions, column-major, with orthonormal columns within 1e-3;
-                                        default identity */
+    float environment_to_world[9]; /**< rotation or reflection of its directions, column-major, with orthonormal
+                                        columns within 1e-3; default identity */
     shd_background background;     /**< default SHD_BACKGROUND_CLEAR */
     float background_roughness;    /**< roughness of the GGX lobe that blurs the environment behind the picture, 0..1;
-                                        above 0 with SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp */
+                                        values above 0 need SHD_ENVIRONMENT_TABLE_GGX; default 0 = sharp */
     /**
      * [volume_count], all with the same struct_size. They are blended over the finished draws in this order, so the
      * caller sorts volumes from far to near. A ray of a pixel ends at the depth of a sample, with one march for all

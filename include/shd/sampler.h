@@ -178,7 +178,7 @@ typedef enum shd_precision {
      * SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
      * of detail and probes are the same.
      *
-     * It applies to 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP, TRILINEAR and
+     * It applies to 2D textures of 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP, TRILINEAR and
      * ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other lookups,
      * derivatives of values, and shd_texture_explain() have SHD_PRECISION_FULL.
      *

@@ -41,8 +41,8 @@ typedef enum shd_slot_target {
     SHD_SLOT_ROUGHNESS = 7,            /**< scalar */
     SHD_SLOT_OCCLUSION = 8,            /**< scalar o: ambient light times 1 + occlusion_strength (o - 1) */
     SHD_SLOT_NORMAL = 9,               /**< tangent-space normal in shd_material_desc.normal_encoding */
-    SHD_SLOT_HEIGHT = 10,              /**< scalar height, for bumps and parallax; takes textures only */
-    SHD_SLOT_MATCAP = 11,              /**< colour by the direction of the normal in view space; takes textures only */
+    SHD_SLOT_HEIGHT = 10,              /**< scalar height, for bumps and parallax; takes 2D textures only */
+    SHD_SLOT_MATCAP = 11,              /**< colour by the direction of the normal in view; takes 2D textures only */
     SHD_SLOT_NORMAL_MIXED = 12,        /**< scalar: mixed moment of slopes; read with SHD_NORMAL_ENCODING_MOMENTS and
                                      SHD_SLOT_NORMAL only. A constant slot gives slopes without covariance */
     SHD_SLOT_CLEARCOAT = 13,           /**< scalar: strength of the clear coat, clamped to 0..1 */
@@ -54,7 +54,7 @@ typedef enum shd_slot_target {
 /** Source of the values of a slot. */
 typedef enum shd_slot_source {
     SHD_SLOT_SOURCE_CONSTANT = 0,  /**< 1; for the normal (0, 0, 1) in tangent space */
-    SHD_SLOT_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler` */
+    SHD_SLOT_SOURCE_TEXTURE = 1,   /**< `texture` through `sampler`: 2D at uv, 3D at the place of a point */
     SHD_SLOT_SOURCE_VERTEX = 2,    /**< interpolated attributes of the mesh from `attribute` on; 1 for absent ones */
     SHD_SLOT_SOURCE_PROCEDURE = 3, /**< `procedure` */
     SHD_SLOT_SOURCE_SOLID = 4,     /**< colours of `solid` at the place of a point */
@@ -97,7 +97,8 @@ typedef struct shd_slot {
     shd_slot_target target; /**< the coefficient; each slot of a material has a different one */
     shd_slot_source source; /**< default SHD_SLOT_SOURCE_CONSTANT */
     uint32_t attribute;     /**< SHD_SLOT_SOURCE_VERTEX: first column, 0..7; default 0 */
-    shd_texture *texture;   /**< texture of SHD_SLOT_SOURCE_TEXTURE, else NULL; retained by the material */
+    shd_texture *texture;   /**< SHD_SLOT_SOURCE_TEXTURE: a 2D texture, or a 3D texture that is looked up at places;
+                                 else NULL; retained by the material */
     shd_sampler *sampler;   /**< SHD_SLOT_SOURCE_TEXTURE: NULL = default sampler; retained by the material */
     shd_slot_fn procedure;  /**< function of SHD_SLOT_SOURCE_PROCEDURE */
     void *user_data;        /**< passed to `procedure`; borrowed until release of the material */
@@ -117,11 +118,14 @@ typedef struct shd_slot {
      */
     const shd_solid_desc *solid;
     /**
-     * Place = place_transform * position, column-major, affine: the last row is 0, 0, 0, 1; default identity.
+     * Place = place_transform * position, column-major, affine: the last row is 0, 0, 0, 1; default identity. A solid
+     * texture is evaluated at the place. A 3D texture is looked up at (u, v, w) = place, with the derivatives of the
+     * place by pixel steps times `place_width`: it fills the cube from 0 to 1, and its sampler wraps it.
      */
     float place_transform[16];
     shd_place_space place_space; /**< space of the position; default SHD_PLACE_SPACE_OBJECT */
-    float place_width;           /**< factor of the width of a pixel, 0..1000; 0 = no band limit; default 1 */
+    float place_width;           /**< factor of the width of a pixel, 0..1000; 0 = no band limit, level 0 of
+                                      3D textures; default 1 */
     /* ---- end of 0.1; append below ---- */
 } shd_slot;
 

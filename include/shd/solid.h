@@ -32,14 +32,15 @@
  * Function", 1996). The rings of WOOD run around the y axis; smooth() is the cubic step (Peachey in Ebert et al.,
  * "Texturing and Modeling", 2002).
  *
- * Band limit: with a `width` w, in cells, an octave of frequency f is whole up to w f = 1/2, where the pixels are half
- * a wavelength wide, and is replaced by its mean from w f = 1 on; in between it fades linearly (Norton et al.,
- * "Clamping", 1982). STRIPES and CHECKER are averaged over a cube of side w instead, exactly; widths below 2^-12 cells
- * count as 0. The waves of MARBLE have f = 1/2, the rings of WOOD f = 1.
+ * Band limit: with a `width` w, in cells, an octave of frequency f keeps its full amplitude up to w f = 1/2, where the
+ * pixels are half a wavelength wide, and is replaced by its mean from w f = 1 on; in between it fades linearly (Norton
+ * et al., "Clamping", 1982). STRIPES and CHECKER are averaged over a cube of side w instead, within 2^-22 / w; widths
+ * below 2^-12 cells count as 0. The waves of MARBLE have f = 1/2, the rings of WOOD f = 1.
  *
  * Defined for all inputs: NaN and infinite coordinates count as 0, NaN and negative widths as 0. Noise clamps
- * coordinates to 2^23 cells of each octave (SIMPLEX to 2^22), beyond which it is constant. All floats beyond 2^24 are
- * even integers, where stripes are 1 and the checker no longer changes.
+ * coordinates to 2^23 cells of each octave (SIMPLEX to 2^22), beyond which it is constant, and so do the waves of
+ * MARBLE and the rings of WOOD; gradients there are those at the clamped place. All floats beyond 2^24 are even
+ * integers, where stripes are 1 and the checker no longer changes.
  *
  * Every value depends on its own inputs only: results have the same bits for any batch size, order, worker count and
  * SIMD target.

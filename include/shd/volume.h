@@ -51,25 +51,26 @@ typedef struct shd_volume_desc {
     uint32_t struct_size;  /**< set by shd_volume_desc_default() */
     uint32_t point_count;  /**< points of the transfer function, 1..256 */
     shd_texture *texture;  /**< 3D texture; retained */
-    shd_f32_in density;    /**< [point_count] densities of the points, finite, never decreasing. Values are
+    shd_f32_in density;    /**< [point_count] densities of the points, -1e38..1e38, never decreasing. Values are
                                 interpolated between points; two points of one density are a jump */
     shd_f32_in extinction; /**< [point_count] sigma [1 / world unit], 0..1e12 */
     shd_f32_in color[3];   /**< [point_count] scene-linear r, g, b, 0..1e6: radiance, or the diffuse colour of
                                 `material`; absent = 1 */
     /**
-     * Shades the points by the lights of the frame, with shadows and cookies: an opaque material without slots, of a
-     * model that reflects light. Its diffuse colour is multiplied by `color`. The normal is the direction in which
+     * Shades the points by the lights of the frame, with shadows and cookies, but not by its environment: an opaque
+     * material without slots and debug view, of a model that reflects light; others are SHD_ERROR_UNSUPPORTED. Its diffuse colour is multiplied by `color`. The normal is the direction in which
      * density falls fastest, by central differences over two texels; it faces the viewer where the gradient is 0, and
      * always with SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
      */
     shd_material *material;
     float box_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */
     float box_max[3]; /**< corner of the texture's (1, 1, 1); above box_min on each axis; default 1 */
-    float step;       /**< length of a step [world units], above 0; default 1/256 */
-    float jitter;     /**< the point of a step lies at a fraction 1/2 + jitter (h - 1/2) of it, with h in [0, 1) hashed
+    float step;       /**< length of a step [world units], above 0, at most 1e12; default 1/256 */
+    float
+        jitter; /**< the point of a step lies at a fraction 1/2 + jitter (h - 1/2) of the step, with h in [0, 1) hashed
                            from the pixel of the picture and `seed`; 0..1; default 0 */
-    uint32_t seed;    /**< seed of the jitter; default 0 */
-    uint32_t flags;   /**< reserved; 0 */
+    uint32_t seed;  /**< seed of the jitter; default 0 */
+    uint32_t flags; /**< reserved; 0 */
     /* ---- end of 0.1; append below ---- */
 } shd_volume_desc;
 

@@ -17,6 +17,7 @@
 /// | handle.h         | handles to bodies and back                                                        |
 /// | batch.h          | the columns of one call: checked, split over the executor, copied if strided      |
 /// | solid.h          | solid textures of the caller, checked                                             |
+/// | volume.h         | volumes of a frame, checked                                                       |
 /// | lookup.h         | the columns of lookups; whether a texture has the tables that a filter reads      |
 /// | call_in_place.h  | calls of shd_texture_sample() that need few checks                                |
 /// | camera.h         | cameras and look-at matrices                                                      |

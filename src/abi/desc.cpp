@@ -8,6 +8,7 @@
 #include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
+#include <shd/volume_file.h>
 
 #include "image/read_image.h"
 
@@ -156,6 +157,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_LOAD_DESC: return write_defaults(shd_load_desc_default(), ptr, size);
     case SHD_DESC_KIND_SAVE_DESC: return write_defaults(shd_save_desc_default(), ptr, size);
     case SHD_DESC_KIND_BITMAP_INFO: return write_defaults(shd_bitmap_info_default(), ptr, size);
+    case SHD_DESC_KIND_RAW_DESC: return write_defaults(shd_raw_desc_default(), ptr, size);
+    case SHD_DESC_KIND_STACK_DESC: return write_defaults(shd_stack_desc_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_DESC: return write_defaults(shd_shape_desc_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);

@@ -9,18 +9,26 @@
 
 namespace shd::abi {
 
+/// Checks that an element of an array of images, called `element`, has the struct_size of the first one. Call it before
+/// the element is read, because elements lie struct_size bytes apart.
+inline shd_result check_same_size(const char* element, const shd_image* given, const char* first_name,
+                                  const shd_image* first) {
+  const uint32_t own = texture::struct_size_of(given), want = texture::struct_size_of(first);
+  if (own == want) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s", element, own, want,
+                    first_name);
+}
+
 /// Checks element i of an array of images as a level of a base of a known format.
 inline shd_result check_level(const char* name, const shd_image* levels, size_t i, uint32_t level, shd_format format,
                               uint32_t width, uint32_t height) {
-  char element[48], field[64];
+  char element[48], first[48], field[64];
   std::snprintf(element, sizeof element, "%s[%zu]", name, i);
+  std::snprintf(first, sizeof first, "%s[0]", name);
   shd_image image;
   const shd_image* given = texture::element_of(levels, i);
+  SHD_TRY(check_same_size(element, given, first, levels));
   SHD_TRY(read_image(element, given, &image));
-  if (texture::struct_size_of(given) != texture::struct_size_of(levels)) {
-    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s[0]", element,
-                      texture::struct_size_of(given), texture::struct_size_of(levels), name);
-  }
   if (image.format != format) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,
                       static_cast<int>(image.format), static_cast<int>(format));

@@ -102,6 +102,11 @@ shd_result check_material_desc(const shd_material_desc& desc) {
   return check_programs(desc);
 }
 
+/// Whether a slot reads 2D textures only.
+bool takes_only_textures(shd_slot_target target) {
+  return target == SHD_SLOT_HEIGHT || target == SHD_SLOT_MATCAP;
+}
+
 /// The name of a field of a slot, for messages.
 struct SlotField {
   SlotField(uint32_t index, const char* name) {
@@ -109,6 +114,36 @@ struct SlotField {
   }
   char text[48];
 };
+
+shd_result check_place_transform(const char* field, const float (&m)[16]) {
+  SHD_TRY(check_finite(field, m, 16));
+  if (m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f) return SHD_OK;
+  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: last row is (%g, %g, %g, %g), not (0, 0, 0, 1)", field,
+                    double{m[3]}, double{m[7]}, double{m[11]}, double{m[15]});
+}
+
+/// The fields of a slot that reads places.
+shd_result check_place(const shd_slot& desc, uint32_t index) {
+  SHD_TRY(check_enum(SlotField(index, "place_space").text, desc.place_space, 0, SHD_PLACE_SPACE_WORLD));
+  SHD_TRY(check_place_transform(SlotField(index, "place_transform").text, desc.place_transform));
+  return check_range(SlotField(index, "place_width").text, double{desc.place_width}, 0.0, 1000.0);
+}
+
+/// Whether the coordinates of a slot's texture are uv, or places if the slot takes those.
+shd_result check_coordinates(const shd_slot& desc, uint32_t index, const texture::Texture& texture) {
+  if (texture.depth == 0 || takes_only_textures(desc.target))
+    return check_flat(SlotField(index, "texture").text, texture);
+  return check_place(desc, index);
+}
+
+/// check_tables() with a message that names the slot.
+shd_result check_slot_tables(uint32_t index, const texture::Texture& texture, const texture::Sampler& sampler) {
+  const shd_result result = check_tables(texture, sampler);
+  if (result == SHD_OK) return SHD_OK;
+  char message[160];  // "sampler.filter: RIPMAP, but ..."
+  std::snprintf(message, sizeof message, "%s", core::last_error());
+  return core::fail(result, "material.slots[%u].%s", index, message);
+}
 
 /// Texture and sampler of a slot, retained.
 shd_result take_parts(const shd_slot& desc, material::SlotInput* slot, material::Material* out) {
@@ -122,16 +157,8 @@ shd_result take_parts(const shd_slot& desc, material::SlotInput* slot, material:
                       &out->texture_object[desc.target]));
   SHD_TRY(retain_part(sampler.text, desc.sampler, core::ObjectType::kSampler, &slot->sampler,
                       &out->sampler_object[desc.target]));
-  SHD_TRY(check_flat(texture.text, *slot->texture));
-  if (!slot->sampler || check_tables(*slot->texture, *slot->sampler) == SHD_OK) return SHD_OK;
-  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: its filter needs a table that the texture lacks", sampler.text);
-}
-
-shd_result check_place_transform(const char* field, const float (&m)[16]) {
-  SHD_TRY(check_finite(field, m, 16));
-  if (m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f) return SHD_OK;
-  return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: last row is (%g, %g, %g, %g), not (0, 0, 0, 1)", field,
-                    double{m[3]}, double{m[7]}, double{m[11]}, double{m[15]});
+  SHD_TRY(check_coordinates(desc, slot->index, *slot->texture));
+  return slot->sampler ? check_slot_tables(slot->index, *slot->texture, *slot->sampler) : SHD_OK;
 }
 
 /// Copies the solid texture of a slot. Throws std::bad_alloc.
@@ -139,9 +166,7 @@ shd_result take_solid(const core::Allocator& allocator, material::SlotInput* slo
   const shd_slot& desc = slot->desc;
   shd_solid_desc solid;
   SHD_TRY(check_count(SlotField(slot->index, "channel").text, desc.channel, 0, 3));
-  SHD_TRY(check_enum(SlotField(slot->index, "place_space").text, desc.place_space, 0, SHD_PLACE_SPACE_WORLD));
-  SHD_TRY(check_place_transform(SlotField(slot->index, "place_transform").text, desc.place_transform));
-  SHD_TRY(check_range(SlotField(slot->index, "place_width").text, double{desc.place_width}, 0.0, 1000.0));
+  SHD_TRY(check_place(desc, slot->index));
   SHD_TRY(read_solid(SlotField(slot->index, "solid").text, desc.solid, &solid));
   core::Array<procedural::Solid>& copy = out->solid[desc.target];
   copy = core::Array<procedural::Solid>(allocator, 1);
@@ -155,8 +180,8 @@ shd_result check_source(const material::SlotInput& slot) {
   const shd_slot& desc = slot.desc;
   const SlotField source(slot.index, "source");
   SHD_TRY(check_enum(source.text, desc.source, SHD_SLOT_SOURCE_CONSTANT, SHD_SLOT_SOURCE_SOLID));
-  const bool only_textures = desc.target == SHD_SLOT_HEIGHT || desc.target == SHD_SLOT_MATCAP;
-  if (only_textures && desc.source != SHD_SLOT_SOURCE_CONSTANT && desc.source != SHD_SLOT_SOURCE_TEXTURE) {
+  if (takes_only_textures(desc.target) && desc.source != SHD_SLOT_SOURCE_CONSTANT &&
+      desc.source != SHD_SLOT_SOURCE_TEXTURE) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u, but this slot takes textures only", source.text,
                       enum_bits(desc.source));
   }

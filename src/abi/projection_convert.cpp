@@ -6,6 +6,7 @@
 #include "abi/desc.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/levels.h"
 #include "texture/direction/convert.h"
 #include "texture/store/image_list.h"
 
@@ -55,7 +56,9 @@ shd_result read_images(const char* name, const shd_direction_images* in, Images*
   out->count = cube && out->desc.layout == SHD_CUBE_LAYOUT_FACES ? 6 : 1;
   for (uint32_t i = 0; i < out->count; ++i) {
     std::snprintf(out->name[i], sizeof out->name[i], "%s.images[%u]", name, i);
-    SHD_TRY(read_image(out->name[i], texture::element_of(out->desc.images, i), &out->image[i]));
+    const shd_image* const given = texture::element_of(out->desc.images, i);
+    SHD_TRY(check_same_size(out->name[i], given, out->name[0], out->desc.images));
+    SHD_TRY(read_image(out->name[i], given, &out->image[i]));
     const shd_image &first = out->image[0], &image = out->image[i];
     if (image.format != first.format || image.width != first.width || image.height != first.height) {
       return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s: %u x %u of format %d, but %s is %u x %u of format %d",

@@ -3,12 +3,12 @@
 
 #include <cstdio>
 #include <cstring>
-#include <limits>
 
 #include "abi/desc.h"
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "data/column.h"
 #include "volume/volume.h"
 
 namespace shd::abi {
@@ -17,27 +17,19 @@ namespace {
 constexpr core::ObjectType kType = core::ObjectType::kVolume;
 constexpr uint64_t kMaxVolumes = 1024;
 
-/// Element i of a caller's column.
-float element(const shd_f32_in& column, size_t i) {
-  float value;
-  const size_t stride = column.stride ? column.stride : sizeof value;
-  std::memcpy(&value, reinterpret_cast<const char*>(column.data) + i * stride, sizeof value);
-  return value;
-}
-
 /// A column of values of the points, each in [low, high].
 shd_result check_points(const char* field, const shd_f32_in& column, uint32_t count, double low, double high) {
   SHD_TRY(check_column(field, column, count));
   for (uint32_t i = 0; column.data && i < count; ++i) {
     char name[48];
     std::snprintf(name, sizeof name, "%s[%u]", field, i);
-    SHD_TRY(check_range(name, static_cast<double>(element(column, i)), low, high));
+    SHD_TRY(check_range(name, static_cast<double>(data::load(column, i)), low, high));
   }
   return SHD_OK;
 }
 
 shd_result check_transfer(const shd_volume_desc& desc) {
-  constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
+  constexpr double kLargest = 1e38;  // differences are finite
   SHD_TRY(check_count("volume.point_count", desc.point_count, 1, volume::kMaxPoints));
   SHD_TRY(check_not_null("volume.density.data", desc.density.data));
   SHD_TRY(check_not_null("volume.extinction.data", desc.extinction.data));
@@ -49,7 +41,7 @@ shd_result check_transfer(const shd_volume_desc& desc) {
     SHD_TRY(check_points(name, desc.color[c], desc.point_count, 0.0, 1e6));
   }
   for (uint32_t i = 1; i < desc.point_count; ++i) {
-    const float before = element(desc.density, i - 1), own = element(desc.density, i);
+    const float before = data::load(desc.density, i - 1), own = data::load(desc.density, i);
     if (own >= before) continue;
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "volume.density[%u]: %g is below volume.density[%u], %g", i,
                       double{own}, i - 1, double{before});
@@ -77,7 +69,7 @@ shd_result check_volume_desc(const shd_volume_desc& desc) {
 /// Whether a material can shade points that have no surface.
 shd_result check_material(const material::Material& material) {
   if (material.model == SHD_MODEL_PROGRAM || material::info_of(material.model).lobes == 0) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "volume.material: its model reflects no light");
+    return core::fail(SHD_ERROR_UNSUPPORTED, "volume.material: its model or debug view reflects no light");
   }
   if (material.slots != 0) return core::fail(SHD_ERROR_UNSUPPORTED, "volume.material: it has slots");
   if (material.blend != SHD_BLEND_OPAQUE) {

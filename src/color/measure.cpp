@@ -5,24 +5,16 @@
 
 #include "color/bake.h"
 #include "color/pixels.h"
+#include "data/hash.h"
 
 namespace shd::color {
 namespace {
 
 constexpr uint32_t kColors = 1 << 16;
 
-/// A hash of a number: Wellons, "Prospecting for hash functions" (2018), lowbias32.
-uint32_t hash(uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7feb352du;
-  x ^= x >> 15;
-  x *= 0x846ca68bu;
-  return x ^ x >> 16;
-}
-
 /// Uniform in [0, 1).
 float uniform(uint32_t index, uint32_t dimension) {
-  return static_cast<float>(hash(index * 8 + dimension) >> 8) * 0x1p-24f;
+  return data::unit_of(data::mix_bits(index * 8 + dimension));
 }
 
 /// 2^x; x is a multiple of 2^-10.
@@ -34,7 +26,7 @@ float exposure(float x) {
 /// up to 2^-14; the same with zeros; some channels negative.
 void make_color(uint32_t i, float (&rgb)[3]) {
   const float peak = exposure(-14.0f + 20.0f * uniform(i, 0));
-  const uint32_t largest = hash(i * 8 + 1) % 3;
+  const uint32_t largest = data::mix_bits(i * 8 + 1) % 3;
   for (uint32_t c = 0; c < 3; ++c) {
     const float t = uniform(i, 2 + c);
     float ratio = t;

@@ -17,6 +17,7 @@
 #include <shd/scene.h>
 #include <shd/shadow.h>
 #include <shd/shd.h>
+#include <shd/volume_file.h>
 
 namespace shd::core {
 
@@ -83,6 +84,8 @@ SHD_SIZED(shd_color_desc, config_path, working_space, 32);
 SHD_SIZED(shd_load_desc, formats, worker_path, 72);
 SHD_SIZED(shd_save_desc, bit_depth, display, 32);
 SHD_SIZED(shd_bitmap_info, file_format, flags, 16);
+SHD_SIZED(shd_raw_desc, depth, header_bytes, 40);
+SHD_SIZED(shd_stack_desc, pattern, last, 32);
 SHD_SIZED(shd_shape_desc, shape, segments, 40);
 SHD_SIZED(shd_shape_columns, position, indices, 160);
 SHD_SIZED(shd_scene_desc, flags, time_limit, 88);

@@ -83,8 +83,8 @@ bool eliminate(double (&m)[kSize][kSize]) {
 }
 
 /// The inverse of the upper left kSize x kSize of m.
-template <int kSize>
-bool invert_part(const float m[16], double* out) {
+template <int kSize, class T>
+bool invert_part(const T* m, double* out) {
   Scaled<kSize> a;
   for (int c = 0; c < kSize; ++c) {
     for (int r = 0; r < kSize; ++r) a.m[c][r] = static_cast<double>(m[4 * c + r]);
@@ -96,8 +96,23 @@ bool invert_part(const float m[16], double* out) {
   return true;
 }
 
-bool is_affine(const float m[16]) {
-  return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f;
+template <class T>
+bool invert_any(const T* m, double* out) {
+  const bool is_affine = m[3] == T{0} && m[7] == T{0} && m[11] == T{0} && m[15] == T{1};
+  if (!is_affine) return invert_part<4>(m, out);
+  double linear[9];
+  if (!invert_part<3>(m, linear)) return false;
+  for (int r = 0; r < 3; ++r) {
+    double moved = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      out[4 * c + r] = linear[3 * c + r];
+      moved += linear[3 * c + r] * static_cast<double>(m[12 + c]);
+    }
+    out[12 + r] = 0.0 - moved;
+    out[4 * r + 3] = 0.0;
+  }
+  out[15] = 1.0;
+  return true;
 }
 
 }  // namespace
@@ -154,20 +169,11 @@ void from_trs(const float translation[3], const float rotation[4], const float s
 }
 
 bool invert(const float m[16], double out[16]) {
-  if (!is_affine(m)) return invert_part<4>(m, out);
-  double linear[9];
-  if (!invert_part<3>(m, linear)) return false;
-  for (int r = 0; r < 3; ++r) {
-    double moved = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      out[4 * c + r] = linear[3 * c + r];
-      moved += linear[3 * c + r] * static_cast<double>(m[12 + c]);
-    }
-    out[12 + r] = 0.0 - moved;
-    out[4 * r + 3] = 0.0;
-  }
-  out[15] = 1.0;
-  return true;
+  return invert_any(m, out);
+}
+
+bool invert(const double m[16], double out[16]) {
+  return invert_any(m, out);
 }
 
 bool invert_linear(const float m[16], double out[9]) {

@@ -207,15 +207,16 @@ void build_maps(const core::Context& context, const Source& source, const Enviro
   const bool is_convolved = out->irradiance.size != 0;
   if (!out->ggx.count && !out->phong.count && !is_convolved) return;
   const CellTree cells = build_cells(context, source);
+  Convolver lobes(context, cells);
   for (uint32_t k = 0; k < out->ggx.lobes; ++k) {
-    convolve(context, LobeKind::kGgx, k, cells, out->ggx.level[k], texels);
+    lobes.fill(LobeKind::kGgx, k, out->ggx.level[k], texels);
   }
   for (uint32_t k = 0; k < out->phong.lobes; ++k) {
-    convolve(context, LobeKind::kPhong, k, cells, out->phong.level[k], texels);
+    lobes.fill(LobeKind::kPhong, k, out->phong.level[k], texels);
   }
   // The irradiance is pi times the mean over the Phong lobe with p = 1, which is the cosine.
   if (!is_convolved) return;
-  convolve(context, LobeKind::kPhong, 1, cells, out->irradiance, texels);
+  lobes.fill(LobeKind::kPhong, 1, out->irradiance, texels);
   float* texel = texels + 4 * size_t{out->irradiance.first};
   for (size_t i = 0; i < 4 * texel_count(out->irradiance.size); ++i) texel[i] *= static_cast<float>(data::kPi);
 }

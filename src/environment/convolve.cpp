@@ -21,21 +21,7 @@ namespace {
 constexpr uint32_t kTile = 8;  // texels a side of a tile, which shares one list of cells
 constexpr uint32_t kTexels = kTile * kTile;
 
-/// Cells whose light reaches a tile, as columns.
-struct CellList {
-  core::Buffer<float> column[7];  // x, y, z, flux, solid angle
-
-  explicit CellList(const core::Allocator& allocator) {
-    for (auto& values : column) values.attach(allocator);
-  }
-  void add(const Cell& cell) {
-    const float values[7] = {cell.x, cell.y, cell.z, cell.flux[0], cell.flux[1], cell.flux[2], cell.solid_angle};
-    for (int c = 0; c < 7; ++c) column[c].push_back(values[c]);
-  }
-  void clear() {
-    for (auto& values : column) values.clear();
-  }
-};
+using CellList = core::Buffer<CellLight>;  // cells whose light reaches a tile
 
 /// Directions of a tile's texels, and their sums.
 struct Tile {
@@ -81,19 +67,18 @@ struct Phong {
 };
 
 template <class Lobe>
-HWY_NOINLINE void Accumulate(const Lobe& lobe, const CellList& list, Tile* tile) {
+HWY_NOINLINE void Accumulate(const Lobe& lobe, const CellLight* cells, size_t count, Tile* tile) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
-  const size_t count = list.column[0].size();
   for (size_t i = 0; i < kTexels; i += hn::Lanes(d)) {
     const auto n = simd::HWY_NAMESPACE::Load3(d, tile->x, tile->y, tile->z, i);
     V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, total = hn::Zero(d);
     for (size_t k = 0; k < count; ++k) {
-      const auto at = [&](int c) { return hn::Set(d, list.column[c][k]); };
-      const V dx = n.x - at(0), dy = n.y - at(1), dz = n.z - at(2);
+      const CellLight& cell = cells[k];
+      const V dx = n.x - hn::Set(d, cell.x), dy = n.y - hn::Set(d, cell.y), dz = n.z - hn::Set(d, cell.z);
       const V weight = lobe(d, dx * dx + dy * dy + dz * dz);
-      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + weight * at(3 + c);
-      total = total + weight * at(6);
+      for (int c = 0; c < 3; ++c) sum[c] = sum[c] + weight * hn::Set(d, cell.flux[c]);
+      total = total + weight * hn::Set(d, cell.solid_angle);
     }
     const V inverse = hn::Set(d, 1.0f) / hn::Max(total, hn::Set(d, 1e-30f));
     for (int c = 0; c < 3; ++c) hn::Store(sum[c] * inverse, d, tile->sum[c] + i);
@@ -102,9 +87,9 @@ HWY_NOINLINE void Accumulate(const Lobe& lobe, const CellList& list, Tile* tile)
 
 }  // namespace
 
-void AccumulateLobe(LobeKind kind, uint32_t exponent, const CellList& list, Tile* tile) {
-  if (kind == LobeKind::kPhong) return Accumulate(Phong{exponent}, list, tile);
-  Accumulate(Ggx{1.0f / static_cast<float>(1u << exponent)}, list, tile);
+void AccumulateLobe(LobeKind kind, uint32_t exponent, const CellLight* cells, size_t count, Tile* tile) {
+  if (kind == LobeKind::kPhong) return Accumulate(Phong{exponent}, cells, count, tile);
+  Accumulate(Ggx{1.0f / static_cast<float>(1u << exponent)}, cells, count, tile);
 }
 
 }  // namespace shd::environment::HWY_NAMESPACE
@@ -152,7 +137,9 @@ class CellFinder {
     const float away = std::max(0.0f, distance(cell.x, cell.y, cell.z) - radius_ - cell.radius);
     if (away * away >= limit2_) return;
     const bool is_small = cell.radius * cell.radius <= kAccept * (width2_ + away * away);
-    if (is_small || level + 1 == cells_.levels) return out_->add(cell);
+    if (is_small || level + 1 == cells_.levels) {
+      return out_->push_back({cell.x, cell.y, cell.z, {cell.flux[0], cell.flux[1], cell.flux[2]}, cell.solid_angle});
+    }
     for (uint32_t k = 0; k < 4; ++k) visit(level + 1, 2 * i + k % 2, 2 * j + k / 2);
   }
 
@@ -166,10 +153,14 @@ class CellFinder {
 
 }  // namespace
 
-void convolve(const core::Context& context, LobeKind kind, uint32_t exponent, const CellTree& cells, const Level& to,
-              float* texels) {
+Convolver::Convolver(const core::Context& context, const CellTree& cells)
+    : context_(context), cells_(cells), lists_(context.allocator, context.executor.worker_count) {
+  for (size_t i = 0; i < lists_.size(); ++i) lists_[i].attach(context.allocator);
+}
+
+void Convolver::fill(LobeKind kind, uint32_t exponent, const Level& to, float* texels) {
   const uint32_t tiles = (to.size + kTile - 1) / kTile;
-  core::parallel_for(context, tiles * tiles, [&](uint32_t index, uint32_t) {
+  core::parallel_for(context_, tiles * tiles, [&](uint32_t index, uint32_t worker) {
     const uint32_t left = index % tiles * kTile, top = index / tiles * kTile;
     Tile tile;
     for (uint32_t i = 0; i < kTexels; ++i) {
@@ -177,9 +168,10 @@ void convolve(const core::Context& context, LobeKind kind, uint32_t exponent, co
                                            static_cast<float>(top + i / kTile) + 0.5f);
       tile.x[i] = n.x, tile.y[i] = n.y, tile.z[i] = n.z;
     }
-    CellList list(context.allocator);
-    CellFinder(kind, exponent, cells, tile, kTexels, &list).find();
-    SHD_DISPATCH(AccumulateLobe, context.simd)(kind, exponent, list, &tile);
+    CellList& list = lists_[worker];
+    list.clear();
+    CellFinder(kind, exponent, cells_, tile, kTexels, &list).find();
+    SHD_DISPATCH(AccumulateLobe, context_.simd)(kind, exponent, list.data(), list.size(), &tile);
     for (uint32_t i = 0; i < kTexels; ++i) {
       float* texel =
           texels + 4 * texel_index(to, static_cast<int32_t>(left + i % kTile), static_cast<int32_t>(top + i / kTile));

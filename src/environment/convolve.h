@@ -15,11 +15,29 @@ enum class LobeKind : uint32_t {
   kPhong,  // max(0, r.l)^p
 };
 
-/// Fills the texels of `to` with the mean of the radiance over a lobe of precision 2^exponent: 1 / alpha^2 of GGX,
-/// p + 1 of Phong. Sums over cells that are small in comparison with the lobe or their distance from it (Barnes and
-/// Hut, "A Hierarchical O(N log N) Force-calculation Algorithm", 1986), so that there is no noise. The bits do not
-/// depend on workers or SIMD targets. Throws Failure and std::bad_alloc.
-void convolve(const core::Context& context, LobeKind kind, uint32_t exponent, const CellTree& cells, const Level& to,
-              float* texels);
+/// The part of a cell that a lobe sums.
+struct CellLight {
+  float x, y, z;  // unit direction
+  float flux[3];  // sum of radiance times solid angle
+  float solid_angle;
+};
+
+/// Means of the radiance over lobes. Sums over cells that are small in comparison with the lobe or their distance from
+/// it (Barnes and Hut, "A Hierarchical O(N log N) Force-calculation Algorithm", 1986), so that there is no noise. The
+/// bits do not depend on workers or SIMD targets.
+class Convolver {
+ public:
+  /// Throws std::bad_alloc.
+  Convolver(const core::Context& context, const CellTree& cells);
+
+  /// Fills the texels of `to` with the means over a lobe of precision 2^exponent: 1 / alpha^2 of GGX, p + 1 of Phong.
+  /// Throws Failure and std::bad_alloc.
+  void fill(LobeKind kind, uint32_t exponent, const Level& to, float* texels);
+
+ private:
+  const core::Context& context_;
+  const CellTree& cells_;
+  core::Objects<core::Buffer<CellLight>> lists_;  // [worker] cells whose light reaches a tile
+};
 
 }  // namespace shd::environment

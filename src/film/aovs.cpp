@@ -12,9 +12,10 @@ namespace shd::film {
 namespace {
 
 /// Level of detail and level of the diffuse texture, as shd_texture_query_levels reports them; 0 without a texture.
-void find_levels(const core::SimdTarget& simd, const material::Material& material, const raster::Fragments& f,
-                 float* const scratch_uv[6], AovScratch* scratch) {
-  material::find_levels(simd, material, f, scratch_uv, scratch->lod);
+void find_levels(const core::SimdTarget& simd, const AovDraw& draw, const raster::Fragments& f,
+                 float* const* scratch_uv, AovScratch* scratch) {
+  const material::Material& material = draw.material;
+  material::find_levels(simd, material, f, draw.object_to_world, scratch_uv, scratch->lod);
   std::fill_n(scratch->level, f.count, 0u);
   if (!material::has_slot(material, SHD_SLOT_DIFFUSE) || !material.slot[SHD_SLOT_DIFFUSE].texture) return;
   const texture::Sampler& sampler = *material.slot[SHD_SLOT_DIFFUSE].sampler;
@@ -44,11 +45,11 @@ void find_rows(const raster::Fragments& f, AovScratch* scratch) {
   }
 }
 
-void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
-                const raster::Fragments& f, float* const scratch_uv[6], AovScratch* scratch, Framebuffer* framebuffer) {
+void write_aovs(const core::SimdTarget& simd, const TileArea& area, const AovDraw& draw, const raster::Fragments& f,
+                float* const* scratch_uv, AovScratch* scratch, Framebuffer* framebuffer) {
   if (!scratch->row_count) return;
-  if (framebuffer->aovs & SHD_AOV_LEVEL) find_levels(simd, material, f, scratch_uv, scratch);
-  if (framebuffer->aovs & SHD_AOV_DRAW) std::fill_n(scratch->draw, f.count, draw);
+  if (framebuffer->aovs & SHD_AOV_LEVEL) find_levels(simd, draw, f, scratch_uv, scratch);
+  if (framebuffer->aovs & SHD_AOV_DRAW) std::fill_n(scratch->draw, f.count, draw.index);
   const AovColumns columns = {f, scratch->lod, scratch->level, scratch->draw};
   for (uint32_t p = 0; p < kPlaneCount; ++p) {
     const PlaneInfo& info = kPlanes[p];

@@ -27,9 +27,17 @@ uint32_t columns_of(uint32_t aovs);
 /// Lists the fragments that are visible at the first sample of their pixel.
 void find_rows(const raster::Fragments& fragments, AovScratch* scratch);
 
-/// Writes every AOV except overdraw, for the listed rows of a shaded batch of one draw.
-void write_aovs(const core::SimdTarget& simd, const TileArea& area, const material::Material& material, uint32_t draw,
-                const raster::Fragments& fragments, float* const scratch_uv[6], AovScratch* scratch,
+/// The draw of a batch.
+struct AovDraw {
+  const material::Material& material;
+  const float* object_to_world;  // [16]
+  uint32_t index;                // in the frame
+};
+
+/// Writes every AOV except overdraw, for the listed rows of a shaded batch of one draw. `scratch_uv` has
+/// material::kLookupScratch columns.
+void write_aovs(const core::SimdTarget& simd, const TileArea& area, const AovDraw& draw,
+                const raster::Fragments& fragments, float* const* scratch_uv, AovScratch* scratch,
                 Framebuffer* framebuffer);
 
 /// Adds one to the overdraw count of a pixel; the framebuffer must have SHD_PLANE_OVERDRAW.

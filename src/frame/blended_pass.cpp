@@ -89,8 +89,8 @@ void blend_run(TileState* tile, const Run& run) {
       if (tile->framebuffer.aovs & SHD_AOV_OVERDRAW) film::count_overdraw(tile->area, left.pixel, &tile->framebuffer);
     }
     if (tile->framebuffer.aovs) {
-      film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, tile->worker.workspace.columns.uv,
-                       &aovs, &tile->framebuffer);
+      film::write_aovs(tile->simd(), tile->area, {*draw.material, draw.object_to_world, draw.index}, f,
+                       tile->worker.workspace.columns.uv, &aovs, &tile->framebuffer);
     }
   });
 }

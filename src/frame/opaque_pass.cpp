@@ -47,8 +47,8 @@ void write_batch(const Draw& draw, TileState* tile) {
   write_colors(worker.runs, worker.workspace.columns.radiance, tile->all_samples(), &tile->color);
   if (!tile->framebuffer.aovs) return;
   film::find_rows(f, &worker.aovs);
-  film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, worker.workspace.columns.uv, &worker.aovs,
-                   &tile->framebuffer);
+  film::write_aovs(tile->simd(), tile->area, {*draw.material, draw.object_to_world, draw.index}, f,
+                   worker.workspace.columns.uv, &worker.aovs, &tile->framebuffer);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "data/hash.h"
 #include "volume/march.h"
 
 namespace shd::frame {
@@ -14,17 +15,10 @@ struct Targets {
   uint32_t mask[volume::kRays];
 };
 
-/// Hashes the place of a pixel (Wellons, "Prospecting for Hash Functions", 2018, lowbias32, of nested words).
+/// Hashes the place of a pixel to [0, 1).
 float jitter_of(int32_t x, int32_t y, uint32_t seed) {
-  const auto mix = [](uint32_t bits) {
-    bits ^= bits >> 16;
-    bits *= 0x7feb352du;
-    bits ^= bits >> 15;
-    bits *= 0x846ca68bu;
-    return bits ^ bits >> 16;
-  };
-  const uint32_t bits = mix(static_cast<uint32_t>(x) + mix(static_cast<uint32_t>(y) + mix(seed + 0x9e3779b9u)));
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
+  const uint32_t row = data::mix_bits(static_cast<uint32_t>(y) + data::mix_bits(seed + data::kHashStep));
+  return data::unit_of(data::mix_bits(static_cast<uint32_t>(x) + row));
 }
 
 /// Draws one volume over a tile.

@@ -23,6 +23,23 @@ double length(const Offset& a) {
   return std::sqrt(dot(a, a));
 }
 
+/// Points farther from vertex 0 than this times the distance to its farthest vertex are moved to there.
+constexpr double kFarthest = 0x1p20;
+
+/// Moves a point towards vertex 0, so that differences of its distances to the vertices are not lost in rounding.
+Offset limit_distance(const Polygon& p, double x, double y) {
+  const Offset away = {x - p.x[0], y - p.y[0]};
+  const double distance = length(away);
+  if (distance <= kFarthest * length({p.x[1] - p.x[0], p.y[1] - p.y[0]})) return {x, y};
+  double farthest = 0.0;
+  for (uint32_t i = 1; i < p.count; ++i) {
+    farthest = std::max(farthest, length({p.x[i] - p.x[0], p.y[i] - p.y[0]}));
+  }
+  if (distance <= kFarthest * farthest) return {x, y};
+  const double scale = kFarthest * farthest / distance;
+  return {p.x[0] + scale * away.x, p.y[0] + scale * away.y};
+}
+
 Offset between(const Polygon& p, uint32_t from, uint32_t to) {
   return {p.x[to] - p.x[from], p.y[to] - p.y[from]};
 }
@@ -135,7 +152,8 @@ PolygonFlaw find_concavity(const Polygon& p) {
   return {PolygonFlaw::kNone, 0, 0};
 }
 
-PolygonPlace find_place(const Polygon& p, double x, double y) {
+PolygonPlace find_place(const Polygon& p, double point_x, double point_y) {
+  const auto [x, y] = limit_distance(p, point_x, point_y);
   PolygonPlace nearest = {PolygonPlace::kOutside, 0, 0.0};
   double least = HUGE_VAL;
   for (uint32_t i = 0; i < p.count; ++i) {
@@ -161,8 +179,9 @@ void edge_weights(const Polygon& polygon, const PolygonPlace& place, double* wei
 }
 
 void closed_form_weights(const Polygon& polygon, shd_barycentric kind, double x, double y, double* weights) {
+  const Offset point = limit_distance(polygon, x, y);
   Star star;
-  fill(polygon, x, y, &star);
+  fill(polygon, point.x, point.y, &star);
   double sum = 0.0;
   for (uint32_t i = 0; i < polygon.count; ++i) {
     weights[i] = weight(polygon, star, kind, i);

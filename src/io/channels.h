@@ -25,6 +25,9 @@ struct Packing {
 /// Pixels that are RGBA already.
 constexpr Packing kExpanded = {4, {{0, 1, 2, 3}}};
 
+/// Pixels of one channel that stay so.
+constexpr Packing kSingle = {1, {{0, 0, 0, -1}}};
+
 inline bool operator==(const Packing& a, const Packing& b) {
   return a.channels == b.channels && std::equal(std::begin(a.map.index), std::end(a.map.index), b.map.index);
 }

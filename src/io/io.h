@@ -3,7 +3,7 @@
 /// Stage contract: io, files in and out.
 ///
 /// Input:      untrusted bytes; rows of pixels to store.
-/// Output:     Bitmap, RGBA rows from the top in one of libshd's formats; whole files.
+/// Output:     Bitmap, rows from the top in one of libshd's formats: RGBA, or one channel of volumes; whole files.
 /// Invariants: no file of this folder calls libshd, so that the worker process does not need it; failures are thrown by
 ///             core::refuse(); sizes are checked against the Limits before memory is allocated; OpenImageIO is given
 ///             memory, never a path; only the worker sets the process-wide attributes of OpenImageIO; what a child of
@@ -24,9 +24,13 @@
 /// | tga_header.h     | checks of a TGA header, its palette and its packets                  |
 /// | scrub.h          | removal of metadata that decoders would parse                        |
 /// | levels.h         | sizes of mip levels                                                  |
+/// | raw_voxels.h     | numbers of a file of voxels in this machine's byte order             |
+/// | numbered_path.h  | paths of a numbered series of files                                  |
+/// | tiff_pages.h     | the chain of pages of a TIFF                                         |
 /// | channels.h       | selection of the channels r, g, b, a, and expansion to RGBA          |
 /// | transfer.h       | colour-space names and transfer curves                               |
-/// | oiio.h           | decode and encode; the only user of OpenImageIO                      |
+/// | oiio.h           | decode and encode (oiio_encode.cpp), the only users of OpenImageIO   |
+/// | oiio_handle.h    | an input or output that prints nothing                               |
 /// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
 /// | silence.h        | no messages of libtiff on stderr                                     |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
@@ -51,8 +55,16 @@
 
 namespace shd::io {
 
+/// Parts of a file that a load reads.
+enum class Parts : uint32_t {
+  kImage,   // part `subimage`, as RGBA
+  kSlice,   // part `subimage`; one channel stays one
+  kSlices,  // all parts from `subimage` on, as the slices of a volume; one channel stays one
+};
+
 /// A load desc with its defaults filled in.
 struct LoadOptions {
+  Parts parts = Parts::kImage;
   uint32_t formats = SHD_FILE_FORMAT_DEFAULT;
   uint32_t flags = SHD_LOAD_DEFAULT;
   shd_color_encoding encoding = SHD_COLOR_ENCODING_AUTO;
@@ -60,12 +72,13 @@ struct LoadOptions {
   Limits limits;
 };
 
-/// A decoded file. pixels: [height][width] RGBA of `format`, packed, row 0 on top; the same of every further level
+/// A decoded file. pixels: [depth][height][width] of `format`, packed, row 0 on top; the same of every further level
 /// behind it. With SHD_LOAD_PARTIAL the buffer may be longer.
 struct Bitmap {
   shd_format format = SHD_FORMAT_NONE;
   uint32_t width = 0;
   uint32_t height = 0;
+  uint32_t depth = 1;        // slices; above 1 only without mip levels
   uint32_t level_count = 1;  // mip levels, the base included; sizes as in io/levels.h
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
@@ -84,9 +97,14 @@ struct Sink {
   void (*take)(void* owner, const unsigned char* bytes, size_t size);
 };
 
-/// Size of one RGBA pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.
+/// Size of one pixel of a bitmap in bytes; 0 for formats that bitmaps cannot have.
 inline size_t bitmap_pixel_size(shd_format format) {
   switch (format) {
+    case SHD_FORMAT_R8:
+    case SHD_FORMAT_R8_SRGB: return 1;
+    case SHD_FORMAT_R16:
+    case SHD_FORMAT_R16F: return 2;
+    case SHD_FORMAT_R32F:
     case SHD_FORMAT_RGBA8:
     case SHD_FORMAT_RGBA8_SRGB: return 4;
     case SHD_FORMAT_RGBA16:
@@ -94,6 +112,12 @@ inline size_t bitmap_pixel_size(shd_format format) {
     case SHD_FORMAT_RGBA32F: return 16;
     default: return 0;
   }
+}
+
+/// Whether the pixels of a bitmap have one channel.
+inline bool has_one_channel(shd_format format) {
+  return format == SHD_FORMAT_R8 || format == SHD_FORMAT_R8_SRGB || format == SHD_FORMAT_R16 ||
+         format == SHD_FORMAT_R16F || format == SHD_FORMAT_R32F;
 }
 
 }  // namespace shd::io

@@ -81,6 +81,7 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   request.flags = options.flags;
   request.encoding = static_cast<uint32_t>(options.encoding);
   request.subimage = options.subimage;
+  request.parts = static_cast<uint32_t>(options.parts);
   request.limits = options.limits;
   request.size = size;
   return request;
@@ -122,7 +123,11 @@ void require_done(Stream stream, const Channel& channel, const Deadline& deadlin
   core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
-void check_packing(const WorkerReply& reply) {
+Packing packing_of(const WorkerReply& reply) {
+  return {static_cast<int>(reply.channels), {{reply.map[0], reply.map[1], reply.map[2], reply.map[3]}}};
+}
+
+void check_packing(const WorkerReply& reply, const LoadOptions& options) {
   if (reply.channels < 1 || reply.channels > 4) {
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u channels", reply.channels);
   }
@@ -130,6 +135,18 @@ void check_packing(const WorkerReply& reply) {
     if (index >= -1 && index < static_cast<int32_t>(reply.channels)) continue;
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent channel %d of %u", index, reply.channels);
   }
+  if (!has_one_channel(static_cast<shd_format>(reply.format))) return;
+  if (options.parts == Parts::kImage || !(packing_of(reply) == kSingle)) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
+  }
+}
+
+void check_depth(const WorkerReply& reply, const LoadOptions& options) {
+  const bool volume = options.parts == Parts::kSlices;
+  if (reply.depth < 1 || (reply.depth > 1 && (!volume || reply.level_count > 1))) {
+    core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u slices", reply.depth);
+  }
+  if (volume) check_volume(options.limits, reply.width, reply.height, reply.depth);
 }
 
 /// Checks every field of a reply, because the process that sent it has read hostile bytes. Returns the size of the
@@ -144,14 +161,15 @@ size_t check_reply(WorkerReply& reply, const LoadOptions& options, size_t file_s
   if (reply.code != SHD_OK) core::refuse(static_cast<shd_result>(reply.code), "%s", reply.message);
   const size_t pixel = bitmap_pixel_size(static_cast<shd_format>(reply.format));
   if (pixel == 0) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent format %u", reply.format);
-  check_packing(reply);
+  check_packing(reply, options);
   check_extent(options.limits, "image", reply.width, reply.height);
   const bool levels = (options.flags & SHD_LOAD_FILE_LEVELS) != 0;
   const uint32_t most = levels ? full_level_count(reply.width, reply.height) : 1;
   if (reply.level_count < 1 || reply.level_count > most) {
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u mip levels", reply.level_count);
   }
-  const uint64_t total = level_pixels(reply.width, reply.height, reply.level_count);
+  check_depth(reply, options);
+  const uint64_t total = level_pixels(reply.width, reply.height, reply.level_count) * reply.depth;
   const size_t size = check_bytes(options.limits, total, pixel, file_size);
   if (size != reply.size) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
   for (char* c = reply.color_space; *c; ++c) {
@@ -173,10 +191,6 @@ shd_bitmap_info check_info(const shd_bitmap_info& sent) {
   return info;
 }
 
-Packing packing_of(const WorkerReply& reply) {
-  return {static_cast<int>(reply.channels), {{reply.map[0], reply.map[1], reply.map[2], reply.map[3]}}};
-}
-
 /// Receives the pixels that a checked reply describes, and expands them to RGBA.
 class PixelReceiver {
  public:
@@ -187,10 +201,12 @@ class PixelReceiver {
         format_(static_cast<shd_format>(reply.format)),
         packing_(packing_of(reply)),
         expanded_(bitmap_pixel_size(format_)),
-        packed_(expanded_ / 4 * reply.channels),
+        packed_(has_one_channel(format_) ? expanded_ : expanded_ / 4 * reply.channels),
         next_(pixels.data()),
         left_(pixels.size() / expanded_),
-        chunk_(memory, packing_ == kExpanded ? 0 : std::min(left_, kChunkPixels) * packed_) {}
+        chunk_(memory, packed_ == expanded_ && (packing_ == kExpanded || packing_ == kSingle)
+                           ? 0
+                           : std::min(left_, kChunkPixels) * packed_) {}
 
   /// Receives pieces until the child ends them. Returns the number of pixels that are absent.
   size_t receive() {
@@ -246,12 +262,14 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   WorkerReply last;
   require_done(receive_all(channel.data.ours.fd, &last, sizeof last, deadline), channel, deadline);
   const size_t size = check_reply(last, options, file_size);
-  const bool same = last.format == first.format && last.width == first.width && last.height == first.height;
+  const bool same = last.format == first.format && last.width == first.width && last.height == first.height &&
+                    last.depth == first.depth;
   if (!same || size > out.pixels.size() - absent) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong size");
   if (!(packing_of(last) == packing_of(first))) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent other channels");
   out.format = static_cast<shd_format>(last.format);
   out.width = last.width;
   out.height = last.height;
+  out.depth = last.depth;
   out.level_count = last.level_count;
   out.info = check_info(last.info);
   std::memcpy(out.color_space, last.color_space, sizeof out.color_space);

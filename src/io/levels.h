@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "io/io.h"
+
 namespace shd::io {
 
 /// Width or height of mip level `level`; as shd_texture_desc.levels requires it.
@@ -24,6 +26,11 @@ inline uint64_t level_pixels(uint32_t width, uint32_t height, uint32_t count) {
   uint64_t pixels = 0;
   for (uint32_t l = 0; l < count; ++l) pixels += uint64_t{level_side(width, l)} * level_side(height, l);
   return pixels;
+}
+
+/// Pixels of all slices and levels of a Bitmap. Cannot overflow after check_volume().
+inline uint64_t bitmap_pixels(const Bitmap& bitmap) {
+  return level_pixels(bitmap.width, bitmap.height, bitmap.level_count) * bitmap.depth;
 }
 
 }  // namespace shd::io

@@ -30,6 +30,18 @@ void check_extent(const Limits& limits, const char* what, uint64_t width, uint64
   }
 }
 
+void check_volume(const Limits& limits, uint64_t width, uint64_t height, uint64_t depth) {
+  check_extent({limits.file_bytes, UINT64_MAX, limits.bytes, limits.ratio, limits.seconds}, "slice", width, height);
+  if (depth == 0) core::refuse(SHD_ERROR_CORRUPT, "a volume of no slices");
+  if (depth > kMaxSide) {
+    core::refuse(SHD_ERROR_LIMIT, "a volume of %llu slices: above %llu", wide(depth), wide(kMaxSide));
+  }
+  if (width * height * depth > limits.pixels) {
+    core::refuse(SHD_ERROR_LIMIT, "volume of %llu x %llu x %llu voxels is above load.max_pixels %llu", wide(width),
+                 wide(height), wide(depth), wide(limits.pixels));
+  }
+}
+
 size_t check_bytes(const Limits& limits, uint64_t pixels, size_t pixel_size, size_t file_size) {
   if (pixels > limits.pixels) {
     core::refuse(SHD_ERROR_LIMIT, "all mip levels have %llu pixels, above load.max_pixels %llu", wide(pixels),

@@ -25,6 +25,9 @@ constexpr uint64_t kMaxSide = 65536;
 /// Throws Failure unless a window of this size is within the budgets. `what` names the window in the message.
 void check_extent(const Limits& limits, const char* what, uint64_t width, uint64_t height);
 
+/// Throws Failure unless each side of a volume is 1..kMaxSide and its voxels are at most limits.pixels.
+void check_volume(const Limits& limits, uint64_t width, uint64_t height, uint64_t depth);
+
 /// Size in bytes of all levels of a bitmap, `pixels` in total, after check_extent() of its base. Throws Failure beyond
 /// limits.pixels, limits.bytes or limits.ratio.
 size_t check_bytes(const Limits& limits, uint64_t pixels, size_t pixel_size, size_t file_size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only user of OpenImageIO.
+// Decoding by OpenImageIO.
 #include "io/oiio.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -7,16 +7,17 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 
 #include "core/failure.h"
 #include "io/channels.h"
 #include "io/dds_header.h"
 #include "io/levels.h"
 #include "io/memory_file.h"
+#include "io/oiio_handle.h"
 #include "io/printable.h"
 #include "io/silence.h"
 #include "io/sniff.h"
+#include "io/tiff_pages.h"
 #include "io/transfer.h"
 
 namespace shd::io {
@@ -42,30 +43,6 @@ constexpr Reader kReaders[] = {
     {SHD_FILE_FORMAT_GIF, "gif"},
 };
 
-/// An input or output whose pending errors are fetched at the end of its life, because OpenImageIO prints errors that
-/// are not fetched.
-template <class Handle>
-struct Quiet {
-  std::unique_ptr<Handle> handle;
-  std::string error() {
-    std::string text = handle ? handle->geterror() : std::string();
-    if (text.empty()) text = OIIO::geterror();
-    return text.empty() ? "no reason given" : text;
-  }
-  ~Quiet() {
-    try {
-      if (handle) {
-        handle->close();
-        (void)handle->geterror();
-      }
-      handle.reset();
-      (void)OIIO::geterror();
-    } catch (...) {
-      handle.reset();
-    }
-  }
-};
-
 /// State of one decode.
 struct Decoder {
   const DecodeInput& file;
@@ -74,8 +51,10 @@ struct Decoder {
   const Sink* sink;
   OIIO::Filesystem::IOMemReader* proxy;
   Quiet<OIIO::ImageInput> input;
-  OIIO::ImageSpec spec;  // describes `level`
-  int level = 0;         // mip level of the file
+  OIIO::ImageSpec spec;      // describes `level` of `part`
+  int level = 0;             // mip level of the file
+  uint32_t part = 0;         // subimage of the file
+  bool one_channel = false;  // the bitmap has one channel, as the file
   ChannelMap map = {};
   int first = 0;  // channels [first, end) of the file are read
   int end = 0;
@@ -169,10 +148,11 @@ void choose_channels(Decoder& d) {
   }
 }
 
-shd_format bitmap_format(const OIIO::TypeDesc& type) {
-  if (type == OIIO::TypeUInt8) return SHD_FORMAT_RGBA8;
-  if (type == OIIO::TypeUInt16) return SHD_FORMAT_RGBA16;
-  return type == OIIO::TypeHalf ? SHD_FORMAT_RGBA16F : SHD_FORMAT_RGBA32F;
+shd_format bitmap_format(const Decoder& d) {
+  if (d.type == OIIO::TypeUInt8) return d.one_channel ? SHD_FORMAT_R8 : SHD_FORMAT_RGBA8;
+  if (d.type == OIIO::TypeUInt16) return d.one_channel ? SHD_FORMAT_R16 : SHD_FORMAT_RGBA16;
+  if (d.type == OIIO::TypeHalf) return d.one_channel ? SHD_FORMAT_R16F : SHD_FORMAT_RGBA16F;
+  return d.one_channel ? SHD_FORMAT_R32F : SHD_FORMAT_RGBA32F;
 }
 
 bool fills_window(const OIIO::ImageSpec& spec) {
@@ -190,6 +170,7 @@ void choose_path(Decoder& d) {
 }
 
 Packing packing_of(const Decoder& d) {
+  if (d.one_channel) return kSingle;
   if (!d.streams) return kExpanded;
   Packing packing = {d.end - d.first, d.map};
   for (int& index : packing.map.index) index = index < 0 ? -1 : index - d.first;
@@ -199,7 +180,7 @@ Packing packing_of(const Decoder& d) {
 /// Reads rows [y, y_end) of the file into `band`; row 0 is the first row of the data window.
 bool read_rows(Decoder& d, int y, int y_end, unsigned char* band) {
   const OIIO::ImageSpec& spec = d.spec;
-  const int subimage = static_cast<int>(d.options.subimage);
+  const int subimage = static_cast<int>(d.part);
   if (spec.tile_width > 0) {
     return d.input.handle->read_tiles(subimage, d.level, spec.x, spec.x + spec.width, spec.y + y, spec.y + y_end,
                                       spec.z, spec.z + 1, d.first, d.end, d.request, band);
@@ -225,7 +206,7 @@ int band_height(const Decoder& d) {
 /// Copies rows of the data window to their position in the display window `out`.
 void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, unsigned char* out) {
   const OIIO::ImageSpec& spec = d.spec;
-  const shd_format format = bitmap_format(d.type);
+  const shd_format format = bitmap_format(d);
   const size_t pixel = bitmap_pixel_size(format);
   const auto channels = static_cast<size_t>(d.end - d.first);
   const int64_t shift_x = int64_t{spec.x} - spec.full_x;
@@ -243,7 +224,12 @@ void place_rows(const Decoder& d, const unsigned char* band, int y, int y_end, u
     unsigned char* to = out + (static_cast<size_t>(target) * static_cast<size_t>(spec.full_width) +
                                static_cast<size_t>(begin + shift_x)) *
                                   pixel;
-    expand_pixels(d.map, d.first, in, channels, static_cast<size_t>(end - begin), format, to);
+    const auto count = static_cast<size_t>(end - begin);
+    if (d.one_channel) {
+      std::memcpy(to, in, count * pixel);
+    } else {
+      expand_pixels(d.map, d.first, in, channels, count, format, to);
+    }
   }
 }
 
@@ -253,6 +239,12 @@ void salvage_rows(Decoder& d, unsigned char* band, int y, int y_end, unsigned ch
   for (int row = y; row < y_end && read_rows(d, row, row + 1, band); ++row) place_rows(d, band, row, row + 1, out);
 }
 
+/// Pixels of a bitmap before those of the current level and part.
+uint64_t pixels_above(const Decoder& d, const Bitmap& out) {
+  const uint64_t slice = uint64_t{out.width} * out.height;
+  return (d.part - d.options.subimage) * slice + level_pixels(out.width, out.height, static_cast<uint32_t>(d.level));
+}
+
 /// Sends the pixels of the current level that are final: those above row y_end of the file, or all of them. Rows that
 /// SHD_LOAD_FLIP_V stores from the bottom are sent at the end of their level.
 void advance(Decoder& d, const Bitmap& out, int y_end, bool all) {
@@ -260,8 +252,7 @@ void advance(Decoder& d, const Bitmap& out, int y_end, bool all) {
   const OIIO::ImageSpec& spec = d.spec;
   const int64_t rows =
       all ? spec.full_height : std::clamp<int64_t>(y_end + int64_t{spec.y} - spec.full_y, 0, spec.full_height);
-  const uint64_t above = level_pixels(out.width, out.height, static_cast<uint32_t>(d.level));
-  const uint64_t pixels = above + static_cast<uint64_t>(rows) * static_cast<uint64_t>(spec.full_width);
+  const uint64_t pixels = pixels_above(d, out) + static_cast<uint64_t>(rows) * static_cast<uint64_t>(spec.full_width);
   const size_t end = static_cast<size_t>(pixels) * bitmap_pixel_size(out.format);
   if (end > d.sent) d.sink->take(d.sink->owner, out.pixels.data() + d.sent, end - d.sent);
   d.sent = end;
@@ -273,7 +264,7 @@ bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
   const int step = band_height(d);
   const size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(d.end - d.first) * d.type.size();
   const Buffer own(memory, d.streams ? 0 : row * static_cast<size_t>(std::min(step, spec.height)));
-  const auto above = static_cast<size_t>(level_pixels(out.width, out.height, static_cast<uint32_t>(d.level)));
+  const auto above = static_cast<size_t>(pixels_above(d, out));
   unsigned char* const pixels = d.streams ? nullptr : out.pixels.data() + above * bitmap_pixel_size(out.format);
   for (int y = 0; y < spec.height; y += step) {
     d.deadline.check();
@@ -296,10 +287,10 @@ bool read_pixels(Decoder& d, const Memory& memory, const Bitmap& out) {
   return true;
 }
 
-/// Makes a level of the chosen part the current one. Returns false if there is none.
+/// Makes a level of the current part the current one. Returns false if there is none.
 bool seek_level(Decoder& d, int level) {
   d.level = level;
-  if (!d.input.handle->seek_subimage(static_cast<int>(d.options.subimage), level)) return false;
+  if (!d.input.handle->seek_subimage(static_cast<int>(d.part), level)) return false;
   d.spec = d.input.handle->spec();
   check_spec(d);
   return true;
@@ -340,6 +331,54 @@ uint32_t count_levels(Decoder& d) {
   return std::min(whole, count);
 }
 
+bool same_window(const OIIO::ImageSpec& a, const OIIO::ImageSpec& b) {
+  return a.width == b.width && a.height == b.height && a.full_width == b.full_width && a.full_height == b.full_height &&
+         a.x - a.full_x == b.x - b.full_x && a.y - a.full_y == b.y - b.full_y;
+}
+
+/// Refuses a part that cannot be a slice below `base`.
+void check_slice(const Decoder& d, const OIIO::ImageSpec& base) {
+  if (!same_window(d.spec, base)) {
+    core::refuse(SHD_ERROR_CORRUPT, "slice %u has %d x %d pixels, slice 0 has %d x %d", d.part - d.options.subimage,
+                 d.spec.width, d.spec.height, base.width, base.height);
+  }
+  bool same = d.spec.nchannels == base.nchannels && d.spec.tile_width == base.tile_width &&
+              d.spec.tile_height == base.tile_height;
+  for (int c = 0; same && c < base.nchannels; ++c) {
+    same = d.spec.channelformat(c) == base.channelformat(c) && d.spec.channel_name(c) == base.channel_name(c);
+  }
+  if (!same) {
+    core::refuse(SHD_ERROR_CORRUPT, "slice %u has other channels or tiles than slice 0", d.part - d.options.subimage);
+  }
+}
+
+/// Number of parts that the load takes from the file. The first one is current, before and after.
+uint32_t count_slices(Decoder& d) {
+  if (d.options.parts != Parts::kSlices) return 1;
+  const OIIO::ImageSpec base = d.spec;
+  const uint32_t first = d.options.subimage;
+  for (d.part = first + 1; d.part - first <= kMaxSide && seek_level(d, 0); ++d.part) check_slice(d, base);
+  (void)d.input.error();  // the reason why there is no further part
+  const uint32_t count = d.part - first;
+  d.part = first;
+  if (!seek_level(d, 0)) refuse_decode(d, "cannot read");
+  const bool strict = (d.options.flags & SHD_LOAD_PARTIAL) == 0;
+  if (strict && d.file.format == SHD_FILE_FORMAT_TIFF && count_tiff_pages(d.file.bytes, d.file.size) != first + count) {
+    core::refuse(SHD_ERROR_CORRUPT, "TIFF: page %u cannot be read", first + count);
+  }
+  return count;
+}
+
+/// Reads all slices of `out`. With SHD_LOAD_PARTIAL, rows from the damage of a slice on are left out.
+void read_slices(Decoder& d, const Memory& memory, Bitmap* out) {
+  for (uint32_t slice = 0; slice < out->depth; ++slice) {
+    d.part = d.options.subimage + slice;
+    if (slice > 0 && !seek_level(d, 0)) refuse_decode(d, "cannot read");
+    if (!read_pixels(d, memory, *out)) out->info.flags |= SHD_BITMAP_PARTIAL;
+    advance(d, *out, 0, true);
+  }
+}
+
 /// Reads all levels of `out`. With SHD_LOAD_PARTIAL, levels from the first damaged one on are left out.
 void read_levels(Decoder& d, const Memory& memory, Bitmap* out) {
   if (!read_pixels(d, memory, *out)) out->info.flags |= SHD_BITMAP_PARTIAL;
@@ -365,6 +404,7 @@ void describe(const Decoder& d, Bitmap* out) {
                                             primaries ? static_cast<const float*>(primaries->data()) : nullptr);
   std::memcpy(out->color_space, name.c_str(), std::min(name.size(), sizeof out->color_space - 1));
   if (out->format == SHD_FORMAT_RGBA8 && name == "sRGB") out->format = SHD_FORMAT_RGBA8_SRGB;
+  if (out->format == SHD_FORMAT_R8 && name == "sRGB") out->format = SHD_FORMAT_R8_SRGB;
   const bool straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   const bool always = d.file.format == SHD_FILE_FORMAT_EXR;
   const bool may = always || d.file.format == SHD_FILE_FORMAT_TIFF || d.file.format == SHD_FILE_FORMAT_ANY;
@@ -377,22 +417,25 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
   open_input(d, file);
   d.input.handle->threads(1);
   check_spec(d);
-  if (d.options.subimage > 0) {
+  d.part = d.options.subimage;
+  if (d.part > 0) {
     if (!seek_level(d, 0)) {
       core::refuse(SHD_ERROR_NOT_FOUND, "load.subimage: the file has no part %u", d.options.subimage);
     }
   }
   choose_channels(d);
+  d.one_channel = d.options.parts != Parts::kImage && d.spec.nchannels == 1;
   Bitmap out;
-  out.format = bitmap_format(d.type);
+  out.format = bitmap_format(d);
   out.width = static_cast<uint32_t>(d.spec.full_width);
   out.height = static_cast<uint32_t>(d.spec.full_height);
   out.level_count = count_levels(d);
+  out.depth = count_slices(d);
+  if (out.depth > 1) check_volume(d.options.limits, out.width, out.height, out.depth);
   const size_t pixel = bitmap_pixel_size(out.format);
   check_bytes(d.options.limits, static_cast<uint64_t>(d.spec.width) * static_cast<uint64_t>(d.spec.height), pixel,
               d.file.file_size);
-  const uint64_t total = level_pixels(out.width, out.height, out.level_count);
-  const size_t bytes = check_bytes(d.options.limits, total, pixel, d.file.file_size);
+  const size_t bytes = check_bytes(d.options.limits, bitmap_pixels(out), pixel, d.file.file_size);
   choose_path(d);
   if (!d.streams) {
     out.pixels = Buffer(memory, bytes);
@@ -401,43 +444,12 @@ Bitmap decode_with(Decoder& d, const MemoryFile& file, const Memory& memory) {
   describe(d, &out);
   if (!d.file.complete) out.info.flags |= SHD_BITMAP_PARTIAL;
   if (d.sink) d.sink->begin(d.sink->owner, out, packing_of(d));
-  read_levels(d, memory, &out);
+  if (d.options.parts == Parts::kSlices) {
+    read_slices(d, memory, &out);
+  } else {
+    read_levels(d, memory, &out);
+  }
   return out;
-}
-
-OIIO::TypeDesc sample_type(Sample sample) {
-  switch (sample) {
-    case Sample::kU8: return OIIO::TypeUInt8;
-    case Sample::kU16: return OIIO::TypeUInt16;
-    case Sample::kHalf: return OIIO::TypeHalf;
-    case Sample::kU32: return OIIO::TypeUInt32;
-    default: return OIIO::TypeFloat;
-  }
-}
-
-OIIO::ImageSpec encode_spec(const EncodeJob& job) {
-  OIIO::ImageSpec spec(static_cast<int>(job.width), static_cast<int>(job.height), static_cast<int>(job.channels.size()),
-                       sample_type(job.channels[0].sample));
-  spec.channelnames.clear();
-  bool mixed = false;
-  for (const EncodeChannel& channel : job.channels) {
-    spec.channelnames.push_back(channel.name);
-    spec.channelformats.push_back(sample_type(channel.sample));
-    mixed = mixed || channel.sample != job.channels[0].sample;
-  }
-  if (!mixed) spec.channelformats.clear();
-  spec.alpha_channel = job.alpha;
-  if (job.straight) spec.attribute("oiio:UnassociatedAlpha", 1);
-  // OpenImageIO would write the time of day; the constant makes the file depend on the pixels alone.
-  if (std::strcmp(job.writer, "openexr") == 0) spec.attribute("DateTime", "1970:01:01 00:00:00");
-  // With an sRGB tag, OpenImageIO 2.4's TIFF writer ends a file in memory with its EXIF directory alone, which is
-  // unreadable.
-  const bool tagged = job.color_space[0] != 0 && std::strcmp(job.writer, "tiff") != 0;
-  if (tagged) spec.attribute("oiio:ColorSpace", job.color_space);
-  if (std::strcmp(job.writer, "openexr") == 0 && std::strcmp(job.color_space, "Linear") == 0) {
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709);
-  }
-  return spec;
 }
 
 }  // namespace
@@ -447,7 +459,7 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   try {
     OIIO::Filesystem::IOMemReader proxy(const_cast<unsigned char*>(input.bytes), input.size);
     const MemoryFile file(input.format == SHD_FILE_FORMAT_ANY, input.bytes, input.size);
-    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, {}, 0, 0, {}, {}, false, 0};
+    Decoder decoder{input, options, deadline, sink, &proxy, {}, {}, 0, 0, false, {}, 0, 0, {}, {}, false, 0};
     return decode_with(decoder, file, memory);
   } catch (const core::Failure&) {
     throw;
@@ -456,30 +468,6 @@ Bitmap decode(const DecodeInput& input, const LoadOptions& options, const Memory
   } catch (const std::exception& error) {
     core::refuse(SHD_ERROR_CORRUPT, "%s: %s", format_name(input.format), printable(error.what()).c_str());
   }
-}
-
-std::vector<unsigned char> encode(const EncodeJob& job) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput proxy(bytes);
-  Quiet<OIIO::ImageOutput> output;
-  output.handle = OIIO::ImageOutput::create(job.writer, nullptr, "");
-  if (!output.handle) core::refuse(SHD_ERROR_UNSUPPORTED, "OpenImageIO was built without a writer of %s", job.writer);
-  const OIIO::ImageSpec spec = encode_spec(job);
-  output.handle->threads(1);
-  output.handle->set_ioproxy(&proxy);
-  const auto require_ok = [&](bool ok) {
-    if (!ok) core::refuse(SHD_ERROR_IO, "cannot encode %s: %s", job.writer, printable(output.error()).c_str());
-  };
-  require_ok(output.handle->open(std::string("memory.") + job.writer, spec));
-  std::vector<unsigned char> row(spec.scanline_bytes(true));
-  const auto stride = static_cast<OIIO::stride_t>(spec.pixel_bytes(true));
-  for (uint32_t y = 0; y < job.height; ++y) {
-    job.row(job.user_data, y, row.data());
-    require_ok(output.handle->write_scanline(static_cast<int>(y), 0, OIIO::TypeUnknown, row.data(), stride));
-  }
-  require_ok(output.handle->close());
-  output.handle.reset();
-  return bytes;
 }
 
 void prepare_process() {

@@ -30,19 +30,23 @@ OpenFile open_file(const char* path, const Limits& limits) {
   return {std::move(file), static_cast<size_t>(size)};
 }
 
-Buffer read_bytes(int file, size_t size, const Memory& memory) {
-  Buffer bytes(memory, size);
+void read_bytes_at(int file, uint64_t at, size_t size, unsigned char* out) {
   size_t done = 0;
   while (done < size) {
     constexpr size_t kChunk = size_t{1} << 26;
     const size_t wanted = std::min(size - done, kChunk);
-    ssize_t got = ::pread(file, bytes.data() + done, wanted, static_cast<off_t>(done));
-    if (got < 0 && errno == ESPIPE) got = ::read(file, bytes.data() + done, wanted);
+    ssize_t got = ::pread(file, out + done, wanted, static_cast<off_t>(at + done));
+    if (got < 0 && errno == ESPIPE) got = ::read(file, out + done, wanted);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse_errno("cannot read", "the file", errno);
     if (got == 0) core::refuse(SHD_ERROR_IO, "the file became shorter while it was read");
     done += static_cast<size_t>(got);
   }
+}
+
+Buffer read_bytes(int file, size_t size, const Memory& memory) {
+  Buffer bytes(memory, size);
+  read_bytes_at(file, 0, size, bytes.data());
   return bytes;
 }
 

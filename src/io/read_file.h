@@ -16,6 +16,9 @@ struct OpenFile {
 /// Opens a regular file of 1..limits.file_bytes bytes. Never blocks on a FIFO or a device.
 OpenFile open_file(const char* path, const Limits& limits);
 
+/// Reads `size` bytes of a file from offset `at` on, or the next ones of a socket.
+void read_bytes_at(int file, uint64_t at, size_t size, unsigned char* out);
+
 /// Reads the first `size` bytes of a file, or the next ones of a socket.
 Buffer read_bytes(int file, size_t size, const Memory& memory);
 

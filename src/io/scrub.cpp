@@ -7,6 +7,7 @@
 #include "core/failure.h"
 #include "io/byte_reader.h"
 #include "io/tga_header.h"
+#include "io/tiff_pages.h"
 
 namespace shd::io {
 
@@ -188,9 +189,8 @@ void scrub_tiff(unsigned char* bytes, size_t size, bool strict) {
   const IfdLayout layout = big ? IfdLayout{8, 20, 8} : IfdLayout{2, 12, 4};
   const unsigned header_size = big ? 16 : 8;
   uint64_t at = big ? in.u64(8) : in.u32(4);
-  constexpr int kMaxPages = 1024;
   uint64_t strips_left = size;  // a strip takes more than one byte of a file
-  for (int page = 0; in.ok && at != 0 && page < kMaxPages; ++page) {
+  for (uint32_t page = 0; in.ok && at != 0 && page < kMaxPages; ++page) {
     if (at < header_size)
       core::refuse(SHD_ERROR_CORRUPT, "TIFF: a directory at byte %u, in the header", static_cast<unsigned>(at));
     at = scrub_ifd(in, bytes, at, layout, strict, &strips_left);

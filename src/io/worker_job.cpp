@@ -113,6 +113,7 @@ void confine(const WorkerRequest& request) {
 
 LoadOptions options_of(const WorkerRequest& request) {
   LoadOptions options;
+  options.parts = static_cast<Parts>(request.parts);
   options.formats = request.formats;
   options.flags = request.flags;
   options.encoding = static_cast<shd_color_encoding>(request.encoding);
@@ -127,7 +128,8 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
   reply->width = bitmap.width;
   reply->height = bitmap.height;
   reply->level_count = bitmap.level_count;
-  reply->size = level_pixels(bitmap.width, bitmap.height, bitmap.level_count) * bitmap_pixel_size(bitmap.format);
+  reply->depth = bitmap.depth;
+  reply->size = bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
   reply->info = bitmap.info;
   std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
 }

@@ -32,7 +32,7 @@ struct WorkerRequest {
   uint32_t flags;
   uint32_t encoding;
   uint32_t subimage;
-  uint32_t reserved;
+  uint32_t parts;
   Limits limits;
   uint64_t size;  // bytes of the file
 };
@@ -45,9 +45,9 @@ struct WorkerEnded {
   int32_t status;  // status of waitpid()
 };
 
-/// The size is that of the RGBA pixels of all levels [bytes]. A pixel on the pipe has `channels` values, 1..4; `map`
-/// has the index of r, g, b and a among them, or -1. In the final reply, damage may have changed the code, the flags,
-/// and level_count with the size, which are then smaller; surplus pixels count as absent.
+/// The size is that of the pixels of all slices and levels in `format` [bytes]. A pixel on the pipe has `channels`
+/// values, 1..4; `map` has the index of r, g, b and a among them, or -1. In the final reply, damage may have changed
+/// the code, the flags, and level_count with the size, which are then smaller; surplus pixels count as absent.
 struct WorkerReply {
   uint32_t magic;
   uint32_t code;
@@ -57,13 +57,13 @@ struct WorkerReply {
   uint32_t level_count;
   uint32_t channels;
   int32_t map[4];
-  uint32_t reserved;
+  uint32_t depth;
   uint64_t size;
   shd_bitmap_info info;
   char color_space[64];
   char message[1024];
 };
 
-constexpr uint32_t kWorkerMagic = 0x73686435;  // "shd5"; must change with these structs
+constexpr uint32_t kWorkerMagic = 0x73686436;  // "shd6"; must change with these structs
 
 }  // namespace shd::io

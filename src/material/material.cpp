@@ -27,6 +27,8 @@ Slot build_slot(const SlotInput& in, const texture::Sampler& default_sampler) no
   } else if (desc.source == SHD_SLOT_SOURCE_SOLID) {
     slot.channel = desc.channel;
     slot.solid = in.solid;
+  }
+  if (reads_places(slot)) {
     slot.place_space = desc.place_space;
     std::copy_n(desc.place_transform, 16, slot.place_transform);
     slot.place_width = desc.place_width;

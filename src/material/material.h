@@ -11,6 +11,7 @@
 /// | file                         | contents                                                              |
 /// |------------------------------|-----------------------------------------------------------------------|
 /// | slot.h                       | sources of coefficients, and their values at points                   |
+/// | places.h                     | places of points in solid and 3D textures                             |
 /// | slot_lookup.h                | texture lookups of a slot at points                                   |
 /// | model.h                      | properties of a model that other stages use                           |
 /// | models-inl.h                 | the table of the models                                               |

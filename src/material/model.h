@@ -81,7 +81,8 @@ struct ShowInputs {
   const Material& material;
   const shd_view& view;
   const raster::Fragments& fragments;
-  float* const* uv;  // [6] scratch columns
+  const float* object_to_world;  // [16] of the draw
+  float* const* uv;              // [kLookupScratch] scratch columns
 };
 
 /// Writes the colour of an unlit model to out, columns of the fragments. Writes nothing past their count, and nothing

@@ -26,7 +26,7 @@ struct ShowLevel : DebugView {
 
   static void Show(const ShowInputs& in, float* const out[3]) {
     float* const lod = out[0];
-    find_levels(in.simd, in.material, in.fragments, in.uv, lod);
+    find_levels(in.simd, in.material, in.fragments, in.object_to_world, in.uv, lod);
     const texture::Texture* texture = in.material.slot[SHD_SLOT_DIFFUSE].texture;
     const float last = texture && texture->level_count > 1 ? static_cast<float>(texture->level_count - 1) : 1.0f;
     for (size_t i = 0; i < in.fragments.count; ++i) {

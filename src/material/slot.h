@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include <shd/slot.h>
@@ -25,7 +26,7 @@ struct Slot {
   shd_slot_fn procedure;
   void* user_data;
   const procedural::Solid* solid;  // null unless SHD_SLOT_SOURCE_SOLID
-  shd_place_space place_space;
+  shd_place_space place_space;     // the place fields are set if reads_places()
   float place_transform[16];
   float place_width;  // factor of the width of a pixel
 };
@@ -38,6 +39,11 @@ struct Parameters {
 /// Whether a slot has a source other than its constant.
 inline bool is_set(const Slot& slot) {
   return slot.source != SHD_SLOT_SOURCE_CONSTANT;
+}
+
+/// Whether a slot is looked up at places in space: it has a solid texture or a 3D texture.
+inline bool reads_places(const Slot& slot) {
+  return slot.solid || (slot.texture && slot.texture->depth != 0);
 }
 
 /// Number of columns of a slot.
@@ -61,11 +67,12 @@ constexpr uint32_t kShapingSlots = 1u << SHD_SLOT_EXPONENT | 1u << SHD_SLOT_ROUG
 
 /// Whether two slots make equal lookups in one texture.
 inline bool share_lookups(const Slot& a, const Slot& b) {
-  if (a.texture != b.texture || a.sampler != b.sampler || a.uv_set != b.uv_set) return false;
-  for (int i = 0; i < 6; ++i) {
-    if (a.uv_transform[i] != b.uv_transform[i]) return false;
+  if (a.texture != b.texture || a.sampler != b.sampler) return false;
+  if (reads_places(a)) {
+    return a.place_space == b.place_space && a.place_width == b.place_width &&
+           std::equal(a.place_transform, a.place_transform + 16, b.place_transform);
   }
-  return true;
+  return a.uv_set == b.uv_set && std::equal(a.uv_transform, a.uv_transform + 6, b.uv_transform);
 }
 
 }  // namespace shd::material

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "material/places.h"
 #include "texture/footprint/lod.h"
 
 namespace shd::material {
@@ -32,9 +33,31 @@ constexpr Parameters make_unset() {
 }
 constexpr Parameters kUnset = make_unset();
 
+/// Returns the lookups of a 3D texture.
+texture::Lookups lookups_at_places(const Slot& slot, const raster::Fragments& points, const float object_to_world[16],
+                                   bool has_footprint, float* const scratch[kLookupScratch]) {
+  const PlaceMap map = place_map(slot, object_to_world);
+  texture::Lookups lookups = {};
+  lookups.count = points.count;
+  find_places(map, points, scratch);
+  lookups.u = scratch[0];
+  lookups.v = scratch[1];
+  lookups.w = scratch[2];
+  if (!has_footprint) return lookups;
+  find_steps(map, slot.place_width, points, scratch + 3);
+  lookups.dudx = scratch[3];
+  lookups.dvdx = scratch[4];
+  lookups.dwdx = scratch[5];
+  lookups.dudy = scratch[6];
+  lookups.dvdy = scratch[7];
+  lookups.dwdy = scratch[8];
+  return lookups;
+}
+
 }  // namespace
 
-texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_t count, float* const scratch[6]) {
+texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_t count,
+                            float* const scratch[kLookupScratch]) {
   const float* in[6];
   std::copy_n(uv, 6, in);
   if (slot.is_transformed) {
@@ -56,7 +79,9 @@ texture::Lookups lookups_of(const Slot& slot, const float* const (&uv)[6], size_
   return lookups;
 }
 
-texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, bool has_footprint, float* const scratch[6]) {
+texture::Lookups lookups_of(const Slot& slot, const raster::Fragments& f, const float object_to_world[16],
+                            bool has_footprint, float* const scratch[kLookupScratch]) {
+  if (reads_places(slot)) return lookups_at_places(slot, f, object_to_world, has_footprint, scratch);
   const bool second = slot.uv_set == 1;
   const float* uv[6] = {second ? f.u1 : f.u,       second ? f.v1 : f.v,       second ? f.du1dx : f.dudx,
                         second ? f.dv1dx : f.dvdx, second ? f.du1dy : f.dudy, second ? f.dv1dy : f.dvdy};
@@ -78,12 +103,12 @@ const Parameters& unset_parameters() {
 }
 
 void find_levels(const core::SimdTarget& simd, const Material& material, const raster::Fragments& fragments,
-                 float* const scratch[6], float* lod) {
+                 const float object_to_world[16], float* const scratch[kLookupScratch], float* lod) {
   const Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   std::fill_n(lod, fragments.count, 0.0f);
   if (!has_slot(material, SHD_SLOT_DIFFUSE) || !slot.texture) return;
   texture::find_lods(*slot.texture, *slot.sampler, texture::lod_range(*slot.texture, *slot.sampler),
-                     texture::LodAxis::kLonger, simd, lookups_of(slot, fragments, true, scratch), lod);
+                     texture::LodAxis::kLonger, simd, lookups_of(slot, fragments, object_to_world, true, scratch), lod);
 }
 
 }  // namespace shd::material

@@ -3,16 +3,13 @@
 
 #include <utility>
 
+#include "data/hash.h"
+
 namespace shd::procedural {
 namespace {
 
-/// The step and the mix of simd/hash-inl.h.
-constexpr uint32_t kStep = 0x9e3779b9u;
-constexpr uint32_t mix(uint32_t x) {
-  x = (x ^ x >> 16) * 0x7feb352du;
-  x = (x ^ x >> 15) * 0x846ca68bu;
-  return x ^ x >> 16;
-}
+using data::kHashStep;
+using data::mix_bits;
 
 /// The square root of s in (0, 1] by Newton's method, for constants.
 constexpr double root(double s) {
@@ -34,7 +31,7 @@ constexpr UnitVectors make_unit_vectors() {
     while (square < 0x1p-6 || square > 1.0) {
       square = 0.0;
       for (double& component : p) {
-        component = static_cast<double>(mix(state += kStep)) * 0x1p-31 - 1.0;
+        component = static_cast<double>(mix_bits(state += kHashStep)) * 0x1p-31 - 1.0;
         square += component * component;
       }
     }
@@ -50,9 +47,9 @@ constexpr UnitVectors kUnitVectors = make_unit_vectors();
 void fill(uint32_t seed, GradientTable* out) noexcept {
   int32_t* const p = out->permutation;
   for (int32_t i = 0; i < kTableSize; ++i) p[i] = i;
-  uint32_t state = mix(seed + kStep);
+  uint32_t state = mix_bits(seed + kHashStep);
   for (uint32_t i = kTableSize - 1; i > 0; --i) {  // Fisher and Yates
-    const uint64_t random = mix(state += kStep);
+    const uint64_t random = mix_bits(state += kHashStep);
     std::swap(p[i], p[random * (i + 1) >> 32]);
   }
   p[kTableSize] = p[0];

@@ -13,6 +13,7 @@
 /// | solid.h           | Solid, and the evaluation of batches                                |
 /// | gradient_table.h  | permutation and gradients of the classic Perlin noise               |
 /// | batch-inl.h       | loops over the rows of a batch                                      |
+/// | wave-inl.h        | the square wave of stripes and checkers, and its average over pixels |
 /// | lattice-inl.h     | cells of the integer lattice, their hashes, weights of their corners |
 /// | octaves-inl.h     | sums of octaves, and their band limit                               |
 /// | perlin-inl.h      | hashed Perlin noise of one octave                                   |

@@ -59,7 +59,9 @@ void build_colors(const shd_solid_desc& desc, Solid* out) {
   const double low = is_default ? (is_signed ? -1.0 : 0.0) : double{desc.range[0]};
   const double high = is_default ? 1.0 : double{desc.range[1]};
   out->low = static_cast<float>(low);
-  out->color_scale = static_cast<float>((desc.color_count - 1.0) / (high - low));
+  constexpr double kSteepest = 1e38;  // a product with 0 is 0
+  const double scale = (desc.color_count - 1.0) / (high - low);
+  out->color_scale = static_cast<float>(std::min(std::max(scale, -kSteepest), kSteepest));
   out->color_count = desc.color_count;
   for (uint32_t k = 0; k < desc.color_count; ++k) {
     for (int c = 0; c < 4; ++c) out->color[c][k] = desc.colors[k][c];

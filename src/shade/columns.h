@@ -4,6 +4,7 @@
 #include "core/allocator.h"
 #include "material/model.h"
 #include "material/slot.h"
+#include "material/slot_lookup.h"
 #include "raster/fragments.h"
 
 namespace shd::shade {
@@ -46,8 +47,7 @@ struct Columns {
   material::Lobes point_lobes;               // at corners or centroids
   material::Lobes point_environment;         // at corners or centroids
   Radiance point_radiance;                   // at corners or centroids
-  float* uv[6];                              // texture lookups: u, v, dudx, dvdx, dudy, dvdy
-  float* place[4];                           // x, y, z and width for solid textures
+  float* uv[material::kLookupScratch];       // texture lookups, and places in solid textures
   float* tangent_frame[6];                   // dp/du and dp/dv of the points' triangles, world space
   float* shifted;                            // u or v of lookups displaced by one texel
   float* tilt[2];                            // bump slopes: derivative of the height by u and v, or difference over a
@@ -89,7 +89,6 @@ void visit_columns(uint32_t targets, Columns* columns, Visit visit) {
     }
   }
   for (float*& column : columns->uv) visit(&column);
-  for (float*& column : columns->place) visit(&column);
   for (float*& column : columns->tangent_frame) visit(&column);
   for (float*& column : columns->tilt) visit(&column);
   for (float*& column : columns->spread) visit(&column);

@@ -18,17 +18,18 @@ bool any_slot(const Material& material, const Test& test) {
 }
 
 bool reads_uv(const Material& material, uint32_t set) {
-  return any_slot(material, [&](const material::Slot& slot) { return slot.texture && slot.uv_set == set; });
+  return any_slot(material, [&](const material::Slot& slot) {
+    return slot.texture && !material::reads_places(slot) && slot.uv_set == set;
+  });
 }
 
 bool reads_attributes(const Material& material) {
   return any_slot(material, [](const material::Slot& slot) { return slot.source == SHD_SLOT_SOURCE_VERTEX; });
 }
 
-/// Columns of the fragments that solid textures read.
+/// Columns of the fragments from which places are found.
 uint32_t place_columns(const Material& material) {
-  const bool reads_places = any_slot(material, [](const material::Slot& slot) { return slot.solid != nullptr; });
-  return reads_places ? raster::kPosition | raster::kPositionSteps : 0;
+  return any_slot(material, material::reads_places) ? raster::kPosition | raster::kPositionSteps : 0;
 }
 
 bool reads_tangents(const Material& material) {

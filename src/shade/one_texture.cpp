@@ -17,7 +17,8 @@ bool has_normalised_integers(const texture::Texture& texture) {
 bool is_one_texture(const material::Material& material) {
   if (material.model != SHD_MODEL_UNLIT || material.slots != 1u << SHD_SLOT_DIFFUSE) return false;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
-  if (!slot.texture || slot.uv_set != 0 || texture::has_border(*slot.sampler)) return false;
+  if (!slot.texture || material::reads_places(slot) || slot.uv_set != 0 || texture::has_border(*slot.sampler))
+    return false;
   for (float emitted : material.emission) {
     if (emitted > 0.0f) return false;
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "shade/places.h"
+#include "material/places.h"
 #include "shade/program.h"
 #include "texture/sample.h"
 
@@ -26,10 +26,12 @@ void evaluate_solid(const core::SimdTarget& simd, const Slot& slot, uint32_t ind
   const uint32_t channels = filled_channels(*context.shading.material, index);
   float* out[4] = {};
   for (uint32_t c = 0; c < channels; ++c) out[channels == 1 ? slot.channel : c] = columns->slot[index][c];
-  find_places(slot, context, columns->place);
-  const float* const width = context.has_footprint ? columns->place[3] : nullptr;
-  procedural::evaluate_colors(
-      *slot.solid, simd, {context.points.count, columns->place[0], columns->place[1], columns->place[2], width}, out);
+  const material::PlaceMap map = material::place_map(slot, context.shading.object_to_world);
+  float* const* const place = columns->uv;
+  float* const width = context.has_footprint ? place[3] : nullptr;
+  material::find_places(map, context.points, place);
+  if (width) material::find_widths(map, slot.place_width, context.points, width);
+  procedural::evaluate_colors(*slot.solid, simd, {context.points.count, place[0], place[1], place[2], width}, out);
 }
 
 /// Adds columns of a slot to the channels of its texture. Returns false if a channel is already in use.

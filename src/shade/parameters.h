@@ -23,7 +23,8 @@ struct SlotContext {
 
 /// Lookups of a slot's texture. They may use columns->uv as storage.
 inline texture::Lookups lookups_of(const material::Slot& slot, const SlotContext& context, Columns* columns) {
-  return material::lookups_of(slot, context.points, context.has_footprint, columns->uv);
+  return material::lookups_of(slot, context.points, context.shading.object_to_world, context.has_footprint,
+                              columns->uv);
 }
 
 /// Looks up the values at points of all `slots` (bits) that are set, except height and matcap. The columns are

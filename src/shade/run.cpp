@@ -143,7 +143,8 @@ bool reflects_sharply(const material::Material& material) {
     return material.roughness < kRough || material::has_slot(material, SHD_SLOT_ROUGHNESS) ||
            (has_coat && material.coat_roughness < kRough) || material::has_slot(material, SHD_SLOT_CLEARCOAT_ROUGHNESS);
   }
-  return material::info_of(material.model).environment_tables != 0 && material.exponent > kWide;
+  return material::info_of(material.model).environment_tables != 0 &&
+         (material.exponent > kWide || material::has_slot(material, SHD_SLOT_EXPONENT));
 }
 
 /// Adds the light of the environment, computed at the points, to the lobes of the fragments.
@@ -196,7 +197,7 @@ void shade_model(const core::SimdTarget& simd, const DrawShading& shading, const
       add_environment(simd, shading, shape, lights.environment, view.eye, parameters, w);
     }
   } else {
-    material::show({simd, material, view, w->fragments, columns.uv}, columns.lobes.lobe[0]);
+    material::show({simd, material, view, w->fragments, shading.object_to_world, columns.uv}, columns.lobes.lobe[0]);
   }
   combine(simd, material, lights, columns.lobes, parameters, w->fragments.count, &columns.radiance);
 }

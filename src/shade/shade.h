@@ -18,7 +18,6 @@
 /// | modulation.h     | factors of the cookie and the shadow of a light                              |
 /// | columns.h        | Radiance and scratch columns                                                 |
 /// | needs.h          | columns that the shading of a draw reads                                     |
-/// | places.h         | places of points in solid textures                                           |
 /// | parameters.h     | values of slots at points                                                    |
 /// | tangent_frames.h | dp/du, dp/dv and tangents of triangles; two-sided normals                    |
 /// | parallax.h       | texture coordinates where lines of sight intersect a height field            |

@@ -76,9 +76,10 @@
 /// | format/codec.h                               | texels from and to doubles                                 |
 /// | format/words-inl.h, gather-inl.h             | texels of one or two words; loads of neighbouring texels   |
 /// | direction/direction.h, project.cpp           | points and derivatives of blocks of directions             |
+/// | direction/project-inl.h, filters-inl.h       | kernels of directions, declared                            |
 /// | direction/fold-inl.h, sink-inl.h             | texels beyond edges; the sink that folds quads             |
 /// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
-/// | direction/convert.cpp, layout.cpp            | images of one projection from another; faces in images     |
+/// | direction/convert.h, convert.cpp, layout.cpp | images of one projection from another; faces in images     |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
 #pragma once
 

@@ -8,37 +8,10 @@
 #include <shd/volume.h>
 
 #include "data/matrix.h"
+#include "data/transform.h"
 
 namespace shd::volume {
 namespace {
-
-/// Inverts a 4 x 4 matrix by elimination with the largest pivot of each column. Returns false if it is singular.
-bool invert(const double (&matrix)[16], double (&inverse)[16]) {
-  double a[4][8] = {};  // rows of [matrix | identity]
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) a[r][c] = matrix[4 * c + r];
-    a[r][4 + r] = 1.0;
-  }
-  for (int c = 0; c < 4; ++c) {
-    int pivot = c;
-    for (int r = c + 1; r < 4; ++r) pivot = std::fabs(a[r][c]) > std::fabs(a[pivot][c]) ? r : pivot;
-    if (!(std::fabs(a[pivot][c]) > 0.0)) return false;
-    std::swap(a[c], a[pivot]);
-    for (int r = 0; r < 4; ++r) {
-      if (r == c) continue;
-      const double factor = a[r][c] / a[c][c];
-      for (int k = c; k < 8; ++k) a[r][k] -= factor * a[c][k];
-    }
-  }
-  bool finite = true;
-  for (int r = 0; r < 4; ++r) {
-    for (int c = 0; c < 4; ++c) {
-      inverse[4 * c + r] = a[r][4 + c] / a[r][r];
-      finite = finite && std::isfinite(inverse[4 * c + r]);
-    }
-  }
-  return finite;
-}
 
 struct Homogeneous {
   double x, y, z, w;
@@ -62,7 +35,8 @@ Lens make_lens(const shd_view& view, const double (&viewport)[4], bool depth_fal
   Lens lens = {};
   double world_to_clip[16];
   data::multiply(view.view_to_clip, view.world_to_view, world_to_clip);
-  lens.is_valid = invert(world_to_clip, lens.clip_to_world);
+  lens.is_valid = data::invert(world_to_clip, lens.clip_to_world);
+  for (const double element : lens.clip_to_world) lens.is_valid = lens.is_valid && std::isfinite(element);
   lens.to_ndc[0] = 2.0 / viewport[2];
   lens.to_ndc[1] = (1.0 - 2.0 * viewport[0]) / viewport[2] - 1.0;
   lens.to_ndc[2] = -2.0 / viewport[3];
@@ -91,9 +65,8 @@ double distance_of(const Lens& lens, const Sight& sight, double x, double y, dou
 
 bool make_world_to_box(const float (&object_to_world)[16], const double (&box_min)[3], const double (&box_max)[3],
                        WorldToBox* out) {
-  double matrix[16], inverse[16];
-  for (int i = 0; i < 16; ++i) matrix[i] = static_cast<double>(object_to_world[i]);
-  if (!invert(matrix, inverse)) return false;
+  double inverse[16];
+  if (!data::invert(object_to_world, inverse)) return false;
   bool finite = true;
   for (int r = 0; r < 3; ++r) {
     const double scale = 1.0 / (box_max[r] - box_min[r]);

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "volume/volume.h"
 
+#include "data/column.h"
 #include "volume/blocks.h"
 
 namespace shd::volume {
 namespace {
-
-/// Returns element i of a caller's column.
-float element(const shd_f32_in& column, size_t i) {
-  const size_t stride = column.stride ? column.stride : sizeof(float);
-  return *reinterpret_cast<const float*>(reinterpret_cast<const char*>(column.data) + i * stride);
-}
 
 Transfer make_transfer(const shd_volume_desc& desc) {
   Transfer transfer = {};
   transfer.count = desc.point_count;
   for (uint32_t i = 0; i < desc.point_count; ++i) {
     TransferPoint& point = transfer.point[i];
-    transfer.density[i] = point.density = element(desc.density, i);
-    point.value[0] = element(desc.extinction, i);
-    for (int c = 0; c < 3; ++c) point.value[1 + c] = desc.color[c].data ? element(desc.color[c], i) : 1.0f;
+    transfer.density[i] = point.density = data::load(desc.density, i);
+    point.value[0] = data::load(desc.extinction, i);
+    for (int c = 0; c < 3; ++c) point.value[1 + c] = desc.color[c].data ? data::load(desc.color[c], i) : 1.0f;
   }
   for (uint32_t i = 0; i + 1 < desc.point_count; ++i) {
     TransferPoint& point = transfer.point[i];

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include <shd/shd.h>
+#include <shd/volume_file.h>
 #ifdef SHD_TEST_COLOR
 #include <shd/color.h>
 #endif
@@ -432,6 +433,28 @@ static void use_color(void)
 #endif
 }
 
+#ifdef SHD_TEST_IO
+/* The picture as a stack of one slice, and then a file of 30 voxels. */
+static void use_volume_files(const char *path)
+{
+    shd_texture *texture = NULL;
+    FILE *file;
+    MAKE(shd_stack_desc, stack);
+    MAKE(shd_raw_desc, raw);
+    stack->paths = &path;
+    stack->path_count = 1;
+    EXPECT_READ(stack, shd_texture_load_stack(g_context, stack, NULL, &texture));
+    expect(shd_texture_load_stack(g_context, stack, NULL, &texture) == SHD_OK, "stack");
+    shd_texture_release(texture);
+    file = fopen(path, "wb");
+    expect(file && fwrite("abcdefghijklmnopqrstuvwxyz1234", 1, 30, file) == 30 && fclose(file) == 0, "voxels");
+    raw->width = 2, raw->height = 3, raw->depth = 5;
+    EXPECT_READ(raw, shd_texture_load_raw(g_context, path, raw, NULL, &texture));
+    expect(shd_texture_load_raw(g_context, path, raw, NULL, &texture) == SHD_OK, "raw");
+    shd_texture_release(texture);
+}
+#endif
+
 static void use_io(const char *path)
 {
 #ifdef SHD_TEST_IO
@@ -457,6 +480,7 @@ static void use_io(const char *path)
     expect(shd_bitmap_image(bitmap, loaded) == SHD_OK, "bitmap");
     EXPECT_WRITTEN(loaded, loaded->width == 2 && loaded->pixels);
     shd_bitmap_release(bitmap);
+    use_volume_files(path);
     remove(path);
 #else
     (void)path;

@@ -7,6 +7,7 @@
 #include <shd/io.h>
 #include <shd/scene.h>
 #include <shd/shd.h>
+#include <shd/volume_file.h>
 
 enum { LARGEST = 4096 };
 
@@ -73,6 +74,8 @@ DEFAULTS(shd_color_desc)
 DEFAULTS(shd_load_desc)
 DEFAULTS(shd_save_desc)
 DEFAULTS(shd_bitmap_info)
+DEFAULTS(shd_raw_desc)
+DEFAULTS(shd_stack_desc)
 DEFAULTS(shd_shape_desc)
 DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
@@ -177,6 +180,9 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_save_desc},
     {"bitmap_info", SHD_DESC_KIND_BITMAP_INFO, sizeof(shd_bitmap_info), REQUIRED(shd_bitmap_info, file_format),
      defaults_shd_bitmap_info},
+    {"raw_desc", SHD_DESC_KIND_RAW_DESC, sizeof(shd_raw_desc), REQUIRED(shd_raw_desc, depth), defaults_shd_raw_desc},
+    {"stack_desc", SHD_DESC_KIND_STACK_DESC, sizeof(shd_stack_desc), REQUIRED(shd_stack_desc, pattern),
+     defaults_shd_stack_desc},
     {"shape_desc", SHD_DESC_KIND_SHAPE_DESC, sizeof(shd_shape_desc), REQUIRED(shd_shape_desc, shape),
      defaults_shd_shape_desc},
     {"shape_columns", SHD_DESC_KIND_SHAPE_COLUMNS, sizeof(shd_shape_columns), REQUIRED(shd_shape_columns, position),

@@ -56,6 +56,9 @@ static const struct reply_case k_cases[] = {
     {"pixels", SHD_ERROR_LIMIT, "above load.max_pixels"},
     {"no_level", SHD_ERROR_CORRUPT, "the decoder sent 0 mip levels"},
     {"levels", SHD_ERROR_CORRUPT, "the decoder sent 2 mip levels"}, /* the load did not ask for levels */
+    {"no_slice", SHD_ERROR_CORRUPT, "the decoder sent 0 slices"},
+    {"slices", SHD_ERROR_CORRUPT, "the decoder sent 2 slices"}, /* the load did not ask for slices */
+    {"one_channel", SHD_ERROR_CORRUPT, "the decoder sent format 1"},
     {"size", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"overflow", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"info_format", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},

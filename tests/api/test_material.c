@@ -429,7 +429,7 @@ static const struct create_case k_create[] = {
     {"create/matcap_as_procedure", edit_matcap_as_procedure, BAD,
      "material.slots[0].source: 3, but this slot takes textures only"},
     {"create/slot_sampler_without_table", edit_slot_sampler_without_table, BAD,
-     "material.slots[1].sampler: its filter needs a table that the texture lacks"},
+     "material.slots[1].sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP"},
     {"create/slots_missing", edit_slots_missing, BAD, "material.slots: NULL"},
     {"create/slots_all", edit_slots_all, SHD_OK, ""},
     {"create/clearcoat_2", edit_clearcoat_2, BAD, "material.clearcoat: 2 is not in 0..1"},

@@ -301,7 +301,10 @@ void test_errors(void **)
     auto cube = of(SHD_PROJECTION_CUBE, 2, 2, 64);
     cube->image[3].width = 3;
     shd_assert_result("faces", convert(*good, *cube), bad, "to.images[3]: 3 x 2 of format");
-    cube->image[3].width = 2, cube->image[4].pixels = cube->image[1].pixels;
+    cube->image[3].width = 2, cube->image[5].struct_size += 8;
+    shd_assert_result("sizes", convert(*good, *cube), bad,
+                      "to.images[5].struct_size: 40 is not the 32 of to.images[0]");
+    cube->image[5].struct_size -= 8, cube->image[4].pixels = cube->image[1].pixels;
     shd_assert_result("overlap", convert(*good, *cube), bad, "to.images[4].pixels: overlaps to.images[1].pixels");
     shd_assert_result("in place", convert(*good, *of(SHD_PROJECTION_ANGULAR, 4, 4, 2)), bad, "overlaps from.images[0]");
     target->desc.images = nullptr;

@@ -412,26 +412,33 @@ static void test_coat(void **state)
     for (int k = 0; k < 2; ++k) shd_texture_release(texture[k]);
 }
 
-/** Reflections of fine noise in a mirror sphere are near the average over each pixel. */
-static void test_mirror(void **state)
+/** An environment of fine noise. */
+static shd_environment *make_noise(void)
 {
     enum { NOISE_WIDTH = 256, NOISE_HEIGHT = 128 };
-    static const struct model_case k_row = {"", SHD_MODEL_METALLIC_ROUGHNESS, SHD_FREQUENCY_PHONG, 0, 0, 1, 0, 0};
     static float texels[3 * NOISE_WIDTH * NOISE_HEIGHT];
-    static struct picture got, want;
     shd_image image = shd_image_default();
     shd_environment_desc desc = shd_environment_desc_default();
     shd_environment *noise = NULL;
-    shd_material *material = make_material(&k_row);
-    struct scene scene;
     uint32_t seed = 5;
-    (void)state;
     for (size_t i = 0; i < sizeof texels / sizeof texels[0]; ++i) texels[i] = (float)(shd_noise(&seed) >> 31);
     image.format = SHD_FORMAT_RGB32F;
     image.width = NOISE_WIDTH, image.height = NOISE_HEIGHT;
     image.pixels = texels;
     desc.image = &image;
     shd_assert_ok(shd_environment_create(g_context, &desc, &noise));
+    return noise;
+}
+
+/** Reflections of fine noise in a mirror sphere are near the average over each pixel. */
+static void test_mirror(void **state)
+{
+    static const struct model_case k_row = {"", SHD_MODEL_METALLIC_ROUGHNESS, SHD_FREQUENCY_PHONG, 0, 0, 1, 0, 0};
+    static struct picture got, want;
+    shd_environment *noise = make_noise();
+    shd_material *material = make_material(&k_row);
+    struct scene scene;
+    (void)state;
     open_scene(&scene, material);
     scene.desc.environment = noise;
     render(&scene, &got);
@@ -441,6 +448,42 @@ static void test_mirror(void **state)
     close_scene(&scene);
     shd_environment_release(noise);
     shd_material_release(material);
+}
+
+/** A narrow lobe is widened by its pixel, whether its exponent is that of the material or of a slot. */
+static void test_exponent_slot(void **state)
+{
+    static const float k_exponent = 1e5f;
+    static struct picture picture[2];
+    shd_environment *noise = make_noise();
+    shd_material_desc desc = shd_material_desc_default();
+    shd_texture_desc texture_desc = shd_texture_desc_default();
+    shd_slot slot = shd_slot_default(SHD_SLOT_EXPONENT);
+    (void)state;
+    texture_desc.format = SHD_FORMAT_R32F;
+    texture_desc.width = texture_desc.height = 1;
+    texture_desc.texels = &k_exponent;
+    slot.source = SHD_SLOT_SOURCE_TEXTURE;
+    shd_assert_ok(shd_texture_create(g_context, &texture_desc, &slot.texture));
+    shd_assert_ok(shd_sampler_create(g_context, NULL, &slot.sampler));
+    desc.model = SHD_MODEL_PHONG;
+    desc.slots = &slot;
+    for (int k = 0; k < 2; ++k) {
+        shd_material *material = NULL;
+        struct scene scene;
+        desc.slot_count = (uint32_t)k;
+        desc.exponent = k ? 1.0f : k_exponent;
+        shd_assert_ok(shd_material_create(g_context, &desc, &material));
+        open_scene(&scene, material);
+        scene.desc.environment = noise;
+        render(&scene, &picture[k]);
+        close_scene(&scene);
+        shd_material_release(material);
+    }
+    compare("slot", &picture[1], &picture[0], 1e-6, 1e-7);
+    shd_texture_release(slot.texture);
+    shd_sampler_release(slot.sampler);
+    shd_environment_release(noise);
 }
 
 struct background_case {
@@ -673,6 +716,7 @@ int main(void)
     ADD_ROWS(k_refusals, test_desc);
     add("glass", test_glass, NULL);
     add("mirror", test_mirror, NULL);
+    add("exponent_slot", test_exponent_slot, NULL);
     add("combination", test_combination, NULL);
     add("rotation", test_rotation, NULL);
     add("same_bits", test_same_bits, NULL);

@@ -211,6 +211,14 @@ static void test_ramp(void **state)
         const double want = fmin(fmax(0.5 - 2 * (double)g.value[i], 0), 1);
         shd_assert_close("falling", (size_t)i, (double)g.color[0][i], want, 1e-6, 0);
     }
+    desc.kind = SHD_SOLID_STRIPES;
+    desc.range[0] = 0.0f;
+    desc.range[1] = 2e-39f; /* colours change all but at once */
+    shd_assert_ok(shd_solid_evaluate(NULL, &desc, &points, &out));
+    for (i = 0; i < k_points; ++i) {
+        if (g.value[i] == 0.0f) assert_true(g.color[0][i] == desc.colors[0][0]);
+        if (g.value[i] == 1.0f) assert_true(g.color[0][i] == desc.colors[1][0]);
+    }
 }
 
 /** Points that are not finite are counted, over all parts of a batch, and by older callers too. */

@@ -298,7 +298,7 @@ static void test_other_uses(void **state)
 {
     shd_light_desc light = shd_light_desc_default();
     shd_material_desc material = shd_material_desc_default();
-    shd_slot slot = shd_slot_default(SHD_SLOT_DIFFUSE);
+    shd_slot slot = shd_slot_default(SHD_SLOT_HEIGHT);
     shd_light *made_light = NULL;
     shd_material *made_material = NULL;
     (void)state;

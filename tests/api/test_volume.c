@@ -102,7 +102,7 @@ static const struct desc_case k_descs[] = {
     {"create/step_nan", edit_step_nan, SHD_ERROR_INVALID_ARGUMENT, "volume.step: nan"},
     {"create/jitter_1.5", edit_jitter, SHD_ERROR_INVALID_ARGUMENT, "volume.jitter: 1.5 is not in 0..1"},
     {"create/flags", edit_flags, SHD_ERROR_INVALID_ARGUMENT, "volume.flags: 1"},
-    {"create/unlit", edit_unlit, SHD_ERROR_UNSUPPORTED, "volume.material: its model reflects no light"},
+    {"create/unlit", edit_unlit, SHD_ERROR_UNSUPPORTED, "volume.material: its model or debug view reflects no light"},
     {"create/blended", edit_blended, SHD_ERROR_UNSUPPORTED, "volume.material: its blend is"},
 };
 
@@ -147,6 +147,7 @@ static void test_render_errors(void **state)
 {
     static shd_volume_draw placed[2];
     shd_render_desc desc = g_scene.desc;
+    int i;
     (void)state;
     placed[0] = placed[1] = g_scene.placed[0];
     desc.volumes = placed;
@@ -160,6 +161,9 @@ static void test_render_errors(void **state)
     placed[1] = placed[0];
     placed[1].object_to_world[5] = 0;
     shd_assert_result("singular", shd_render(g_scene.context, &desc), SHD_ERROR_INVALID_ARGUMENT,
+                      "render.volumes[1]: volume.object_to_world: it cannot be inverted");
+    for (i = 0; i < 9; ++i) placed[1].object_to_world[i / 3 * 4 + i % 3] = (float)(i / 3 + i % 3 * 3 + 1); /* rank 2 */
+    shd_assert_result("rank_2", shd_render(g_scene.context, &desc), SHD_ERROR_INVALID_ARGUMENT,
                       "render.volumes[1]: volume.object_to_world: it cannot be inverted");
     placed[1].object_to_world[5] = NAN;
     shd_assert_result("nan", shd_render(g_scene.context, &desc), SHD_ERROR_INVALID_ARGUMENT,
@@ -422,16 +426,20 @@ static void test_degenerate_views(void **state)
     (void)state;
     shd_ball_open(&scene, NULL, 1);
     scene.desc.camera = NULL;
-    for (k = 0; k < 3; ++k) {
+    for (k = 0; k < 4; ++k) {
         size_t i;
         memset(&scene.desc.view, 0, sizeof scene.desc.view);
         for (i = 0; i < 16; ++i) {
-            scene.desc.view.world_to_view[i] = k == 0 ? 0 : k == 1 ? 3e38f : i % 5 == 0 ? 1e-40f : 0;
+            scene.desc.view.world_to_view[i] = k == 0   ? 0
+                                               : k == 1 ? 3e38f
+                                               : k == 2 ? (i % 5 == 0 ? 1e-40f : 0)
+                                                        : (float)i; /* rank 2 */
             scene.desc.view.view_to_clip[i] = i % 5 == 0 ? (k == 2 ? 1e-40f : 1) : 0;
         }
         scene.desc.draw_count = 0;
         (void)shd_ball_render(&scene, g_planes);
         for (i = 0; i < k_pixels; ++i) assert_true(isfinite(g_planes[0][i]) && g_planes[3][i] <= 1);
+        for (i = 0; i < k_pixels; ++i) assert_true(k != 3 || g_planes[3][i] == g_planes[3][0]);
     }
     shd_ball_close(&scene);
 }

@@ -16,6 +16,7 @@
 #include "io/scrub.h"
 #include "io/sniff.h"
 #include "io/tga_header.h"
+#include "io/tiff_pages.h"
 
 #define SHD_FUZZ_CHECK(condition)                                          \
   do {                                                                     \
@@ -59,6 +60,7 @@ void check_headers(const Bytes& bytes, const Limits& limits, std::vector<shd_res
     results.push_back(refusal([&] { check_header(format, data, size, limits); }));
   }
   results.push_back(refusal([&] { check_jpeg_scans(data, size); }));
+  results.push_back(refusal([&] { SHD_FUZZ_CHECK(count_tiff_pages(data, size) <= kMaxPages); }));
   results.push_back(jpeg_is_complete(data, size) ? SHD_OK : SHD_ERROR_CORRUPT);
   SHD_FUZZ_CHECK(find_tga_extension(data, size) <= size);
 }

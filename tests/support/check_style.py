@@ -23,7 +23,7 @@ DATA_FOLDERS = {"golden", "corpus"}
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
-    "OpenImageIO/": {"src/io/oiio.cpp"},
+    "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h"},
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},

@@ -49,9 +49,10 @@ WorkerReply make_reply(const std::string &mode)
 {
     WorkerReply reply = {};
     reply.magic = mode == "reply_magic" ? 7 : kWorkerMagic;
-    reply.format = mode == "format" ? 77u : uint32_t{SHD_FORMAT_RGBA8};
+    reply.format = mode == "format" ? 77u : uint32_t{mode == "one_channel" ? SHD_FORMAT_R8 : SHD_FORMAT_RGBA8};
     reply.width = mode == "zero" ? 0 : mode == "wide" ? 70000 : mode == "pixels" ? 60000 : 5;
     reply.height = mode == "pixels" ? 60000 : 4;
+    reply.depth = mode == "no_slice" ? 0 : mode == "slices" ? 2 : 1;
     reply.level_count = mode == "no_level" ? 0 : mode == "levels" ? 2 : 1;
     reply.size = mode == "size" ? 81 : mode == "overflow" ? ~uint64_t{0} : 80;
     reply.info.file_format = static_cast<shd_file_format>(mode == "info_format" ? 3 : SHD_FILE_FORMAT_PNG);

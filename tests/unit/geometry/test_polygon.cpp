@@ -189,6 +189,22 @@ void test_outside(void**) {
   assert_int_equal(weights.find(-7, 0), PolygonPlace::kOutside);
 }
 
+/// Points far away: mean value weights are finite, and the nearest vertex of a square is found.
+void test_far(void**) {
+  const Vertices square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  Weights mean_value(square, SHD_BARYCENTRIC_MEAN_VALUE, 1), wachspress(square, SHD_BARYCENTRIC_WACHSPRESS, 1);
+  for (const double x : {1e2, 1e4, 1e6, 1e9, 1e16, 1e17, 3e38, 3.4028234663852886e38}) {
+    closed_form_weights(mean_value.polygon, mean_value.kind, x, 0.75 * x, mean_value.b);
+    double sum = 0, at = 0;
+    for (size_t i = 0; i < 4; ++i) sum += mean_value.b[i], at += mean_value.b[i] * square[i].x;
+    const double limit = 0.8 * 1.4142135623730951 * 0x1p20;  // 2^20 diameters, times the cosine of the direction
+    shd_assert_close("sum", 0, sum, 1, 1e-6, 1e-6);
+    shd_assert_close("x", 0, at, x < limit ? x : limit, 0, 1e-3);
+    wachspress.find(x, 0.75 * x);
+    assert_true(wachspress.b[2] == 1);
+  }
+}
+
 struct flaw_case {
   const char* name;
   Vertices vertices;
@@ -291,6 +307,7 @@ int main() {
   tests[n++] = {"square", test_square, nullptr, nullptr, nullptr};
   tests[n++] = {"mean_value_property", test_mean_value_property, nullptr, nullptr, nullptr};
   tests[n++] = {"outside", test_outside, nullptr, nullptr, nullptr};
+  tests[n++] = {"far", test_far, nullptr, nullptr, nullptr};
   tests[n++] = {"triangulation", test_triangulation, nullptr, nullptr, nullptr};
   tests[n++] = {"largest", test_largest, nullptr, nullptr, nullptr};
   return _cmocka_run_group_tests("unit.geometry.polygon", tests, n, nullptr, nullptr);

@@ -20,7 +20,8 @@ void set_slot(shd_model model, shd_debug_view view, shd_slot_target target, text
 }
 
 void show(const core::SimdTarget& target, const shd_view& view = {}) {
-  material::show({target, g->material, view, g->points, g->columns.uv}, g->columns.lobes.lobe[0]);
+  constexpr float kIdentity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  material::show({target, g->material, view, g->points, kIdentity, g->columns.uv}, g->columns.lobes.lobe[0]);
 }
 
 void test_normals(void**) {

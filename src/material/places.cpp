@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
-#include "shade/places.h"
+#include "material/places.h"
 
 #include <cmath>
 
 #include "data/matrix.h"
 #include "data/transform.h"
 
-namespace shd::shade {
+namespace shd::material {
 namespace {
 
-/// Rows of an affine map from world space.
-struct PlaceMap {
-  float row[3][4];
-};
+/// Square of the length of a mapped step.
+float square_of_step(const PlaceMap& map, float x, float y, float z) {
+  float sum = 0.0f;
+  for (const auto& m : map.row) {
+    const float step = m[0] * x + m[1] * y + m[2] * z;
+    sum += step * step;
+  }
+  return sum;
+}
 
-PlaceMap place_map(const material::Slot& slot, const float object_to_world[16]) {
+}  // namespace
+
+PlaceMap place_map(const Slot& slot, const float object_to_world[16]) {
   double place[16], to_space[16], product[16];
   for (int i = 0; i < 16; ++i) {
     place[i] = static_cast<double>(slot.place_transform[i]);
@@ -31,23 +38,13 @@ PlaceMap place_map(const material::Slot& slot, const float object_to_world[16]) 
   return map;
 }
 
-void map_points(const PlaceMap& map, const raster::Fragments& points, float* const out[4]) {
+void find_places(const PlaceMap& map, const raster::Fragments& points, float* const out[3]) {
   for (int r = 0; r < 3; ++r) {
     const float* const m = map.row[r];
     const float *x = points.px, *y = points.py, *z = points.pz;
     float* const to = out[r];
     for (size_t i = 0; i < points.count; ++i) to[i] = m[0] * x[i] + m[1] * y[i] + m[2] * z[i] + m[3];
   }
-}
-
-/// Square of the length of a mapped step.
-float square_of_step(const PlaceMap& map, float x, float y, float z) {
-  float sum = 0.0f;
-  for (const auto& m : map.row) {
-    const float step = m[0] * x + m[1] * y + m[2] * z;
-    sum += step * step;
-  }
-  return sum;
 }
 
 void find_widths(const PlaceMap& map, float factor, const raster::Fragments& points, float* out) {
@@ -58,12 +55,14 @@ void find_widths(const PlaceMap& map, float factor, const raster::Fragments& poi
   }
 }
 
-}  // namespace
-
-void find_places(const material::Slot& slot, const SlotContext& context, float* const out[4]) {
-  const PlaceMap map = place_map(slot, context.shading.object_to_world);
-  map_points(map, context.points, out);
-  if (context.has_footprint) find_widths(map, slot.place_width, context.points, out[3]);
+void find_steps(const PlaceMap& map, float factor, const raster::Fragments& points, float* const out[6]) {
+  for (int k = 0; k < 6; ++k) {
+    const float* const m = map.row[k % 3];
+    const float* const* const step = k < 3 ? points.dpdx : points.dpdy;
+    const float *x = step[0], *y = step[1], *z = step[2];
+    float* const to = out[k];
+    for (size_t i = 0; i < points.count; ++i) to[i] = factor * (m[0] * x[i] + m[1] * y[i] + m[2] * z[i]);
+  }
 }
 
-}  // namespace shd::shade
+}  // namespace shd::material

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file
+ * @brief libshd_io: 3D textures from files of voxels and from stacks of images.
+ *
+ * The slices of a file are those of the texture: x, the column of a texel, is the fastest index, then y, its row, then
+ * z, its slice. Slice 0 lies at w = 0. The budgets of shd_load_desc count the voxels of the whole texture as pixels,
+ * and are checked before memory is allocated. shd_load_desc.tables are the tables of the texture; volumes
+ * (shd/volume.h) read the base level alone.
+ *
+ * Stacks are decoded as the images of shd/io.h: in a child of shd-io-worker, unless SHD_LOAD_IN_PROCESS is set. A file
+ * of voxels needs no decoder.
+ *
+ * Thread safety: every function may be called from any thread.
+ *
+ * @code
+ * shd_raw_desc raw = shd_raw_desc_default();
+ * raw.width = 256, raw.height = 256, raw.depth = 113;
+ * raw.sample = SHD_RAW_SAMPLE_U16, raw.byte_order = SHD_BYTE_ORDER_BIG;
+ * result = shd_texture_load_raw(context, "head.raw", &raw, NULL, &texture);
+ * @endcode
+ */
+#ifndef SHD_VOLUME_FILE_H
+#define SHD_VOLUME_FILE_H
+
+#include <shd/io.h>
+
+SHD_BEGIN_DECLS
+
+/** Numbers of a file of voxels. */
+typedef enum shd_raw_sample {
+    SHD_RAW_SAMPLE_U8 = 0,  /**< the format R8, RG8, RGB8 or RGBA8 */
+    SHD_RAW_SAMPLE_U16 = 1, /**< the format R16, RG16, RGB16 or RGBA16 */
+    SHD_RAW_SAMPLE_F16 = 2, /**< IEEE 754 binary16; the format R16F, RG16F, RGB16F or RGBA16F */
+    SHD_RAW_SAMPLE_F32 = 3, /**< IEEE 754 binary32; the format R32F, RG32F, RGB32F or RGBA32F */
+    SHD_RAW_SAMPLE_I8 = 4,  /**< as F32: the numbers -128..127 themselves */
+    SHD_RAW_SAMPLE_I16 = 5, /**< as F32: the numbers themselves, such as Hounsfield units */
+    SHD_RAW_SAMPLE_U32 = 6, /**< as F32: the numbers themselves, rounded to the nearest binary32 */
+    SHD_RAW_SAMPLE_I32 = 7, /**< as F32: the numbers themselves, rounded to the nearest binary32 */
+    SHD_RAW_SAMPLE_MAX_ENUM = 0x7fffffff
+} shd_raw_sample;
+
+/** Order of the bytes of a number. */
+typedef enum shd_byte_order {
+    SHD_BYTE_ORDER_LITTLE = 0, /**< lowest byte first */
+    SHD_BYTE_ORDER_BIG = 1,    /**< highest byte first */
+    SHD_BYTE_ORDER_MAX_ENUM = 0x7fffffff
+} shd_byte_order;
+
+/** Value of shd_raw_desc.header_bytes: the voxels are the last bytes of the file. */
+#define SHD_RAW_HEADER_REST 0xffffffffffffffffull
+
+/** Layout of a file of voxels. Required: width, height, depth. */
+typedef struct shd_raw_desc {
+    uint32_t struct_size;      /**< set by shd_raw_desc_default() */
+    uint32_t width;            /**< voxels along x, 1..65536; width * height * depth at most 2^28 */
+    uint32_t height;           /**< voxels along y, 1..65536 */
+    uint32_t depth;            /**< voxels along z, 1..65536 */
+    shd_raw_sample sample;     /**< default SHD_RAW_SAMPLE_U8 */
+    uint32_t channels;         /**< numbers of a voxel, one behind the other, 1..4; default 1 */
+    shd_byte_order byte_order; /**< default SHD_BYTE_ORDER_LITTLE */
+    uint32_t flags;            /**< reserved; 0 */
+    uint64_t header_bytes;     /**< bytes before the first voxel, or SHD_RAW_HEADER_REST; default 0 */
+    /* ---- end of 0.1; append below ---- */
+} shd_raw_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_raw_desc shd_raw_desc_default(void)
+{
+    shd_raw_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    desc.channels = 1;
+    return desc;
+}
+
+/**
+ * Make a 3D texture from a file of voxels.
+ *
+ * The size of the file must be that of the header and all voxels: a shorter or longer file is SHD_ERROR_CORRUPT, with
+ * a message that has both sizes. NaN and infinite numbers stay as they are.
+ * @param path         as for shd_bitmap_load()
+ * @param raw          borrowed for the call
+ * @param load         borrowed for the call; NULL = all defaults. Budgets, tables and SHD_LOAD_FLIP_V, which reverses
+ *                     the rows of each slice, have an effect; other flags except SHD_LOAD_IN_PROCESS are errors
+ * @param out_texture  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_load_raw(shd_context *context, const char *path, const shd_raw_desc *raw,
+                                                      const shd_load_desc *load, shd_texture **out_texture);
+
+/** Files of a stack. Required: either paths and path_count, or pattern. */
+typedef struct shd_stack_desc {
+    uint32_t struct_size;     /**< set by shd_stack_desc_default() */
+    uint32_t path_count;      /**< number of `paths`, 0..65536 */
+    const char *const *paths; /**< [path_count] files, slice 0 first; of a single file all pages are slices */
+    /**
+     * A path with one place for a number, instead of `paths`: %d, %5d (padded by spaces to five characters) or %05d
+     * (by zeros); %% is a percent sign. Slice k is the file of the number first + k.
+     */
+    const char *pattern;
+    uint32_t first; /**< number of slice 0 of `pattern`; default 0 */
+    uint32_t last;  /**< number of the last slice, first..first + 65535; default 0 */
+    /* ---- end of 0.1; append below ---- */
+} shd_stack_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_stack_desc shd_stack_desc_default(void)
+{
+    shd_stack_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/**
+ * Make a 3D texture from images of one size and format.
+ *
+ * Each of several files gives a slice, its part shd_load_desc.subimage. A single file gives all its parts from
+ * `subimage` on: the pages of a TIFF (at most 1024), the parts of a multi-part EXR, the frames of a GIF.
+ *
+ * A file with one channel becomes R8, R16, R16F or R32F; all others become RGBA8, RGBA16, RGBA16F or RGBA32F, as the
+ * pixels of shd_bitmap_load(). shd_load_desc.color_space AUTO and LINEAR keep the numbers, because most stacks hold
+ * densities; the file's declaration has no effect. With SRGB, 8-bit files become R8_SRGB or RGBA8_SRGB, and all
+ * others are SHD_ERROR_UNSUPPORTED.
+ *
+ * A slice whose size or format differs from slice 0 is SHD_ERROR_CORRUPT, and names the slice. max_file_bytes,
+ * max_ratio and time_limit are budgets of each file; max_pixels and max_bytes are budgets of the texture.
+ * @param stack        borrowed for the call
+ * @param load         borrowed for the call; NULL = all defaults. SHD_LOAD_FILE_LEVELS is an error
+ * @param out_texture  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_load_stack(shd_context *context, const shd_stack_desc *stack,
+                                                        const shd_load_desc *load, shd_texture **out_texture);
+
+SHD_END_DECLS
+
+#endif /* SHD_VOLUME_FILE_H */
