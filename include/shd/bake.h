@@ -96,9 +96,9 @@ static inline shd_bake_desc shd_bake_desc_default(void)
  * Shade the surfaces of draws into a framebuffer at their texture coordinates.
  *
  * A bake reads these fields of the frame: the framebuffer (with one sample per pixel), clear_color, camera or view,
- * draws, lights, shadows, environment with its intensity and rotation, progress, present and stats. The view gives the
- * eye. Vertex programs run; their clip positions have no effect. The other fields must have their defaults, except
- * pass_triangles, which has no effect: all triangles are processed together. Depth becomes 1.
+ * draws, lights, shadows, environment with its intensity and rotation, progress and stats. The view gives the eye.
+ * Vertex programs run; their clip positions have no effect. The other fields must have their defaults, except
+ * pass_triangles, which has no effect: all triangles are processed together. Depth becomes 1, and overdraw stays 0.
  *
  * Every draw has a material. Its colour replaces that of the texel: blends have no effect, and a is the opacity of the
  * material. Fragments that a program or the alpha test drops leave their texel empty. SHD_MATERIAL_DOUBLE_SIDED and

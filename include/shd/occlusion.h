@@ -169,7 +169,7 @@ static inline shd_occlusion_atlas shd_occlusion_atlas_default(void)
 /**
  * Compute the occlusion of the texels of a texture, each at the point where shd_bake() shades it.
  *
- * Takes about 60 bytes of working memory for each texel.
+ * Takes about 100 bytes of working memory for each texel.
  * @param context  as in shd_occlusion_compute()
  * @param desc     borrowed for the call
  * @param atlas    borrowed for the call

@@ -55,6 +55,7 @@ shd_result check_frame(const shd_render_desc& frame) {
   if (frame.scissor) return refuse_field("scissor");
   if (frame.supersampling > 1) return refuse_field("supersampling");
   if (frame.background != SHD_BACKGROUND_CLEAR) return refuse_field("background");
+  if (frame.present.tile) return refuse_field("present");
   return frame.volume_count ? refuse_field("volume_count") : SHD_OK;
 }
 

@@ -56,8 +56,8 @@ void write_texels(const Draw& draw, TileState* tile) {
         static_cast<uint8_t>(static_cast<uint8_t>(nearest.cover[pixel]) | shared);
   }
   if (!tile->framebuffer.aovs) return;
-  film::write_aovs(tile->simd(), tile->area, *draw.material, draw.index, f, columns.uv, &worker.aovs,
-                   &tile->framebuffer);
+  film::write_aovs(tile->simd(), tile->area, {*draw.material, draw.object_to_world, draw.index}, f, columns.uv,
+                   &worker.aovs, &tile->framebuffer);
 }
 
 }  // namespace
