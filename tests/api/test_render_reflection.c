@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What reflects and refracts an environment sharply: glass, clear coats, mirrors, narrow lobes, and the background. */
+/* Sharp images of an environment: glass, clear coats, mirrors, narrow lobes, and the background. */
 #include "support/sky.h"
 
 static double dot3(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
