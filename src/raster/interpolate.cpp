@@ -73,14 +73,31 @@ HWY_INLINE CornerValues<V> ValuesOf(D d, const geometry::RowComponent& from, con
   return {{rows[0].Get(d, from.rows, c), rows[1].Get(d, from.rows, c), rows[2].Get(d, from.rows, c)}};
 }
 
+/// Derivatives of a texture coordinate per pixel.
+template <class V>
+struct Steps {
+  V dx, dy;
+};
+template <class D, class V>
+HWY_INLINE Steps<V> StepsOf(D d, const CornerValues<V>& corner, const Barycentric<V>& b) {
+  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
+  return {FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2)};
+}
+
+/// Interpolates a texture coordinate.
+template <class D, class V>
+HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out) {
+  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
+}
+
 /// Interpolates a texture coordinate and its derivatives.
 template <class D, class V>
 HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out,
                            float* out_dx, float* out_dy) {
-  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
-  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
-  hn::StoreU(FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), d, out_dx + at);
-  hn::StoreU(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
+  Coordinate(d, corner, b, at, out);
+  const Steps<V> steps = StepsOf(d, corner, b);
+  hn::StoreU(steps.dx, d, out_dx + at);
+  hn::StoreU(steps.dy, d, out_dy + at);
 }
 
 /// Interpolates position, normal and wo of one vector of rows.
@@ -179,11 +196,13 @@ struct TextureCorners {
   CornerValues<V> u, v;
 };
 
-/// Fills texture coordinates at the pixels of one triangle. `row_at(y)` returns the terms that a row of pixels shares,
-/// `weights_at(row, x)` the barycentric coordinates of a vector of its pixels.
-template <class D, class V, class RowTerms, class PixelWeights>
-HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorners<V>& corner, const RowTerms& row_at,
-                            const PixelWeights& weights_at, Fragments& f) {
+/// Calls fill(b, at) for each vector of pixels of one triangle with their barycentric coordinates. `row_at(y)` returns
+/// the terms that a row of pixels shares, `weights_at(row, x)` the coordinates of a vector of its pixels. Returns the
+/// number of rows.
+template <class D, class RowTerms, class PixelWeights, class Fill>
+HWY_INLINE size_t ForEachPixelVector(D d, const TrianglePixels& pixels, const RowTerms& row_at,
+                                     const PixelWeights& weights_at, const Fill& fill) {
+  using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const auto lane = hn::Iota(di, 0);
   const V left = hn::Set(d, pixels.left + 0.5f);
@@ -195,16 +214,21 @@ HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorn
       const auto row = row_at(hn::Set(d, (pixels.top + 0.5f) + y));
       for (size_t k = 0; k < end - begin; k += hn::Lanes(d)) {
         const auto x = hn::Set(di, static_cast<int32_t>(begin % kTile + k)) + lane;
-        const auto b = weights_at(row, left + hn::ConvertTo(d, x));
-        Coordinate(d, corner.u, b, at + k, f.u, f.dudx, f.dudy);
-        Coordinate(d, corner.v, b, at + k, f.v, f.dvdx, f.dvdy);
+        fill(weights_at(row, left + hn::ConvertTo(d, x)), at + k);
       }
       at += end - begin;
     }
   }
+  return at;
 }
 
-void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
+/// Fills `count` elements of a column.
+template <class D, class V>
+HWY_INLINE void FillColumn(D d, V value, size_t count, float* column) {
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) hn::Store(value, d, column + i);
+}
+
+bool InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
@@ -213,14 +237,29 @@ void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels
   const auto corners = CornersOf(d, vertices, rows);
   const auto affine = AffineTrianglesOf(d, corners);
   if (hn::AllTrue(d, affine.usable)) {
-    FillTexture(
-        d, pixels, texture, [&](V y) { return AffineRowAt(affine, y); },
-        [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); }, f);
-  } else {
-    FillTexture(
-        d, pixels, texture, [&](V y) { return PixelRowAt(corners, y); },
-        [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); }, f);
+    const auto weights_at = [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); };
+    const size_t count = ForEachPixelVector(
+        d, pixels, [&](V y) { return AffineRowAt(affine, y); }, weights_at,
+        [&](const Barycentric<V>& b, size_t at) {
+          Coordinate(d, texture.u, b, at, f.u);
+          Coordinate(d, texture.v, b, at, f.v);
+        });
+    const Barycentric<V> any = weights_at({hn::Zero(d), hn::Zero(d)}, hn::Zero(d));
+    const Steps<V> u = StepsOf(d, texture.u, any), v = StepsOf(d, texture.v, any);
+    FillColumn(d, u.dx, count, f.dudx);
+    FillColumn(d, u.dy, count, f.dudy);
+    FillColumn(d, v.dx, count, f.dvdx);
+    FillColumn(d, v.dy, count, f.dvdy);
+    return true;
   }
+  ForEachPixelVector(
+      d, pixels, [&](V y) { return PixelRowAt(corners, y); },
+      [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); },
+      [&](const Barycentric<V>& b, size_t at) {
+        Coordinate(d, texture.u, b, at, f.u, f.dudx, f.dudy);
+        Coordinate(d, texture.v, b, at, f.v, f.dvdx, f.dvdy);
+      });
+  return false;
 }
 
 }  // namespace shd::raster::HWY_NAMESPACE
@@ -245,9 +284,9 @@ void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertice
   if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
 }
 
-void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
+bool interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
                          Fragments* out) {
-  SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
+  return SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
 }
 
 }  // namespace shd::raster
