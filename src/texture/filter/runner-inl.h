@@ -309,7 +309,9 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
   std::conditional_t<Sink::kBuffered, NoSink, PrefetchSink> prefetch(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    nonfinite += FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
+    nonfinite += call.in.count <= kBlock
+                     ? FindShapes(call.texture, call.sampler, call.in, &block)  // without the time of a copy
+                     : FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
     if constexpr (SharesLevels<Filter>::value) {
