@@ -20,6 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::IsFinite;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
@@ -84,17 +85,11 @@ HWY_INLINE Steps<V> StepsOf(D d, const CornerValues<V>& corner, const Barycentri
   return {FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2)};
 }
 
-/// Interpolates a texture coordinate.
-template <class D, class V>
-HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out) {
-  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
-}
-
 /// Interpolates a texture coordinate and its derivatives.
 template <class D, class V>
 HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out,
                            float* out_dx, float* out_dy) {
-  Coordinate(d, corner, b, at, out);
+  hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
   const Steps<V> steps = StepsOf(d, corner, b);
   hn::StoreU(steps.dx, d, out_dx + at);
   hn::StoreU(steps.dy, d, out_dy + at);
@@ -196,6 +191,29 @@ struct TextureCorners {
   CornerValues<V> u, v;
 };
 
+/// Interpolates both texture coordinates of a vector of pixels.
+template <class D, class V>
+HWY_INLINE void FillCoordinates(D d, const TextureCorners<V>& corner, const Barycentric<V>& b, size_t at,
+                                Fragments& f) {
+  const V(&a)[3] = corner.u.a, (&c)[3] = corner.v.a;
+  V u = PlainBlend(a[0], a[1], a[2], b.b1, b.b2), v = PlainBlend(c[0], c[1], c[2], b.b1, b.b2);
+  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(IsFinite(d, u), IsFinite(d, v))))) {
+    u = Blend(d, a[0], a[1], a[2], b.b1, b.b2);
+    v = Blend(d, c[0], c[1], c[2], b.b1, b.b2);
+  }
+  hn::StoreU(u, d, f.u + at);
+  hn::StoreU(v, d, f.v + at);
+}
+
+/// Stores the derivatives of both texture coordinates at a vector of pixels.
+template <class D, class V>
+HWY_INLINE void FillSteps(D d, const Steps<V>& u, const Steps<V>& v, size_t at, Fragments& f) {
+  hn::StoreU(u.dx, d, f.dudx + at);
+  hn::StoreU(v.dx, d, f.dvdx + at);
+  hn::StoreU(u.dy, d, f.dudy + at);
+  hn::StoreU(v.dy, d, f.dvdy + at);
+}
+
 /// Calls fill(b, at) for each vector of pixels of one triangle with their barycentric coordinates. `row_at(y)` returns
 /// the terms that a row of pixels shares, `weights_at(row, x)` the coordinates of a vector of its pixels. Returns the
 /// number of rows.
@@ -222,12 +240,6 @@ HWY_INLINE size_t ForEachPixelVector(D d, const TrianglePixels& pixels, const Ro
   return at;
 }
 
-/// Fills `count` elements of a column.
-template <class D, class V>
-HWY_INLINE void FillColumn(D d, V value, size_t count, float* column) {
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) hn::Store(value, d, column + i);
-}
-
 bool InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
@@ -240,24 +252,18 @@ bool InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels
     const auto weights_at = [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); };
     const size_t count = ForEachPixelVector(
         d, pixels, [&](V y) { return AffineRowAt(affine, y); }, weights_at,
-        [&](const Barycentric<V>& b, size_t at) {
-          Coordinate(d, texture.u, b, at, f.u);
-          Coordinate(d, texture.v, b, at, f.v);
-        });
+        [&](const Barycentric<V>& b, size_t at) { FillCoordinates(d, texture, b, at, f); });
     const Barycentric<V> any = weights_at({hn::Zero(d), hn::Zero(d)}, hn::Zero(d));
     const Steps<V> u = StepsOf(d, texture.u, any), v = StepsOf(d, texture.v, any);
-    FillColumn(d, u.dx, count, f.dudx);
-    FillColumn(d, u.dy, count, f.dudy);
-    FillColumn(d, v.dx, count, f.dvdx);
-    FillColumn(d, v.dy, count, f.dvdy);
+    for (size_t at = 0; at < count; at += hn::Lanes(d)) FillSteps(d, u, v, at, f);
     return true;
   }
   ForEachPixelVector(
       d, pixels, [&](V y) { return PixelRowAt(corners, y); },
       [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); },
       [&](const Barycentric<V>& b, size_t at) {
-        Coordinate(d, texture.u, b, at, f.u, f.dudx, f.dudy);
-        Coordinate(d, texture.v, b, at, f.v, f.dvdx, f.dvdy);
+        FillCoordinates(d, texture, b, at, f);
+        FillSteps(d, StepsOf(d, texture.u, b), StepsOf(d, texture.v, b), at, f);
       });
   return false;
 }
