@@ -29,7 +29,7 @@ class FusedSink : public Emitter<FusedSink<F>> {
   using D = BatchTag;
   using B = Blend<F, false>;
 
-  explicit FusedSink(const FilterCall& call) : to_(call, nullptr), consumer_(to_) {}
+  explicit FusedSink(const FilterCall& call) : to_(call, TexelSource(call.texture), nullptr), consumer_(to_) {}
 
   HWY_INLINE const Sampler& sampler() const { return to_.sampler; }
   HWY_INLINE Elements<kMaxLanes>& elements() { return element_; }

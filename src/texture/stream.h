@@ -94,7 +94,7 @@ struct FilterCall;
 
 /// State of a consumer over the lookups of one batch: inputs, outputs and progress.
 struct Consumption {
-  Consumption(const FilterCall& call, Recording* record);
+  Consumption(const FilterCall& call, const TexelSource& source, Recording* record);
 
   const TexelSource texels;
   const Sampler& sampler;
@@ -140,8 +140,8 @@ struct FilterCall {
   Recording* recording;  // output of `record`, or null
 };
 
-inline Consumption::Consumption(const FilterCall& call, Recording* record)
-    : texels(call.texture), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
+inline Consumption::Consumption(const FilterCall& call, const TexelSource& source, Recording* record)
+    : texels(source), sampler(call.sampler), recording(record), out(call.out), count(call.in.count) {}
 
 /// Filters on the calling thread. Returns the number of lookups with an input that is not finite.
 using RunFilter = size_t (*)(const FilterCall& call);

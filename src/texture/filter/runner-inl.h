@@ -201,8 +201,8 @@ class StreamSink : public Emitter<StreamSink> {
   explicit StreamSink(const FilterCall& call)
       : sampler_(call.sampler),
         bordered_(has_border(call.texture, call.sampler)),
-        first_(call, call.recording),
-        second_(call, nullptr) {
+        first_(call, TexelSource(call.texture), call.recording),
+        second_(call, first_.texels, nullptr) {
     consume_first_ = call.record ? call.record : call.format.values;
     if (!call.record) consume_second_ = call.format.gradient;
     if (!call.record && !call.out.wants_values()) consume_first_ = nullptr;
