@@ -33,7 +33,8 @@
  * Defined for all inputs: points that are not finite count as 0 in that coordinate. Points outside the polygon have the
  * weights of the nearest point of its edges, except for MEAN_VALUE, whose formula holds in the whole plane. With D the
  * distance from vertex 0 to its farthest vertex, points farther than 2^20 D from vertex 0 count as the point at this
- * distance in their direction. Points
+ * distance in their direction. Where rounding leaves no finite weights, as in polygons with edges of 1 and of 1e38, the
+ * weights are those of the nearest point of the edges, too. Points
  * closer to an edge than 2^-40 of the distance to its farther vertex count as points of the edge.
  *
  * Thread safety: any thread. With a context, batches of more than 16384 points are split over its executor.

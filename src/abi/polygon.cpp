@@ -118,8 +118,8 @@ bool find_weights(const Coordinates& c, double x, double y, double* weights) {
     edge_weights(c.polygon, place, weights);
   } else if (c.kind == SHD_BARYCENTRIC_HARMONIC) {
     harmonic_weights(c.polygon, c.field, x, y, weights);
-  } else {
-    closed_form_weights(c.polygon, c.kind, x, y, weights);
+  } else if (!closed_form_weights(c.polygon, c.kind, x, y, weights)) {
+    edge_weights(c.polygon, place, weights);
   }
   return is_outside;
 }

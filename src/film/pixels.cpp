@@ -45,7 +45,12 @@ HWY_INLINE VU CorrectCode(VF v, VU estimate) {
 /// Clamps to 0..1; NaN gives 0.
 HWY_INLINE VF Clamped(VF value) {
   const DF d;
-  return hn::Min(hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value), hn::Set(d, 1.0f));
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+  const VF positive = hn::Max(value, hn::Zero(d));  // the second one if the first is NaN
+#else
+  const VF positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
+#endif
+  return hn::Min(positive, hn::Set(d, 1.0f));
 }
 
 /// Clamps and rounds to the nearest of 2^kBits codes.
@@ -67,22 +72,37 @@ HWY_INLINE VU PackCodes(const VU (&code)[kChannels]) {
   return packed;
 }
 
-/// Rounds channels to codes of 8 bits. The float sum before truncation is off by less than 2^-15, so that codes which
-/// 2^-14 more or less does not change are right.
+/// Moves the bits 15..22 of each word, a code of Unorm8Codes(), to byte C and clears the others.
+template <size_t C>
+HWY_INLINE VU CodeAtByte(VU bits) {
+  constexpr int kBy = 15 - 8 * static_cast<int>(C);
+  const VU moved = kBy > 0 ? hn::ShiftRight<(kBy > 0 ? kBy : 0)>(bits) : hn::ShiftLeft<(kBy < 0 ? -kBy : 0)>(bits);
+  return hn::And(moved, hn::Set(DU(), 255u << (8 * C)));
+}
+
+/// Rounds channels to codes of 8 bits and packs them. The sum of 256.5 + 2^-15 and the scaled value is a multiple of
+/// 2^-15 whose error is below 2^-15. Its code, in the bits 15..22, is right unless the 15 bits below are 0 or 1.
 template <size_t kChannels>
 HWY_INLINE VU Unorm8Codes(const VF* channel) {
   const DF d;
   const DU du;
-  VU low[kChannels], high[kChannels];
+  const VU below = hn::Set(du, 0x7ffeu);
+  VU bits[4], least = below;
   for (size_t c = 0; c < kChannels; ++c) {
     const VF scaled = Clamped(channel[c]) * hn::Set(d, 255.0f);
-    low[c] = hn::BitCast(du, ToInt(scaled + hn::Set(d, 0.5f - 0x1p-14f)));
-    high[c] = hn::BitCast(du, ToInt(scaled + hn::Set(d, 0.5f + 0x1p-14f)));
+    bits[c] = hn::BitCast(du, scaled + hn::Set(d, 256.5f + 0x1p-15f));
+    least = hn::Min(least, hn::And(bits[c], below));
   }
-  const VU packed = PackCodes(low);
-  if (HWY_LIKELY(hn::AllTrue(du, hn::Eq(packed, PackCodes(high))))) return packed;
-  for (size_t c = 0; c < kChannels; ++c) low[c] = UnormCode<8>(channel[c]);
-  return PackCodes(low);
+  if (HWY_LIKELY(hn::AllFalse(du, hn::Eq(least, hn::Zero(du))))) {
+    VU packed = CodeAtByte<0>(bits[0]);
+    if constexpr (kChannels > 1) packed = hn::Or(packed, CodeAtByte<1>(bits[1]));
+    if constexpr (kChannels > 2) packed = hn::Or(packed, CodeAtByte<2>(bits[2]));
+    if constexpr (kChannels > 3) packed = hn::Or(packed, CodeAtByte<3>(bits[3]));
+    return packed;
+  }
+  VU code[kChannels];
+  for (size_t c = 0; c < kChannels; ++c) code[c] = UnormCode<8>(channel[c]);
+  return PackCodes(code);
 }
 
 /// image::linear_to_srgb8() of each lane.

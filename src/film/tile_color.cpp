@@ -43,6 +43,20 @@ bool are_same(const float* colors, uint32_t samples, size_t stride) {
   return different == 0;
 }
 
+/// Replaces the colours of the samples in a mask. Chooses in place of branches, which would be predicted wrongly.
+template <uint32_t kSamples>
+void choose_some(uint32_t mask, const float (&color)[4], float* samples) {
+  uint32_t value[4];
+  std::memcpy(value, color, sizeof value);
+  for (uint32_t s = 0; s < kSamples; ++s) {
+    const uint32_t keep = (mask >> s & 1) - 1;
+    uint32_t bits[4];
+    std::memcpy(bits, samples + 4 * s, sizeof bits);
+    for (size_t c = 0; c < 4; ++c) bits[c] = (bits[c] & keep) | (value[c] & ~keep);
+    std::memcpy(samples + 4 * s, bits, sizeof bits);
+  }
+}
+
 Destination at(float* color) {
   return {{color, color + 1, color + 2, color + 3}};
 }
@@ -81,6 +95,10 @@ float* TileColor::split(uint32_t pixel) {
   float* samples = split_.color.data() + size_t{pixel} * samples_ * target_count_ * 4;
   if (split_.is_split[pixel]) return samples;
   split_.is_split[pixel] = 1;
+  if (assumed_) {
+    for (uint32_t s = 0; s < samples_; ++s) std::memcpy(samples + 4 * s, assumed_, 4 * sizeof(float));
+    return samples;
+  }
   for (uint32_t t = 0; t < target_count_; ++t) {
     const size_t at_pixel = position(pixel, t);
     float color[4];
@@ -116,6 +134,11 @@ void TileColor::write_run(uint32_t begin, uint32_t end, const shade::Radiance& f
 
 void TileColor::write_some(uint32_t pixel, uint32_t mask, const shade::Radiance& from, size_t row) {
   float* samples = split(pixel);
+  if (samples_ == 4 && target_count_ == 1) {
+    const float* const* column = from.channel;
+    const float color[4] = {column[0][row], column[1][row], column[2][row], column[3][row]};
+    return choose_some<4>(mask, color, samples);
+  }
   for (uint32_t t = 0; t < target_count_; ++t) {
     float color[4];
     for (uint32_t c = 0; c < 4; ++c) color[c] = from.channel[4 * target_[t] + c][row];
@@ -161,8 +184,8 @@ void TileColor::resolve() {
   for (uint32_t first = 0; first < raster::kTilePixels; first += 8) {
     uint64_t eight;
     std::memcpy(&eight, split_.is_split.data() + first, sizeof eight);
-    for (uint32_t pixel = first; pixel < first + 8 && eight; ++pixel) {
-      if (!split_.is_split[pixel]) continue;
+    for (; eight; eight &= eight - 1) {
+      const uint32_t pixel = first + static_cast<uint32_t>(__builtin_ctzll(eight)) / 8;
       for (uint32_t t = 0; t < target_count_; ++t) {
         const float* samples = split_.color.data() + pixel * samples_ * stride + 4 * t;
         float mean[4];

@@ -33,6 +33,9 @@ class TileColor {
 
   /// Marks every pixel as stored in planes.
   void load();
+  /// States that pixels which are split from now on have one colour so far, so that it need not be read; null = they
+  /// may differ. Only for tiles whose only target is colour; others ignore it.
+  void assume(const float* color) { assumed_ = target_count_ == 1 ? color : nullptr; }
   /// Points r, g, b and a to a run of pixels, all of whose samples are then written there, if colour is the only target
   /// and the pixels of the tile are consecutive. Returns whether they are.
   bool point_to(const raster::PixelRun& run, shade::Radiance* out);
@@ -60,6 +63,7 @@ class TileColor {
   void mark_whole(uint32_t begin, uint32_t end);
 
   const uint32_t samples_, all_;
+  const float* assumed_ = nullptr;  // colour of the pixels that are not split, or null
   uint32_t target_count_ = 0;
   uint32_t target_[shade::kMaxTargets];    // indices of the existing targets
   TilePlanes planes_[shade::kMaxTargets];  // [target_count_] planes of these targets

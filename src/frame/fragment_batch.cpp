@@ -87,25 +87,24 @@ uint32_t FragmentBatch::samples_at(const ShadingPoints& points, const PixelEdges
   }
 }
 
-/// Moves rows from the centre of their pixels to the centroid of the covered samples, unless the triangle covers the
-/// centre.
-void FragmentBatch::move_to_centroids(const ShadingPoints& points, size_t begin, size_t end) const {
+/// Moves a row from the centre of its pixel to the centroid of the covered samples, unless the triangle covers the
+/// centre. With sample shading: to the one sample of the row.
+void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) const {
   raster::Fragments& f = worker_.workspace.fragments;
-  const uint32_t all = tile_.all_samples();
-  for (size_t row = begin; row < end; ++row) {
-    uint32_t mask = f.mask[row];
-    if (!points.per_sample) {
-      if (mask == all) continue;
-      const PixelEdges edges(points, f.pixel[row]);
-      if (edges.covers(points.at_centre)) continue;
-      mask = samples_at(points, edges);
-      if (mask == all) continue;
-    }
-    const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
-    const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
-    f.x[row] = static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale;
-    f.y[row] = static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale;
+  uint32_t mask = f.mask[row];
+  bool stays = false;
+  if (!points.per_sample) {
+    const PixelEdges edges(points, f.pixel[row]);
+    mask = samples_at(points, edges);
+    stays = edges.covers(points.at_centre) | (mask == tile_.all_samples());
   }
+  const raster::PointSum sum = raster::sum_of_points(tile_.pattern, mask);
+  const float scale = 1.0f / static_cast<float>(sum.count * geometry::kSubpixels);
+  // Indices in place of a branch that would be predicted wrongly for many rows.
+  const float x[2] = {static_cast<float>(tile_.left_of(f.pixel[row])) + static_cast<float>(sum.x) * scale, f.x[row]};
+  const float y[2] = {static_cast<float>(tile_.top_of(f.pixel[row])) + static_cast<float>(sum.y) * scale, f.y[row]};
+  f.x[row] = x[stays];
+  f.y[row] = y[stays];
 }
 
 /// Moves rows of a bake from the centre of their texels to the nearest points of their triangles.
@@ -126,14 +125,18 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   const uint32_t first = run.begin, count = uint32_t{run.end} - run.begin;
   const RowValues values = {first, run.mask, triangle.primitive, static_cast<float>(tile_.left) + 0.5f,
                             static_cast<float>(tile_.top) + 0.5f};
-  if (begin + data::padded(count) <= raster::kBatch) {
+  if (count == 1) {
+    set_rows<1>(values, 0, begin, &f);
+  } else if (begin + data::padded(count) <= raster::kBatch) {
     for (uint32_t i = 0; i < count; i += 4) set_rows<4>(values, i, begin, &f);
   } else {
     for (uint32_t i = 0; i < count; ++i) set_rows<1>(values, i, begin, &f);
   }
   f.count += count;
   worker_.runs.run[worker_.runs.count++] = run;
-  if (tile_.pattern.count > 1) move_to_centroids(points, begin, f.count);
+  if (points.per_sample || run.mask != tile_.all_samples()) {
+    for (size_t row = begin; row < f.count; ++row) move_to_centroid(points, row);
+  }
   if (tile_.renderer.frame.bake) move_to_nearest(begin, f.count);
   if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
   if (!keeps_triangles_) return;

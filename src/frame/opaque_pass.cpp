@@ -78,8 +78,11 @@ void shade_visible(TileState* tile) {
   if (worker.slots.size() == 0) return;
   raster::sort_pixels(tile->simd(), worker.tile, worker.slots.size(), &worker.order);
   const size_t samples = size_t{tile->area.width} * tile->area.height * tile->pattern.count;
-  if (worker.order.covered_samples == samples) tile->color_is_unclear = false;  // every sample is overwritten
+  const bool is_overwritten = worker.order.covered_samples == samples;
+  const bool has_one_color = is_overwritten || (tile->color_is_unclear && !tile->renderer.background.map);
+  if (is_overwritten) tile->color_is_unclear = false;
   tile->clear_color();
+  tile->color.assume(has_one_color ? tile->renderer.frame.clear_color : nullptr);
   FragmentBatch batch(*tile);
   TextureBatch textured(tile);
   const auto done = [&](const Draw& draw) { write_batch(draw, tile); };
@@ -96,6 +99,7 @@ void shade_visible(TileState* tile) {
     batch.add(triangle, runs, count, done);
   }
   batch.flush(draw, done);
+  tile->color.assume(nullptr);
   worker.slots.clear();
   film::clear_slots(&worker.tile);
 }

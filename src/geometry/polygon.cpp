@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shd::geometry {
 namespace {
@@ -178,7 +179,8 @@ void edge_weights(const Polygon& polygon, const PolygonPlace& place, double* wei
   weights[next(polygon, place.edge)] = place.t;
 }
 
-void closed_form_weights(const Polygon& polygon, shd_barycentric kind, double x, double y, double* weights) {
+bool closed_form_weights(const Polygon& polygon, shd_barycentric kind, double x, double y, double* weights) {
+  constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
   const Offset point = limit_distance(polygon, x, y);
   Star star;
   fill(polygon, point.x, point.y, &star);
@@ -187,7 +189,12 @@ void closed_form_weights(const Polygon& polygon, shd_barycentric kind, double x,
     weights[i] = weight(polygon, star, kind, i);
     sum += weights[i];
   }
-  for (uint32_t i = 0; i < polygon.count; ++i) weights[i] /= sum;
+  bool is_finite = true;
+  for (uint32_t i = 0; i < polygon.count; ++i) {
+    weights[i] /= sum;
+    is_finite = is_finite && std::fabs(weights[i]) <= kLargest;
+  }
+  return is_finite;
 }
 
 }  // namespace shd::geometry

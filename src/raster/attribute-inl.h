@@ -17,11 +17,17 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Blend() where no difference overflows.
+template <class V>
+HWY_INLINE V PlainBlend(V a0, V a1, V a2, V b1, V b2) {
+  return a0 + b1 * (a1 - a0) + b2 * (a2 - a0);
+}
+
 /// a0 + b1 (a1 - a0) + b2 (a2 - a0). Three equal values give that value, bit by bit. Where a difference overflows, the
 /// sum is computed on halved values.
 template <class D, class V>
 HWY_INLINE V Blend(D d, V a0, V a1, V a2, V b1, V b2) {
-  const V blend = a0 + b1 * (a1 - a0) + b2 * (a2 - a0);
+  const V blend = PlainBlend(a0, a1, a2, b1, b2);
   const auto finite = simd::HWY_NAMESPACE::IsFinite(d, blend);
   if (HWY_LIKELY(hn::AllTrue(d, finite))) return blend;
   const V half = hn::Set(d, 0.5f), limit = hn::Set(d, 0x1.fffffep126f);

@@ -20,6 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using simd::HWY_NAMESPACE::FiniteOrZero;
+using simd::HWY_NAMESPACE::IsFinite;
 using simd::HWY_NAMESPACE::Normalize;
 using simd::HWY_NAMESPACE::Store3;
 using simd::HWY_NAMESPACE::Vec3V;
@@ -73,14 +74,25 @@ HWY_INLINE CornerValues<V> ValuesOf(D d, const geometry::RowComponent& from, con
   return {{rows[0].Get(d, from.rows, c), rows[1].Get(d, from.rows, c), rows[2].Get(d, from.rows, c)}};
 }
 
+/// Derivatives of a texture coordinate per pixel.
+template <class V>
+struct Steps {
+  V dx, dy;
+};
+template <class D, class V>
+HWY_INLINE Steps<V> StepsOf(D d, const CornerValues<V>& corner, const Barycentric<V>& b) {
+  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
+  return {FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2)};
+}
+
 /// Interpolates a texture coordinate and its derivatives.
 template <class D, class V>
 HWY_INLINE void Coordinate(D d, const CornerValues<V>& corner, const Barycentric<V>& b, size_t at, float* out,
                            float* out_dx, float* out_dy) {
-  const V a1 = corner.a[1] - corner.a[0], a2 = corner.a[2] - corner.a[0];
   hn::StoreU(Blend(d, corner.a[0], corner.a[1], corner.a[2], b.b1, b.b2), d, out + at);
-  hn::StoreU(FiniteOrZero(d, b.b1_dx * a1 + b.b2_dx * a2), d, out_dx + at);
-  hn::StoreU(FiniteOrZero(d, b.b1_dy * a1 + b.b2_dy * a2), d, out_dy + at);
+  const Steps<V> steps = StepsOf(d, corner, b);
+  hn::StoreU(steps.dx, d, out_dx + at);
+  hn::StoreU(steps.dy, d, out_dy + at);
 }
 
 /// Interpolates position, normal and wo of one vector of rows.
@@ -179,11 +191,36 @@ struct TextureCorners {
   CornerValues<V> u, v;
 };
 
-/// Fills texture coordinates at the pixels of one triangle. `row_at(y)` returns the terms that a row of pixels shares,
-/// `weights_at(row, x)` the barycentric coordinates of a vector of its pixels.
-template <class D, class V, class RowTerms, class PixelWeights>
-HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorners<V>& corner, const RowTerms& row_at,
-                            const PixelWeights& weights_at, Fragments& f) {
+/// Interpolates both texture coordinates of a vector of pixels.
+template <class D, class V>
+HWY_INLINE void FillCoordinates(D d, const TextureCorners<V>& corner, const Barycentric<V>& b, size_t at,
+                                Fragments& f) {
+  const V(&a)[3] = corner.u.a, (&c)[3] = corner.v.a;
+  V u = PlainBlend(a[0], a[1], a[2], b.b1, b.b2), v = PlainBlend(c[0], c[1], c[2], b.b1, b.b2);
+  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(IsFinite(d, u), IsFinite(d, v))))) {
+    u = Blend(d, a[0], a[1], a[2], b.b1, b.b2);
+    v = Blend(d, c[0], c[1], c[2], b.b1, b.b2);
+  }
+  hn::StoreU(u, d, f.u + at);
+  hn::StoreU(v, d, f.v + at);
+}
+
+/// Stores the derivatives of both texture coordinates at a vector of pixels.
+template <class D, class V>
+HWY_INLINE void FillSteps(D d, const Steps<V>& u, const Steps<V>& v, size_t at, Fragments& f) {
+  hn::StoreU(u.dx, d, f.dudx + at);
+  hn::StoreU(v.dx, d, f.dvdx + at);
+  hn::StoreU(u.dy, d, f.dudy + at);
+  hn::StoreU(v.dy, d, f.dvdy + at);
+}
+
+/// Calls fill(b, at) for each vector of pixels of one triangle with their barycentric coordinates. `row_at(y)` returns
+/// the terms that a row of pixels shares, `weights_at(row, x)` the coordinates of a vector of its pixels. Returns the
+/// number of rows.
+template <class D, class RowTerms, class PixelWeights, class Fill>
+HWY_INLINE size_t ForEachPixelVector(D d, const TrianglePixels& pixels, const RowTerms& row_at,
+                                     const PixelWeights& weights_at, const Fill& fill) {
+  using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   const auto lane = hn::Iota(di, 0);
   const V left = hn::Set(d, pixels.left + 0.5f);
@@ -195,16 +232,15 @@ HWY_INLINE void FillTexture(D d, const TrianglePixels& pixels, const TextureCorn
       const auto row = row_at(hn::Set(d, (pixels.top + 0.5f) + y));
       for (size_t k = 0; k < end - begin; k += hn::Lanes(d)) {
         const auto x = hn::Set(di, static_cast<int32_t>(begin % kTile + k)) + lane;
-        const auto b = weights_at(row, left + hn::ConvertTo(d, x));
-        Coordinate(d, corner.u, b, at + k, f.u, f.dudx, f.dudy);
-        Coordinate(d, corner.v, b, at + k, f.v, f.dvdx, f.dvdy);
+        fill(weights_at(row, left + hn::ConvertTo(d, x)), at + k);
       }
       at += end - begin;
     }
   }
+  return at;
 }
 
-void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
+bool InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels& pixels, Fragments& f) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   const OneRow rows[3] = {{pixels.row[0]}, {pixels.row[1]}, {pixels.row[2]}};
@@ -213,14 +249,23 @@ void InterpolateTexture(const geometry::Vertices& vertices, const TrianglePixels
   const auto corners = CornersOf(d, vertices, rows);
   const auto affine = AffineTrianglesOf(d, corners);
   if (hn::AllTrue(d, affine.usable)) {
-    FillTexture(
-        d, pixels, texture, [&](V y) { return AffineRowAt(affine, y); },
-        [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); }, f);
-  } else {
-    FillTexture(
-        d, pixels, texture, [&](V y) { return PixelRowAt(corners, y); },
-        [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); }, f);
+    const auto weights_at = [&](const AffineRow<V>& row, V x) { return AffineWeights(d, affine, row, x); };
+    const size_t count = ForEachPixelVector(
+        d, pixels, [&](V y) { return AffineRowAt(affine, y); }, weights_at,
+        [&](const Barycentric<V>& b, size_t at) { FillCoordinates(d, texture, b, at, f); });
+    const Barycentric<V> any = weights_at({hn::Zero(d), hn::Zero(d)}, hn::Zero(d));
+    const Steps<V> u = StepsOf(d, texture.u, any), v = StepsOf(d, texture.v, any);
+    for (size_t at = 0; at < count; at += hn::Lanes(d)) FillSteps(d, u, v, at, f);
+    return true;
   }
+  ForEachPixelVector(
+      d, pixels, [&](V y) { return PixelRowAt(corners, y); },
+      [&](const PixelRow<V>& row, V x) { return Weights(d, corners, row, x); },
+      [&](const Barycentric<V>& b, size_t at) {
+        FillCoordinates(d, texture, b, at, f);
+        FillSteps(d, StepsOf(d, texture.u, b), StepsOf(d, texture.v, b), at, f);
+      });
+  return false;
 }
 
 }  // namespace shd::raster::HWY_NAMESPACE
@@ -245,9 +290,9 @@ void interpolate(const core::SimdTarget& simd, const geometry::Vertices& vertice
   if (wanted & kTangent && vertices.tangent.size() == 0) clear(std::begin(tangent), std::end(tangent));
 }
 
-void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
+bool interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
                          Fragments* out) {
-  SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
+  return SHD_DISPATCH(InterpolateTexture, simd)(vertices, pixels, *out);
 }
 
 }  // namespace shd::raster

@@ -49,8 +49,9 @@ struct TrianglePixels {
 constexpr size_t kMaxTextureRows = kBatch - kTile;
 
 /// Fills texture coordinates and their derivatives at the pixels' centres, with the bits of interpolate(). At most
-/// kMaxTextureRows rows; the rows of the last vector are overwritten.
-void interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
+/// kMaxTextureRows rows; the rows of the last vector are overwritten. Returns whether each derivative has one value at
+/// all pixels, which is finite.
+bool interpolate_texture(const core::SimdTarget& simd, const geometry::Vertices& vertices, const TrianglePixels& pixels,
                          Fragments* out);
 
 }  // namespace shd::raster

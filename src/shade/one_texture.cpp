@@ -30,12 +30,13 @@ void shade_one_texture(const core::SimdTarget& simd, const DrawShading& shading,
   const material::Material& material = *shading.material;
   const material::Slot& slot = material.slot[SHD_SLOT_DIFFUSE];
   raster::Fragments& f = workspace->fragments;
-  raster::interpolate_texture(simd, *shading.vertices, pixels, &f);
+  const bool one_footprint = raster::interpolate_texture(simd, *shading.vertices, pixels, &f);
   const float* const uv[6] = {f.u, f.v, f.dudx, f.dvdx, f.dudy, f.dvdy};
   texture::Texels texels = {};
   for (int c = 0; c < 3; ++c) texels.channel[c] = out[c];
-  texture::sample(*slot.texture, *slot.sampler, simd, material::lookups_of(slot, uv, rows, workspace->columns.uv),
-                  texels);
+  texture::Lookups lookups = material::lookups_of(slot, uv, rows, workspace->columns.uv);
+  lookups.one_footprint = one_footprint && !slot.is_transformed;  // a transform may overflow
+  texture::sample(*slot.texture, *slot.sampler, simd, lookups, texels);
   for (int c = 0; c < 3; ++c) {
     for (size_t i = 0; i < rows && material.diffuse[c] != 1.0f; ++i) out[c][i] *= material.diffuse[c];
   }

@@ -46,27 +46,27 @@ RunFilter SliceFilterOf(shd_filter filter) {
 }
 
 /// Kernels of a 3D texture. kDeep: derivatives in w.
-Kernels SliceKernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradient) {
-  Kernels kernels = {};
+void FindSliceKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
+  Kernels& kernels = *out;
   kernels.run = SliceFilterOf(sampler.filter);
   kernels.format.values = has_border(texture, sampler) ? BorderedOf(texture.component) : ValuesOf(texture.component);
   kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
   if (gradient == Gradient::kPlane) kernels.format.gradient = GradientOf(texture.component);
   if (gradient == Gradient::kDeep) kernels.format.gradient = DeepGradientOf(texture.component);
-  return kernels;
 }
 
-/// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup.
-Kernels KernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradient) {
-  if (HWY_UNLIKELY(texture.depth != 0)) return SliceKernelsOf(texture, sampler, gradient);
+/// Only the kernels that a call needs are looked up, which takes a part of the time of a call of one lookup. They are
+/// written one by one and never copied: a copy in wider words would wait for these stores. `out` is empty before.
+void FindKernels(const Texture& texture, const Sampler& sampler, Gradient gradient, Kernels* out) {
+  if (HWY_UNLIKELY(texture.depth != 0)) return FindSliceKernels(texture, sampler, gradient, out);
   const image::Component component = texture.component;
   const bool bordered = has_border(sampler);
-  Kernels kernels = {};
+  Kernels& kernels = *out;
   if (HWY_UNLIKELY(texture.projection != SHD_PROJECTION_NONE)) {
     kernels.run = DirectionFilterOf(sampler.filter);
     kernels.format.values = ValuesOf(component);
     kernels.record = ConsumeStream<RecordedBlend, Recorded, true>;
-    return kernels;
+    return;
   }
   kernels.run = FilterOf(sampler.filter);
   kernels.format.values = bordered ? BorderedOf(component) : ValuesOf(component);
@@ -80,7 +80,6 @@ Kernels KernelsOf(const Texture& texture, const Sampler& sampler, Gradient gradi
     kernels.format.fixed = FixedOf(component);
     if (kernels.format.fixed.sum) kernels.fixed = FixedFilterOf(sampler);
   }
-  return kernels;
 }
 
 }  // namespace shd::texture::HWY_NAMESPACE
@@ -89,7 +88,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shd::texture {
 namespace {
-HWY_EXPORT(KernelsOf);
+HWY_EXPORT(FindKernels);
 
 /// Returns whether every output is the stored channel of its number, as those of textures of four channels usually are.
 bool is_stored_as_read(const Texture& texture) {
@@ -144,16 +143,18 @@ size_t sample_stored(const Texture& texture, const Sampler& sampler, const core:
                      const Lookups& lookups, const Texels& wanted, Recording* recording) {
   const bool gradient = wanted.wants_gradient();
   const size_t target = lookups.count <= core::kNarrowLanes ? core::narrow_index(simd) : simd.index;
-  const auto kernels_of = [&](Gradient kind) { return HWY_DISPATCH_TABLE(KernelsOf)[target](texture, sampler, kind); };
+  Kernels kernels = {};
+  const auto find_kernels = [&](Gradient kind) {
+    HWY_DISPATCH_TABLE(FindKernels)[target](texture, sampler, kind, &kernels);
+  };
   if (gradient && texture.depth != 0 && wanted.wants_deep_gradient()) {
     const Texels deep = of_columns(wanted, 12, kOutputColumns), others = of_columns(wanted, 0, 12);
-    const size_t nonfinite =
-        kernels_of(Gradient::kDeep)
-            .run({texture, sampler, lookups, deep, kernels_of(Gradient::kDeep).format, nullptr, nullptr});
+    find_kernels(Gradient::kDeep);
+    const size_t nonfinite = kernels.run({texture, sampler, lookups, deep, kernels.format, nullptr, nullptr});
     if (!others.wants_values() && !others.wants_gradient()) return nonfinite;
     return sample_stored(texture, sampler, simd, lookups, others, nullptr);
   }
-  const Kernels kernels = kernels_of(gradient ? Gradient::kPlane : Gradient::kNone);
+  find_kernels(gradient ? Gradient::kPlane : Gradient::kNone);
   SHD_ASSERT(kernels.run && kernels.format.values);  // the enums of samplers and textures are checked at creation
   const auto run = [&](RunFilter filter, const Texels& to) {
     return filter({texture, sampler, lookups, to, kernels.format, recording ? kernels.record : nullptr, recording});

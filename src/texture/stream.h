@@ -135,7 +135,7 @@ struct FilterCall {
   const Sampler& sampler;
   const Lookups& in;
   const Texels& out;
-  FormatKernels format;
+  const FormatKernels& format;
   Consume record;        // null, or the consumer that replaces those of the format
   Recording* recording;  // output of `record`, or null
 };

@@ -191,6 +191,7 @@ struct Lookups {
   const uint32_t* layer;                   // null = 0
   const uint32_t* random;                  // random bits; null = a hash of the bits of u and v
   const float *w = nullptr, *dwdx = nullptr, *dwdy = nullptr;  // read by textures with needs_w(); null = 0
+  bool one_footprint = false;  // each column of derivatives holds one finite value; false = not known
 
   /// Returns a column by its number, for code that treats all columns equally.
   const float*& real(size_t i) {

@@ -134,7 +134,8 @@ class FixedSink {
 
   /// Takes the quad of the only average, or the second quad, which is blended by its share.
   HWY_INLINE void quad(D d, uint32_t, const Level<D>& level, hn::Vec<D> u, hn::Vec<D> v) {
-    begin_vector(d, hn::Set(d, 1.0f), false);
+    begin_vector(false);
+    current_->one_quad = true;
     quad(d, level, u, v, 0, free_);
     free_ += 2 * kQuad;
     current_->rows = 1;
@@ -147,7 +148,9 @@ class FixedSink {
 
   /// Takes the quads of lines of probes with equal weights.
   HWY_INLINE void line(D d, const ProbeLine<D>& line, const LevelPair<D>& levels) {
-    begin_vector(d, line.probes, levels.blended);
+    begin_vector(levels.blended);
+    current_->one_quad = false;
+    hn::Store(line.probes, d, current_->probes);
     hn::Store(levels.fraction, d, current_->fraction);
     if (HWY_UNLIKELY(!repeats_)) {
       add_probes<false, true>(d, line, levels);
@@ -172,14 +175,13 @@ class FixedSink {
   static constexpr size_t kLine = 16;                // lookups per cache line of an output
 
   /// Begins a vector of lookups.
-  HWY_INLINE void begin_vector(D d, hn::Vec<D> probes, bool two_sums) {
+  HWY_INLINE void begin_vector(bool two_sums) {
     if (HWY_UNLIKELY(free_ == pool_end())) flush();
     current_->quads = free_;
     current_->rows = 0;
     current_->split = 0;
     current_->two_sums = two_sums;
     current_->first = true;
-    hn::Store(probes, d, current_->probes);
     summed_ = 0;
   }
 

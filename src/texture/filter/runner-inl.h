@@ -290,6 +290,12 @@ struct NoSink {
   explicit NoSink(const FilterCall&) {}
 };
 
+/// Whether a filter can emit vectors of lookups on levels that a whole block shares.
+template <class Filter, class = void>
+struct SharesLevels : std::false_type {};
+template <class Filter>
+struct SharesLevels<Filter, std::void_t<decltype(&Filter::template levels_at<BatchTag>)>> : std::true_type {};
+
 /// Runs a filter over a batch; a RunFilter. Scattered texels are prefetched: streams prefetch an element when they
 /// buffer it; for sinks without a buffer, the elements of the next vector of lookups are emitted to a PrefetchSink.
 template <class Filter, class Sink = StreamSink>
@@ -303,9 +309,22 @@ HWY_NOINLINE size_t Run(const FilterCall& call) {
   std::conditional_t<Sink::kBuffered, NoSink, PrefetchSink> prefetch(call);
   size_t nonfinite = 0;
   for (size_t first = 0; first < call.in.count; first += kBlock) {
-    nonfinite += FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
+    nonfinite += call.in.count <= kBlock
+                     ? FindShapes(call.texture, call.sampler, call.in, &block)  // without the time of a copy
+                     : FindShapes(call.texture, call.sampler, block_of(call.in, first), &block);
     const bool scattered = Filter::is_scattered(call.texture, block);
     sink.begin(first, scattered);
+    if constexpr (SharesLevels<Filter>::value) {
+      if (block.one_lod && call.texture.layers == 1) {
+        const auto levels = filter.levels_at(d, block, 0);
+        for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+          if (i % kLine == 0) columns.prefetch(first + kBlock + i);
+          filter.emit(d, block, i, levels, sink);
+        }
+        sink.flush();
+        continue;
+      }
+    }
     for (size_t i = 0; i < block.count; i += hn::Lanes(d)) {
       if (i % kLine == 0) columns.prefetch(first + kBlock + i);  // the next block
       if constexpr (!Sink::kBuffered) {

@@ -23,8 +23,18 @@ struct Trilinear : OnMipLevels {
 
   template <class D, class Sink>
   HWY_INLINE void emit(D d, const LodBlock& block, size_t i, Sink& sink) const {
+    emit(d, block, i, levels_at(d, block, i), sink);
+  }
+
+  /// Returns the levels of the vector of lookups at i.
+  template <class D>
+  HWY_INLINE LevelPair<D> levels_at(D d, const LodBlock& block, size_t i) const {
+    return LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
+  }
+
+  template <class D, class Sink>
+  HWY_INLINE void emit(D d, const LodBlock& block, size_t i, const LevelPair<D>& levels, Sink& sink) const {
     const auto u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-    const LevelPair<D> levels = LevelsOf(d, texture, FirstTexel(d, texture, block, i), hn::Load(d, block.lod + i));
     sink.quad(d, kStart, levels.high, u, v);
     if (levels.blended) sink.quad(d, kBlend, levels.low, u, v, levels.fraction);
     sink.finish();

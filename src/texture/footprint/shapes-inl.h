@@ -132,6 +132,7 @@ HWY_INLINE size_t FillBlock(const Texture& texture, const Sampler& sampler, cons
   const bool widened = kWidens && !in.lod && widens(sampler);
   size_t nonfinite = 0;
   out->count = in.count;
+  out->one_lod = false;
   ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
     auto points = LoadPoints(d, from, i);
     if (HWY_UNLIKELY(!hn::AllTrue(d, points.finite))) {
@@ -191,6 +192,37 @@ inline HWY_NOINLINE bool ShareFootprint(const Lookups& in) {
          IsConstant(in.dvdy, in.count);
 }
 
+/// Whether ShareFootprint() holds and the footprint is finite.
+HWY_INLINE bool ShareFiniteFootprint(const Lookups& in) {
+  if (in.one_footprint) return true;
+  const auto is_finite = [](const float* column) { return !column || *column - *column == 0.0f; };
+  return is_finite(in.dudx) && is_finite(in.dvdx) && is_finite(in.dudy) && is_finite(in.dvdy) && ShareFootprint(in);
+}
+
+/// Fills a block of lookups that all have one level of detail, as FillBlock() does.
+template <class V>
+HWY_INLINE size_t FillOneLod(const Texture& texture, const Sampler& sampler, const Lookups& in, V lod, LodBlock* out) {
+  size_t nonfinite = 0;
+  out->count = in.count;
+  out->one_lod = true;
+  ForEachVector(in, [&](auto d, const Lookups& from, size_t i, size_t to) SHD_INLINE_LAMBDA {
+    auto u = hn::LoadU(d, from.u + i), v = hn::LoadU(d, from.v + i);
+    const auto finite = hn::Eq((u - u) + (v - v), hn::Zero(d));
+    if (HWY_UNLIKELY(!hn::AllTrue(d, finite))) {
+      nonfinite += hn::CountTrue(d, hn::AndNot(finite, hn::FirstN(d, in.count - to)));
+      u = FiniteOrZero(d, u);
+      v = FiniteOrZero(d, v);
+    }
+    hn::Store(ReduceCoordinate(d, sampler.wrap_u, u), d, out->u + to);
+    hn::Store(ReduceCoordinate(d, sampler.wrap_v, v), d, out->v + to);
+    hn::Store(lod, d, out->lod + to);
+    if (texture.layers > 1) {
+      hn::Store(LoadFirstTexel(d, texture, from, i), hn::RebindToSigned<decltype(d)>(), out->first_texel + to);
+    }
+  });
+  return nonfinite;
+}
+
 /// Finds the levels of detail of isotropic lookups according to the sampler's profile. They are clamped to `query` and
 /// not rounded; if it is null, they are clamped to lod_range() and rounded as the filter needs them.
 inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sampler, const Lookups& in, LodBlock* out,
@@ -202,17 +234,21 @@ inline HWY_NOINLINE size_t FindShapes(const Texture& texture, const Sampler& sam
   const bool lod_given = in.lod != nullptr;
   const bool rms = sampler.profile == SHD_PROFILE_LEAST_ERROR;
   const float shift = level_shift(sampler, lod_given);
-  const bool one_footprint = !lod_given && in.count > kMaxLanes && ShareFootprint(in);
-  auto latest = hn::Zero(BatchTag());
+  const auto lod_of = [&](auto d, const auto& p) SHD_INLINE_LAMBDA {
+    const auto lambda = lod_given ? p.lod
+                        : rms     ? RmsLambda(d, p.derivatives, width, height)
+                                  : LambdaOf(d, p.derivatives, width, height);
+    const auto lod = ClampLod(d, lambda, shift, range);
+    return query ? lod : BlendLevels(d, sampler, lod);
+  };
+  if (!lod_given && in.count > kMaxLanes && ShareFiniteFootprint(in)) {
+    const BatchTag d;
+    auto first = LoadPoints(d, in, 0);
+    if (HWY_UNLIKELY(widens(sampler))) Widen(d, sampler, &first.derivatives);
+    return FillOneLod(texture, sampler, in, lod_of(d, first), out);
+  }
   return FillBlock(texture, sampler, in, out, [&](auto d, const auto& p, size_t to) SHD_INLINE_LAMBDA {
-    if (!one_footprint || to == 0) {
-      const auto lambda = lod_given ? p.lod
-                          : rms     ? RmsLambda(d, p.derivatives, width, height)
-                                    : LambdaOf(d, p.derivatives, width, height);
-      const auto lod = ClampLod(d, lambda, shift, range);
-      latest = query ? lod : BlendLevels(d, sampler, lod);
-    }
-    hn::Store(latest, d, out->lod + to);
+    hn::Store(lod_of(d, p), d, out->lod + to);
   });
 }
 

@@ -56,27 +56,31 @@ struct Quotient {
   HWY_INLINE hn::Vec<D> of(hn::Vec<D> sum) const { return sum * high + sum * low; }
 };
 
-/// Blends the sums of four channels of a vector of lookups.
-template <class D>
-HWY_INLINE void BlendSums(D d, const FixedVector& vector, hn::Vec<D> (&value)[4]) {
-  Ints<D> sum[4];
-  LoadSums(d, vector.sum[0], sum);
-  for (size_t c = 0; c < 4; ++c) value[c] = hn::ConvertTo(d, sum[c]);
-  if (!vector.two_sums) return;
-  const auto fraction = hn::Load(d, vector.fraction);
-  LoadSums(d, vector.sum[1], sum);
-  for (size_t c = 0; c < 4; ++c) value[c] = value[c] + fraction * (hn::ConvertTo(d, sum[c]) - value[c]);
+/// Writes the channels of one vector of lookups, whose sums are divided by a quotient.
+template <bool kTwoSums, class D>
+HWY_INLINE void StoreQuotients(D d, const FixedVector& vector, const Quotient<D>& quotient, size_t end,
+                               const Texels& out) {
+  Ints<D> first[4], second[4];
+  LoadSums(d, vector.sum[0], first);
+  LoadSums(d, vector.sum[kTwoSums ? 1 : 0], second);
+  for (size_t c = 0; c < 4; ++c) {
+    if (!out.channel[c]) continue;
+    auto value = hn::ConvertTo(d, first[c]);
+    if (kTwoSums) value = value + hn::Load(d, vector.fraction) * (hn::ConvertTo(d, second[c]) - value);
+    simd::HWY_NAMESPACE::StoreFirst(d, quotient.of(value), end - vector.at, out.channel[c] + vector.at);
+  }
 }
 
 void StoreUnorms(const FixedVector* vectors, size_t count, size_t end, const Texels& out) {
   const BatchTag d;
+  const Quotient<BatchTag> of_one(d, hn::Set(d, 1.0f), 255.0f * kWeightOne);
   for (const FixedVector* vector = vectors; vector != vectors + count; ++vector) {
-    hn::Vec<BatchTag> value[4];
-    BlendSums(d, *vector, value);
-    const Quotient<BatchTag> quotient(d, hn::Load(d, vector->probes), 255.0f * kWeightOne);
-    for (size_t c = 0; c < 4; ++c) {
-      if (out.channel[c])
-        simd::HWY_NAMESPACE::StoreFirst(d, quotient.of(value[c]), end - vector->at, out.channel[c] + vector->at);
+    Quotient<BatchTag> quotient = of_one;
+    if (!vector->one_quad) quotient = Quotient<BatchTag>(d, hn::Load(d, vector->probes), 255.0f * kWeightOne);
+    if (vector->two_sums) {
+      StoreQuotients<true>(d, *vector, quotient, end, out);
+    } else {
+      StoreQuotients<false>(d, *vector, quotient, end, out);
     }
   }
 }

@@ -40,6 +40,7 @@ struct FixedVector {
   size_t at;             // first lookup
   uint64_t split;        // bits of the quads whose right texels are not all next to the left ones, or have weight 0
   bool two_sums;
+  bool one_quad;                              // each sum is one quad: `probes` is not set, and would be 1
   bool first;                                 // the sums begin with these quads
   alignas(64) int32_t count[kMaxLanes];       // rows of each lookup, at most `rows`
   alignas(64) float probes[kMaxLanes];        // quads of each lookup in each sum, those of earlier rows included
