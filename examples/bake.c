@@ -96,7 +96,7 @@ static shd_result render(struct scene *s, shd_draw draw)
     if ((result = shd_framebuffer_create(s->context, &target, &s->picture)) != SHD_OK) return result;
     if ((result = shd_light_create(s->context, &sky, &light)) != SHD_OK) return result;
     draw.material = s->textured;
-    camera.eye[1] = 1.8f, camera.eye[2] = 2.6f;
+    camera.eye[1] = 2.0f, camera.eye[2] = 3.2f;
     frame.framebuffer = s->picture;
     frame.camera = &camera;
     frame.draws = &draw, frame.draw_count = 1;
