@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief Extensions: handles, errors, memory and tasks for libraries built on shd, such as libshd_color, libshd_io and
- *        libshd_scene.
+ * @brief Extensions: handles, errors, memory and tasks for libraries built on shd, such as libshd_color, libshd_io,
+ *        libshd_scene and libshd_embree.
  *
  * Objects of such libraries have the same guarantees as objects of libshd.
  *

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief All headers of libshd. libshd_color, libshd_io and libshd_scene have headers of their own: shd/color.h,
- *        shd/io.h, shd/volume_file.h and shd/scene.h.
+ * @brief All headers of libshd. libshd_color, libshd_io, libshd_scene and libshd_embree have headers of their own:
+ *        shd/color.h, shd/io.h, shd/volume_file.h, shd/scene.h and shd/embree.h.
  *
  * @page conventions Conventions
  * World: right-handed, +Y up; matrices `float[16]`, column-major, for column vectors. Clip space: NDC y up,
@@ -50,6 +50,7 @@
 #ifndef SHD_SHD_H
 #define SHD_SHD_H
 
+#include <shd/bake.h>
 #include <shd/base.h>
 #include <shd/column.h>
 #include <shd/context.h>
@@ -66,6 +67,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/occlusion.h>
 #include <shd/polygon.h>
 #include <shd/present.h>
 #include <shd/projection.h>

@@ -22,8 +22,11 @@
 /// | call_in_place.h  | calls of shd_texture_sample() that need few checks                                |
 /// | camera.h         | cameras and look-at matrices                                                      |
 /// | draws.h          | the draws of a frame or a shadow                                                  |
+/// | render.h         | frames and bakes from one desc                                                    |
+/// | bake.h           | statistics of a bake from the states of its texels                                |
 /// | levels.h         | mip levels that the caller gives                                                  |
 /// | color/           | the C functions of libshd_color                                                   |
+/// | embree/          | the C functions of libshd_embree                                                  |
 /// | io/              | the C functions of libshd_io; common.h has declarations that they share           |
 /// | scene/           | the C functions of libshd_scene                                                   |
 #pragma once

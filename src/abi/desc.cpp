@@ -181,6 +181,11 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_DIRECTION_IMAGES: return write_defaults(shd_direction_images_default(), ptr, size);
     case SHD_DESC_KIND_VOLUME_DESC: return write_defaults(shd_volume_desc_default(), ptr, size);
     case SHD_DESC_KIND_VOLUME_DRAW: return write_defaults(shd_volume_draw_default(), ptr, size);
+    case SHD_DESC_KIND_BAKE_DESC: return write_defaults(shd_bake_desc_default(), ptr, size);
+    case SHD_DESC_KIND_BAKE_STATS: return write_defaults(shd_bake_stats_default(), ptr, size);
+    case SHD_DESC_KIND_OCCLUSION_DESC: return write_defaults(shd_occlusion_desc_default(), ptr, size);
+    case SHD_DESC_KIND_OCCLUSION_POINTS: return write_defaults(shd_occlusion_points_default(), ptr, size);
+    case SHD_DESC_KIND_OCCLUSION_ATLAS: return write_defaults(shd_occlusion_atlas_default(), ptr, size);
     default:
       return shd::core::fail(SHD_ERROR_INVALID_ARGUMENT, "desc_init.kind: %u is not a desc", shd::abi::enum_bits(kind));
   }

@@ -13,9 +13,11 @@
 #include "abi/draws.h"
 #include "abi/guard.h"
 #include "abi/handle.h"
+#include "abi/render.h"
 #include "abi/volume.h"
 #include "core/scratch.h"
 #include "environment/environment.h"
+#include "frame/bake.h"
 #include "frame/frame.h"
 #include "frame/supersample.h"
 
@@ -179,8 +181,20 @@ shd_result read_environment(const shd_render_desc& desc, const core::Buffer<fram
   return SHD_OK;
 }
 
-/// Reads a desc with the memory that the frame is drawn with.
-shd_result render(const core::Context& context, const shd_render_desc& desc, shd_render_stats* stats) {
+/// Checks that every draw of a bake has a material.
+shd_result check_materials(const core::Buffer<frame::Draw>& draws) {
+  for (size_t i = 0; i < draws.size(); ++i) {
+    if (draws[i].material) continue;
+    return core::fail(SHD_ERROR_INVALID_ARGUMENT, "render.draws[%u]: draw.material: NULL, but a bake shades every draw",
+                      draws[i].index);
+  }
+  return SHD_OK;
+}
+
+}  // namespace
+
+shd_result abi::render_desc(const core::Context& context, const shd_render_desc& desc, frame::Bake* bake,
+                            shd_render_stats* stats) {
   SHD_TRY(check_render_desc(desc));
   frame::Frame frame = {};
   SHD_TRY(read_handle("render.framebuffer", desc.framebuffer, core::ObjectType::kFramebuffer, &frame.framebuffer));
@@ -189,6 +203,7 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   core::Buffer<frame::Draw> draws(context.allocator);
   draws.reserve(desc.draw_count);
   SHD_TRY(read_draws("render", desc.draws, desc.draw_count, &draws));
+  if (bake) SHD_TRY(check_materials(draws));
   if (desc.visibility != SHD_VISIBILITY_DEPTH) ignore_depth(&draws);
   core::Array<const light::Light*> lights(context.allocator, desc.light_count);
   for (size_t i = 0; i < desc.light_count; ++i) {
@@ -222,15 +237,15 @@ shd_result render(const core::Context& context, const shd_render_desc& desc, shd
   frame.counts_conflicts = desc.stats != nullptr;
   frame.supersampling = desc.supersampling;
   frame.pass_triangles = desc.pass_triangles ? desc.pass_triangles : kDefaultPass;
-  if (frame.supersampling > 1) {
+  if (bake) {
+    frame::bake(context, frame, bake, stats);
+  } else if (frame.supersampling > 1) {
     frame::render_supersampled(context, frame, stats);
   } else {
     frame::render(context, frame, stats);
   }
   return SHD_OK;
 }
-
-}  // namespace
 
 extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* desc) {
   shd_render_stats* wanted = nullptr;
@@ -242,7 +257,7 @@ extern "C" shd_result shd_render(shd_context* context, const shd_render_desc* de
     wanted = read.stats;
     SHD_TRY(check_context(context));
     core::ScratchScope scratch(context_of(context));
-    SHD_TRY(render(scratch.context, read, &stats));
+    SHD_TRY(render_desc(scratch.context, read, nullptr, &stats));
     stats.scratch_bytes = scratch.peak();
     return SHD_OK;
   });

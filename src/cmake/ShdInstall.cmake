@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene), pkg-config files and documentation.
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene embree), pkg-config files and documentation.
 include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)
@@ -27,7 +27,8 @@ else()
   string(CONCAT PC_PREFIX "\${pcfiledir}/" "${pc_up}")
 endif()
 
-# name, description, what a static link needs besides, what a shared link needs besides. The file of a shared library
+# name, description, what a static link needs besides, what a shared link needs besides, and libraries of a static link
+# without a pkg-config file. The file of a shared library
 # names nothing private: pkg-config would look for those packages on every machine that compiles against the library.
 function(shd_pkg_config name description private_requires requires)
   set(PC_NAME ${name})
@@ -36,7 +37,7 @@ function(shd_pkg_config name description private_requires requires)
   if(NOT SHD_BUILD_SHARED)
     # A static archive carries no dependencies of its own: name them for every link.
     string(JOIN " " PC_REQUIRES ${requires} ${private_requires})
-    set(PC_LIBS_EXTRA " -lstdc++ -lm -pthread")
+    set(PC_LIBS_EXTRA "${ARGN} -lstdc++ -lm -pthread")
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -55,6 +56,13 @@ if(SHD_WITH_OIIO)
 endif()
 if(SHD_WITH_ASSIMP)
   shd_pkg_config(shd_scene "Model files for shd through assimp" "assimp" "shd_io shd")
+endif()
+
+if(TARGET shd_embree)
+  # Embree has no pkg-config file: the line of a static link names its library.
+  get_filename_component(embree_name ${SHD_EMBREE_LIBRARY} NAME_WE)
+  string(REGEX REPLACE "^lib" " -l" shd_embree_libs ${embree_name})
+  shd_pkg_config(shd_embree "Ray tracer for shd through Embree" "" "shd" ${shd_embree_libs})
 endif()
 
 # Licence, manual and examples. The links between them are those of the source tree.

@@ -99,6 +99,11 @@ SHD_SIZED(shd_solid_points, position, width, 80);
 SHD_SIZED(shd_solid_values, value, nonfinite_count, 144);
 SHD_SIZED(shd_volume_desc, extinction, flags, 144);
 SHD_SIZED(shd_volume_draw, volume, object_to_world, 80);
+SHD_SIZED(shd_bake_desc, dilation, stats, 40);
+SHD_SIZED(shd_bake_stats, triangles, nonfinite_texels, 80);
+SHD_SIZED(shd_occlusion_desc, rays, draw_count, 56);
+SHD_SIZED(shd_occlusion_points, normal, normal, 112);
+SHD_SIZED(shd_occlusion_atlas, height, stats, 64);
 #undef SHD_SIZED
 #undef SHD_CHECK_FIRST_SIZE
 

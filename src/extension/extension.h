@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Stage contract: extension, the common base of libshd_color, libshd_io and libshd_scene.
+/// Stage contract: extension, the common base of libshd_color, libshd_io, libshd_scene and libshd_embree.
 ///
 /// Input:      untrusted descs and images of callers.
 /// Output:     checked values, or a Failure; results with a text for shd_last_error().

@@ -6,7 +6,7 @@
 
 namespace shd::extension {
 
-/// The guard of the C functions of libshd_color, libshd_io and libshd_scene.
+/// The guard of the C functions of libshd_color, libshd_io, libshd_scene and libshd_embree.
 template <class Body>
 shd_result guard(Body&& body) noexcept {
   return core::guard([](shd_result code, const char* text) { return fail(code, "%s", text); }, body);

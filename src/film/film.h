@@ -23,4 +23,5 @@
 /// | blend.h          | blend arithmetic: a source colour over its destination                |
 /// | unordered.h      | order-independent blends: weighted sums, and sorted lists of samples  |
 /// | aovs.h           | auxiliary planes of shaded fragments                                  |
+/// | dilate.h         | values of texels continued beyond the edges of charts                 |
 #pragma once

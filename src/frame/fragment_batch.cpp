@@ -107,6 +107,16 @@ void FragmentBatch::move_to_centroid(const ShadingPoints& points, size_t row) co
   f.y[row] = y[stays];
 }
 
+/// Moves rows of a bake from the centre of their texels to the nearest points of their triangles.
+void FragmentBatch::move_to_nearest(size_t begin, size_t end) const {
+  raster::Fragments& f = worker_.workspace.fragments;
+  const raster::NearestTriangles& nearest = worker_.nearest[0];
+  for (size_t row = begin; row < end; ++row) {
+    f.x[row] = nearest.x[f.pixel[row]];
+    f.y[row] = nearest.y[f.pixel[row]];
+  }
+}
+
 /// Appends pixels of the latest triangle to the table, which must have room for them.
 void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points,
                            const raster::PixelRun& run) {
@@ -127,6 +137,7 @@ void FragmentBatch::append(const geometry::ScreenTriangle& triangle, const Shadi
   if (points.per_sample || run.mask != tile_.all_samples()) {
     for (size_t row = begin; row < f.count; ++row) move_to_centroid(points, row);
   }
+  if (tile_.renderer.frame.bake) move_to_nearest(begin, f.count);
   if (sets_depths_) set_depths(triangle, tile_.draw_of(triangle), points, begin, f.count);
   if (!keeps_triangles_) return;
   const auto latest = static_cast<uint16_t>(worker_.triangles.count - 1);

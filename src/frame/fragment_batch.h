@@ -97,6 +97,7 @@ class FragmentBatch {
   uint32_t covered_samples(const ShadingPoints& points, size_t row) const;
   uint32_t samples_at(const ShadingPoints& points, const PixelEdges& edges) const;
   void move_to_centroid(const ShadingPoints& points, size_t row) const;
+  void move_to_nearest(size_t begin, size_t end) const;
   void append(const geometry::ScreenTriangle& triangle, const ShadingPoints& points, const raster::PixelRun& run);
   void set_depths(const geometry::ScreenTriangle& triangle, const Draw& draw, const ShadingPoints& points, size_t begin,
                   size_t end);

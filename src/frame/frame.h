@@ -29,6 +29,8 @@
 /// | blended_pass.h   | draws that blend in order or drop fragments                           |
 /// | unordered_pass.h | draws whose blend is order-independent                                |
 /// | volume_pass.h    | volumes over the finished draws                                       |
+/// | bake.h           | frames in the space of texture coordinates                            |
+/// | bake_pass.h      | texels of a tile of such a frame                                      |
 /// | supersample.h    | frames averaged from a picture n times as large                       |
 /// | shadow_map.h     | depth maps of lights, drawn as frames                                 |
 /// | present.h        | finished tiles for the host                                           |
@@ -84,6 +86,8 @@ struct VolumeDraw {
   volume::WorldToBox world_to_box;
 };
 
+struct Bake;
+
 /// A checked shd_render_desc.
 struct Frame {
   film::Framebuffer* framebuffer;
@@ -111,6 +115,7 @@ struct Frame {
   bool counts_conflicts;      // counts errors in the order of painting
   const VolumeDraw* volumes;  // blended over the finished draws, in order
   size_t volume_count;
+  Bake* bake;  // null except in bakes: see bake.h
 };
 
 /// Renders a frame on the context's executor, pass by pass; frame.supersampling is ignored. Throws Failure and

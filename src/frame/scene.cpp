@@ -4,13 +4,16 @@
 #include <algorithm>
 
 #include "core/executor.h"
+#include "frame/bake.h"
 #include "frame/stats.h"
 #include "frame/stopwatch.h"
 #include "frame/visibility.h"
 #include "geometry/assemble.h"
 #include "geometry/attributes.h"
+#include "geometry/unwrap.h"
 #include "geometry/vertex_program.h"
 #include "geometry/vertex_window.h"
+#include "raster/nearest.h"
 #include "shade/needs.h"
 
 namespace shd::frame {
@@ -64,6 +67,11 @@ void transform(const core::Context& context, const Frame& frame, const Part& par
   geometry::run_vertex_program(context.simd, mesh, matrices, vertex_program(frame, draw), range, scratch, out);
 }
 
+/// Where the triangles of a bake lie.
+geometry::Atlas atlas_of(const Frame& frame) {
+  return {frame.bake->uv_set, frame.framebuffer->width, frame.framebuffer->height};
+}
+
 /// Transforms the vertices of one part.
 void transform_part(const core::Context& context, const Frame& frame, const Part& part, Scene* scene,
                     geometry::VertexColumns* scratch) {
@@ -75,6 +83,8 @@ void transform_part(const core::Context& context, const Frame& frame, const Part
   } else {
     transform(context, frame, part, {mesh, nullptr}, rows.first_index + part.begin, scene, scratch);
   }
+  if (!frame.bake) return;
+  geometry::unwrap(atlas_of(frame), scene->transforms[part.draw], part.begin, part.end, &scene->vertices[part.draw]);
 }
 
 void transform_all(const core::Context& context, const Frame& frame, Scene* scene) {
@@ -84,8 +94,9 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
     geometry::allocate_window(context.allocator, *draw.mesh, draw.begin, draw.end,
                               draw.material ? draw.material->varying_count : 0, &scene->vertices[i]);
     if (draw.material) {
-      geometry::allocate_attributes(context.allocator, *draw.mesh, shade::needed_extras(*draw.material),
-                                    &scene->vertices[i]);
+      uint32_t extras = shade::needed_extras(*draw.material);
+      if (frame.bake && frame.bake->uv_set == 1) extras |= geometry::kExtraTexture1;
+      geometry::allocate_attributes(context.allocator, *draw.mesh, extras, &scene->vertices[i]);
     }
     scene->transforms[i] = geometry::make_transform(frame.view, draw.object_to_world, frame.viewport, visible);
   }
@@ -97,13 +108,18 @@ void transform_all(const core::Context& context, const Frame& frame, Scene* scen
   });
 }
 
+/// Positions in a pixel that a triangle must pass to be drawn.
+geometry::SampleExtent sample_extent(const Frame& frame) {
+  return frame.bake ? raster::kTouchExtent : raster::sample_pattern(frame.framebuffer->samples).extent;
+}
+
 geometry::Assembly make_assembly(const Frame& frame, uint32_t index, const geometry::Vertices& vertices) {
   const Draw& draw = frame.draws[index];
   geometry::Assembly assembly = {&vertices,
                                  index,
                                  draw.cull,
                                  visible_box(frame),
-                                 raster::sample_pattern(frame.framebuffer->samples).extent,
+                                 sample_extent(frame),
                                  draw.outline,
                                  draw.mesh,
                                  {draw.outline.edges, static_cast<double>(draw.outline.crease_cosine), {}}};
@@ -129,6 +145,23 @@ void assemble_all(const core::Context& context, const Frame& frame, const core::
     }
   });
   for (size_t g = 0; g < groups; ++g) add(group_stats[g], stats);
+}
+
+/// Counts the triangles of a bake that reach beyond the texture.
+void count_outside(const Frame& frame, const Scene& scene) {
+  const geometry::Atlas atlas = atlas_of(frame);
+  const auto width = static_cast<float>(atlas.width), height = static_cast<float>(atlas.height);
+  for (size_t i = 0; i < frame.draw_count; ++i) {
+    const geometry::Vertices& vertices = scene.vertices[i];
+    for (size_t t = frame.draws[i].begin; t < frame.draws[i].end; ++t) {
+      bool is_inside = true;
+      for (size_t k = 0; k < 3; ++k) {
+        const float* at = &vertices.raster[4 * size_t{geometry::row_of(vertices, t, k)}];
+        is_inside &= at[0] >= 0.0f && at[0] <= width && at[1] >= 0.0f && at[1] <= height;
+      }
+      frame.bake->outside_triangles += !is_inside;
+    }
+  }
 }
 
 /// One group for each part of a draw's triangles, up to kMaxGroups.
@@ -165,12 +198,13 @@ void prepare(const core::Context& context, const Frame& frame, Scene* scene, shd
   const auto triangles = [&](size_t draw) { return Range{frame.draws[draw].begin, frame.draws[draw].end}; };
   Stopwatch watch;
   transform_all(context, frame, scene);
+  if (frame.bake) count_outside(frame, *scene);
   stats->vertex_seconds += watch.lap();
   assemble_all(context, frame, make_parts(context, frame, kTrianglesPerPart, triangles), scene, stats);
   stats->assembly_seconds += watch.lap();
   order_triangles(context, frame, scene, stats);
   raster::bin_triangles(context, scene->groups.data(), static_cast<uint32_t>(scene->groups.size()), window_box(frame),
-                        visible_box(frame), raster::sample_pattern(frame.framebuffer->samples).extent, &scene->bins);
+                        visible_box(frame), sample_extent(frame), &scene->bins);
   stats->binning_seconds += watch.lap();
 }
 

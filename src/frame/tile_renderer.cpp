@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/tile_renderer.h"
 
+#include "frame/bake_pass.h"
 #include "frame/blended_pass.h"
 #include "frame/opaque_pass.h"
 #include "frame/present.h"
@@ -78,7 +79,12 @@ Unfinished draw_in_order(TileState* tile) {
 
 /// Draws a tile that begin() has initialised.
 void draw(TileState* tile) {
-  const Unfinished unfinished = draw_in_order(tile);
+  Unfinished unfinished = {false, false};
+  if (tile->renderer.frame.bake) {
+    bake_tile(tile);
+  } else {
+    unfinished = draw_in_order(tile);
+  }
   tile->clear_color();
   if (unfinished.weighted) draw_weighted(tile);
   if (unfinished.sorted) draw_sorted(tile);

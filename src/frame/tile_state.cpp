@@ -26,7 +26,8 @@ shade::DrawShading TileState::shading_of(uint32_t draw) const {
           d.instance,
           film::columns_of(framebuffer.aovs),
           d.uniforms,
-          d.object_to_world};
+          d.object_to_world,
+          renderer.frame.bake != nullptr};
 }
 
 geometry::PixelBox TileState::box() const {

@@ -10,6 +10,7 @@ Workers::Workers(const core::Context& context, const Frame& frame)
       framebuffer_(*frame.framebuffer),
       light_count_(frame.light_count),
       has_volumes_(frame.volume_count > 0),
+      is_bake_(frame.bake != nullptr),
       workers_(context.allocator, context.executor.worker_count) {
   for (Worker*& worker : workers_) worker = nullptr;
   for (size_t i = 0; i < frame.draw_count; ++i) {
@@ -36,6 +37,7 @@ Worker& Workers::get(uint32_t index) {
     allocate(allocator, samples, targets, &worker->split);
     worker->color.allocate(allocator, framebuffer_);
     if (has_volumes_) worker->march = core::Array<volume::March>(allocator, 1);
+    if (is_bake_) worker->nearest = core::Array<raster::NearestTriangles>(allocator, 1);
     shade::allocate(allocator, {varying_count_, targets, light_count_}, &worker->workspace);
   }
   return *workers_[index];

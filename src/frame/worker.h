@@ -13,6 +13,7 @@
 #include "geometry/assemble.h"
 #include "raster/coverage.h"
 #include "raster/fragments.h"
+#include "raster/nearest.h"
 #include "shade/run.h"
 #include "volume/march.h"
 
@@ -46,7 +47,8 @@ struct Worker {
   BatchRuns runs;
   film::Unordered unordered;
   film::AovScratch aovs;
-  core::Array<volume::March> march;  // one if the frame has volumes
+  core::Array<volume::March> march;               // one if the frame has volumes
+  core::Array<raster::NearestTriangles> nearest;  // one in bakes
   uint64_t fragments = 0, nonfinite_fragments = 0, hidden_samples = 0;
 };
 
@@ -66,7 +68,7 @@ class Workers {
   const core::Context& context_;
   const film::Framebuffer& framebuffer_;
   const size_t light_count_;
-  const bool has_volumes_;
+  const bool has_volumes_, is_bake_;
   uint32_t varying_count_ = 0;  // maximum over all draws
   core::Array<Worker*> workers_;
 };

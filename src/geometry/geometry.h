@@ -32,6 +32,7 @@
 /// | vertex_program.h | kernel: the same transform with a program of the caller in between          |
 /// | vertex-inl.h     | code shared by these two kernels                                            |
 /// | vertex_window.h  | the vertices that a part of a draw needs                                    |
+/// | unwrap.h         | vertices at their texture coordinates, for bakes                            |
 /// | attributes.h     | tangents, a second uv set and the caller's columns in the same rows         |
 /// | clip.h           | clipping of triangles at the near and far plane and the guard band          |
 /// | pixel_box.h      | boxes of pixels                                                             |

@@ -42,6 +42,7 @@ template <class D>
 struct Receiver {
   hn::Vec<D> x, y;       // texel coordinates, 0..size; 0 where not inside
   hn::Vec<D> z;          // depth, biased; finite where inside
+  hn::Vec<D> bias;       // by which z is nearer to the light than the point
   hn::Vec<D> texel;      // world length of a texel's side at z, > 0
   hn::Vec<D> dx, dy;     // slope of the surface per texel; 0 without normals
   hn::Mask<D> inside;    // all other lanes are lit
@@ -129,8 +130,8 @@ HWY_INLINE Receiver<D> ReceiverOnFace(D d, const Shadow& shadow, const FaceVecto
   const V steepness = hn::IfThenElse(has_normal, known, unknown);
   const V guard =
       hn::Set(d, options.bias + placement.guard) + hn::Set(d, placement.guard_square) * (q.forward * q.forward);
-  const V bias = guard + hn::Set(d, options.bias_slope) * (steepness * at.texel);
-  at.z = hn::IfThenElseZero(at.inside, q.forward - bias);
+  at.bias = guard + hn::Set(d, options.bias_slope) * (steepness * at.texel);
+  at.z = hn::IfThenElseZero(at.inside, q.forward - at.bias);
   return at;
 }
 

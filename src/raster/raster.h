@@ -27,6 +27,7 @@
 /// | traverse-inl.h     | the covered samples of a triangle, vector by vector                   |
 /// | wide_coverage.h    | coverage of triangles whose edges do not fit int32                    |
 /// | depth_bounds-inl.h | hierarchical depth, for the kernels of coverage.h                     |
+/// | nearest.h          | conservative coverage: the nearest triangle of each texel             |
 /// | changes.h          | kernel: samples whose triangle differs from the sample before         |
 /// | fragments.h        | the Fragments table, and the sort of a tile's pixels into it          |
 /// | interpolate.h      | kernel: perspective-correct attributes with derivatives               |

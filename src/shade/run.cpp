@@ -211,7 +211,8 @@ void shade_program(const core::SimdTarget& simd, const DrawShading& shading, Wor
   if (shading.vertices->tangent.size() == 0) {
     make_tangent_bases({shading, points, w->varyings, per_fragment}, &points, &columns);
   }
-  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED) face_normals(*shading.vertices, shading.orientation, &points);
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED && !shading.keeps_sides)
+    face_normals(*shading.vertices, shading.orientation, &points);
   uint32_t* discard = per_fragment ? columns.discard : columns.point_discard;
   make_varyings(simd, shading, w);
   run_program(shading, points, w->varyings, discard, per_fragment ? &columns.radiance : &columns.point_radiance);

@@ -26,6 +26,7 @@ struct DrawShading {
   uint32_t wanted;    // raster::Interpolated bits of columns that are filled even if shading does not read them
   const void* uniforms;
   const float* object_to_world;  // [16] of the draw
+  bool keeps_sides = false;      // no triangle is seen from behind, so two-sided materials keep their normals
 };
 
 /// Scratch of one worker.

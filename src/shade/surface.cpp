@@ -141,7 +141,7 @@ LobeShape shape_surface(const core::SimdTarget& simd, const SlotContext& context
   }
   if (bumps && material.bump == SHD_BUMP_TEXEL) tilt_normals(simd, columns->tilt, points);
   if (bumps && material.bump == SHD_BUMP_GRADIENT) bump_normals(simd, columns->tilt, columns->tangent_frame, points);
-  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED) {
+  if (material.flags & SHD_MATERIAL_DOUBLE_SIDED && !context.shading.keeps_sides) {
     const auto face = [&] { face_normals(*context.shading.vertices, context.shading.orientation, points); };
     face();
     if (has_coat) with_coat_normals(points, columns, face);

@@ -45,6 +45,9 @@ Light
   --shadows FILTER      hard, pcf, variance, summed-area, pcss: of all lights but lamps and ambient (default none)
   --softness S          how wide summed-area filters, and how large lights are to pcss, in radii (default 0.05)
   --shadow-size N       texels a side of each map (default 1024)
+  --occlusion RAYS      ambient light hidden by the model itself, at vertices, with so many rays each, 1..65536;
+                        replaces the model's occlusion textures (default none)
+  --occlusion-radius R  length of these rays, in radii (default unlimited)
   --lamps N             N small coloured lights around the model
   --environment FILE    light and background from all around: latitude and longitude, .hdr or .exr; replaces the
                         preset

@@ -12,6 +12,7 @@
 #include "tool/environment.h"
 #include "tool/failure.h"
 #include "tool/lights.h"
+#include "tool/occlusion.h"
 #include "tool/output.h"
 #include "tool/progress.h"
 #include "tool/shadows.h"
@@ -115,6 +116,7 @@ void run(const Options& options) {
   const Bounds bounds = bounds_of(model);
   make_camera(options, model, bounds, 0.0f);  // throws before textures are read
   if (options.floor) add_floor(context.get(), options, bounds, model);
+  if (options.occlusion) add_occlusion(context.get(), options, bounds, model);
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   const Environment environment = load_environment(context.get(), options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tool/failure.h"
+#include "tool/occlusion.h"
 #include "tool/solids.h"
 #include "tool/textures.h"
 
@@ -38,12 +39,14 @@ Slots make_slots(const shd_material_desc& desc, const Options& options, const Re
   Slots slots;
   for (size_t i = 0; i < desc.slot_count && !replacements.drops_others; ++i) {
     const shd_slot& slot = desc.slots[i];
+    if (options.occlusion && slot.target == SHD_SLOT_OCCLUSION) continue;
     if (!replacements.texture[slot.target]) slots.push_back(slot);
   }
   for (int target = 0; target < kTargets; ++target) {
     shd_texture* texture = replacements.texture[target];
     if (texture) slots.push_back(shd_slot_texture(static_cast<shd_slot_target>(target), texture, sampler));
   }
+  if (options.occlusion) slots.push_back(shd_slot_vertex(SHD_SLOT_OCCLUSION, kOcclusionAttribute));
   if (replacements.solid) {
     slots.push_back(shd_slot_solid(SHD_SLOT_DIFFUSE, replacements.solid));
     slots.back().place_space = SHD_PLACE_SPACE_WORLD;

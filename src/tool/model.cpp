@@ -135,7 +135,8 @@ void add_floor(shd_context* context, const Options& options, const Bounds& bound
   instance.object_to_world[13] = bounds.bottom;
   Surface surface = make_surface("floor", {0.5f, 0.5f, 0.5f}, 0.0f);
   surface.is_floor = true;
-  add_shape(context, options, SHD_SHAPE_PLANE, 1, surface, instance, model);
+  const uint32_t parts = options.occlusion ? 192 : 1;  // occlusion is stored at vertices
+  add_shape(context, options, SHD_SHAPE_PLANE, parts, surface, instance, model);
 }
 
 Bounds bounds_of(const Model& model) {

@@ -276,6 +276,10 @@ bool set_light_value(const std::string& name, const std::string& value, Options&
   if (name == "--shadow-size") {
     return out.shadow_size = static_cast<uint32_t>(read_number(name, value, 16, 8192, "a number 16..8192")), true;
   }
+  if (name == "--occlusion") return out.occlusion = read_whole(name, value, 1, 65536, "a whole number 1..65536"), true;
+  if (name == "--occlusion-radius") {
+    return out.occlusion_radius = read_number(name, value, 1e-6f, 1e6f, "a number 1e-6..1e6"), true;
+  }
   if (name == "--lights") return out.preset = pick(name, value, kPresets), true;
   if (name == "--environment") return out.environment = value, true;
   if (name == "--environment-turn") {

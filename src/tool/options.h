@@ -51,8 +51,10 @@ struct Options {
   std::string cookie;                           // projected by spots; "window" = built in
   uint32_t lamps = 0;                           // small coloured lights around the model
   std::optional<shd_shadow_filter> shadows;
-  float softness = 0.05f;       // size of light sources [radii of the model]
-  uint32_t shadow_size = 1024;  // texels per side of each map
+  float softness = 0.05f;             // size of light sources [radii of the model]
+  uint32_t shadow_size = 1024;        // texels per side of each map
+  std::optional<uint32_t> occlusion;  // rays of a vertex; absent = no ambient occlusion
+  float occlusion_radius = 0.0f;      // [radii of the model]; 0 = unlimited
   bool floor = false;
   std::optional<float> exponent, specular, metallic, roughness;
   std::optional<std::array<float, 3>> diffuse;

@@ -21,6 +21,7 @@
 /// | lights.h    | presets, options and the lights of a file               |
 /// | environment.h | light and background from an image                    |
 /// | shadows.h   | shadow maps                                             |
+/// | occlusion.h | ambient occlusion at vertices                           |
 /// | output.h    | file names and saving                                   |
 /// | progress.h  | progress and the time left                              |
 /// | handles.h   | handles that release themselves                         |

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Compares the binary interface of the public headers with the one that is kept in the tree, by libabigail.
 
-    dump.py --include include --library shd|shd_color|shd_io|shd_scene --dumps tests/abi [--compiler cc] [--update]
+    dump.py --include include --library shd|shd_color|shd_embree|shd_io|shd_scene --dumps tests/abi [--compiler cc] [--update]
 
 The interface is taken from a library of stubs: every public function is defined as its header declares it, and every
 public enum has a variable, so that constants of words of flags count too. C code compiled in a second with debug
@@ -26,7 +26,7 @@ MACHINE = "x86_64"
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 FUNCTION = re.compile(r"\bSHD_API\b([^;{]*?)\b(shd_\w+)\s*\(([^;]*)\)\s*;", re.S)
 ENUM = re.compile(r"typedef enum (\w+) \{")
-OWN_HEADERS = {"shd_color": ["color"], "shd_io": ["io", "volume_file"], "shd_scene": ["scene"]}
+OWN_HEADERS = {"shd_color": ["color"], "shd_embree": ["embree"], "shd_io": ["io", "volume_file"], "shd_scene": ["scene"]}
 
 
 def headers_of(include, library):

@@ -390,6 +390,55 @@ static shd_result render_solid(struct stage *s)
     return result;
 }
 
+static void block_all(const shd_rays *rays, uint32_t *blocked, void *user_data)
+{
+    size_t i;
+    (void)user_data;
+    for (i = 0; i < rays->count; ++i) blocked[i] = rays->dy[i] > 0.3f;
+}
+
+/* Occlusion in a small texture, by depth maps or a tracer. */
+static shd_result occlusion(struct stage *s, shd_trace_fn trace)
+{
+    shd_occlusion_desc desc = shd_occlusion_desc_default();
+    shd_occlusion_atlas atlas = shd_occlusion_atlas_default();
+    const shd_f32_out out = {s->columns[1], 0};
+    shd_draw draw = shd_draw_default();
+    shd_result result;
+    draw.mesh = s->mesh;
+    desc.rays = trace ? 7 : 1;
+    desc.map_size = 16;
+    desc.tracer.trace = trace;
+    desc.draws = atlas.draws = &draw;
+    desc.draw_count = atlas.draw_count = 1;
+    atlas.width = atlas.height = 16;
+    atlas.dilation = 2;
+    result = shd_occlusion_bake(s->context, &desc, &atlas, &out);
+    if (result == SHD_OK) s->hash = shd_hash(SHD_HASH_START, s->columns[1], 256 * sizeof(float));
+    return result;
+}
+static shd_result occlusion_maps(struct stage *s) { return occlusion(s, NULL); }
+static shd_result occlusion_traced(struct stage *s) { return occlusion(s, block_all); }
+
+static shd_result bake(struct stage *s)
+{
+    shd_render_desc frame = shd_render_desc_default();
+    shd_bake_desc desc = shd_bake_desc_default();
+    shd_framebuffer_desc target = shd_framebuffer_desc_default();
+    shd_draw draw = s->scene.draw[0];
+    shd_result result;
+    target.width = target.height = 70;
+    target.aovs = SHD_AOV_POSITION;
+    result = shd_framebuffer_create(s->context, &target, &frame.framebuffer);
+    frame.draws = &draw;
+    frame.draw_count = 1;
+    desc.dilation = 3;
+    if (result == SHD_OK) result = shd_bake(s->context, &frame, &desc);
+    if (result == SHD_OK) s->hash = shd_hash_framebuffer(frame.framebuffer);
+    shd_framebuffer_release(frame.framebuffer);
+    return result;
+}
+
 static const struct call_case k_calls[] = {
     {"texture/plain", texture_plain},
     {"texture/mipmap", texture_mipmap},
@@ -432,6 +481,9 @@ static const struct call_case k_calls[] = {
     {"texture/3d", texture_solid},
     {"volume", volume},
     {"render/solid", render_solid},
+    {"bake", bake},
+    {"occlusion/maps", occlusion_maps},
+    {"occlusion/traced", occlusion_traced},
 };
 
 int main(void)

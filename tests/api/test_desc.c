@@ -43,6 +43,11 @@ DEFAULTS(shd_polygon_points)
 DEFAULTS(shd_polygon_weights)
 DEFAULTS(shd_solid_points)
 DEFAULTS(shd_solid_values)
+DEFAULTS(shd_bake_desc)
+DEFAULTS(shd_bake_stats)
+DEFAULTS(shd_occlusion_desc)
+DEFAULTS(shd_occlusion_points)
+DEFAULTS(shd_occlusion_atlas)
 DEFAULTS(shd_derivatives)
 DEFAULTS(shd_mesh_desc)
 DEFAULTS(shd_mesh_info)
@@ -134,6 +139,16 @@ static const struct kind_case k_kinds[] = {
      defaults_shd_solid_points},
     {"solid_values", SHD_DESC_KIND_SOLID_VALUES, sizeof(shd_solid_values), REQUIRED(shd_solid_values, value),
      defaults_shd_solid_values},
+    {"bake_desc", SHD_DESC_KIND_BAKE_DESC, sizeof(shd_bake_desc), REQUIRED(shd_bake_desc, dilation),
+     defaults_shd_bake_desc},
+    {"bake_stats", SHD_DESC_KIND_BAKE_STATS, sizeof(shd_bake_stats), REQUIRED(shd_bake_stats, triangles),
+     defaults_shd_bake_stats},
+    {"occlusion_desc", SHD_DESC_KIND_OCCLUSION_DESC, sizeof(shd_occlusion_desc), REQUIRED(shd_occlusion_desc, rays),
+     defaults_shd_occlusion_desc},
+    {"occlusion_points", SHD_DESC_KIND_OCCLUSION_POINTS, sizeof(shd_occlusion_points),
+     REQUIRED(shd_occlusion_points, normal), defaults_shd_occlusion_points},
+    {"occlusion_atlas", SHD_DESC_KIND_OCCLUSION_ATLAS, sizeof(shd_occlusion_atlas),
+     REQUIRED(shd_occlusion_atlas, height), defaults_shd_occlusion_atlas},
     {"material_desc", SHD_DESC_KIND_MATERIAL_DESC, sizeof(shd_material_desc), REQUIRED(shd_material_desc, model),
      defaults_shd_material_desc},
     {"slot", SHD_DESC_KIND_SLOT, sizeof(shd_slot), REQUIRED(shd_slot, user_data), defaults_shd_slot},

@@ -2,6 +2,7 @@
 /* Results have the same bits for any SIMD target, worker count, scheduling order and run, and these bits have the
  * stored hashes. */
 #define _POSIX_C_SOURCE 200809L
+#include "support/bake_scene.h"
 #include "support/direction_hash.h"
 #include "support/environment_hash.h"
 #include "support/lookup_hash.h"
@@ -254,6 +255,18 @@ static void test_volumes(void **state)
     expect_hash("frames with volumes", shd_volume_hash, 3);
 }
 
+static void test_bakes(void **state)
+{
+    (void)state;
+    expect_hash("bakes", shd_bake_hash, 3);
+}
+
+static void test_occlusion(void **state)
+{
+    (void)state;
+    expect_hash("occlusion", shd_occlusion_hash, 2);
+}
+
 static void test_solid(void **state)
 {
     (void)state;
@@ -293,13 +306,15 @@ enum {
     SOLID,
     TEXTURE3D,
     VOLUME,
+    BAKE,
+    OCCLUSION,
     k_golden_count
 };
 static struct golden_row k_golden[k_golden_count] = {
     {"mixed", 0},   {"floor", 0},     {"lit", 0},      {"glass", 0},    {"moved", 0},      {"lines", 0},
     {"surface", 0}, {"lookups", 0},   {"filters", 0},  {"profiles", 0}, {"shadows", 0},    {"pixels", 0},
     {"fast", 0},    {"exact", 0},     {"textured", 0}, {"parallel", 0}, {"directions", 0}, {"environment", 0},
-    {"solid", 0},   {"texture3d", 0}, {"volume", 0}};
+    {"solid", 0},   {"texture3d", 0}, {"volume", 0},   {"bake", 0},     {"occlusion", 0}};
 
 static void measure_golden(void)
 {
@@ -328,6 +343,8 @@ static void measure_golden(void)
     k_golden[SOLID].hash = shd_solid_hash(NULL);
     k_golden[TEXTURE3D].hash = shd_texture3d_hash(NULL);
     k_golden[VOLUME].hash = shd_volume_hash(NULL);
+    k_golden[BAKE].hash = shd_bake_hash(NULL);
+    k_golden[OCCLUSION].hash = shd_occlusion_hash(NULL);
 }
 
 static void test_golden(void **state)
@@ -385,6 +402,8 @@ int main(int argc, char **argv)
         {"directions", test_directions, NULL, NULL, NULL},
         {"texture3d", test_texture3d, NULL, NULL, NULL},
         {"volumes", test_volumes, NULL, NULL, NULL},
+        {"bakes", test_bakes, NULL, NULL, NULL},
+        {"occlusion", test_occlusion, NULL, NULL, NULL},
         {"golden", test_golden, NULL, NULL, NULL},
     };
     if (argc > 1 && strcmp(argv[1], "--hashes") == 0) return print_golden();

@@ -45,6 +45,7 @@ with_find_package() {
   [ "$HAS_COLOR" = 0 ] || components+=(color)
   [ "$HAS_IO" = 0 ] || components+=(io)
   [ "$HAS_SCENE" = 0 ] || components+=(scene)
+  [ "$HAS_EMBREE" = 0 ] || components+=(embree)
   install_shd
   for file in LICENSE README.md docs/index.md docs/pictures/pipeline.svg examples/hello.c; do
     [ -s "$WORK/prefix/share/doc/shd/$file" ] || { echo "$file is not installed" && exit 1; }
@@ -60,7 +61,7 @@ check_shared_pc() {
   for path in "$WORK/prefix/$LIBDIR"/pkgconfig/*.pc; do
     module=$(basename "$path" .pc)
     flags=$(PKG_CONFIG_PATH='' PKG_CONFIG_LIBDIR="$WORK/prefix/$LIBDIR/pkgconfig" pkg-config --cflags --libs "$module")
-    if grep -qE -- '-D|-pthread|hwy|tbb|Open|assimp' <<<"${flags//$WORK/}"; then
+    if grep -qE -- '-D|-pthread|hwy|tbb|Open|assimp|embree[34]' <<<"${flags//$WORK/}"; then
       echo "$module.pc asks for what is private: $flags"
       exit 1
     fi
@@ -79,6 +80,7 @@ check_siblings() {
   [ "$HAS_COLOR" = 0 ] || find_sibling color 'shd_color_release(NULL);'
   [ "$HAS_IO" = 0 ] || find_sibling io 'shd_bitmap_release(NULL);'
   [ "$HAS_SCENE" = 0 ] || find_sibling scene 'shd_scene_release(NULL);'
+  [ "$HAS_EMBREE" = 0 ] || find_sibling embree 'shd_embree_release(NULL);'
 }
 
 with_pkg_config() {

@@ -16,7 +16,7 @@ import prose
 
 # The data flow. An include may point to the same stage or to one before it; abi may include all.
 STAGES = ["core", "data", "shapes", "simd", "projection", "image", "environment", "texture", "procedural", "geometry", "raster", "material", "light", "shade", "volume", "film",
-          "frame", "extension", "color", "io", "scene", "abi", "tool"]
+          "frame", "occlusion", "extension", "color", "io", "scene", "embree", "abi", "tool"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "docs", "examples", "bindings"]
 DATA_FOLDERS = {"golden", "corpus"}
@@ -25,6 +25,8 @@ THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h"},
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
+    "embree3/": {"src/embree/tree.cpp"},
+    "embree4/": {"src/embree/tree.cpp"},
     "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
                 "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},
 }
@@ -63,7 +65,7 @@ def check_includes(root):
 
 
 def check_third_party(root):
-    """Headers of OpenColorIO, OpenImageIO and assimp stay in the files that are named. Peers of the benchmarks have their
+    """Headers of OpenColorIO, OpenImageIO, Embree and assimp stay in the files that are named. Peers of the benchmarks have their
     own folder."""
     for path in sources(root, ["src", "include"], {".cpp", ".h"}):
         for number, line in numbered_lines(root, path):

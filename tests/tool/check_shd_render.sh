@@ -131,6 +131,9 @@ for filter in hard pcf variance summed-area pcss; do
   same --floor --lamps 9 -- --floor --lamps 9 --shadows $filter
 done
 other --floor --light 1,2,1:9,9,9 -- --floor --light 1,2,1:9,9,9 --shadows hard
+other --floor -- --floor --occlusion 8
+other --floor --occlusion 8 -- --floor --occlusion 8 --occlusion-radius 0.2
+same --ambient 0 -- --ambient 0 --occlusion 8
 other -- --lines 1
 other -- --wireframe 1
 other --wireframe 1 -- --wireframe 3
@@ -192,6 +195,8 @@ expect 2 "INNER,OUTER" --cone 30,20
 expect 2 "X,Y,Z" --spot 0,0,0
 expect 2 "one of teapot" --shape cube
 expect 2 "one of hard" --shadows none
+expect 2 "a whole number 1..65536" --occlusion 0
+expect 2 "a number 1e-6..1e6" --occlusion-radius 0
 expect 2 "16..8192" --shadow-size 8
 expect 3 "no-such-normals.png" --normal-map no-such-normals.png
 expect 3 "no-such-heights.png" --height no-such-heights.png
