@@ -93,6 +93,8 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_POLYGON_WEIGHTS = 58,     /**< shd_polygon_weights */
     SHD_DESC_KIND_RAW_DESC = 64,            /**< shd_raw_desc, of shd/volume_file.h */
     SHD_DESC_KIND_STACK_DESC = 65,          /**< shd_stack_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_VDB_DESC = 66,            /**< shd_vdb_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_VDB_INFO = 67,            /**< shd_vdb_info, of shd/volume_file.h */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -24,6 +24,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h"},
+    "openvdb/": {"src/io/vdb.cpp"},
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
     "assimp/": {"src/scene/assimp_files.cpp", "src/scene/assimp_import.cpp", "src/scene/assimp_light.cpp",
                 "src/scene/assimp_parts.h", "src/scene/assimp_sanitize.cpp", "src/scene/assimp_surface.cpp"},
