@@ -147,10 +147,9 @@ typedef uint32_t shd_vdb_flags; /**< shd_vdb_flag bits */
 typedef struct shd_vdb_desc {
     uint32_t struct_size; /**< set by shd_vdb_desc_default() */
     shd_vdb_flags flags;  /**< default none */
-    const char *
-        grid; /**< name of a grid of float or double, at most 255 bytes; default NULL = the first such grid of the file */
-    int32_t box_min[3]; /**< first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX */
-    int32_t box_max[3]; /**< last voxel of the box, at least box_min on each axis; read with SHD_VDB_BOX */
+    const char *grid;     /**< name, at most 255 bytes; default NULL = the first grid of float or double */
+    int32_t box_min[3];   /**< first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX */
+    int32_t box_max[3];   /**< last voxel of the box, at least box_min on each axis; read with SHD_VDB_BOX */
     /* ---- end of 0.1; append below ---- */
 } shd_vdb_desc;
 
@@ -198,9 +197,9 @@ static inline shd_vdb_info shd_vdb_info_default(void)
  * voxel index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
  *
  * SHD_ERROR_UNSUPPORTED: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
- * stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a grid without active
- * voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a box above max_pixels
- * or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT.
+ * stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
+ * grid without active voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a
+ * box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT.
  * @param path         as for shd_bitmap_load()
  * @param vdb          borrowed for the call; NULL = all defaults
  * @param load         borrowed for the call; NULL = all defaults. Budgets, tables, worker_path and SHD_LOAD_IN_PROCESS

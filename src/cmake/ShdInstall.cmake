@@ -27,7 +27,8 @@ else()
   string(CONCAT PC_PREFIX "\${pcfiledir}/" "${pc_up}")
 endif()
 
-# name, description, what a static link needs besides, what a shared link needs besides. The file of a shared library
+# name, description, what a static link needs besides, what a shared link needs besides, libraries of a static link
+# that have no such file. The file of a shared library
 # names nothing private: pkg-config would look for those packages on every machine that compiles against the library.
 function(shd_pkg_config name description private_requires requires)
   set(PC_NAME ${name})
@@ -36,7 +37,7 @@ function(shd_pkg_config name description private_requires requires)
   if(NOT SHD_BUILD_SHARED)
     # A static archive carries no dependencies of its own: name them for every link.
     string(JOIN " " PC_REQUIRES ${requires} ${private_requires})
-    set(PC_LIBS_EXTRA " -lstdc++ -lm -pthread")
+    set(PC_LIBS_EXTRA " ${ARGN} -lstdc++ -lm -pthread")
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -51,7 +52,12 @@ if(SHD_WITH_OCIO)
   shd_pkg_config(shd_color "Colour management for shd through OpenColorIO" "OpenColorIO" "shd")
 endif()
 if(SHD_WITH_OIIO)
-  shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO" "shd")
+  if(TARGET shd_openvdb)
+    shd_pkg_config(shd_io "Image and volume files for shd through OpenImageIO and OpenVDB" "OpenImageIO tbb Imath" "shd"
+                   -lopenvdb)
+  else()
+    shd_pkg_config(shd_io "Image files for shd through OpenImageIO" "OpenImageIO" "shd")
+  endif()
 endif()
 if(SHD_WITH_ASSIMP)
   shd_pkg_config(shd_scene "Model files for shd through assimp" "assimp" "shd_io shd")

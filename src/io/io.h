@@ -106,7 +106,7 @@ struct Bitmap {
   uint32_t level_count = 1;  // mip levels, the base included; sizes as in io/levels.h
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
-  GridInfo grid;              // of Parts::kGrid
+  GridInfo grid;              // with Parts::kGrid
   Buffer pixels;
 };
 

@@ -110,9 +110,9 @@ Machine
   --stats               what was drawn and how long each stage took, on stderr
   --help, --version     this text; the version
 
-Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model, the
-volume or --texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is reported and
-its colour used instead. Lights and cameras of the file that are not used are reported, too.
+Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model,
+the volume or --texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is
+reported and its colour used instead. Lights and cameras of the file that are not used are reported, too.
 Some damaged models make assimp end the whole process: run models you do not trust in a sandbox of your own.
 )";
 }

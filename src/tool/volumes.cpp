@@ -11,7 +11,7 @@ namespace {
 
 struct Loaded {
   Texture texture;
-  shd_vdb_info grid = shd_vdb_info_default();  // of a .vdb file
+  shd_vdb_info grid = shd_vdb_info_default();  // properties of a .vdb file
   bool has_grid = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grids of OpenVDB files as 3D textures. The files are written by OpenVDB; a build without it tests that loads say so.
+// Grids of OpenVDB files as 3D textures. OpenVDB writes the files. A build without OpenVDB tests the error.
 #ifdef SHD_TEST_OPENVDB
 // Before cmocka, whose macros fail and skip are names in OpenVDB.
 #include <openvdb/io/Stream.h>
@@ -250,7 +250,7 @@ void test_changed(void **)
     const io_bytes whole = io_read(write_one(grid).c_str());
     const std::string path = io_path("changed.vdb");
     int loaded = 0;
-    for (uint64_t i = 0; i < 120; ++i) {
+    for (uint64_t i = 0; i < 40; ++i) {
         std::vector<unsigned char> bytes(whole.data, whole.data + whole.size);
         uint64_t random = 0x9e3779b97f4a7c15ull * (i + 1);
         shd_load_desc load = shd_load_desc_default();
@@ -260,7 +260,7 @@ void test_changed(void **)
             bytes[at] = static_cast<unsigned char>(bytes[at] ^ (1 + io_random(&random) % 255));
         }
         io_write(path.c_str(), bytes.data(), bytes.size());
-        load.time_limit = 2;
+        load.time_limit = 0.25;
         load.max_pixels = 1 << 22;
         const shd_result result = shd_texture_load_vdb(g_context, path.c_str(), nullptr, &load, nullptr, &texture);
         assert_true((result == SHD_OK) == (texture != nullptr));
@@ -271,7 +271,7 @@ void test_changed(void **)
         loaded += result == SHD_OK;
         shd_texture_release(texture);
     }
-    print_message("%d of 120 changed files load\n", loaded);
+    print_message("%d of 40 changed files load\n", loaded);
     std::free(whole.data);
 }
 
@@ -447,9 +447,10 @@ void test_others(void **)
 
 int main()
 {
-    std::vector<CMUnitTest> tests = {cmocka_unit_test(test_grids),   cmocka_unit_test(test_halves),
-                                     cmocka_unit_test(test_boxes),   cmocka_unit_test(test_cut),
-                                     cmocka_unit_test(test_changed), cmocka_unit_test(test_others)};
+    std::vector<CMUnitTest> tests = {
+        {"grids", test_grids, nullptr, nullptr, nullptr},     {"halves", test_halves, nullptr, nullptr, nullptr},
+        {"boxes", test_boxes, nullptr, nullptr, nullptr},     {"cut", test_cut, nullptr, nullptr, nullptr},
+        {"changed", test_changed, nullptr, nullptr, nullptr}, {"others", test_others, nullptr, nullptr, nullptr}};
     void *state = nullptr;
     openvdb::initialize();
     for (const BadCase &row : k_bad)
