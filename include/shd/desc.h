@@ -91,13 +91,15 @@ typedef enum shd_desc_kind {
     SHD_DESC_KIND_POLYGON_DESC = 56,        /**< shd_polygon_desc */
     SHD_DESC_KIND_POLYGON_POINTS = 57,      /**< shd_polygon_points */
     SHD_DESC_KIND_POLYGON_WEIGHTS = 58,     /**< shd_polygon_weights */
-    SHD_DESC_KIND_RAW_DESC = 64,            /**< shd_raw_desc, of shd/volume_file.h */
-    SHD_DESC_KIND_STACK_DESC = 65,          /**< shd_stack_desc, of shd/volume_file.h */
-    SHD_DESC_KIND_BAKE_DESC = 80,           /**< shd_bake_desc */
-    SHD_DESC_KIND_BAKE_STATS = 81,          /**< shd_bake_stats */
-    SHD_DESC_KIND_OCCLUSION_DESC = 82,      /**< shd_occlusion_desc */
-    SHD_DESC_KIND_OCCLUSION_POINTS = 83,    /**< shd_occlusion_points */
-    SHD_DESC_KIND_OCCLUSION_ATLAS = 84,     /**< shd_occlusion_atlas */
+    SHD_DESC_KIND_RAW_DESC = 59,            /**< shd_raw_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_STACK_DESC = 60,          /**< shd_stack_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_VDB_DESC = 61,            /**< shd_vdb_desc, of shd/volume_file.h */
+    SHD_DESC_KIND_VDB_INFO = 62,            /**< shd_vdb_info, of shd/volume_file.h */
+    SHD_DESC_KIND_BAKE_DESC = 63,           /**< shd_bake_desc */
+    SHD_DESC_KIND_BAKE_STATS = 64,          /**< shd_bake_stats */
+    SHD_DESC_KIND_OCCLUSION_DESC = 65,      /**< shd_occlusion_desc */
+    SHD_DESC_KIND_OCCLUSION_POINTS = 66,    /**< shd_occlusion_points */
+    SHD_DESC_KIND_OCCLUSION_ATLAS = 67,     /**< shd_occlusion_atlas */
     SHD_DESC_KIND_MAX_ENUM = 0x7fffffff
 } shd_desc_kind;
 

@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * @brief libshd_io: 3D textures from files of voxels and from stacks of images.
+ * @brief libshd_io: 3D textures from files of voxels, from stacks of images, and from OpenVDB grids.
  *
  * The slices of a file are those of the texture: x, the column of a texel, is the fastest index, then y, its row, then
  * z, its slice. Slice 0 lies at w = 0. The budgets of shd_load_desc count the voxels of the whole texture as pixels,
  * and are checked before memory is allocated. shd_load_desc.tables are the tables of the texture; volumes
  * (shd/volume.h) read the base level alone.
  *
- * Stacks are decoded as the images of shd/io.h: in a child of shd-io-worker, unless SHD_LOAD_IN_PROCESS is set. A file
- * of voxels needs no decoder.
+ * Stacks and grids are decoded as the images of shd/io.h: in a child of shd-io-worker, unless SHD_LOAD_IN_PROCESS is
+ * set. A file of voxels needs no decoder.
+ *
+ * OpenVDB is optional when libshd_io is built. A shared libshd_io opens it at the first load with SHD_LOAD_IN_PROCESS,
+ * by the module libshd_io_vdb in the folder shd beside it.
  *
  * Thread safety: every function may be called from any thread.
  *
@@ -131,6 +134,83 @@ static inline shd_stack_desc shd_stack_desc_default(void)
  */
 SHD_NODISCARD SHD_API shd_result shd_texture_load_stack(shd_context *context, const shd_stack_desc *stack,
                                                         const shd_load_desc *load, shd_texture **out_texture);
+
+/** Options of an OpenVDB load; combine with |. */
+typedef enum shd_vdb_flag {
+    SHD_VDB_DEFAULT = 0,
+    SHD_VDB_BOX = 1, /**< sample the box of the desc instead of the bounds of the active voxels */
+    SHD_VDB_FLAG_MAX_ENUM = 0x7fffffff
+} shd_vdb_flag;
+typedef uint32_t shd_vdb_flags; /**< shd_vdb_flag bits */
+
+/** Grid and box of an OpenVDB load. */
+typedef struct shd_vdb_desc {
+    uint32_t struct_size; /**< set by shd_vdb_desc_default() */
+    shd_vdb_flags flags;  /**< default none */
+    const char *grid;     /**< name, at most 255 bytes; default NULL = the first grid of float or double */
+    int32_t box_min[3];   /**< first voxel of the box, in index space, -2^30..2^30; read with SHD_VDB_BOX */
+    int32_t box_max[3];   /**< last voxel of the box, at least box_min on each axis; read with SHD_VDB_BOX */
+    /* ---- end of 0.1; append below ---- */
+} shd_vdb_desc;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_vdb_desc shd_vdb_desc_default(void)
+{
+    shd_vdb_desc desc = SHD_ZERO_INIT;
+    desc.struct_size = (uint32_t)sizeof desc;
+    return desc;
+}
+
+/** Meaning of the numbers of a grid. */
+typedef enum shd_vdb_class {
+    SHD_VDB_CLASS_UNKNOWN = 0,
+    SHD_VDB_CLASS_LEVEL_SET = 1,  /**< signed distances to a surface [world units], negative inside */
+    SHD_VDB_CLASS_FOG_VOLUME = 2, /**< densities, 0 outside */
+    SHD_VDB_CLASS_MAX_ENUM = 0x7fffffff
+} shd_vdb_class;
+
+/** Properties of a loaded grid. */
+typedef struct shd_vdb_info {
+    uint32_t struct_size;      /**< set by shd_vdb_info_default() */
+    shd_vdb_class grid_class;  /**< as declared by the file */
+    int32_t index_min[3];      /**< voxel of texel (0, 0, 0), in index space */
+    float background;          /**< value of all voxels that the file does not store */
+    uint64_t active_voxels;    /**< in the whole grid */
+    float object_to_world[16]; /**< from texture coordinates (u, v, w) to the world of the file, column-major: for
+                                    shd_volume_draw, if the box of the volume is the default box */
+    char grid[64];             /**< name of the grid; its first 63 bytes, control characters replaced */
+    /* ---- end of 0.1; append below ---- */
+} shd_vdb_info;
+
+/** Defaults, compiled into the caller so that struct_size is the caller's. */
+static inline shd_vdb_info shd_vdb_info_default(void)
+{
+    shd_vdb_info info = SHD_ZERO_INIT;
+    info.struct_size = (uint32_t)sizeof info;
+    return info;
+}
+
+/**
+ * Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb).
+ *
+ * The voxels of a box become the texels, a voxel each; tiles and the background are filled in. Texel (i, j, k) is the
+ * voxel index_min + (i, j, k), and its centre lies at that place of index space. Doubles are rounded to floats.
+ *
+ * SHD_ERROR_UNSUPPORTED: a libshd_io without OpenVDB; versions of the file format below 222; files written as a
+ * stream, without offsets of grids; a grid of another type than float or double; a transform that is not affine; a
+ * grid without active voxels, unless SHD_VDB_BOX is set. SHD_ERROR_NOT_FOUND: no grid of the name. SHD_ERROR_LIMIT: a
+ * box above max_pixels or max_bytes, or a side above 65536. A file that is cut off is SHD_ERROR_CORRUPT.
+ * @param path         as for shd_bitmap_load()
+ * @param vdb          borrowed for the call; NULL = all defaults
+ * @param load         borrowed for the call; NULL = all defaults. Budgets, tables, worker_path and SHD_LOAD_IN_PROCESS
+ *                     have an effect; other flags are errors
+ * @param out_info     NULL, or its struct_size is read; the rest is written, all zero on failure
+ * @param out_texture  owned; NULL on failure
+ * @since 0.1
+ */
+SHD_NODISCARD SHD_API shd_result shd_texture_load_vdb(shd_context *context, const char *path, const shd_vdb_desc *vdb,
+                                                      const shd_load_desc *load, shd_vdb_info *out_info,
+                                                      shd_texture **out_texture);
 
 SHD_END_DECLS
 

@@ -159,6 +159,8 @@ shd_result shd_desc_init(shd_desc_kind kind, void* ptr, size_t size) {
     case SHD_DESC_KIND_BITMAP_INFO: return write_defaults(shd_bitmap_info_default(), ptr, size);
     case SHD_DESC_KIND_RAW_DESC: return write_defaults(shd_raw_desc_default(), ptr, size);
     case SHD_DESC_KIND_STACK_DESC: return write_defaults(shd_stack_desc_default(), ptr, size);
+    case SHD_DESC_KIND_VDB_DESC: return write_defaults(shd_vdb_desc_default(), ptr, size);
+    case SHD_DESC_KIND_VDB_INFO: return write_defaults(shd_vdb_info_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_DESC: return write_defaults(shd_shape_desc_default(), ptr, size);
     case SHD_DESC_KIND_SHAPE_COLUMNS: return write_defaults(shd_shape_columns_default(), ptr, size);
     case SHD_DESC_KIND_SCENE_DESC: return write_defaults(shd_scene_desc_default(), ptr, size);

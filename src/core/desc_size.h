@@ -86,6 +86,8 @@ SHD_SIZED(shd_save_desc, bit_depth, display, 32);
 SHD_SIZED(shd_bitmap_info, file_format, flags, 16);
 SHD_SIZED(shd_raw_desc, depth, header_bytes, 40);
 SHD_SIZED(shd_stack_desc, pattern, last, 32);
+SHD_SIZED(shd_vdb_desc, flags, box_max, 40);
+SHD_SIZED(shd_vdb_info, background, grid, 160);
 SHD_SIZED(shd_shape_desc, shape, segments, 40);
 SHD_SIZED(shd_shape_columns, position, indices, 160);
 SHD_SIZED(shd_scene_desc, flags, time_limit, 88);

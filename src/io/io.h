@@ -32,6 +32,10 @@
 /// | oiio.h           | decode and encode (oiio_encode.cpp), the only users of OpenImageIO   |
 /// | oiio_handle.h    | an input or output that prints nothing                               |
 /// | oiio_module.h    | both in a module that a shared libshd_io opens at the first use      |
+/// | vdb_header.h     | the grids of an OpenVDB file                                         |
+/// | vdb.h            | decode_grid; vdb.cpp is the only user of OpenVDB                     |
+/// | vdb_module.h     | decode_grid in a module                                              |
+/// | module.h         | opening of modules                                                   |
 /// | silence.h        | no messages of libtiff on stderr                                     |
 /// | load.h           | the pipeline: sniff, scrub, check, decode                            |
 /// | isolate.h        | the pipeline in a child of the worker                                |
@@ -47,7 +51,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <shd/io.h>
+#include <shd/volume_file.h>
 
 #include "io/channels.h"
 #include "io/limits.h"
@@ -60,6 +64,25 @@ enum class Parts : uint32_t {
   kImage,   // part `subimage`, as RGBA
   kSlice,   // part `subimage`; one channel stays one
   kSlices,  // all parts from `subimage` on, as the slices of a volume; one channel stays one
+  kGrid,    // a grid of an OpenVDB file, as a volume of one channel
+};
+
+/// Grid and box of a load of Parts::kGrid.
+struct GridRequest {
+  uint32_t flags = SHD_VDB_DEFAULT;
+  int32_t box_min[3] = {}, box_max[3] = {};
+  char name[256] = {};  // "" = the first grid of float or double
+};
+
+/// Properties of a loaded grid.
+struct GridInfo {
+  int32_t index_min[3] = {};
+  float background = 0;
+  uint32_t grid_class = SHD_VDB_CLASS_UNKNOWN;
+  uint32_t reserved = 0;
+  uint64_t active_voxels = 0;
+  double index_to_world[16] = {};  // column-major
+  char name[64] = {};
 };
 
 /// A load desc with its defaults filled in.
@@ -69,6 +92,7 @@ struct LoadOptions {
   uint32_t flags = SHD_LOAD_DEFAULT;
   shd_color_encoding encoding = SHD_COLOR_ENCODING_AUTO;
   uint32_t subimage = 0;
+  GridRequest grid;
   Limits limits;
 };
 
@@ -82,6 +106,7 @@ struct Bitmap {
   uint32_t level_count = 1;  // mip levels, the base included; sizes as in io/levels.h
   shd_bitmap_info info = {};
   char color_space[64] = {};  // printable ASCII
+  GridInfo grid;              // with Parts::kGrid
   Buffer pixels;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -82,6 +83,7 @@ WorkerRequest make_request(const LoadOptions& options, size_t size) {
   request.encoding = static_cast<uint32_t>(options.encoding);
   request.subimage = options.subimage;
   request.parts = static_cast<uint32_t>(options.parts);
+  request.grid = options.grid;
   request.limits = options.limits;
   request.size = size;
   return request;
@@ -123,6 +125,18 @@ void require_done(Stream stream, const Channel& channel, const Deadline& deadlin
   core::refuse(SHD_ERROR_CORRUPT, "the decoder died on the file (%s)", end.c_str());
 }
 
+/// Checks the properties of a grid.
+GridInfo check_grid(const WorkerReply& reply, const LoadOptions& options) {
+  if (options.parts != Parts::kGrid) return {};
+  GridInfo grid = reply.grid;
+  bool good = reply.format == SHD_FORMAT_R32F && grid.grid_class <= SHD_VDB_CLASS_FOG_VOLUME;
+  for (const double value : grid.index_to_world) good = good && std::isfinite(value);
+  if (!good) core::refuse(SHD_ERROR_CORRUPT, "the decoder sent a wrong grid");
+  grid.name[sizeof grid.name - 1] = 0;
+  core::make_printable(grid.name, std::strlen(grid.name));
+  return grid;
+}
+
 Packing packing_of(const WorkerReply& reply) {
   return {static_cast<int>(reply.channels), {{reply.map[0], reply.map[1], reply.map[2], reply.map[3]}}};
 }
@@ -142,7 +156,7 @@ void check_packing(const WorkerReply& reply, const LoadOptions& options) {
 }
 
 void check_depth(const WorkerReply& reply, const LoadOptions& options) {
-  const bool volume = options.parts == Parts::kSlices;
+  const bool volume = options.parts == Parts::kSlices || options.parts == Parts::kGrid;
   if (reply.depth < 1 || (reply.depth > 1 && (!volume || reply.level_count > 1))) {
     core::refuse(SHD_ERROR_CORRUPT, "the decoder sent %u slices", reply.depth);
   }
@@ -272,6 +286,7 @@ Bitmap receive_bitmap(const Channel& channel, WorkerReply& first, const LoadOpti
   out.depth = last.depth;
   out.level_count = last.level_count;
   out.info = check_info(last.info);
+  out.grid = check_grid(last, options);
   std::memcpy(out.color_space, last.color_space, sizeof out.color_space);
   return out;
 }

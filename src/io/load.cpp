@@ -6,6 +6,7 @@
 #include "io/oiio.h"
 #include "io/scrub.h"
 #include "io/sniff.h"
+#include "io/vdb.h"
 
 namespace shd::io {
 
@@ -26,6 +27,7 @@ shd_file_format accept(const unsigned char* bytes, size_t size, const LoadOption
 
 Bitmap load(unsigned char* bytes, size_t size, const LoadOptions& options, const Memory& memory,
             const Deadline& deadline, const Sink* sink) {
+  if (options.parts == Parts::kGrid) return decode_grid(bytes, size, options, memory, deadline, sink);
   const shd_file_format format = accept(bytes, size, options);
   const bool complete = format != SHD_FILE_FORMAT_JPEG || jpeg_is_complete(bytes, size);
   const bool strict = (options.flags & SHD_LOAD_PARTIAL) == 0;

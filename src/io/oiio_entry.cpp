@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The exported variable of the module libshd_io_oiio.
-#include <cstdio>
-
-#include "core/guard.h"
+#include "io/module.h"
 #include "io/oiio_module.h"
 
 namespace shd::io {
 
 namespace {
-
-template <class Body>
-shd_result contain(char* text, Body&& body) noexcept {
-  const auto report = [text](shd_result code, const char* what) {
-    std::snprintf(text, core::kErrorTextSize, "%s", what);
-    return code;
-  };
-  return core::guard(report, [&] {
-    body();
-    return SHD_OK;
-  });
-}
 
 shd_result module_decode(const DecodeInput& input, const LoadOptions& options, const Memory& memory,
                          const Deadline& deadline, const Sink* sink, Bitmap* out, char* text) {

@@ -103,8 +103,10 @@ void limit_time(double seconds) {
 
 void confine(const WorkerRequest& request) {
   set_limit(RLIMIT_CORE, 0);
-  // SHD_FILE_FORMAT_ANY makes an anonymous file of the same size.
-  set_limit(RLIMIT_FSIZE, (request.formats & SHD_FILE_FORMAT_ANY) ? request.size : 0);
+  // Some decoders need an anonymous file of the same size.
+  const bool needs_file =
+      (request.formats & SHD_FILE_FORMAT_ANY) != 0 || static_cast<Parts>(request.parts) == Parts::kGrid;
+  set_limit(RLIMIT_FSIZE, needs_file ? request.size : 0);
   limit_time(request.limits.seconds);
   limit_memory(request);
   (void)::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
@@ -114,6 +116,7 @@ void confine(const WorkerRequest& request) {
 LoadOptions options_of(const WorkerRequest& request) {
   LoadOptions options;
   options.parts = static_cast<Parts>(request.parts);
+  options.grid = request.grid;
   options.formats = request.formats;
   options.flags = request.flags;
   options.encoding = static_cast<shd_color_encoding>(request.encoding);
@@ -131,6 +134,7 @@ void describe(const Bitmap& bitmap, WorkerReply* reply) {
   reply->depth = bitmap.depth;
   reply->size = bitmap_pixels(bitmap) * bitmap_pixel_size(bitmap.format);
   reply->info = bitmap.info;
+  reply->grid = bitmap.grid;
   std::memcpy(reply->color_space, bitmap.color_space, sizeof reply->color_space);
 }
 

@@ -3,9 +3,7 @@
 
 #include <cstdint>
 
-#include <shd/io.h>
-
-#include "io/limits.h"
+#include "io/io.h"
 
 namespace shd::io {
 
@@ -33,6 +31,7 @@ struct WorkerRequest {
   uint32_t encoding;
   uint32_t subimage;
   uint32_t parts;
+  GridRequest grid;
   Limits limits;
   uint64_t size;  // bytes of the file
 };
@@ -60,6 +59,7 @@ struct WorkerReply {
   uint32_t depth;
   uint64_t size;
   shd_bitmap_info info;
+  GridInfo grid;
   char color_space[64];
   char message[1024];
 };

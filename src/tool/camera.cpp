@@ -42,6 +42,12 @@ Fit fit_view(const Camera& camera, const Model& model, const Bounds& bounds, flo
   }
   Fit fit;
   if (left > right) return fit;
+  if (!model.geometries[0].mesh) {  // corners of a volume's box are empty: the centre stays in the middle
+    right = std::max(right, -left);
+    top = std::max(top, -bottom);
+    left = -right;
+    bottom = -top;
+  }
   fit.right = 0.5f * (left + right);
   fit.up = 0.5f * (bottom + top);
   fit.distance = kMargin * std::max((right - left) / (2.0f * tan_x), (top - bottom) / (2.0f * tan_y));

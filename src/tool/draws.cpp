@@ -65,6 +65,7 @@ Draws make_draws(shd_context* context, const Options& options, const Model& mode
   for (const Instance& instance : model.instances) {
     shd_draw draw = shd_draw_default();
     draw.mesh = model.geometries[instance.geometry].mesh;
+    if (!draw.mesh) continue;  // the extent of a volume
     if (options.displacement != 0.0f && !model.surfaces[instance.surface].is_floor) {
       out.displaced.push_back(displace(context, options, camera, instance, draw.mesh, paint.extras.height.get()));
       draw.mesh = out.displaced.back().get();

@@ -38,4 +38,5 @@ using Shadow = Owned<shd_shadow, shd_shadow_release>;
 using Environment = Owned<shd_environment, shd_environment_release>;
 using Framebuffer = Owned<shd_framebuffer, shd_framebuffer_release>;
 using Bitmap = Owned<shd_bitmap, shd_bitmap_release>;
+using Volume = Owned<shd_volume, shd_volume_release>;
 using Scene = Owned<shd_scene, shd_scene_release>;

@@ -91,6 +91,21 @@ Shape
   --wireframe WIDTH     the edges of all triangles so many pixels wide, instead of surfaces
   --crease DEGREES      how sharp an edge is a crease (default 60)
 
+Volume
+  --volume FILE         a volume instead of a model: .vdb; a pattern of images such as slice_%03d.tif; a TIFF or EXR
+                        whose pages are the slices; or voxels without a format, for which --volume-size is needed
+  --volume-size WxHxD   of a file of voxels
+  --volume-format F     of its numbers: u8, u16, u32, i8, i16, i32, f16, f32; with be (u16be) the highest byte is first
+                        (default u8)
+  --volume-header N     bytes before its voxels, or rest = the voxels end the file (default 0)
+  --volume-slices A,B   first and last number of a pattern (default 0,0)
+  --volume-grid NAME    of a .vdb file (default the first one of float or double)
+  --volume-spacing X,Y,Z  distances of voxels, except in .vdb (default 1,1,1)
+  --volume-up AXIS      y: rows go down, slices away from the viewer; z: slices go up (default y)
+  --volume-range A,B    densities from clear to opaque (default the smallest and the largest one)
+  --volume-density F    factor of opacity (default 1)
+                        A volume is lit, except fog of .vdb; --model unlit shows its colours, without light
+
 Machine
   --threads N           workers (default one per core); the picture does not depend on it
   --simd T              best, baseline, scalar, sse2, ssse3, sse4, avx2, avx512, neon, wasm; neither on this
@@ -98,9 +113,9 @@ Machine
   --stats               what was drawn and how long each stage took, on stderr
   --help, --version     this text; the version
 
-Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model or
---texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is reported and
-its colour used instead. Lights and cameras of the file that are not used are reported, too.
+Prints the name and size of every picture that it writes. Exit codes: 0 done, 1 failed, 2 wrong options, 3 the model,
+the volume or --texture cannot be read, 4 the picture cannot be written. A texture of the model that cannot be read is
+reported and its colour used instead. Lights and cameras of the file that are not used are reported, too.
 Some damaged models make assimp end the whole process: run models you do not trust in a sandbox of your own.
 )";
 }

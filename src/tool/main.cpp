@@ -16,6 +16,7 @@
 #include "tool/output.h"
 #include "tool/progress.h"
 #include "tool/shadows.h"
+#include "tool/volumes.h"
 
 namespace {
 
@@ -63,6 +64,7 @@ struct Stage {
   const Bounds& bounds;
   const Paint& paint;
   shd_environment* environment;
+  const StageVolume& volume;
 };
 
 void render(const Stage& stage, float turn, const shd_progress& progress, shd_framebuffer* framebuffer) {
@@ -89,6 +91,11 @@ void render(const Stage& stage, float turn, const shd_progress& progress, shd_fr
   desc.supersampling = options.supersampling;
   for (size_t c = 0; c < 4; ++c) desc.clear_color[c] = options.background[c];
   set_environment(options, stage.environment, desc);
+  shd_volume_draw volume = shd_volume_draw_default();
+  volume.volume = stage.volume.volume.get();
+  std::copy(stage.volume.object_to_world.begin(), stage.volume.object_to_world.end(), volume.object_to_world);
+  desc.volumes = volume.volume ? &volume : nullptr;
+  desc.volume_count = volume.volume ? 1 : 0;
   desc.progress = progress;
   const auto start = std::chrono::steady_clock::now();
   check(shd_render(stage.context, &desc), "render");
@@ -111,7 +118,8 @@ void report_unused(const Options& options, const Model& model) {
 void run(const Options& options) {
   check_output_name(options);
   const Context context = make_context(options);
-  Model model = make_model(context.get(), options);
+  const StageVolume volume = load_volume(context.get(), options);
+  Model model = volume.volume.get() ? volume_model(volume) : make_model(context.get(), options);
   report_unused(options, model);
   const Bounds bounds = bounds_of(model);
   make_camera(options, model, bounds, 0.0f);  // throws before textures are read
@@ -120,7 +128,7 @@ void run(const Options& options) {
   const Paint paint = make_paint(context.get(), options, model);
   const Framebuffer framebuffer = make_framebuffer(context.get(), options);
   const Environment environment = load_environment(context.get(), options);
-  const Stage stage = {context.get(), options, model, bounds, paint, environment.get()};
+  const Stage stage = {context.get(), options, model, bounds, paint, environment.get(), volume};
   const uint32_t pictures = std::max(options.turntable, 1u);
   Progress progress(options.progress || isatty(STDERR_FILENO), pictures);
   for (uint32_t i = 0; i < pictures; ++i) {

@@ -11,8 +11,8 @@
 
 /// A mesh, with the vertices and triangles that are needed to place a camera.
 struct Geometry {
-  Mesh own;  // owner of a shape's mesh; empty for meshes of the scene
-  shd_mesh* mesh = nullptr;
+  Mesh own;                       // owner of a shape's mesh; empty for meshes of the scene
+  shd_mesh* mesh = nullptr;       // null = drawn by others
   std::vector<float> position;    // [vertex][3]
   std::vector<uint32_t> indices;  // [triangle][3]
 };

@@ -342,7 +342,8 @@ bool set_shape_value(const std::string& name, const std::string& value, Options&
 
 bool set_value(const std::string& name, const std::string& value, Options& out) {
   return set_output_value(name, value, out) || set_light_value(name, value, out) ||
-         set_surface_value(name, value, out) || set_shape_value(name, value, out);
+         set_surface_value(name, value, out) || set_shape_value(name, value, out) ||
+         set_volume_value(name, value, out.volume);
 }
 
 /// The error for an option at the end of the line: its value is missing, or the option is unknown.
@@ -376,6 +377,7 @@ Options parse_options(int argc, const char* const* argv) {
       ++i;
     }
   }
+  if (named && !options.volume.file.empty()) throw Failure(kExitUsage, "--volume is drawn instead of a model");
   if (options.camera && options.turntable) throw Failure(kExitUsage, "--turntable turns no --camera of the file");
   const bool lit = !options.lights.empty() || options.lamps > 0 || !options.environment.empty();
   if (!options.preset) options.preset = lit ? LightPreset::kNone : LightPreset::kStudio;

@@ -8,6 +8,8 @@
 
 #include <shd/shd.h>
 
+#include "tool/volume_options.h"
+
 /// A light of the command line. Positions are in radii of the model around its centre; directions point to the light;
 /// spots are aimed at the centre.
 struct LightOption {
@@ -26,6 +28,7 @@ struct Options {
   bool help = false, version = false;
   std::string model;  // empty = `shape`
   shd_shape shape = SHD_SHAPE_TEAPOT;
+  VolumeOptions volume;  // instead of a model
   std::string output = "out.png";
   uint32_t width = 960, height = 640, samples = 1, supersampling = 1;
   bool sample_shading = false;  // every sample at its own position

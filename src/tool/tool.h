@@ -12,6 +12,7 @@
 /// | main.cpp    | from options to pictures                                |
 /// | options.h   | the command line, checked; help.cpp: --help             |
 /// | model.h     | the scene of a file, or a shape, and the floor          |
+/// | volumes.h   | the volume of a file; volume_options.h                  |
 /// | shapes.h    | meshes of shd/shapes.h                                  |
 /// | materials.h | materials, changed by the options                       |
 /// | solids.h    | built-in solid textures                                 |

@@ -441,6 +441,8 @@ static void use_volume_files(const char *path)
     FILE *file;
     MAKE(shd_stack_desc, stack);
     MAKE(shd_raw_desc, raw);
+    MAKE(shd_vdb_desc, vdb);
+    MAKE(shd_vdb_info, info);
     stack->paths = &path;
     stack->path_count = 1;
     EXPECT_READ(stack, shd_texture_load_stack(g_context, stack, NULL, &texture));
@@ -452,6 +454,10 @@ static void use_volume_files(const char *path)
     EXPECT_READ(raw, shd_texture_load_raw(g_context, path, raw, NULL, &texture));
     expect(shd_texture_load_raw(g_context, path, raw, NULL, &texture) == SHD_OK, "raw");
     shd_texture_release(texture);
+    EXPECT_READ(vdb, shd_texture_load_vdb(g_context, path, vdb, NULL, NULL, &texture));
+    SPOIL(info); /* the file is no OpenVDB file */
+    expect(shd_texture_load_vdb(g_context, path, vdb, NULL, info, &texture) == SHD_ERROR_UNSUPPORTED, "vdb");
+    EXPECT_WRITTEN(info, info->active_voxels == 0);
 }
 #endif
 

@@ -76,6 +76,8 @@ DEFAULTS(shd_save_desc)
 DEFAULTS(shd_bitmap_info)
 DEFAULTS(shd_raw_desc)
 DEFAULTS(shd_stack_desc)
+DEFAULTS(shd_vdb_desc)
+DEFAULTS(shd_vdb_info)
 DEFAULTS(shd_shape_desc)
 DEFAULTS(shd_shape_columns)
 DEFAULTS(shd_scene_desc)
@@ -183,6 +185,9 @@ static const struct kind_case k_kinds[] = {
     {"raw_desc", SHD_DESC_KIND_RAW_DESC, sizeof(shd_raw_desc), REQUIRED(shd_raw_desc, depth), defaults_shd_raw_desc},
     {"stack_desc", SHD_DESC_KIND_STACK_DESC, sizeof(shd_stack_desc), REQUIRED(shd_stack_desc, pattern),
      defaults_shd_stack_desc},
+    {"vdb_desc", SHD_DESC_KIND_VDB_DESC, sizeof(shd_vdb_desc), REQUIRED(shd_vdb_desc, flags), defaults_shd_vdb_desc},
+    {"vdb_info", SHD_DESC_KIND_VDB_INFO, sizeof(shd_vdb_info), REQUIRED(shd_vdb_info, background),
+     defaults_shd_vdb_info},
     {"shape_desc", SHD_DESC_KIND_SHAPE_DESC, sizeof(shd_shape_desc), REQUIRED(shd_shape_desc, shape),
      defaults_shd_shape_desc},
     {"shape_columns", SHD_DESC_KIND_SHAPE_COLUMNS, sizeof(shd_shape_columns), REQUIRED(shd_shape_columns, position),

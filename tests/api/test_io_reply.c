@@ -6,6 +6,7 @@
 #include "support/io_files.h"
 #include "support/io_samples.h"
 #include "support/io_worker.h"
+#include "support/volume_files.h"
 
 #include <sys/wait.h>
 
@@ -59,6 +60,10 @@ static const struct reply_case k_cases[] = {
     {"no_slice", SHD_ERROR_CORRUPT, "the decoder sent 0 slices"},
     {"slices", SHD_ERROR_CORRUPT, "the decoder sent 2 slices"}, /* the load did not ask for slices */
     {"one_channel", SHD_ERROR_CORRUPT, "the decoder sent format 1"},
+    {"grid", SHD_OK, ""},
+    {"grid_matrix", SHD_ERROR_CORRUPT, "the decoder sent a wrong grid"},
+    {"grid_class", SHD_ERROR_CORRUPT, "the decoder sent a wrong grid"},
+    {"grid_format", SHD_ERROR_CORRUPT, "the decoder sent a wrong grid"},
     {"size", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"overflow", SHD_ERROR_CORRUPT, "the decoder sent a wrong size"},
     {"info_format", SHD_ERROR_CORRUPT, "the decoder sent wrong properties"},
@@ -95,9 +100,32 @@ static void assert_pixels(const shd_bitmap *bitmap, int channels)
     }
 }
 
+/* A load of a grid, of which a good reply has 5 x 4 x 1 voxels. */
+static shd_result load_grid(const shd_load_desc *desc)
+{
+    const char *path = io_path("any.vdb");
+    shd_vdb_info info = shd_vdb_info_default();
+    shd_texture_info size = shd_texture_info_default();
+    shd_texture *texture = NULL;
+    shd_result result;
+    io_write(path, "any", 3);
+    result = shd_texture_load_vdb(g_context, path, NULL, desc, &info, &texture);
+    assert_true((texture != NULL) == (result == SHD_OK));
+    if (result != SHD_OK) return result;
+    shd_assert_ok(shd_texture_get_info(texture, &size));
+    assert_true(size.width == 5 && size.height == 4 && size.depth == 1 && size.format == SHD_FORMAT_R32F);
+    assert_true(info.object_to_world[0] == 5.0f && info.object_to_world[12] == -0.5f);
+    assert_int_equal(info.grid_class, SHD_VDB_CLASS_LEVEL_SET);
+    assert_int_equal(strlen(info.grid), 63);
+    assert_int_equal(strspn(info.grid, "?"), 63);
+    shd_texture_release(texture);
+    return result;
+}
+
 static void test_case(void **state)
 {
     const struct reply_case *c = (const struct reply_case *)*state;
+    const int grid = strncmp(c->mode, "grid", 4) == 0;
     shd_load_desc desc = shd_load_desc_default();
     shd_bitmap *bitmap = NULL;
     char name[64];
@@ -110,10 +138,11 @@ static void test_case(void **state)
     desc.worker_path = path;
     desc.time_limit = k_limit;
     start = io_seconds();
-    result = shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap);
+    result = grid ? load_grid(&desc)
+                  : shd_bitmap_load_memory(g_context, k_sample_jpeg, sizeof k_sample_jpeg, &desc, &bitmap);
     assert_true(io_seconds() - start < k_limit + 1);
     shd_assert_result(c->mode, result, c->expected, c->message);
-    assert_true((bitmap != NULL) == (result == SHD_OK));
+    assert_true((bitmap != NULL) == (result == SHD_OK && !grid));
     if (strcmp(c->mode, "color_space") == 0) {
         const char *text = shd_bitmap_color_space(bitmap);
         assert_int_equal(strlen(text), 63);

@@ -17,6 +17,7 @@
 #include "io/sniff.h"
 #include "io/tga_header.h"
 #include "io/tiff_pages.h"
+#include "io/vdb_header.h"
 
 #define SHD_FUZZ_CHECK(condition)                                          \
   do {                                                                     \
@@ -61,6 +62,9 @@ void check_headers(const Bytes& bytes, const Limits& limits, std::vector<shd_res
   }
   results.push_back(refusal([&] { check_jpeg_scans(data, size); }));
   results.push_back(refusal([&] { SHD_FUZZ_CHECK(count_tiff_pages(data, size) <= kMaxPages); }));
+  results.push_back(refusal([&] {
+    for (const VdbGrid& grid : list_vdb_grids(data, size)) SHD_FUZZ_CHECK(grid.unique_name.size() < size);
+  }));
   results.push_back(jpeg_is_complete(data, size) ? SHD_OK : SHD_ERROR_CORRUPT);
   SHD_FUZZ_CHECK(find_tga_extension(data, size) <= size);
 }

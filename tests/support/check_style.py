@@ -24,6 +24,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 THIRD_PARTY = {
     "OpenColorIO/": {"src/color/ocio_transform.h"},
     "OpenImageIO/": {"src/io/oiio.cpp", "src/io/oiio_encode.cpp", "src/io/oiio_handle.h"},
+    "openvdb/": {"src/io/vdb.cpp"},
     "Eigen/": {"src/geometry/sparse_solver.cpp"},
     "embree3/": {"src/embree/tree.cpp"},
     "embree4/": {"src/embree/tree.cpp"},

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -59,6 +60,16 @@ WorkerReply make_reply(const std::string &mode)
     reply.info.flags = mode == "info_flags" ? 1u << 30 : 0;
     reply.code = mode == "code" ? 4711 : mode == "text" ? uint32_t{SHD_ERROR_CORRUPT} : uint32_t{SHD_OK};
     set_channels(mode, &reply);
+    if (has(mode, "grid")) {
+        reply.format = mode == "grid_format" ? SHD_FORMAT_R16F : SHD_FORMAT_R32F;
+        if (mode == "grid_format") reply.size = 40;
+        reply.channels = 1;
+        for (int c = 0; c < 4; ++c) reply.map[c] = c < 3 ? 0 : -1;
+        reply.info.file_format = SHD_FILE_FORMAT_ANY;
+        reply.grid.index_to_world[0] = mode == "grid_matrix" ? 1 / std::strtod("0", nullptr) : 1;
+        reply.grid.grid_class = mode == "grid_class" ? 3 : 1;
+        std::memset(reply.grid.name, 7, sizeof reply.grid.name);
+    }
     std::memset(reply.color_space, mode == "color_space" ? 7 : 0, sizeof reply.color_space);
     std::memset(reply.message, mode == "text" ? 0x1b : 0, sizeof reply.message);
     return reply;
@@ -71,6 +82,7 @@ struct Wire {
 
 Wire wire_of(const std::string &mode)
 {
+    if (mode == "grid_format") return {40, 10};
     const Wire by_mode = has(mode, "rgb") ? Wire{60, 15} : has(mode, "grey") ? Wire{40, 10} : Wire{80, 8};
     if (has(mode, "short")) return {by_mode.total - 1, by_mode.total - 1};
     if (has(mode, "few")) return {by_mode.total / 2, by_mode.piece};

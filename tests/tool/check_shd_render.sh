@@ -153,6 +153,32 @@ other --environment around.exr -- --environment around.exr --exposure 1
 other --environment around.exr -- --environment around.exr --model glass
 other --environment around.exr -- --environment around.exr --lights headlight
 
+# A volume of 16^3 voxels, brightest in the middle row, as voxels and as a stack of two pictures.
+for ((i = 0; i < 256; ++i)); do printf '%b' "\\0$((i / 64))$((i / 8 % 8))$((i % 8))"; done >row.raw
+for ((i = 0; i < 16; ++i)); do cat row.raw; done >cube.raw
+cube=(--volume cube.raw --volume-size 16x16x16)
+other -- "${cube[@]}"
+other "${cube[@]}" -- "${cube[@]}" --volume-up z
+other "${cube[@]}" -- "${cube[@]}" --volume-range 100,120
+other "${cube[@]}" -- "${cube[@]}" --volume-density 0.1
+other "${cube[@]}" -- "${cube[@]}" --model unlit
+other "${cube[@]}" -- "${cube[@]}" --volume-spacing 1,2,1
+same "${cube[@]}" -- "${cube[@]}" --volume-header rest
+other "${cube[@]}" -- --volume cube.raw --volume-size 16x16x8 --volume-format u16be
+expect 0 "" --size 32x24 --no-color -o slice-1.png
+expect 0 "" --size 32x24 --no-color --shape box -o slice-2.png
+expect 0 "" "${small[@]}" --volume slice-%d.png --volume-slices 1,2 --volume-spacing 1,1,9 -o stack.png
+expect 2 "cube.raw needs --volume-size" --volume cube.raw
+expect 3 "has 4096 bytes, not 0 of a header and 4352" --volume cube.raw --volume-size 16x17x16
+cp row.raw row.vdb
+expect 3 "OpenVDB" --volume row.vdb  # not an OpenVDB file, or built without
+expect 2 "WIDTHxHEIGHTxDEPTH" --volume-size 16x16
+expect 2 "u8, u16" --volume-format u64
+expect 2 "FIRST,LAST" --volume-slices 2,1
+expect 2 "LOW,HIGH" --volume-range 1,1
+expect 2 "y or z" --volume-up x
+expect 2 "--volume is drawn instead of a model" --volume cube.raw model.obj
+
 shapes=(teapot sphere plane box torus)
 for ((i = 1; i < 5; ++i)); do other --shape teapot -- --shape "${shapes[i]}"; done
 other --shape plane --texture checker -- --shape plane --texture checker --supersampling 3

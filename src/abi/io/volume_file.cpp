@@ -206,6 +206,59 @@ Voxels load_slices(shd_context* context, const std::vector<std::string>& paths, 
   return voxels;
 }
 
+// OpenVDB.
+
+shd_vdb_desc read_vdb_desc(const shd_vdb_desc* in) {
+  shd_vdb_desc desc = shd_vdb_desc_default();
+  read_desc("vdb", in, &desc);
+  require_flags("vdb.flags", desc.flags, SHD_VDB_BOX);
+  if (desc.grid && (!*desc.grid || std::strlen(desc.grid) > 255)) {
+    refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.grid: %s", *desc.grid ? "longer than 255 bytes" : "empty");
+  }
+  constexpr int32_t kMost = 1 << 30;
+  for (int a = 0; a < 3 && (desc.flags & SHD_VDB_BOX); ++a) {
+    const int32_t low = desc.box_min[a], high = desc.box_max[a];
+    if (low < -kMost || low > kMost) {
+      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.box_min[%d]: %d is not in -2^30..2^30", a, low);
+    }
+    if (high < low || high > kMost) {
+      refuse(SHD_ERROR_INVALID_ARGUMENT, "vdb.box_max[%d]: %d is not in box_min..2^30, box_min is %d", a, high, low);
+    }
+  }
+  return desc;
+}
+
+io::GridRequest grid_request(const shd_vdb_desc& desc) {
+  io::GridRequest grid;
+  grid.flags = desc.flags;
+  std::copy(std::begin(desc.box_min), std::end(desc.box_min), grid.box_min);
+  std::copy(std::begin(desc.box_max), std::end(desc.box_max), grid.box_max);
+  if (desc.grid) std::memcpy(grid.name, desc.grid, std::strlen(desc.grid));
+  return grid;
+}
+
+/// The centre of a voxel lies at its place in index space, and the box reaches half a voxel beyond the outer ones.
+shd_vdb_info describe_grid(const io::Bitmap& bitmap) {
+  const io::GridInfo& grid = bitmap.grid;
+  shd_vdb_info info = shd_vdb_info_default();
+  info.grid_class = static_cast<shd_vdb_class>(grid.grid_class);
+  std::copy(std::begin(grid.index_min), std::end(grid.index_min), info.index_min);
+  info.background = grid.background;
+  info.active_voxels = grid.active_voxels;
+  const double side[3] = {double(bitmap.width), double(bitmap.height), double(bitmap.depth)};
+  for (size_t row = 0; row < 4; ++row) {
+    double corner = grid.index_to_world[12 + row];
+    for (size_t column = 0; column < 3; ++column) {
+      const double step = grid.index_to_world[4 * column + row];
+      corner += step * (grid.index_min[column] - 0.5);
+      info.object_to_world[4 * column + row] = static_cast<float>(step * side[column]);
+    }
+    info.object_to_world[12 + row] = static_cast<float>(corner);
+  }
+  std::copy(std::begin(grid.name), std::end(grid.name), info.grid);
+  return info;
+}
+
 }  // namespace
 
 extern "C" {
@@ -234,6 +287,26 @@ shd_result shd_texture_load_stack(shd_context* context, const shd_stack_desc* st
         paths.size() == 1 ? load_pages(context, paths[0], request) : load_slices(context, paths, request);
     check_encoding(request, voxels.format);
     return make_texture(context, voxels, request.desc.tables, out_texture);
+  });
+}
+
+shd_result shd_texture_load_vdb(shd_context* context, const char* path, const shd_vdb_desc* vdb,
+                                const shd_load_desc* load, shd_vdb_info* out_info, shd_texture** out_texture) {
+  return guard([&]() -> shd_result {
+    if (!out_texture) return fail(SHD_ERROR_INVALID_ARGUMENT, "out_texture: NULL");
+    *out_texture = nullptr;
+    if (out_info) require(begin_output("out_info", out_info));
+    require_context(context);
+    const shd_vdb_desc desc = read_vdb_desc(vdb);
+    LoadRequest request = read_volume_load("OpenVDB", load, SHD_LOAD_IN_PROCESS);
+    request.options.parts = io::Parts::kGrid;
+    request.options.grid = grid_request(desc);
+    io::Bitmap bitmap = load_path(context, path, request);
+    const shd_vdb_info info = describe_grid(bitmap);
+    const Voxels voxels = {bitmap.format, bitmap.width, bitmap.height, bitmap.depth, std::move(bitmap.pixels)};
+    const shd_result result = make_texture(context, voxels, request.desc.tables, out_texture);
+    if (result == SHD_OK && out_info) write_desc(info, out_info);
+    return result;
   });
 }
 
