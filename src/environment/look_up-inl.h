@@ -131,8 +131,8 @@ HWY_NOINLINE ColorV<V> Irradiance(D d, const Environment& environment, const Vec
   return color;
 }
 
-/// Elements column and column + 1 of a row of a table, 0 <= column <= kLobeColumns - 2. On AVX-512 a row is two vectors,
-/// and permutations replace gathers: frames in the light of an environment take 0.9 of the time.
+/// Elements column and column + 1 of a row of a table, 0 <= column <= kLobeColumns - 2. On AVX-512 a row is two
+/// vectors, and permutations replace gathers: frames in the light of an environment take 0.9 of the time.
 template <class D, class V, class VI>
 HWY_INLINE void GatherInRow(D d, const float* row, VI column, V* left, V* right) {
 #if HWY_TARGET == HWY_AVX3
