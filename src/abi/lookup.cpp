@@ -67,6 +67,31 @@ const char* filter_name(shd_filter filter) {
 
 namespace {
 
+const char* profile_name(shd_profile profile) {
+  switch (profile) {
+    case SHD_PROFILE_LEAST_ERROR: return "LEAST_ERROR";
+    case SHD_PROFILE_VULKAN: return "VULKAN";
+    case SHD_PROFILE_D3D11: return "D3D11";
+    case SHD_PROFILE_OIIO: return "OIIO";
+    case SHD_PROFILE_EXACT: return "EXACT";
+    case SHD_PROFILE_MAX_ENUM: break;
+  }
+  return "unknown";
+}
+
+const char* projection_name(shd_projection projection) {
+  switch (projection) {
+    case SHD_PROJECTION_NONE: return "NONE";
+    case SHD_PROJECTION_LAT_LONG: return "LAT_LONG";
+    case SHD_PROJECTION_MIRROR_BALL: return "MIRROR_BALL";
+    case SHD_PROJECTION_ANGULAR: return "ANGULAR";
+    case SHD_PROJECTION_CUBE: return "CUBE";
+    case SHD_PROJECTION_OCTAHEDRAL: return "OCTAHEDRAL";
+    case SHD_PROJECTION_MAX_ENUM: break;
+  }
+  return "unknown";
+}
+
 /// Whether a sampler has a meaning for 3D textures.
 shd_result check_slices(const texture::Sampler& sampler) {
   switch (sampler.filter) {
@@ -85,12 +110,25 @@ shd_result check_slices(const texture::Sampler& sampler) {
   }
   if (sampler.profile != SHD_PROFILE_LEAST_ERROR && sampler.profile != SHD_PROFILE_EXACT) {
     return core::fail(SHD_ERROR_UNSUPPORTED,
-                      "sampler.profile: %d, but the texture is 3D, which needs LEAST_ERROR or EXACT",
-                      static_cast<int>(sampler.profile));
+                      "sampler.profile: %s, but the texture is 3D, which needs LEAST_ERROR or EXACT",
+                      profile_name(sampler.profile));
   }
   if (sampler.blur_u != 0.0f || sampler.blur_v != 0.0f) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.blur_%c: not 0, but the texture is 3D",
                       sampler.blur_u != 0.0f ? 'u' : 'v');
+  }
+  return SHD_OK;
+}
+
+/// Whether a sampler has a meaning for textures of directions.
+shd_result check_directions(const texture::Sampler& sampler, shd_projection projection) {
+  if (!texture::filters_directions(sampler.filter)) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %s, but the texture has projection %s",
+                      filter_name(sampler.filter), projection_name(projection));
+  }
+  if (sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
+    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture has projection %s",
+                      projection_name(projection));
   }
   return SHD_OK;
 }
@@ -105,14 +143,7 @@ shd_result check_flat(const char* field, const texture::Texture& texture) {
 
 shd_result check_tables(const texture::Texture& texture, const texture::Sampler& sampler) {
   if (texture.depth != 0) return check_slices(sampler);
-  if (texture.projection != SHD_PROJECTION_NONE && !texture::filters_directions(sampler.filter)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.filter: %d, but the texture has projection %d",
-                      static_cast<int>(sampler.filter), static_cast<int>(texture.projection));
-  }
-  if (texture.projection != SHD_PROJECTION_NONE && sampler.magnification == SHD_MAGNIFICATION_BICUBIC) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC, but the texture has projection %d",
-                      static_cast<int>(texture.projection));
-  }
+  if (texture.projection != SHD_PROJECTION_NONE) return check_directions(sampler, texture.projection);
   if (sampler.filter == SHD_FILTER_RIPMAP && !(texture.tables & SHD_TABLE_RIPMAP)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "sampler.filter: RIPMAP, but the texture has no SHD_TABLE_RIPMAP");
   }
@@ -161,12 +192,12 @@ shd_result check_gradient(const LookupBatch& batch, const texture::Texture& text
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.dw: set, but the texture is not 3D");
   }
   if (texture.projection != SHD_PROJECTION_NONE) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: set, but the texture has projection %d",
-                      static_cast<int>(texture.projection));
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: set, but the texture has projection %s",
+                      projection_name(texture.projection));
   }
   if (!texture::has_gradient(sampler.filter)) {
-    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %d of the sampler has no derivatives",
-                      static_cast<int>(sampler.filter));
+    return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: filter %s of the sampler has no derivatives",
+                      filter_name(sampler.filter));
   }
   if (sampler.magnification == SHD_MAGNIFICATION_NEAREST) {
     return core::fail(SHD_ERROR_UNSUPPORTED, "texels.du: NEAREST magnification has no derivatives");

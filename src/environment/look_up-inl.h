@@ -131,6 +131,23 @@ HWY_NOINLINE ColorV<V> Irradiance(D d, const Environment& environment, const Vec
   return color;
 }
 
+/// Elements column and column + 1 of a row of a table, 0 <= column <= kLobeColumns - 2. On AVX-512 a row is two
+/// vectors, and permutations replace gathers: frames in the light of an environment take 0.9 of the time.
+template <class D, class V, class VI>
+HWY_INLINE void GatherInRow(D d, const float* row, VI column, V* left, V* right) {
+#if HWY_TARGET == HWY_AVX3
+  static_assert(kLobeColumns == 32, "two vectors");
+  if constexpr (hn::MaxLanes(D()) == 16) {
+    const V low = hn::LoadU(d, row), high = hn::LoadU(d, row + 16);
+    const VI next = column + hn::Set(hn::RebindToSigned<D>(), 1);
+    left->raw = _mm512_permutex2var_ps(low.raw, column.raw, high.raw);
+    right->raw = _mm512_permutex2var_ps(low.raw, next.raw, high.raw);
+    return;
+  }
+#endif
+  GatherPairs(d, row, column, left, right);
+}
+
 /// Place in the lobe table: a row for PrecisionLog2() and a column for n.v.
 template <class D>
 struct TablePoint {
@@ -138,37 +155,48 @@ struct TablePoint {
   using VI = hn::Vec<hn::RebindToSigned<D>>;
   VI index, column;
   V down, right;
+  size_t row;     // of the first lane
+  bool only_row;  // of all lanes: most vectors have one roughness
 
   HWY_INLINE TablePoint(D d, V t, V n_dot_v) {
     const hn::RebindToSigned<D> di;
     const V zero = hn::Zero(d);
-    const V row = Clamped(d, t, kLobeRows - 1);
+    const V place = Clamped(d, t, kLobeRows - 1);
     const V cosine = hn::IfThenElseZero(hn::Gt(n_dot_v, zero), hn::Min(n_dot_v, hn::Set(d, 1.0f)));
     const V across = hn::Sqrt(cosine) * hn::Set(d, static_cast<float>(kLobeColumns - 1));
-    const VI first = hn::Min(hn::ConvertTo(di, row), hn::Set(di, kLobeRows - 2));
+    const VI first = hn::Min(hn::ConvertTo(di, place), hn::Set(di, kLobeRows - 2));
     column = hn::Min(hn::ConvertTo(di, across), hn::Set(di, kLobeColumns - 2));
-    down = row - hn::ConvertTo(d, first);
+    down = place - hn::ConvertTo(d, first);
     right = across - hn::ConvertTo(d, column);
     index = hn::ShiftLeft<5>(first) + column;
+    row = static_cast<size_t>(hn::GetLane(first));
+    only_row = hn::AllTrue(di, hn::Eq(first, hn::Set(di, hn::GetLane(first))));
   }
 
   HWY_INLINE V LookUp(D d, const float* table) const {
     static_assert(kLobeColumns == 32, "the shift of the index");
     V a, b, c, e;
-    GatherPairs(d, table, index, &a, &b);
-    GatherPairs(d, table + kLobeColumns, index, &c, &e);
+    if (kHasWideRows && only_row) {
+      GatherInRow(d, table + row * kLobeColumns, column, &a, &b);
+      GatherInRow(d, table + (row + 1) * kLobeColumns, column, &c, &e);
+    } else {
+      GatherPairs(d, table, index, &a, &b);
+      GatherPairs(d, table + kLobeColumns, index, &c, &e);
+    }
     const V above = a + right * (b - a), below = c + right * (e - c);
     return above + down * (below - above);
   }
 
   /// A table of one row.
-  HWY_INLINE V LookUpRow(D d, const float* row) const {
+  HWY_INLINE V LookUpRow(D d, const float* table) const {
     V a, b;
-    GatherPairs(d, row, column, &a, &b);
+    GatherInRow(d, table, column, &a, &b);
     return a + right * (b - a);
   }
 
  private:
+  static constexpr bool kHasWideRows = HWY_TARGET == HWY_AVX3 && hn::MaxLanes(D()) == 16;
+
   static HWY_INLINE V Clamped(D d, V x, uint32_t last) {
     return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), hn::Min(x, hn::Set(d, static_cast<float>(last))));
   }

@@ -34,7 +34,7 @@ template <class D, class V>
 HWY_INLINE void BlinnPhongSurroundings(D d, const Surroundings<D>& from, V p, environment::LobeSum kind, float factor,
                                        V (&lobe)[2][3]) {
   const V one = hn::Set(d, 1.0f), precision = p + one;
-  const V sum = from.Place(precision).LookUp(d, environment::lobe_table().sum[kind][0]);
+  const V sum = from.Place(precision).LookUp(d, from.lobes->sum[kind][0]);
   from.Irradiance(lobe[0]);
   from.Radiance(from.map.phong, from.r, hn::Set(d, 0.25f) * p + one, sum * (hn::Set(d, factor) / precision), lobe[1]);
 }

@@ -79,7 +79,7 @@ struct ClearCoat : MetallicRoughness {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material& m, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[4][3]) {
-      const environment::LobeTable& table = environment::lobe_table();
+      const environment::LobeTable& table = *from.lobes;
       const V one = hn::Set(d, 1.0f), twice = from.n_dot_v + from.n_dot_v;
       const Vec3V<V> n = from.Rotated(Shape::Normal(shape));
       const Vec3V<V> v = {twice * from.n.x - from.r.x, twice * from.n.y - from.r.y, twice * from.n.z - from.r.z};
@@ -88,9 +88,7 @@ struct ClearCoat : MetallicRoughness {
       MetallicRoughness::Lighting::AddEnvironment(d, m, from, shape, base);
       for (uint32_t k = 0; k < 9; ++k) lobe[k / 3][k % 3] = base[k / 3][k % 3] * rest;
       const V precision = one / shape[Shape::kCoatAlphaSquared], double_cosine = n_dot_v + n_dot_v;
-      Surroundings<D> coat = from;
-      coat.n_dot_v = n_dot_v;
-      const auto place = coat.Place(precision);
+      const auto place = from.Place(precision, n_dot_v);
       const V sum = place.LookUp(d, table.sum[environment::kSumGgxF0][0]) +
                     place.LookUp(d, table.sum[environment::kSumGgxF90][0]);
       const Vec3V<V> r = {double_cosine * n.x - v.x, double_cosine * n.y - v.y, double_cosine * n.z - v.z};

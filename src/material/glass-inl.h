@@ -46,7 +46,7 @@ struct Glass : ModelBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material& m, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
-      const environment::LobeTable& table = environment::lobe_table();
+      const environment::LobeTable& table = *from.lobes;
       const V one = hn::Set(d, 1.0f), precision = one / shape[Shape::kAlphaSquared];
       const auto place = from.Place(precision);
       const V reflected = hn::Set(d, m.dielectric_f0) * place.LookUp(d, table.sum[environment::kSumGgxF0][0]) +

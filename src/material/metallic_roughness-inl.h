@@ -107,7 +107,7 @@ struct MetallicRoughness : ModelBase {
     template <class D, class V>
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[3][3]) {
-      const environment::LobeTable& table = environment::lobe_table();
+      const environment::LobeTable& table = *from.lobes;
       const V precision = hn::Set(d, 1.0f) / shape[Shape::kAlphaSquared];
       const auto place = from.Place(precision);
       const V f0 = place.LookUp(d, table.sum[environment::kSumGgxF0][0]);

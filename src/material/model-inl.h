@@ -41,10 +41,23 @@ template <class D>
 struct Surroundings {
   using V = hn::Vec<D>;
   const environment::Environment& map;
+  const environment::LobeTable* lobes;  // null for models without kEnvironmentTables
   D d;
+  const float* world_to_map;  // column-major rotation
   Vec3V<V> n, r;
   V n_dot_v;
-  const float* world_to_map;  // column-major rotation
+
+  /// Takes n and r in world space. gcc 12 clears aggregates of vectors before it initialises them, which costs 2 % of
+  /// a frame.
+  HWY_INLINE Surroundings(D tag, const environment::Environment& environment, const environment::LobeTable* table,
+                          const float* rotation, const Vec3V<V>& normal, const Vec3V<V>& reflected, V cosine)
+      : map(environment),
+        lobes(table),
+        d(tag),
+        world_to_map(rotation),
+        n(Rotated(normal)),
+        r(Rotated(reflected)),
+        n_dot_v(cosine) {}
 
   HWY_INLINE Vec3V<V> Rotated(const Vec3V<V>& v) const {
     const float* m = world_to_map;
@@ -69,9 +82,10 @@ struct Surroundings {
     for (int c = 0; c < 3; ++c) lobe[c] = color.channel[c] * factor;
   }
 
-  /// Place in the lobe table.
-  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision) const {
-    return {d, environment::HWY_NAMESPACE::PrecisionLog2(d, precision), n_dot_v};
+  /// Place in the lobe table, of the point's n.v or of another cosine.
+  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision) const { return Place(precision, n_dot_v); }
+  HWY_INLINE environment::HWY_NAMESPACE::TablePoint<D> Place(V precision, V cosine) const {
+    return {d, environment::HWY_NAMESPACE::PrecisionLog2(d, precision), cosine};
   }
 };
 

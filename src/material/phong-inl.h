@@ -48,7 +48,7 @@ struct Phong : SpecularBase {
     static HWY_INLINE void AddEnvironment(D d, const Material&, const Surroundings<D>& from, const V* shape,
                                           V (&lobe)[2][3]) {
       const V precision = shape[Shape::kExponent] + hn::Set(d, 1.0f);
-      const V part = from.Place(precision).LookUp(d, environment::lobe_table().sum[environment::kSumPhong][0]);
+      const V part = from.Place(precision).LookUp(d, from.lobes->sum[environment::kSumPhong][0]);
       from.Irradiance(lobe[0]);
       from.Radiance(from.map.phong, from.r, precision, part * (hn::Set(d, 6.28318531f) / precision), lobe[1]);
     }

@@ -37,6 +37,7 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
   namespace mat = material::HWY_NAMESPACE;
   const Tag d;
   const Vec zero = hn::Zero(d), intensity = hn::Set(d, environment.intensity);
+  const environment::LobeTable* const lobes = Lighting::kEnvironmentTables ? &environment::lobe_table() : nullptr;
   Vec constant[material::kMaxShapeColumns];
   const mat::SlotsAt<Tag> unset = {material::unset_parameters(), d, 0};
   Lighting::Shape::Derive(d, material, unset, zero, constant);
@@ -60,9 +61,7 @@ void SurroundPoints(const material::Material& material, const LobeShape& shape, 
       Lighting::Shape::Widen(d, hn::Set(d, 0.5f) * (Dot(a, a) + Dot(b, b)), values);
     }
     if (widening) Lighting::Shape::Widen(d, hn::Load(d, widening + i), values);
-    mat::Surroundings<Tag> from = {*environment.map, d, n, r, n_dot_v, environment.world_to_map};
-    from.n = from.Rotated(n);
-    from.r = from.Rotated(r);
+    const mat::Surroundings<Tag> from(d, *environment.map, lobes, environment.world_to_map, n, r, n_dot_v);
     Lighting::AddEnvironment(d, material, from, values, lobe);
     Lighting::Normalize(d, values, lobe);
     const Vec scale = parameters ? intensity * Kept(material, *parameters, i) : intensity;

@@ -65,12 +65,18 @@ void test_refused_calls(void **)
     shd_lookups in = at.lookups();
     shd_texels out = shd_texels_default();
     out.channel[0] = shd_f32_out_column(value, 0);
-    const shd_filter filters[] = {SHD_FILTER_BICUBIC, SHD_FILTER_RIPMAP, SHD_FILTER_SUMMED_AREA, SHD_FILTER_STOCHASTIC,
-                                  SHD_FILTER_EXACT};
-    for (shd_filter filter : filters) {
-        shd_sampler *sampler = make_sampler(g_context, filter);
-        shd_assert_result("filter", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,
-                          "sampler.filter");
+    const struct {
+        shd_filter filter;
+        const char *message;
+    } filters[] = {{SHD_FILTER_BICUBIC, "sampler.filter: BICUBIC, but the texture has projection OCTAHEDRAL"},
+                   {SHD_FILTER_RIPMAP, "sampler.filter: RIPMAP, but"},
+                   {SHD_FILTER_SUMMED_AREA, "sampler.filter: SUMMED_AREA, but"},
+                   {SHD_FILTER_STOCHASTIC, "sampler.filter: STOCHASTIC, but"},
+                   {SHD_FILTER_EXACT, "sampler.filter: EXACT, but"}};
+    for (const auto &row : filters) {
+        shd_sampler *sampler = make_sampler(g_context, row.filter);
+        shd_assert_result(row.message, shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_UNSUPPORTED,
+                          row.message);
         shd_sampler_release(sampler);
     }
     shd_sampler_desc desc = shd_sampler_desc_default();
@@ -88,6 +94,13 @@ void test_refused_calls(void **)
     shd_assert_result("w", shd_texture_sample(texture, sampler, &in, &out), SHD_ERROR_INVALID_ARGUMENT,
                       "lookups.w.data: NULL, but the texture is one of directions");
     shd_sampler_release(sampler);
+    shd_slot slot = shd_slot_texture(SHD_SLOT_DIFFUSE, texture, nullptr);
+    shd_material_desc material_desc = shd_material_desc_default();
+    shd_material *material = nullptr;
+    material_desc.slots = &slot;
+    material_desc.slot_count = 1;
+    shd_assert_result("slot", shd_material_create(g_context, &material_desc, &material), SHD_ERROR_UNSUPPORTED,
+                      "material.slots[0].texture: a texture of directions, not a 2D one");
     shd_texture_release(texture);
 }
 

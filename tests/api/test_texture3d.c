@@ -142,7 +142,7 @@ static const struct sampler_case k_samplers[] = {
     {"sample/stochastic", sampler_stochastic, SHD_ERROR_UNSUPPORTED, "sampler.filter: STOCHASTIC, but"},
     {"sample/exact", sampler_exact, SHD_ERROR_UNSUPPORTED, "sampler.filter: EXACT, but the texture is 3D"},
     {"sample/bicubic_magnification", sampler_magnified, SHD_ERROR_UNSUPPORTED, "sampler.magnification: BICUBIC"},
-    {"sample/vulkan", sampler_vulkan, SHD_ERROR_UNSUPPORTED, "sampler.profile: 1, but the texture is 3D"},
+    {"sample/vulkan", sampler_vulkan, SHD_ERROR_UNSUPPORTED, "sampler.profile: VULKAN, but the texture is 3D"},
     {"sample/blur", sampler_blur, SHD_ERROR_UNSUPPORTED, "sampler.blur_v: not 0, but the texture is 3D"},
 };
 

@@ -45,7 +45,8 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
   HWY_INLINE void emit(D d, const PlaceProbeBlock& block, size_t i, Sink& sink) const {
     using V = hn::Vec<D>;
     const ProbeLine<D> line(d, sampler, block, i);
-    const SlicesPair<D> levels(d, texture, hn::Load(d, block.lod + i));
+    const LevelNumbers<D> levels(d, texture, hn::Load(d, block.lod + i));
+    const Slices<D> high = SlicesAt(d, texture, levels.high), low = SlicesAt(d, texture, levels.low);
     const V middle = hn::Load(d, block.w + i), step = hn::Load(d, block.step_w + i);
     const V step_w = sampler.wrap_w == SHD_WRAP_MIRROR ? step * hn::Set(d, 0.5f) : step;
     const V reach = hn::Load(d, block.reach + i);
@@ -59,8 +60,8 @@ struct AnisotropicInSlices : OnSlices<PlaceProbeBlock> {
       const V full =
           sampler.probe_weights == SHD_PROBE_WEIGHTS_EQUAL ? hn::Set(d, 1.0f) : ProbeGaussian(d, position / reach);
       const V weight = hn::IfThenElseZero(hn::Lt(hn::Set(d, k), line.probes), full);
-      emit_probe(d, Cube<D>(d, sampler, levels.high, u, v, w), k, 0, total, weight, sink);
-      if (levels.blended) emit_probe(d, Cube<D>(d, sampler, levels.low, u, v, w), k, kSecond, total, weight, sink);
+      emit_probe(d, Cube<D>(d, sampler, high, u, v, w), k, 0, total, weight, sink);
+      if (levels.blended) emit_probe(d, Cube<D>(d, sampler, low, u, v, w), k, kSecond, total, weight, sink);
       total = total + weight;
     }
     if (levels.blended) sink.merge(d, levels.fraction);
