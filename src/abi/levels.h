@@ -17,9 +17,9 @@ inline shd_result check_level(const char* name, const shd_image* levels, size_t 
   shd_image image;
   const shd_image* given = texture::element_of(levels, i);
   SHD_TRY(read_image(element, given, &image));
-  if (texture::struct_size_of(given) != texture::struct_size_of(levels)) {
+  if (core::struct_size_of(given) != core::struct_size_of(levels)) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s[0]", element,
-                      texture::struct_size_of(given), texture::struct_size_of(levels), name);
+                      core::struct_size_of(given), core::struct_size_of(levels), name);
   }
   if (image.format != format) {
     return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.format: %d is not the base's %d", element,

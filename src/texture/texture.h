@@ -78,7 +78,7 @@
 /// | direction/direction.h, project.cpp           | points and derivatives of blocks of directions             |
 /// | direction/fold-inl.h, sink-inl.h             | texels beyond edges; the sink that folds quads             |
 /// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
-/// | direction/convert.cpp, layout.cpp            | images of one projection from another; faces in images     |
+/// | direction/convert, layout, floats (.cpp)     | conversions of images; faces in images; images as floats   |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
 #pragma once
 
