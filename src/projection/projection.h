@@ -86,8 +86,8 @@ struct TexelRow {
 void find_texels(shd_projection projection, const core::SimdTarget& simd, const TexelRow& row,
                  const PointDirections& out);
 
-/// Upper bounds of the lengths of lines along u and along v through a texel, on the unit sphere [rad]. At most 1.7 times
-/// the longest line, except in images of less than 8 rows and near the rim of MIRROR_BALL.
+/// Upper bounds of the lengths of lines along u and along v through a texel, on the unit sphere [rad]. At most 1.7
+/// times the longest line, except in images of less than 8 rows and near the rim of MIRROR_BALL.
 struct TexelExtent {
   double along_u, along_v;
 };

@@ -95,7 +95,7 @@ TexelExtent on_disc(shd_projection projection, const Distance& p, const Distance
   double radial = data::kPi, tangential = data::kPi;
   if (projection == SHD_PROJECTION_MIRROR_BALL) {
     tangential = 2.0 * std::sqrt(1.0 - inner * inner);
-    if (farthest >= 1.0) {  // the speed at the rim is infinite
+    if (farthest >= 1.0) {                                                // the speed at the rim is infinite
       const double turns = p.least == 0.0 || q.least == 0.0 ? 2.0 : 1.0;  // lines towards the centre and back
       const double length = turns * (beyond_rim(farthest) - beyond_rim(nearest)) + side * tangential;
       return {length, length};

@@ -21,7 +21,7 @@ constexpr size_t kFloatPadding = SHD_TEXTURE_PADDING / sizeof(float);
 /// RGBA floats of all directions, [face][height][width][4], and kFloatPadding floats of any value.
 struct DirectionFloats {
   shd_projection projection;
-  uint32_t width, height;  // of a face
+  uint32_t width, height;  // size of a face
   core::Array<float> texels;
 };
 

@@ -342,7 +342,8 @@ void test_texel_rows(void**) {
 }
 
 /// Length of a line through a texel, as the sum of short chords. Points outside a disc are those where it continues.
-double line_length(shd_projection projection, uint32_t width, uint32_t height, double x, double y, double dx, double dy) {
+double line_length(shd_projection projection, uint32_t width, uint32_t height, double x, double y, double dx,
+                   double dy) {
   constexpr int kSteps = 200;
   double sum = 0.0, last[3] = {};
   for (int i = 0; i <= kSteps; ++i) {
