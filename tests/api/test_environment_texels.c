@@ -119,7 +119,8 @@ static void test_bright(void **state)
     long double sun[3];
     assert_true(ref_unproject(row->projection, u, v, 0, sun));
     set_texel(&image, row->x, row->y, 1e9f);
-    environment = create(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS);
+    environment =
+        create_with(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS, SHD_ENVIRONMENT_TABLE_RADIANCE);
     want = 4.0 * (double)REF_PI * ((double)mean_of(environment) - 1.0);
     for (int c = 0; c < 3; ++c) {
         n[c] = (float *)malloc(SIDE * SIDE * sizeof(float)), out[c] = (float *)malloc(SIDE * SIDE * sizeof(float));
@@ -198,7 +199,8 @@ static void test_solid_angle(void **state)
     const double want = solid_angle_of(row->projection, row->size, row->x, row->y);
     shd_environment *environment;
     set_texel(&image, row->x, row->y, 1000.0f);
-    environment = create(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS);
+    environment =
+        create_with(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS, SHD_ENVIRONMENT_TABLE_RADIANCE);
     shd_assert_close(row->name, 0, 4.0 * (double)REF_PI * (double)mean_of(environment) / 1000.0, want, 0.0, 2e-3);
     shd_environment_release(environment);
     free(image.pixels);
@@ -260,7 +262,8 @@ static void test_edge(void **state)
         const double z = 1.0 - 2.0 * ((double)i + 0.5) / COUNT, a = (double)i * 2.399963, r = sqrt(1.0 - z * z);
         n[0][i] = (float)(r * cos(a)), n[1][i] = (float)z, n[2][i] = (float)(r * sin(a));
     }
-    environment = create(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS);
+    environment =
+        create_with(g_context, row->projection, &image, SHD_IRRADIANCE_HARMONICS, SHD_ENVIRONMENT_TABLE_RADIANCE);
     lookups.count = COUNT;
     for (int c = 0; c < 3; ++c) lookups.direction[c] = shd_f32_column(n[c], 0);
     columns.rgb[0] = shd_f32_out_column(out, 0);

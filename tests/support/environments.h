@@ -17,16 +17,22 @@ static shd_context *g_context;
 static float g_direction[3][DIRECTIONS];
 static float g_out[3][DIRECTIONS + 1];
 
-static inline shd_environment *create(shd_context *context, shd_projection projection, const shd_image *image,
-                                      shd_irradiance irradiance)
+static inline shd_environment *create_with(shd_context *context, shd_projection projection, const shd_image *image,
+                                           shd_irradiance irradiance, shd_environment_tables tables)
 {
     shd_environment_desc desc = shd_environment_desc_default();
     shd_environment *environment = NULL;
     desc.projection = projection;
     desc.image = image;
     desc.irradiance = irradiance;
+    desc.tables = tables;
     shd_assert_ok(shd_environment_create(context, &desc, &environment));
     return environment;
+}
+static inline shd_environment *create(shd_context *context, shd_projection projection, const shd_image *image,
+                                      shd_irradiance irradiance)
+{
+    return create_with(context, projection, image, irradiance, SHD_ENVIRONMENT_TABLE_ALL);
 }
 
 static inline shd_environment_lookups lookups_of(size_t count)
