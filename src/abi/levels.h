@@ -13,7 +13,7 @@ namespace shd::abi {
 /// the element is read, because elements lie struct_size bytes apart.
 inline shd_result check_same_size(const char* element, const shd_image* given, const char* first_name,
                                   const shd_image* first) {
-  const uint32_t own = texture::struct_size_of(given), want = texture::struct_size_of(first);
+  const uint32_t own = core::struct_size_of(given), want = core::struct_size_of(first);
   if (own == want) return SHD_OK;
   return core::fail(SHD_ERROR_INVALID_ARGUMENT, "%s.struct_size: %u is not the %u of %s", element, own, want,
                     first_name);

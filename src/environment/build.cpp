@@ -8,6 +8,7 @@
 #include "environment/convolve.h"
 #include "environment/environment.h"
 #include "environment/lobe_table.h"
+#include "environment/radiance.h"
 #include "environment/source.h"
 #include "projection/projection.h"
 
@@ -23,18 +24,8 @@ uint32_t log2_of(uint32_t size) {
 
 /// Size of a map with at least as many texels as the image: a power of two.
 uint32_t base_size(const Source& source) {
-  const uint64_t texels = uint64_t{source.width} * source.height;
   uint32_t size = kMinBase;
-  while (size < kMaxBase && uint64_t{size} * size < texels) size *= 2;
-  return size;
-}
-
-/// Size of a map whose texels are at least as large as those of the image, so that lobes are wider than the distances
-/// of its lights.
-uint32_t cell_size(const Source& source) {
-  const uint64_t texels = uint64_t{source.width} * source.height;
-  uint32_t size = kMinBase;
-  while (size < kRootCells << (kMaxCellLevels - 1) && 2 * uint64_t{size} * size < texels) size *= 2;
+  while (size < kMaxBase && uint64_t{size} * size < source.texels()) size *= 2;
   return size;
 }
 
@@ -49,117 +40,27 @@ void build_harmonics(const Source& source, Environment* out) {
   }
 }
 
-/// Mean of the bilinear lookups of points of the source, weighted by the texels that show directions.
-struct Mean {
-  float sum[4];
-
-  void add(const Source& source, uint32_t face, float u, float v) {
-    const uint32_t height = source.height / projection::face_count(source.projection);
-    const float x = u * static_cast<float>(source.width) - 0.5f, y = v * static_cast<float>(height) - 0.5f;
-    const float left = std::floor(x), top = std::floor(y);
-    const auto i = static_cast<int32_t>(left), j = static_cast<int32_t>(top);
-    for (int32_t k = 0; k < 4; ++k) {
-      const float wx = k % 2 ? x - left : 1.0f - (x - left), wy = k / 2 ? y - top : 1.0f - (y - top);
-      const int32_t row = std::clamp(j + k / 2, 0, static_cast<int32_t>(height) - 1);
-      const float* texel =
-          source.texels.data() +
-          4 * ((size_t{face} * height + static_cast<size_t>(row)) * source.width + column(source, i + k % 2));
-      const float weight = wx * wy * texel[3];
-      for (int c = 0; c < 3; ++c) sum[c] += weight * texel[c];
-      sum[3] += weight;
-    }
-  }
-
- private:
-  /// LAT_LONG repeats, the other projections end at their edge.
-  static size_t column(const Source& source, int32_t i) {
-    const auto width = static_cast<int32_t>(source.width);
-    if (source.projection == SHD_PROJECTION_LAT_LONG) return static_cast<size_t>(i < 0 ? i + width : i % width);
-    return static_cast<size_t>(std::clamp(i, 0, width - 1));
-  }
-};
-
-/// Fills one row of the base map with means of `parts` x `parts` lookups a texel.
-void resample_row(const core::SimdTarget& simd, const Source& source, uint32_t parts, const Level& base, uint32_t row,
-                  float* texels) {
-  constexpr uint32_t kPart = 256;
-  float direction[3][kPart], u[kPart], v[kPart];
-  uint32_t face[kPart];
-  const uint32_t lookups = parts * parts, group = kPart / lookups;
-  const float step = 1.0f / static_cast<float>(parts);
-  for (uint32_t x = 0; x < base.size; x += group) {
-    const uint32_t count = std::min(group, base.size - x);
-    for (uint32_t i = 0; i < count * lookups; ++i) {
-      const uint32_t part = i % lookups;
-      const MapDirection n = map_direction(
-          base.size, static_cast<float>(x + i / lookups) + (static_cast<float>(part % parts) + 0.5f) * step,
-          static_cast<float>(row) + (static_cast<float>(part / parts) + 0.5f) * step);
-      direction[0][i] = n.x, direction[1][i] = n.y, direction[2][i] = n.z;
-    }
-    projection::project(source.projection, simd, {count * lookups, {direction[0], direction[1], direction[2]}, {}},
-                        {u, v, face, {}, {}});
-    for (uint32_t i = 0; i < count; ++i) {
-      Mean mean = {};
-      for (uint32_t k = i * lookups; k < (i + 1) * lookups; ++k) mean.add(source, face[k], u[k], v[k]);
-      float* texel = texels + 4 * texel_index(base, static_cast<int32_t>(x + i), static_cast<int32_t>(row));
-      for (int c = 0; c < 3; ++c) texel[c] = mean.sum[3] > 0.0f ? mean.sum[c] / mean.sum[3] : 0.0f;
-      texel[3] = 0.0f;
-    }
-  }
-}
-
-/// Scales the base map, so that its integral is the integral of the source.
-void keep_energy(const Source& source, const Level& base, float* texels) {
-  double sum[3] = {};
-  const double area = 4.0 / (static_cast<double>(base.size) * base.size);
-  for (uint32_t y = 0; y < base.size; ++y) {
-    float row[3] = {};
-    for (uint32_t x = 0; x < base.size; ++x) {
-      const float norm = map_direction(base.size, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f).norm;
-      const float* texel = texels + 4 * texel_index(base, static_cast<int32_t>(x), static_cast<int32_t>(y));
-      for (int c = 0; c < 3; ++c) row[c] += norm * norm * norm * texel[c];
-    }
-    for (int c = 0; c < 3; ++c) sum[c] += area * static_cast<double>(row[c]);
-  }
-  float factor[3];
-  for (int c = 0; c < 3; ++c) {
-    const double ratio = sum[c] > 0.0 ? source.moments[c][0] / sum[c] : 1.0;
-    factor[c] = static_cast<float>(std::clamp(ratio, 0.5, 2.0));
-  }
-  for (uint32_t y = 0; y < base.size; ++y) {
-    float* texel = texels + 4 * texel_index(base, 0, static_cast<int32_t>(y));
-    for (uint32_t x = 0; x < base.size; ++x, texel += 4) {
-      for (int c = 0; c < 3; ++c) texel[c] *= factor[c];
-    }
-  }
-}
-
-/// Fills the levels of the radiance.
-void build_radiance(const core::Context& context, const Source& source, const Chain& chain, float* texels) {
-  const Level& base = chain.level[chain.count - 1];
-  const double density = std::sqrt(static_cast<double>(source.width) * source.height) / base.size;
-  const auto parts = static_cast<uint32_t>(std::clamp(std::ceil(2.0 * density), 2.0, 8.0));
-  core::parallel_for(context, base.size,
-                     [&](uint32_t row, uint32_t) { resample_row(context.simd, source, parts, base, row, texels); });
-  keep_energy(source, base, texels);
-  fill_border(base, texels);
-  for (uint32_t l = chain.count - 1; l > 0; --l) halve(context, chain.level[l], chain.level[l - 1], texels);
-}
-
 /// The light of the texels in a quadtree.
 CellTree build_cells(const core::Context& context, const Source& source) {
   double light = 0.0;
   for (const auto& channel : source.moments) light += channel[0];
   const auto floor = static_cast<float>(light > 0.0 ? 1e-3 * light : 1.0);
   CellTree tree = make_cells(context.allocator, cell_size(source), floor);
-  RowDirections row(context.allocator, source.width);
+  RowDirections row(context.allocator, source);
+  core::Array<float> points(context.allocator, 2 * row.width);
+  float *const u = points.data(), *const v = u + row.width;
   const auto scale = static_cast<float>(source.scale);
-  for (uint32_t y = 0; y < source.height; ++y) {
-    find_directions(context.simd, source, y, &row);
-    const float* texel = source.texels.data() + 4 * size_t{y} * source.width;
-    for (uint32_t x = 0; x < source.width; ++x, texel += 4) {
-      const float direction[3] = {row.x[x], row.y[x], row.z[x]};
-      if (row.solid_angle[x] > 0.0f) add_light(&tree, direction, texel, row.solid_angle[x] * scale);
+  for (uint32_t y = 0; y < source.image.height * source.faces(); ++y) {
+    for (uint32_t part = 0; part < source.down; ++part) {
+      find_directions(context.simd, source, y * source.down + part, &row);
+      projection::project(SHD_PROJECTION_OCTAHEDRAL, context.simd, {row.width, {row.x, row.y, row.z}, {}},
+                          {u, v, nullptr, {}, {}});
+      const float* texel = source.row(y);
+      for (size_t x = 0; x < row.width; ++x) {
+        const float direction[3] = {row.x[x], row.y[x], row.z[x]};
+        if (row.solid_angle[x] > 0.0f) add_light(&tree, u[x], v[x], direction, texel, row.solid_angle[x] * scale);
+        if ((x + 1) % source.across == 0) texel += 4;
+      }
     }
   }
   finish_cells(&tree);

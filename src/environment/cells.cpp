@@ -52,12 +52,10 @@ CellTree make_cells(const core::Allocator& allocator, uint32_t side, float floor
   return tree;
 }
 
-void add_light(CellTree* tree, const float direction[3], const float radiance[3], float solid_angle) {
+void add_light(CellTree* tree, float u, float v, const float direction[3], const float radiance[3], float solid_angle) {
   const uint32_t level = tree->levels - 1, side = tree->side(level);
-  const OctahedralPoint at = octahedral_point(direction[0], direction[1], direction[2]);
-  const float half = 0.5f * static_cast<float>(side);
-  const auto i = std::min(static_cast<uint32_t>((at.p + 1.0f) * half), side - 1);
-  const auto j = std::min(static_cast<uint32_t>((1.0f - at.q) * half), side - 1);
+  const auto i = std::min(static_cast<uint32_t>(u * static_cast<float>(side)), side - 1);
+  const auto j = std::min(static_cast<uint32_t>(v * static_cast<float>(side)), side - 1);
   const Cell light = {direction[0],
                       direction[1],
                       direction[2],

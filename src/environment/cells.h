@@ -31,8 +31,8 @@ struct CellTree {
 /// An empty tree whose finest level has `side` cells a side, a power of two of 4..512. Throws std::bad_alloc.
 CellTree make_cells(const core::Allocator& allocator, uint32_t side, float floor);
 
-/// Adds light from a unit direction to the finest level.
-void add_light(CellTree* tree, const float direction[3], const float radiance[3], float solid_angle);
+/// Adds light from a unit direction, whose point in the projection OCTAHEDRAL is (u, v), to the finest level.
+void add_light(CellTree* tree, float u, float v, const float direction[3], const float radiance[3], float solid_angle);
 
 /// Completes the finest level, and computes the other levels from it.
 void finish_cells(CellTree* tree);

@@ -11,7 +11,7 @@
 /// | file           | contents                                                                      |
 /// |----------------|-------------------------------------------------------------------------------|
 /// | source.h       | kernel: texels as floats, and their integrals with spherical harmonics        |
-/// | map.h          | square maps of directions, and chains of maps for lobes of all widths         |
+/// | map, radiance.h | square maps of directions, and chains of maps for all lobes; maps of an image |
 /// | cells.h        | quadtree of the light of an image                                             |
 /// | convolve.h     | kernel: maps of the mean radiance over a lobe                                 |
 /// | lobe_table.h   | reflection of uniform light by the lobes of the models                        |

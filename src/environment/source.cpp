@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "core/executor.h"
 #include "data/trig.h"
 #include "image/format.h"
-#include "image/half.h"
-#include "image/srgb.h"
 #include "projection/projection.h"
+#include "texture/sample.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "environment/source.cpp"
@@ -70,22 +68,8 @@ namespace {
 
 HWY_EXPORT(AddRow);
 
-size_t padded_width(uint32_t width) {
-  return (size_t{width} + kStrands - 1) / kStrands * kStrands;
-}
-
-float decode(image::Component component, const uint8_t* channel) {
-  uint16_t half;
-  float value;
-  switch (component) {
-    case image::Component::kUnorm8: return static_cast<float>(*channel) / 255.0f;
-    case image::Component::kSrgb8: return image::srgb8_to_linear(*channel);
-    case image::Component::kUnorm16:
-      std::memcpy(&half, channel, sizeof half);
-      return static_cast<float>(half) / 65535.0f;
-    case image::Component::kFloat16: std::memcpy(&half, channel, sizeof half); return image::half_to_float(half);
-    default: std::memcpy(&value, channel, sizeof value); return value;
-  }
+size_t padded_width(size_t width) {
+  return (width + kStrands - 1) / kStrands * kStrands;
 }
 
 /// The radiance of a channel, within 0..kMaxRadiance. NaN fails the first comparison.
@@ -95,22 +79,70 @@ float clean(float value, uint64_t* replaced) {
   return value > kMaxRadiance ? kMaxRadiance : 0.0f;
 }
 
-/// Decodes row y to the texels of `out`.
+/// Decodes row y of the image.
 uint64_t decode_row(const shd_image& image, uint32_t y, float* texel) {
   const image::FormatInfo format = image::format_info(image.format);
-  const auto* pixel = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride;
+  const auto* pixels = static_cast<const uint8_t*>(image.pixels) + y * image.row_stride;
+  texture::decode_pixels(image.format, pixels, static_cast<ptrdiff_t>(format.pixel_size), image.width, texel);
   uint64_t replaced = 0;
-  for (uint32_t x = 0; x < image.width; ++x, pixel += format.pixel_size, texel += 4) {
-    if (format.channels == 1) {
-      texel[0] = texel[1] = texel[2] = clean(decode(format.component, pixel), &replaced);
-      continue;
-    }
-    for (size_t c = 0; c < 3; ++c) {
-      texel[c] =
-          c < format.channels ? clean(decode(format.component, pixel + c * format.channel_size), &replaced) : 0.0f;
-    }
+  for (uint32_t x = 0; x < image.width; ++x, texel += 4) {
+    for (size_t c = 0; c < std::min<size_t>(format.channels, 3); ++c) texel[c] = clean(texel[c], &replaced);
+    if (format.channels == 1) texel[1] = texel[2] = texel[0];
+    texel[3] = 1.0f;
   }
   return replaced;
+}
+
+/// Parts of texels along one axis.
+uint32_t parts_of(double wanted, uint32_t size) {
+  return static_cast<uint32_t>(std::max(1.0, std::ceil(wanted / size)));
+}
+
+/// Divides texels that are larger than cells.
+void divide(Source* source) {
+  const double cells = cell_size(*source);
+  const uint32_t width = source->image.width, height = source->image.height;
+  double rows = cells;
+  switch (source->image.projection) {
+    case SHD_PROJECTION_LAT_LONG: rows = 0.7 * cells; break;
+    case SHD_PROJECTION_ANGULAR: rows = 1.4 * cells; break;
+    case SHD_PROJECTION_CUBE: rows = 0.5 * cells; break;
+    default: break;
+  }
+  source->down = parts_of(rows, height);
+  source->across = source->image.projection == SHD_PROJECTION_LAT_LONG ? parts_of(2.0 * rows, width) : source->down;
+}
+
+/// MIRROR_BALL and ANGULAR: sets the texels with their centres outside the disc, if a part of them lies inside.
+void continue_disc(const core::Context& context, Source* source) {
+  const uint32_t size = source->image.width;
+  texture::Texture texture;
+  texture::borrow(context, source->image, &texture);
+  const texture::Sampler sampler = texture::sampler_of(SHD_FILTER_BILINEAR);
+  core::Array<float> columns(context.allocator, size_t{7} * size);
+  core::Array<uint32_t> outside(context.allocator, size);
+  float* column[7];
+  for (size_t c = 0; c < 7; ++c) column[c] = columns.data() + c * size;
+  float *const *const n = column, *const *const value = column + 3, *const solid_angle = column[6];
+  for (uint32_t y = 0; y < size; ++y) {
+    const projection::PointDirections out = {{n[0], n[1], n[2]}, solid_angle};
+    projection::find_texels(source->image.projection, context.simd, {size, size, 0, y}, out);
+    const double q = (2.0 * y + 1.0) / size - 1.0;
+    size_t count = 0;
+    for (uint32_t x = 0; x < size; ++x) {
+      const double p = (2.0 * x + 1.0) / size - 1.0;
+      if (p * p + q * q <= 1.0 || !(solid_angle[x] > 0.0f)) continue;
+      for (int c = 0; c < 3; ++c) n[c][count] = n[c][x];
+      outside[count++] = x;
+    }
+    texture::Lookups in = {};
+    in.count = count, in.u = n[0], in.v = n[1], in.w = n[2];
+    texture::sample(texture, sampler, context.simd, in, {{value[0], value[1], value[2], nullptr}, {}, {}});
+    for (size_t i = 0; i < count; ++i) {
+      float* texel = source->image.texels.data() + 4 * (size_t{y} * size + outside[i]);
+      for (int c = 0; c < 3; ++c) texel[c] = value[c][i];
+    }
+  }
 }
 
 /// Columns of one row for AddRow.
@@ -118,82 +150,97 @@ struct RowColors {
   core::Array<float> block;
   float* channel[3];
 
-  RowColors(const core::Allocator& allocator, uint32_t width) : block(allocator, 3 * padded_width(width)) {
+  RowColors(const core::Allocator& allocator, size_t width) : block(allocator, 3 * padded_width(width)) {
     block.fill_zero();
     for (size_t c = 0; c < 3; ++c) channel[c] = block.data() + c * padded_width(width);
   }
 };
 
-/// Decodes row y, marks the texels that show a direction, and integrates it.
-uint64_t read_row(const core::SimdTarget& simd, const shd_image& image, uint32_t y, RowDirections* row,
-                  const RowColors& colors, Source* out, double* sums) {
-  float* texel = out->texels.data() + 4 * size_t{y} * out->width;
-  const uint64_t replaced = decode_row(image, y, texel);
-  find_directions(simd, *out, y, row);
-  for (uint32_t x = 0; x < out->width; ++x, texel += 4) {
-    texel[3] = row->solid_angle[x] > 0.0f ? 1.0f : 0.0f;
-    for (int c = 0; c < 3; ++c) colors.channel[c][x] = texel[c];
+/// Integrates row y of the image.
+void integrate_row(const core::SimdTarget& simd, const Source& source, uint32_t y, RowDirections* row,
+                   const RowColors& colors, double* sums) {
+  const float* texel = source.row(y);
+  for (size_t x = 0; x < row->width; texel += 4) {
+    for (uint32_t part = 0; part < source.across; ++part, ++x) {
+      for (int c = 0; c < 3; ++c) colors.channel[c][x] = texel[c];
+    }
   }
-  RowSums strands = {};
-  const float* const direction[3] = {row->x, row->y, row->z};
-  SHD_DISPATCH(AddRow, simd)(padded_width(out->width), direction, row->solid_angle, colors.channel, &strands);
-  for (int k = 0; k < kSums; ++k) {
-    sums[k] = 0.0;
-    for (const float strand : strands.strand[k]) sums[k] += static_cast<double>(strand);
+  std::fill_n(sums, kSums, 0.0);
+  for (uint32_t part = 0; part < source.down; ++part) {
+    find_directions(simd, source, y * source.down + part, row);
+    RowSums strands = {};
+    const float* const direction[3] = {row->x, row->y, row->z};
+    SHD_DISPATCH(AddRow, simd)(padded_width(row->width), direction, row->solid_angle, colors.channel, &strands);
+    for (int k = 0; k < kSums; ++k) {
+      for (const float strand : strands.strand[k]) sums[k] += static_cast<double>(strand);
+    }
   }
-  return replaced;
+}
+
+/// Calls body(row, sums of the row) for all rows, by tasks with their own scratch memory.
+void integrate(const core::Context& context, Source* out) {
+  constexpr uint32_t kMaxTasks = 256;
+  const uint32_t rows = out->image.height * out->faces(), tasks = std::min(rows, kMaxTasks);
+  core::Array<double> sums(context.allocator, size_t{rows} * kSums);
+  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
+    RowDirections row(context.allocator, *out);
+    const RowColors colors(context.allocator, row.width);
+    const auto end = static_cast<uint32_t>(uint64_t{rows} * (task + 1) / tasks);
+    for (auto y = static_cast<uint32_t>(uint64_t{rows} * task / tasks); y < end; ++y) {
+      integrate_row(context.simd, *out, y, &row, colors, &sums[size_t{y} * kSums]);
+    }
+  });
+  double total[kSums] = {};
+  for (size_t i = 0; i < sums.size(); ++i) total[i % kSums] += sums[i];
+  out->scale = 4.0 * data::kPi / total[kSums - 1];
+  for (int k = 0; k < kSums - 1; ++k) out->moments[k / kHarmonics][k % kHarmonics] = total[k] * out->scale;
 }
 
 }  // namespace
 
-RowDirections::RowDirections(const core::Allocator& allocator, uint32_t width)
-    : block(allocator, 4 * padded_width(width)) {
+uint32_t Source::faces() const {
+  return projection::face_count(image.projection);
+}
+
+uint32_t cell_size(const Source& source) {
+  constexpr uint32_t kLeast = 64, kMost = 512;
+  uint32_t size = kLeast;
+  while (size < kMost && 2 * uint64_t{size} * size < source.texels()) size *= 2;
+  return size;
+}
+
+RowDirections::RowDirections(const core::Allocator& allocator, const Source& source)
+    : width(size_t{source.image.width} * source.across), block(allocator, 4 * padded_width(width)) {
   block.fill_zero();
   const size_t padded = padded_width(width);
   x = block.data(), y = x + padded, z = y + padded, solid_angle = z + padded;
 }
 
 void find_directions(const core::SimdTarget& simd, const Source& source, uint32_t y, RowDirections* out) {
-  constexpr size_t kPart = 256;
-  const uint32_t faces = projection::face_count(source.projection), face_height = source.height / faces;
-  const auto rows = static_cast<float>(face_height), columns = static_cast<float>(source.width);
-  float u[kPart], v[kPart];
-  uint32_t face[kPart];
-  std::fill_n(v, kPart, (static_cast<float>(y % face_height) + 0.5f) / rows);
-  std::fill_n(face, kPart, y / face_height);
-  for (size_t x = 0; x < source.width; x += kPart) {
-    const size_t count = std::min<size_t>(kPart, source.width - x);
-    for (size_t i = 0; i < count; ++i) u[i] = (static_cast<float>(x + i) + 0.5f) / columns;
-    projection::unproject(source.projection, simd, {count, u, v, face},
-                          {{out->x + x, out->y + x, out->z + x}, out->solid_angle + x});
-    for (size_t i = 0; i < count; ++i) out->solid_angle[x + i] /= rows * columns;
-  }
+  const uint32_t height = source.image.height * source.down;
+  projection::find_texels(source.image.projection, simd,
+                          {static_cast<uint32_t>(out->width), height, y / height, y % height},
+                          {{out->x, out->y, out->z}, out->solid_angle});
 }
 
 void read_source(const core::Context& context, shd_projection projection, const shd_image& image, Source* out) {
-  constexpr uint32_t kMaxTasks = 256;
-  out->projection = projection;
-  out->width = image.width, out->height = image.height;
-  out->texels = core::Array<float>(context.allocator, 4 * size_t{image.width} * image.height);
-  core::Array<double> sums(context.allocator, size_t{image.height} * kSums);
+  out->image.projection = projection;
+  out->image.width = image.width, out->image.height = image.height / projection::face_count(projection);
+  texture::allocate(context.allocator, &out->image);
+  divide(out);
   core::Array<uint64_t> replaced(context.allocator, image.height);
-  const uint32_t tasks = std::min(image.height, kMaxTasks);
-  core::parallel_for(context, tasks, [&](uint32_t task, uint32_t) {
-    RowDirections row(context.allocator, out->width);
-    const RowColors colors(context.allocator, out->width);
-    const auto end = static_cast<uint32_t>(uint64_t{image.height} * (task + 1) / tasks);
-    for (auto y = static_cast<uint32_t>(uint64_t{image.height} * task / tasks); y < end; ++y) {
-      replaced[y] = read_row(context.simd, image, y, &row, colors, out, &sums[size_t{y} * kSums]);
+  constexpr uint32_t kRowsPerTask = 16;
+  core::parallel_for(context, (image.height + kRowsPerTask - 1) / kRowsPerTask, [&](uint32_t task, uint32_t) {
+    const uint32_t first = task * kRowsPerTask;
+    for (uint32_t y = first; y < std::min(image.height, first + kRowsPerTask); ++y) {
+      replaced[y] = decode_row(image, y, out->image.texels.data() + 4 * size_t{y} * image.width);
     }
   });
-  double total[kSums] = {};
   out->replaced = 0;
-  for (uint32_t y = 0; y < image.height; ++y) {
-    for (int k = 0; k < kSums; ++k) total[k] += sums[size_t{y} * kSums + k];
-    out->replaced += replaced[y];
-  }
-  out->scale = 4.0 * data::kPi / total[kSums - 1];
-  for (int k = 0; k < kSums - 1; ++k) out->moments[k / kHarmonics][k % kHarmonics] = total[k] * out->scale;
+  for (uint32_t y = 0; y < image.height; ++y) out->replaced += replaced[y];
+  const bool disc = projection == SHD_PROJECTION_MIRROR_BALL || projection == SHD_PROJECTION_ANGULAR;
+  if (disc) continue_disc(context, out);
+  integrate(context, out);
 }
 
 }  // namespace shd::environment

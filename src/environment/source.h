@@ -8,6 +8,7 @@
 #include <shd/projection.h>
 
 #include "core/context.h"
+#include "texture/direction/floats.h"
 
 namespace shd::environment {
 
@@ -18,25 +19,38 @@ constexpr float kMaxRadiance = 1e12f;
 constexpr int kHarmonics = 9;
 
 /// An image of all directions with its texels as floats.
+///
+/// The light of a texel is spread evenly over its solid angle: texels are divided into parts, so that the lights of all
+/// parts are close enough together for the lobes. MIRROR_BALL and ANGULAR: a texel with its centre outside the disc has
+/// the radiance of a bilinear lookup, which continues the image across the rim.
 struct Source {
-  shd_projection projection;
-  uint32_t width, height;         // of the image; CUBE has its faces on top of each other
-  core::Array<float> texels;      // [height][width]: r, g, b, and 1 for texels that show a direction, otherwise 0
-  uint64_t replaced;              // channels that were negative, NaN or too large
-  double scale;                   // factor of solid angles, which makes their sum 4 pi
-  double moments[3][kHarmonics];  // [channel] integrals of the radiance times 1, x, y, z, xy, yz, xz, 3 z^2 - 1, x^2 -
-                                  // y^2 over all directions
+  texture::DirectionFloats image;  // [face][height][width]: r, g, b, 1
+  uint32_t across, down;           // parts of a texel
+  uint64_t replaced;               // channels that were negative, NaN or too large
+  double scale;                    // factor of solid angles, which makes their sum 4 pi; about 1
+  double moments[3][kHarmonics];   // [channel] integrals of the radiance times 1, x, y, z, xy, yz, xz, 3 z^2 - 1, x^2 -
+                                   // y^2 over all directions
+
+  uint32_t faces() const;
+  uint64_t texels() const { return uint64_t{image.width} * image.height * faces(); }
+  /// Row y of all faces, as width texels of four floats.
+  const float* row(uint32_t y) const { return image.texels.data() + 4 * size_t{y} * image.width; }
 };
 
-/// Directions and solid angles of a row of texels, as columns of `width` elements.
+/// Size of an octahedral map whose texels are at least as large as those of the image, so that lobes are wider than the
+/// distances of its lights: a power of two of 64..512.
+uint32_t cell_size(const Source& source);
+
+/// Directions and solid angles of a row of parts of texels, as columns of `width` elements.
 struct RowDirections {
+  size_t width;
   core::Array<float> block;
   float *x, *y, *z, *solid_angle;
 
-  RowDirections(const core::Allocator& allocator, uint32_t width);
+  RowDirections(const core::Allocator& allocator, const Source& source);
 };
 
-/// Fills the directions of row y; solid angles are without source.scale.
+/// Fills the directions of row y of the parts of all faces; solid angles are without source.scale.
 void find_directions(const core::SimdTarget& simd, const Source& source, uint32_t y, RowDirections* out);
 
 /// Decodes a checked image and integrates it. Channels that are negative or NaN become 0, channels above kMaxRadiance

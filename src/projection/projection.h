@@ -19,6 +19,7 @@
 /// | octahedral-inl.h      | SHD_PROJECTION_OCTAHEDRAL                                       |
 /// | projection.cpp        | batches of the above                                            |
 /// | solid_angle.cpp       | the exact solid angle of a texel, in double                     |
+/// | texels.cpp            | rows of directions and solid angles of texels; sizes of texels  |
 #pragma once
 
 #include <cstddef>
@@ -73,5 +74,23 @@ constexpr uint32_t face_count(shd_projection projection) {
 /// faces is 4 pi. Texels outside the disc of MIRROR_BALL and ANGULAR have 0, texels on its rim the part inside.
 /// |error| <= 1e-12; ANGULAR: 1e-8 of 4 pi.
 double texel_solid_angle(shd_projection projection, uint32_t width, uint32_t height, uint32_t x, uint32_t y);
+
+/// Row y of an image, or of a face, of width x height texels.
+struct TexelRow {
+  uint32_t width, height, face, y;
+};
+
+/// Writes the direction and the solid angle [sr] of each texel of a row. A direction is that of the texel's centre; if
+/// the centre lies outside the disc of MIRROR_BALL and ANGULAR, that of a point in the part inside. Texels without such
+/// a part have the solid angle 0. Solid angles of images of 32 rows or more are within 1e-5 of the largest one.
+void find_texels(shd_projection projection, const core::SimdTarget& simd, const TexelRow& row,
+                 const PointDirections& out);
+
+/// Upper bounds of the lengths of lines along u and along v through a texel, on the unit sphere [rad]. At most 1.7
+/// times the longest line, except in images of less than 8 rows and near the rim of MIRROR_BALL.
+struct TexelExtent {
+  double along_u, along_v;
+};
+TexelExtent texel_extent(shd_projection projection, uint32_t width, uint32_t height, uint32_t x, uint32_t y);
 
 }  // namespace shd::projection

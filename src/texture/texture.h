@@ -79,7 +79,7 @@
 /// | direction/project-inl.h, filters-inl.h       | kernels of directions, declared                            |
 /// | direction/fold-inl.h, sink-inl.h             | texels beyond edges; the sink that folds quads             |
 /// | direction/filters.cpp, ewa.cpp               | the filters of directions                                  |
-/// | direction/convert.h, convert.cpp, layout.cpp | images of one projection from another; faces in images     |
+/// | direction/convert, layout, floats (.cpp)     | conversions of images; faces in images; images as floats   |
 /// | explain/explain.h, record.h, record-inl.h    | one lookup as its tree of blends                           |
 #pragma once
 

@@ -1,20 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Environments: every field of the desc, irradiance and radiance against sums over all texels, bad texels and
    directions, equal bits of SIMD targets and workers, and allocation failures. */
-#include "support/check.h"
-
-#include <shd/environment.h>
+#include "support/environments.h"
 
 #include "ref/environment_ref.h"
 #include "support/fault_allocator.h"
-#include "support/noise.h"
 #include "support/rows.h"
 
-enum { WIDTH = 128, HEIGHT = 64, DIRECTIONS = 97 };
-
-static shd_context *g_context;
-static float g_direction[3][DIRECTIONS];
-static float g_out[3][DIRECTIONS + 1];
+enum { WIDTH = 128, HEIGHT = 64 };
 
 /** A smooth sky, and in red a small sun of about 10 times its irradiance. */
 static void sky(const long double *n, float *rgb)
@@ -43,43 +36,6 @@ static shd_image sky_image(shd_projection projection, uint32_t width, uint32_t h
         }
     }
     return image;
-}
-
-static shd_environment *create(shd_context *context, shd_projection projection, const shd_image *image,
-                               shd_irradiance irradiance)
-{
-    shd_environment_desc desc = shd_environment_desc_default();
-    shd_environment *environment = NULL;
-    desc.projection = projection;
-    desc.image = image;
-    desc.irradiance = irradiance;
-    shd_assert_ok(shd_environment_create(context, &desc, &environment));
-    return environment;
-}
-
-static shd_environment_lookups lookups_of(size_t count)
-{
-    shd_environment_lookups lookups = shd_environment_lookups_default();
-    lookups.count = count;
-    for (int c = 0; c < 3; ++c) lookups.direction[c] = shd_f32_column(g_direction[c], 0);
-    return lookups;
-}
-
-static void outputs(shd_environment_light *light)
-{
-    *light = shd_environment_light_default();
-    for (int c = 0; c < 3; ++c) light->rgb[c] = shd_f32_out_column(g_out[c], 0);
-}
-
-/** Looks up the radiance of all directions; width NULL = sharp. */
-static void look_up(const shd_environment *environment, const float *roughness, const float *exponent)
-{
-    shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_environment_light light;
-    outputs(&light);
-    lookups.roughness = shd_f32_column(roughness, 0);
-    lookups.exponent = shd_f32_column(exponent, 0);
-    shd_assert_ok(shd_environment_radiance(environment, &lookups, &light));
 }
 
 static void direction_at(size_t i, double *n)
@@ -112,14 +68,6 @@ static void compare(const char *what, oracle_fn oracle, const void *data, double
     if (!(worst <= max_error) || !(sqrt(squares / (double)count) <= rms_error)) {
         fail_msg("%s: largest error %.5f, mean %.5f", what, worst, sqrt(squares / (double)count));
     }
-}
-
-static void irradiance_of(const shd_environment *environment)
-{
-    const shd_environment_lookups lookups = lookups_of(DIRECTIONS);
-    shd_environment_light light;
-    outputs(&light);
-    shd_assert_ok(shd_environment_irradiance(environment, &lookups, &light));
 }
 
 static void oracle_harmonics(const void *data, const double *n, double *rgb)
@@ -203,20 +151,11 @@ static void test_lobe(void **state)
 static void test_constant(void **state)
 {
     static const float k_widths[] = {0.0f, 0.03f, 0.2f, 0.55f, 1.0f, 7.0f, 300.0f, 1e6f};
-    const float one[3] = {1.0f, 1.0f, 1.0f};
     shd_image image = shd_image_default();
     shd_environment *environment;
     float width[DIRECTIONS];
     (void)state;
     image.format = SHD_FORMAT_RGB32F;
-    image.width = image.height = 1;
-    image.pixels = (void *)one;
-    for (int irradiance = 0; irradiance < 2; ++irradiance) {
-        environment = create(g_context, SHD_PROJECTION_LAT_LONG, &image, (shd_irradiance)irradiance);
-        irradiance_of(environment);
-        /* One texel is one light: only the mean is that of a constant environment. */
-        shd_environment_release(environment);
-    }
     for (shd_projection p = SHD_PROJECTION_LAT_LONG; p <= SHD_PROJECTION_OCTAHEDRAL; p = (shd_projection)(p + 1)) {
         float *texels = (float *)malloc(6 * 40 * 40 * 3 * sizeof *texels);
         for (size_t i = 0; i < 6 * 40 * 40 * 3; ++i) texels[i] = 1.0f;
@@ -276,26 +215,6 @@ static void test_projection(void **state)
     free(ref.lights);
     free(lat_long.pixels);
     free(image.pixels);
-}
-
-/** Sets the directions: random ones, the axes, and the diagonals where the octahedron folds. */
-static void make_directions(void)
-{
-    uint32_t state = 7;
-    for (size_t i = 0; i < DIRECTIONS; ++i) {
-        double n[3], square = 0.0;
-        for (int c = 0; c < 3; ++c) {
-            n[c] = i < 27 ? (double)((int)(i / (c == 0   ? 1
-                                                : c == 1 ? 3
-                                                         : 9)) %
-                                         3 -
-                                     1)
-                          : (double)shd_noise(&state) * 0x1p-31 - 1.0;
-            square += n[c] * n[c];
-        }
-        if (square == 0.0) n[2] = square = 1.0;
-        for (int c = 0; c < 3; ++c) g_direction[c][i] = (float)(n[c] / sqrt(square));
-    }
 }
 
 static uint64_t hash_of(shd_context *context, const shd_image *image)
@@ -561,20 +480,6 @@ static void test_faults(void **state)
     shd_context_release(context);
     shd_assert_all_freed("environment", &faults);
     free(image.pixels);
-}
-
-static int open_context(void **state)
-{
-    (void)state;
-    make_directions();
-    shd_assert_ok(shd_context_create(NULL, &g_context));
-    return 0;
-}
-static int close_context(void **state)
-{
-    (void)state;
-    shd_context_release(g_context);
-    return 0;
 }
 
 int main(void)

@@ -168,6 +168,69 @@ void test_energy(void **)
     }
 }
 
+/// Targets of a few texels, or of one row or column: a bright band of meridians is neither lost nor doubled.
+void test_small_targets(void **)
+{
+    DirectionImage band(SHD_PROJECTION_LAT_LONG, 256, 128);
+    for (size_t i = 0; i < band.texels.size(); ++i) band.texels[i] = i % 256 >= 20 && i % 256 < 30 ? 10.0f : 0.0f;
+    const double mean = 100.0 / 256.0;
+    const Images from(band);
+    for (shd_projection projection : kProjections) {
+        for (uint32_t width : {1u, 2u, 7u, 64u}) {
+            for (uint32_t height : {1u, 2u, 7u, 64u}) {
+                if (width * height > 64 * 7) continue;
+                if (width != height && projection != SHD_PROJECTION_LAT_LONG) continue;
+                DirectionImage to(projection, width, height);
+                const Images target(to);
+                shd_assert_ok(shd_projection_convert(g_context, &from.desc, &target.desc));
+                const std::vector<double> solid_angles = solid_angles_of(to);
+                double sum = 0.0, total = 0.0;
+                for (size_t i = 0; i < to.texels.size(); ++i) {
+                    sum += solid_angles[i] * double{to.texels[i]};
+                    total += solid_angles[i];
+                }
+                if (!(std::fabs(sum / (total * mean) - 1.0) <= 0.02)) {
+                    fail_msg("%s, %u x %u: mean %g instead of %g", kProjectionNames[projection], width, height,
+                             sum / total, mean);
+                }
+                // All texels of one column show the band equally.
+                for (size_t i = 0; width == 1 && projection == SHD_PROJECTION_LAT_LONG && i < height; ++i) {
+                    shd_assert_close("column", i, double{to.texels[i]}, mean, 0.0, 0.002);
+                }
+            }
+        }
+    }
+}
+
+/// Thin images: the number of samples follows the number of texels, not the longer side. Each of these takes
+/// seconds if it follows the longer side.
+void test_thin_sources(void **)
+{
+    const uint32_t sizes[][2] = {{8192, 1}, {1, 8191}, {4093, 3}};
+    for (const auto &size : sizes) {
+        DirectionImage thin(SHD_PROJECTION_LAT_LONG, size[0], size[1]);
+        thin.fill(smooth);
+        const Images from(thin);
+        for (shd_projection projection : kProjections) {
+            DirectionImage to(projection, 3, 3);
+            const Images target(to);
+            shd_assert_ok(shd_projection_convert(g_context, &from.desc, &target.desc));
+            double want = 0.0, got = 0.0, total = 0.0;
+            const std::vector<double> solid_angles = solid_angles_of(to);
+            for (size_t i = 0; i < to.texels.size(); ++i) {
+                got += solid_angles[i] * double{to.texels[i]};
+                total += solid_angles[i];
+            }
+            for (size_t i = 0; i < thin.texels.size(); ++i) {
+                const double v = (static_cast<double>(i / size[0]) + 0.5) / size[1];
+                want +=
+                    std::sin(M_PI * v) * std::sin(0.5 * M_PI / size[1]) * 4.0 * M_PI / size[0] * double{thin.texels[i]};
+            }
+            shd_assert_close(kProjectionNames[projection], size[0], got / total, want / (4.0 * M_PI), 0.1, 0.0);
+        }
+    }
+}
+
 /// A change of layout copies texels. The neighbours in a cross show adjacent directions.
 void test_layouts(void **)
 {
@@ -318,9 +381,14 @@ int main()
 {
     using namespace shd::tests;
     const CMUnitTest tests[] = {
-        {"means", test_means, nullptr, nullptr, nullptr},     {"constant", test_constant, nullptr, nullptr, nullptr},
-        {"energy", test_energy, nullptr, nullptr, nullptr},   {"layouts", test_layouts, nullptr, nullptr, nullptr},
-        {"formats", test_formats, nullptr, nullptr, nullptr}, {"same_bits", test_same_bits, nullptr, nullptr, nullptr},
+        {"means", test_means, nullptr, nullptr, nullptr},
+        {"constant", test_constant, nullptr, nullptr, nullptr},
+        {"energy", test_energy, nullptr, nullptr, nullptr},
+        {"small_targets", test_small_targets, nullptr, nullptr, nullptr},
+        {"thin_sources", test_thin_sources, nullptr, nullptr, nullptr},
+        {"layouts", test_layouts, nullptr, nullptr, nullptr},
+        {"formats", test_formats, nullptr, nullptr, nullptr},
+        {"same_bits", test_same_bits, nullptr, nullptr, nullptr},
         {"errors", test_errors, nullptr, nullptr, nullptr},
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 import prose
 
 # The data flow. An include may point to the same stage or to one before it; abi may include all.
-STAGES = ["core", "data", "shapes", "simd", "projection", "image", "environment", "texture", "procedural", "geometry", "raster", "material", "light", "shade", "volume", "film",
+STAGES = ["core", "data", "shapes", "simd", "projection", "image", "texture", "environment", "procedural", "geometry", "raster", "material", "light", "shade", "volume", "film",
           "frame", "occlusion", "extension", "color", "io", "scene", "embree", "abi", "tool"]
 SOURCE_SUFFIXES = {".c", ".cpp", ".h", ".hpp", ".inc", ".py", ".sh", ".cmake"}
 SOURCE_FOLDERS = ["include", "src", "tests", "bench", "docs", "examples", "bindings"]

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 #include "core/executor.h"
 #include "data/trig.h"
 #include "projection/projection.h"
+#include "texture/direction/floats.h"
 #include "texture/format/formats.h"
 #include "texture/sample.h"
 #include "texture/store/rows.h"
@@ -27,22 +28,15 @@ uint8_t* pixel_of(const DirectionFaces& faces, uint32_t face, uint32_t x, uint32
   return pixels.first + row * pixels.row_stride + column * size;
 }
 
-/// Texels of the source as RGBA floats, [face][height][width][4].
-core::Array<float> decode(const core::Context& context, const DirectionFaces& from, uint32_t faces) {
-  const size_t texels = size_t{from.width} * from.height;
-  core::Array<float> decoded(context.allocator, core::checked_mul(texels * faces, 4));
-  const image::FormatInfo format = image::format_info(from.format);
-  for_rows(context, {0, faces * from.height}, [&](uint32_t row, uint32_t) {
-    float* to = decoded.data() + size_t{row} * from.width * 4;
-    visit_codec(format.component, format.channels, [&](auto codec) {
-      using Codec = decltype(codec);
-      for (uint32_t x = 0; x < from.width; ++x, to += 4) {
-        double value[Codec::kChannels];
-        Codec::load(pixel_of(from, row / from.height, x, row % from.height), value);
-        to[0] = to[1] = to[2] = 0.0f, to[3] = 1.0f;
-        for (size_t c = 0; c < Codec::kChannels; ++c) to[c] = static_cast<float>(value[c] / Codec::one(c));
-      }
-    });
+/// Texels of the source as floats.
+DirectionFloats decode(const core::Context& context, const DirectionFaces& from) {
+  DirectionFloats decoded = {from.projection, from.width, from.height, {}};
+  allocate(context.allocator, &decoded);
+  const auto size = static_cast<ptrdiff_t>(image::format_info(from.format).pixel_size);
+  for_rows(context, {0, projection::face_count(from.projection) * from.height}, [&](uint32_t row, uint32_t) {
+    const uint32_t face = row / from.height;
+    decode_pixels(from.format, pixel_of(from, face, 0, row % from.height), from.face[face].turned ? -size : size,
+                  from.width, decoded.texels.data() + size_t{row} * from.width * 4);
   });
   return decoded;
 }
@@ -60,9 +54,9 @@ void encode(const DirectionFaces& to, uint32_t face, uint32_t x, uint32_t y, con
 /// Faces of the same size: a change of layout or format.
 void copy_texels(const core::Context& context, const DirectionFaces& from, const DirectionFaces& to) {
   const uint32_t faces = projection::face_count(from.projection);
-  const core::Array<float> decoded = decode(context, from, faces);
+  const DirectionFloats decoded = decode(context, from);
   for_rows(context, {0, faces * to.height}, [&](uint32_t row, uint32_t) {
-    const float* texel = decoded.data() + size_t{row} * to.width * 4;
+    const float* texel = decoded.texels.data() + size_t{row} * to.width * 4;
     for (uint32_t x = 0; x < to.width; ++x, texel += 4) {
       double value[4];
       for (size_t c = 0; c < 4; ++c) value[c] = static_cast<double>(texel[c]);
@@ -71,15 +65,63 @@ void copy_texels(const core::Context& context, const DirectionFaces& from, const
   });
 }
 
-void make_source(const core::Context& context, const DirectionFaces& from, Texture* out) {
-  const uint32_t faces = projection::face_count(from.projection);
-  const core::Array<float> decoded = decode(context, from, faces);
-  shd_texture_desc desc = shd_texture_desc_default();
-  desc.format = SHD_FORMAT_RGBA32F;
-  desc.width = from.width, desc.height = from.height, desc.layers = faces;
-  desc.projection = from.projection;
-  desc.texels = decoded.data();
-  build(context, desc, out);
+/// Product of the lengths of the sides of a texel [rad^2]: the largest one, without the rim of MIRROR_BALL.
+double texel_size(const DirectionFaces& image) {
+  const double square = static_cast<double>(image.width) * image.height;
+  switch (image.projection) {
+    case SHD_PROJECTION_LAT_LONG: return 2.0 * data::kPi * data::kPi / square;
+    case SHD_PROJECTION_MIRROR_BALL: return 16.0 / square;
+    case SHD_PROJECTION_ANGULAR: return 4.0 * data::kPi * data::kPi / square;
+    case SHD_PROJECTION_CUBE: return 4.0 / square;
+    default: return 24.0 / square;
+  }
+}
+
+/// Angle between texels of the source, so that at most about 64 samples are taken for each texel of the target and 16
+/// for each of the source. It is below the angle in images whose texels are squares on the equator.
+double least_angle(const DirectionFaces& from, const DirectionFaces& to) {
+  const double ratio = static_cast<double>(from.width) * from.height /
+                       (static_cast<double>(to.width) * to.height * projection::face_count(to.projection));
+  return 2.0 * std::sqrt(texel_size(to) / (64.0 + 16.0 * ratio));
+}
+
+/// cos(pi t) for t in 0..1.
+double cosine_pi(double t) {
+  return t > 0.5 ? -data::cos(data::kPi * (1.0 - t)) : data::cos(data::kPi * t);
+}
+
+/// Sets texel (x, y) of a smaller image of latitude and longitude to the mean of the texels that it covers.
+void average(const DirectionFloats& from, uint32_t x, uint32_t y, const DirectionFloats& to, float* texel) {
+  const double left = static_cast<double>(x) * from.width / to.width, right = (x + 1.0) * from.width / to.width;
+  const double top = static_cast<double>(y) * from.height / to.height, bottom = (y + 1.0) * from.height / to.height;
+  double sum[4] = {}, total = 0.0;
+  for (auto j = static_cast<uint32_t>(top); j < from.height && j < bottom; ++j) {
+    const double row = cosine_pi(std::max(top, static_cast<double>(j)) / from.height) -
+                       cosine_pi(std::min(bottom, j + 1.0) / from.height);
+    for (auto i = static_cast<uint32_t>(left); i < from.width && i < right; ++i) {
+      const double weight = row * (std::min(right, i + 1.0) - std::max(left, static_cast<double>(i)));
+      if (!(weight > 0.0)) continue;
+      const float* const part = from.texels.data() + 4 * (size_t{j} * from.width + i);
+      for (size_t c = 0; c < 4; ++c) sum[c] += weight * static_cast<double>(part[c]);
+      total += weight;
+    }
+  }
+  for (size_t c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] / total);
+}
+
+/// Makes the texels of an image of latitude and longitude no narrower than `angle` on the equator, and no lower.
+void widen_texels(const core::Context& context, double angle, DirectionFloats* image) {
+  const auto most = [&](double circle, uint32_t size) {
+    return static_cast<uint32_t>(std::clamp(std::floor(circle / angle), 1.0, static_cast<double>(size)));
+  };
+  DirectionFloats wide = {image->projection, most(2.0 * data::kPi, image->width), most(data::kPi, image->height), {}};
+  if (wide.width == image->width && wide.height == image->height) return;
+  allocate(context.allocator, &wide);
+  for_rows(context, {0, wide.height}, [&](uint32_t y, uint32_t) {
+    float* texel = wide.texels.data() + 4 * size_t{y} * wide.width;
+    for (uint32_t x = 0; x < wide.width; ++x, texel += 4) average(*image, x, y, wide, texel);
+  });
+  *image = std::move(wide);
 }
 
 /// Angle between neighbouring texels, at the narrowest ones; on the equator of LAT_LONG [rad].
@@ -115,16 +157,10 @@ struct Sums {
   }
 };
 
-/// Directions of the ends of an edge of a texel.
-struct Edge {
-  double end[2][3];
+/// Number of samples along the sides of a texel.
+struct SampleCounts {
+  uint32_t across, down;
 };
-
-double square_of_chord(const double* a, const double* b) {
-  double sum = 0.0;
-  for (int c = 0; c < 3; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
-  return sum;
-}
 
 struct Conversion {
   const core::Context& context;
@@ -138,30 +174,16 @@ struct Conversion {
                           {{s->direction[0], s->direction[1], s->direction[2]}, s->density});
   }
 
-  /// Directions of the upper and the lower end of the left edge of texel x.
-  Edge edge_at(uint32_t face, uint32_t x, uint32_t y, Samples* s) const {
-    s->count = 2;
-    for (uint32_t k = 0; k < 2; ++k) {
-      s->u[k] = static_cast<float>(static_cast<double>(x) / to.width);
-      s->v[k] = static_cast<float>(static_cast<double>(y + k) / to.height);
-      s->face[k] = face;
-    }
-    find_directions(s);
-    Edge edge;
-    for (int k = 0; k < 2; ++k) {
-      for (int c = 0; c < 3; ++c) edge.end[k][c] = static_cast<double>(s->direction[c][k]);
-    }
-    return edge;
-  }
-
-  /// Number of samples along a side of a texel between two edges.
-  uint32_t samples_along(const Edge& left, const Edge& right) const {
-    const double longest =
-        std::max(std::max(square_of_chord(left.end[0], right.end[0]), square_of_chord(left.end[1], right.end[1])),
-                 std::max(square_of_chord(left.end[0], left.end[1]), square_of_chord(right.end[0], right.end[1])));
-    const double samples = std::ceil(2.0 * std::sqrt(longest) / texel_angle(source));
-    const uint32_t most = 2 * std::max(source.width, source.height) + 2;
-    return std::min(most, std::max(2u, static_cast<uint32_t>(samples)));
+  SampleCounts samples_in(uint32_t x, uint32_t y) const {
+    auto extent = projection::texel_extent(to.projection, to.width, to.height, x, y);
+    // Rows at the poles have as many columns as the equator.
+    const bool both = to.projection == SHD_PROJECTION_LAT_LONG && source.projection == SHD_PROJECTION_LAT_LONG;
+    if (both) extent.along_u = 2.0 * data::kPi / to.width;
+    const double per_angle = 2.0 / texel_angle(source), most = 16.0 * std::max(source.width, source.height);
+    const auto count = [&](double along) {
+      return static_cast<uint32_t>(std::clamp(std::ceil(along * per_angle), 2.0, most));
+    };
+    return {count(extent.along_u), count(extent.along_v)};
   }
 
   /// Places a sample. Beyond the rim it is where the image continues: at 2 - r on the opposite side.
@@ -187,14 +209,15 @@ struct Conversion {
     sample(source, sampler, context.simd, lookups, texels);
   }
 
-  void convert_texel(uint32_t face, uint32_t x, uint32_t y, uint32_t side, Samples* s) const {
+  void convert_texel(uint32_t face, uint32_t x, uint32_t y, Samples* s) const {
     Sums sums;
-    const auto total = uint64_t{side} * side;
+    const SampleCounts counts = samples_in(x, y);
+    const auto total = uint64_t{counts.across} * counts.down;
     for (uint64_t first = 0; first < total; first += kPart) {
       s->count = 0;
       for (uint64_t i = first; i < total && i < first + kPart; ++i) {
-        place((x + (static_cast<double>(i % side) + 0.5) / side) / to.width,
-              (y + (static_cast<double>(i / side) + 0.5) / side) / to.height, face, s);
+        place((x + (static_cast<double>(i % counts.across) + 0.5) / counts.across) / to.width,
+              (y + (static_cast<double>(i / counts.across) + 0.5) / counts.down) / to.height, face, s);
       }
       look_up(s);
       for (size_t i = 0; i < s->count; ++i) sums.add(*s, i);
@@ -207,12 +230,7 @@ struct Conversion {
 
   void convert_row(uint32_t face, uint32_t y) const {
     Samples s;
-    Edge left = edge_at(face, 0, y, &s);
-    for (uint32_t x = 0; x < to.width; ++x) {
-      const Edge right = edge_at(face, x + 1, y, &s);
-      convert_texel(face, x, y, samples_along(left, right), &s);
-      left = right;
-    }
+    for (uint32_t x = 0; x < to.width; ++x) convert_texel(face, x, y, &s);
   }
 };
 
@@ -222,11 +240,11 @@ void convert(const core::Context& context, const DirectionFaces& from, const Dir
   if (from.projection == to.projection && from.width == to.width && from.height == to.height) {
     return copy_texels(context, from, to);
   }
+  DirectionFloats decoded = decode(context, from);
+  if (from.projection == SHD_PROJECTION_LAT_LONG) widen_texels(context, least_angle(from, to), &decoded);
   Texture source;
-  make_source(context, from, &source);
-  shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = SHD_FILTER_BILINEAR;
-  const Sampler sampler = make_sampler(desc);
+  borrow(context, decoded, &source);
+  const Sampler sampler = sampler_of(SHD_FILTER_BILINEAR);
   const bool disc = to.projection == SHD_PROJECTION_MIRROR_BALL || to.projection == SHD_PROJECTION_ANGULAR;
   const Conversion conversion = {context, source, sampler, to, disc};
   for_rows(context, {0, projection::face_count(to.projection) * to.height},

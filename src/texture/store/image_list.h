@@ -5,26 +5,22 @@
 
 #include <shd/image.h>
 
+#include "core/read_desc.h"
 #include "image/format.h"
 
 namespace shd::texture {
 
-inline uint32_t struct_size_of(const shd_image* image) {
-  uint32_t size;
-  std::memcpy(&size, image, sizeof size);
-  return size;
-}
-
 /// Returns element i of the caller's array of images, whose elements are struct_size bytes apart.
 inline const shd_image* element_of(const shd_image* images, size_t i) {
-  return reinterpret_cast<const shd_image*>(reinterpret_cast<const uint8_t*>(images) + i * struct_size_of(images));
+  return reinterpret_cast<const shd_image*>(reinterpret_cast<const uint8_t*>(images) +
+                                            i * core::struct_size_of(images));
 }
 
 /// Copies image i of a checked array into the layout of this version and replaces a row stride of 0 by the packed one.
 inline shd_image image_at(const shd_image* images, size_t i) {
   shd_image image = shd_image_default();
   const shd_image* given = element_of(images, i);
-  const size_t size = struct_size_of(given);
+  const size_t size = core::struct_size_of(given);
   std::memcpy(&image, given, size < sizeof image ? size : sizeof image);
   if (image.row_stride == 0) image.row_stride = image.width * image::format_info(image.format).pixel_size;
   return image;

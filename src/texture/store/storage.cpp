@@ -137,7 +137,8 @@ void copy_levels(const core::Context& context, const shd_texture_desc& desc, Tex
 void allocate(const core::Context& context, const shd_texture_desc& desc, size_t texels, Texture* texture) {
   if (desc.flags & SHD_TEXTURE_BORROW) {
     texture->borrowed = static_cast<const uint8_t*>(desc.texels);
-    texture->borrowed_texels = desc.width * desc.height * (desc.depth != 0 ? desc.depth : 1);
+    // Several layers have no other levels.
+    texture->borrowed_texels = desc.width * desc.height * (desc.depth != 0 ? desc.depth : desc.layers);
   }
   const size_t size = core::checked_mul(texels - texture->borrowed_texels, texel_size(*texture));
   texture->texels = core::Array<uint8_t>(context.allocator, size + kPadding);

@@ -309,6 +309,89 @@ void test_texel_solid_angles(void**) {
   }
 }
 
+/// Rows of texels against the exact solid angles; directions are those of the centres.
+void test_texel_rows(void**) {
+  constexpr uint32_t kLargest = 70;
+  float n[3][kLargest], solid_angle[kLargest], centre[3][1], u[1], v[1];
+  for (shd_projection projection : kProjections) {
+    for (uint32_t size : {32u, 35u, kLargest}) {
+      double sum = 0.0;
+      const double largest = 60.0 / (size * size);
+      for (uint32_t y = 0; y < size; ++y) {
+        const uint32_t face = y % projection::face_count(projection);
+        const core::SimdTarget simd = core::baseline_target();
+        projection::find_texels(projection, simd, {size, size, face, y}, {{n[0], n[1], n[2]}, solid_angle});
+        for (uint32_t x = 0; x < size; ++x) {
+          const double want = projection::texel_solid_angle(projection, size, size, x, y);
+          sum += double{solid_angle[x]};
+          shd_assert_close("solid angle", y * size + x, double{solid_angle[x]}, want, 1e-5 * largest, 0.0);
+          u[0] = (static_cast<float>(x) + 0.5f) / static_cast<float>(size);
+          v[0] = (static_cast<float>(y) + 0.5f) / static_cast<float>(size);
+          const bool outside = std::hypot(2.0 * double{u[0]} - 1.0, 2.0 * double{v[0]} - 1.0) > 1.0;
+          if (is_disc(projection) && outside) {
+            if (want > 0.0) assert_true(n[2][x] < -0.85f);
+            continue;
+          }
+          projection::unproject(projection, simd, {1, u, v, &face}, {{centre[0], centre[1], centre[2]}, nullptr});
+          for (int c = 0; c < 3; ++c) assert_true(n[c][x] == centre[c][0]);
+        }
+      }
+      shd_assert_close("sum", size, sum * projection::face_count(projection), 4.0 * M_PI, 1e-4, 0.0);
+    }
+  }
+}
+
+/// Length of a line through a texel, as the sum of short chords. Points outside a disc are those where it continues.
+double line_length(shd_projection projection, uint32_t width, uint32_t height, double x, double y, double dx,
+                   double dy) {
+  constexpr int kSteps = 200;
+  double sum = 0.0, last[3] = {};
+  for (int i = 0; i <= kSteps; ++i) {
+    double u = (x + dx * i / kSteps) / width, v = (y + dy * i / kSteps) / height;
+    const double r = std::hypot(2.0 * u - 1.0, 2.0 * v - 1.0);
+    if (is_disc(projection) && r > 1.0) {
+      u = 0.5 + (u - 0.5) * (r - 2.0) / r, v = 0.5 + (v - 0.5) * (r - 2.0) / r;
+    }
+    long double n[3];
+    ref_unproject(projection, static_cast<long double>(u), static_cast<long double>(v), 0, n);
+    double square = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const auto here = static_cast<double>(n[c]);
+      square += (here - last[c]) * (here - last[c]);
+      last[c] = here;
+    }
+    if (i > 0) sum += std::sqrt(square);
+  }
+  return sum;
+}
+
+/// No line along a side of a texel is longer than the extent, and one is not much shorter.
+void test_texel_extents(void**) {
+  const uint32_t sizes[][2] = {{1, 1}, {2, 2}, {3, 3}, {1, 64}, {64, 1}, {8, 8}, {37, 37}};
+  for (shd_projection projection : kProjections) {
+    for (const auto& size : sizes) {
+      if (size[0] != size[1] && projection != SHD_PROJECTION_LAT_LONG) continue;
+      for (uint32_t i = 0; i < size[0] * size[1]; i += i < 4 ? 1 : 7) {
+        const uint32_t x = i % size[0], y = i / size[0];
+        const auto extent = projection::texel_extent(projection, size[0], size[1], x, y);
+        double across = 0.0, down = 0.0;
+        for (double t : {0.001, 0.25, 0.5, 0.75, 0.999}) {
+          across = std::fmax(across, line_length(projection, size[0], size[1], x, y + t, 1.0, 0.0));
+          down = std::fmax(down, line_length(projection, size[0], size[1], x + t, y, 0.0, 1.0));
+        }
+        const bool covers = extent.along_u >= across - 1e-6 && extent.along_v >= down - 1e-6;
+        const bool close = extent.along_u <= 1.7 * across && extent.along_v <= 1.7 * down;
+        const bool rim = projection == SHD_PROJECTION_MIRROR_BALL &&
+                         std::hypot(2.0 * x + 1.0 - size[0], 2.0 * y + 1.0 - size[1]) > 0.6 * size[0];
+        if (!covers || (!close && size[1] >= 8 && !rim)) {
+          fail_msg("projection %d, %u x %u, texel %u: (%g, %g), lines (%g, %g)", projection, size[0], size[1], i,
+                   extent.along_u, extent.along_v, across, down);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -319,6 +402,8 @@ int main() {
       {"unproject", test_unproject, nullptr, nullptr, nullptr},
       {"round_trip", test_round_trip, nullptr, nullptr, nullptr},
       {"texel_solid_angles", test_texel_solid_angles, nullptr, nullptr, nullptr},
+      {"texel_rows", test_texel_rows, nullptr, nullptr, nullptr},
+      {"texel_extents", test_texel_extents, nullptr, nullptr, nullptr},
   };
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
