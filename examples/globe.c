@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A globe by one fragment program that looks up two textures: day on the side of the sun, with relief and a glint on the
-   sea, lights of cities at night, and a blue rim of air. `globe DAY NIGHT` takes maps from files (latitude and longitude),
-   without them the continents are made up. */
+/* A globe by one fragment program that looks up two textures: day on the side of the sun, with relief and a glint on
+   the sea, lights of cities at night, and a blue rim of air. `globe DAY NIGHT` takes maps of latitude and longitude
+   from files; without them the continents are made up. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

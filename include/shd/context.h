@@ -107,8 +107,8 @@ typedef enum shd_context_flag {
     SHD_CONTEXT_DEFAULT = 0,
     /**
      * Working memory of a call is allocated and freed block by block. Without this flag the context keeps it for the
-     * next call, so that a loop of equal frames allocates nothing after each worker has drawn a part of a frame, with one
-     * worker after the first frame; see shd_context_trim().
+     * next call, so that a loop of equal frames allocates nothing after each worker has drawn a part of a frame, with
+     * one worker after the first frame; see shd_context_trim().
      */
     SHD_CONTEXT_RETURN_MEMORY = 1,
     SHD_CONTEXT_FLAG_MAX_ENUM = 0x7fffffff

@@ -194,8 +194,8 @@ typedef struct shd_direction_images {
     shd_projection projection; /**< any but SHD_PROJECTION_NONE */
     shd_cube_layout layout;    /**< arrangement of CUBE; default six images; others ignore it */
     /**
-     * One image, or the six of SHD_CUBE_LAYOUT_FACES, of one struct_size, format and size. Square for MIRROR_BALL, ANGULAR and
-     * OCTAHEDRAL, and the size of the layout for CUBE. Borrowed for the call.
+     * One image, or the six of SHD_CUBE_LAYOUT_FACES, of one struct_size, format and size. Square for MIRROR_BALL,
+     * ANGULAR and OCTAHEDRAL, and the size of the layout for CUBE. Borrowed for the call.
      */
     const shd_image *images;
     /* ---- end of 0.1; append below ---- */

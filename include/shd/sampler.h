@@ -178,9 +178,9 @@ typedef enum shd_precision {
      * SHD_PRECISION_FULL, an eighth of a step of 8 bits. Where all texels are equal, values have the same bits. Levels
      * of detail and probes are the same.
      *
-     * It applies to 2D textures of 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP, TRILINEAR and
-     * ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other lookups,
-     * derivatives of values, and shd_texture_explain() have SHD_PRECISION_FULL.
+     * It applies to 2D textures of 8-bit unorm formats of one to four channels, the filters BILINEAR, BILINEAR_MIP,
+     * TRILINEAR and ANISOTROPIC with equal weights of the probes, and every wrap except SHD_WRAP_BORDER. All other
+     * lookups, derivatives of values, and shd_texture_explain() have SHD_PRECISION_FULL.
      *
      * Choose it for pictures of 8 bits. Keep SHD_PRECISION_FULL for measurements, and for values whose differences
      * matter, such as heights and normals.

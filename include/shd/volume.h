@@ -58,9 +58,10 @@ typedef struct shd_volume_desc {
                                 `material`; absent = 1 */
     /**
      * Shades the points by the lights of the frame, with shadows and cookies, but not by its environment: an opaque
-     * material without slots and debug view, of a model that reflects light; others are SHD_ERROR_UNSUPPORTED. Its diffuse colour is multiplied by `color`. The normal is the direction in which
-     * density falls fastest, by central differences over two texels; it faces the viewer where the gradient is 0, and
-     * always with SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
+     * material without slots and debug view, of a model that reflects light; others are SHD_ERROR_UNSUPPORTED. Its
+     * diffuse colour is multiplied by `color`. The normal is the direction in which density falls fastest, by central
+     * differences over two texels; it faces the viewer where the gradient is 0, and always with
+     * SHD_MATERIAL_DOUBLE_SIDED. NULL = `color` is radiance; retained.
      */
     shd_material *material;
     float box_min[3]; /**< corner of the texture's (0, 0, 0) in object space, finite; default 0 */

@@ -42,8 +42,8 @@ PolygonPlace find_place(const Polygon& polygon, double x, double y);
 /// Sets the weights of a point of an edge.
 void edge_weights(const Polygon& polygon, const PolygonPlace& place, double* weights);
 
-/// Sets the weights of a point that does not lie on an edge: all kinds but HARMONIC. Convex kinds: inside. Returns false
-/// if rounding leaves no finite floats, as for points beside polygons of extreme shapes.
+/// Sets the weights of a point that does not lie on an edge: all kinds but HARMONIC. Convex kinds: inside. Returns
+/// false if rounding leaves no finite floats, as for points beside polygons of extreme shapes.
 /// @param weights  [polygon.count]
 bool closed_form_weights(const Polygon& polygon, shd_barycentric kind, double x, double y, double* weights);
 

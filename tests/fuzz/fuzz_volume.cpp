@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Random volumes in small frames, valid and invalid: 3D textures of all formats, transfer functions, boxes, matrices and
-// cameras. Alpha stays in [0, 1], pixels are finite, a refused frame does not change, and every target gives the same
-// bits.
+// SPDX-License-Identifier: MIT Random volumes in small frames, valid and invalid: 3D textures of all formats, transfer
+// functions, boxes, matrices and cameras. Alpha stays in [0, 1], pixels are finite, a refused frame does not change,
+// and every target gives the same bits.
 #include "mutator.h"
 #include "texture_case.h"
 
