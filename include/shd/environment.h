@@ -3,10 +3,10 @@
  * @file
  * @brief Environments: light from all directions, from an image of radiance.
  *
- * A texel of radiance L that covers the solid angle w is a directional light of irradiance E = L w (shd/light.h), and
- * an environment is the sum of these lights. Models reflect it as they reflect lights: METALLIC_ROUGHNESS and
- * BLINN_PHONG_NORMALIZED divide the diffuse term by pi, the other models do not. In an environment of radiance 1 the
- * irradiance is pi, so a white Lambert surface has the radiance pi there, and a white rough dielectric about 1.
+ * A texel of radiance L that covers the solid angle w has the light of a directional light of irradiance E = L w
+ * (shd/light.h), spread evenly over w. An environment is the sum of these lights. Models reflect it as they reflect
+ * lights: METALLIC_ROUGHNESS and BLINN_PHONG_NORMALIZED divide the diffuse term by pi, the others do not. In an
+ * environment of radiance 1 a white Lambert surface has the radiance pi, and a white rough dielectric about 1.
  *
  * The tables are computed when the environment is made: irradiance by direction of the normal, and mean radiance over
  * the lobes of GGX and Phong by direction of mirror reflection. docs/environment-light.md describes their accuracy.
@@ -43,7 +43,7 @@ typedef enum shd_irradiance {
      * surface, and about 0.01 for environments without a sun.
      */
     SHD_IRRADIANCE_HARMONICS = 0,
-    SHD_IRRADIANCE_CONVOLVED = 1, /**< a map of 64 x 64 directions: error up to 0.015 of such a light */
+    SHD_IRRADIANCE_CONVOLVED = 1, /**< a map of 64 x 64 directions: error up to 0.018 of such a light */
     SHD_IRRADIANCE_MAX_ENUM = 0x7fffffff
 } shd_irradiance;
 
@@ -87,10 +87,10 @@ static inline shd_environment_desc shd_environment_desc_default(void)
 /**
  * Make an environment on the executor of the context.
  *
- * The radiance takes 11 bytes for each of 1 to 4 times as many texels as the image has pixels, at most
- * 45 MB, and each kind of lobe at most 5 MB. While it is made, it takes 16 bytes more for each of these texels and for
- * each pixel of the image. Maps hold three channels of 16 bits with a common exponent: errors of up to 2^-16 of the
- * largest channel.
+ * Kept: 11 bytes for each of 1 to 4 texels a pixel, of at least 64^2 (12 bytes each) and at most 2048^2 texels, and
+ * 4.2 MB or less for each kind of lobe. Temporary: 16 bytes a pixel, 224 bytes a row, and twice the bytes kept. Fixed:
+ * lobes and CONVOLVED take up to 12 MB of temporary memory more. Maps hold three channels of 16 bits with a common
+ * exponent: errors of up to 2^-16 of the largest channel.
  * @param context          retained
  * @param desc             borrowed for the call
  * @param out_environment  owned; NULL on failure

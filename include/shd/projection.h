@@ -213,14 +213,17 @@ static inline shd_direction_images shd_direction_images_default(void)
  * Convert images of directions to another projection, layout, size or format.
  *
  * Faces of the same projection and size are copied. Otherwise each texel becomes the average over its solid angle of
- * the bilinear lookups of the source, in linear light. Samples are at most half as far apart as the texels of the
- * source (measured at the narrowest ones; on the equator of LAT_LONG), with at least 2 x 2 in each texel, weighted by
- * their solid angle. Equal texels give exactly their value. The integral over the sphere is kept to the rounding of
- * the format and the error of the samples: docs/environments.md has measurements. Texels of MIRROR_BALL and ANGULAR
- * outside the disc continue the image across the rim, so that bilinear lookups and mip levels at the rim have no
+ * the bilinear lookups of the source, in linear light. Samples along u and along v are at most half as far apart as the
+ * texels of the source (measured at the narrowest ones; on the equator of LAT_LONG; from LAT_LONG to LAT_LONG in
+ * columns), with at least 2 x 2 in each texel, weighted by their solid angle. Near the rim of a MIRROR_BALL target they
+ * are this far apart on average. LAT_LONG sources with far more texels along one axis than a target texel can resolve
+ * along both are averaged along it first, so that the work is at most about 64 samples for each pixel of the target and
+ * 16 for each pixel of the source. Equal texels give exactly their value. The integral over the sphere is kept to the
+ * rounding of the format and the error of the samples: docs/environments.md has measurements. Texels of MIRROR_BALL and
+ * ANGULAR outside the disc continue the image across the rim, so that bilinear lookups and mip levels there have no
  * border. Unused parts of crosses become 0. Channels that the source lacks are 0, alpha 1; channels that the target
  * lacks are dropped.
- * @param context  its executor and SIMD target are used; its allocator provides a copy of the source in floats
+ * @param context  its executor and SIMD target are used; its allocator provides 16 bytes for each pixel of the source
  * @param from     source; at most 2^26 pixels
  * @param to       target; at most 2^26 pixels; its pixels are written; they must not overlap other images (checked)
  * @since 0.1
