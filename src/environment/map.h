@@ -25,20 +25,6 @@ inline size_t texel_index(const Level& level, int32_t x, int32_t y) {
   return level.first + static_cast<size_t>(y + 1) * (level.size + 2) + static_cast<size_t>(x + 1);
 }
 
-/// A point of the square, -1..1: p to the right and q upwards.
-struct OctahedralPoint {
-  float p, q;
-};
-
-/// Point of a direction that is not 0 (Cigolle et al., "A Survey of Efficient Representations for Independent Unit
-/// Vectors", 2014, section 3.3).
-inline OctahedralPoint octahedral_point(float x, float y, float z) {
-  const float inverse = 1.0f / (std::fabs(x) + std::fabs(y) + std::fabs(z));
-  const float p = x * inverse, q = y * inverse;
-  const float folded_p = std::copysign(1.0f - std::fabs(q), p), folded_q = std::copysign(1.0f - std::fabs(p), q);
-  return z >= 0.0f ? OctahedralPoint{p, q} : OctahedralPoint{folded_p, folded_q};
-}
-
 /// Unit direction of a point of a map, in texels from its corner: the centre of texel (i, j) is (i + 1/2, j + 1/2).
 /// `norm` = |x| + |y| + |z|, 1..sqrt(3). A texel has the solid angle (2 / size)^2 norm^3.
 struct MapDirection {
