@@ -4,3 +4,4 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 python3 describe.py
+python3 cpp/generate.py

@@ -53,6 +53,7 @@ with_find_package() {
   build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
     "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
   run "$WORK/build"
+  "$WORK/build/hello_cpp"
 }
 
 # The .pc files of shared libraries work on a machine that has no other .pc file.
