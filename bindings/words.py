@@ -6,7 +6,7 @@ OWNERSHIP = [("copied", r"\bcopied\b"), ("borrowed until release", r"\bborrowed 
              ("borrowed for the call", r"\bborrowed for the call\b"), ("retained", r"\bretained\b"),
              ("owned", r"\bowned\b")]
 NULLABLE = re.compile(r"\bNULL\b(?: data)? (?:=|is ignored|if|with)|\bmay be NULL\b|\bdefault (?:NULL|none)\b")
-TAG = re.compile(r"^@(\w+)\s*", re.M)
+LENGTH = re.compile(r"^[^.;(]*?((?:\[\w[\w /]*\])+)")
 
 
 def plain(comment):
@@ -65,6 +65,12 @@ def ownership(doc):
     return [word for word, pattern in OWNERSHIP if re.search(pattern, doc)]
 
 
+def length(doc):
+    """The lengths of an array that a pointer points at: numbers, names of fields, or words."""
+    match = LENGTH.match(doc)
+    return re.findall(r"\[([^\]]+)\]", match.group(1)) if match else []
+
+
 def mark_fields(fields, doc):
     """Which fields are required, which pointers may be NULL, and who owns what they point at."""
     match = re.search(r"Required: ([\w, ]+?)(?:, and|\.)", doc)
@@ -75,6 +81,8 @@ def mark_fields(fields, doc):
             field["required"] = True
         elif is_pointer and NULLABLE.search(field["doc"]):
             field["nullable"] = True
+        if is_pointer and length(field["doc"]):
+            field["length"] = length(field["doc"])
         if is_pointer and ownership(field["doc"]):
             field["ownership"] = ownership(field["doc"])
 
@@ -91,6 +99,8 @@ def mark_parameter(parameter, doc):
         parameter["direction"] = "in"
     if NULLABLE.search(parameter["doc"]) or "NULL is ignored" in doc:
         parameter["nullable"] = True
+    if length(parameter["doc"]):
+        parameter["length"] = length(parameter["doc"])
     if ownership(parameter["doc"]):
         parameter["ownership"] = ownership(parameter["doc"])
 
