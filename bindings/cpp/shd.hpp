@@ -3,9 +3,9 @@
 /// shd for C++17: owners of handles, exceptions, and columns from containers. Descs are the structs of the C API.
 ///
 /// shd_api.hpp, which this header includes, has a function for each function of C that can fail. It throws shd::error.
-/// A function that makes an object returns an owner; with an owner as the last argument it returns the shd_result
-/// instead and does not throw. Without exceptions (-fno-exceptions) only the second form exists. Programs call all other
-/// functions as in C.
+/// A function that makes an object returns an owner. With an owner as the last argument it returns the shd_result
+/// instead and does not throw. Without exceptions (-fno-exceptions) only the second form exists. Programs call all
+/// other functions as in C.
 ///
 /// Lifetime and threads are those of the C headers. An owner itself belongs to one thread, as any object of C++.
 ///
