@@ -4,12 +4,14 @@
 #ifndef SHD_API_HPP
 #define SHD_API_HPP
 
+#include <shd/bake.h>
 #include <shd/base.h>
 #include <shd/color.h>
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>
 #include <shd/edges.h>
+#include <shd/embree.h>
 #include <shd/environment.h>
 #include <shd/explain.h>
 #include <shd/extension.h>
@@ -22,6 +24,7 @@
 #include <shd/material.h>
 #include <shd/mesh.h>
 #include <shd/mip.h>
+#include <shd/occlusion.h>
 #include <shd/polygon.h>
 #include <shd/projection.h>
 #include <shd/render.h>
@@ -48,6 +51,8 @@ namespace shd {
 using color = owner<shd_color, shd_color_retain, shd_color_release>;
 /// Owner of the allocator, executor and log that its objects use.
 using context = owner<shd_context, shd_context_retain, shd_context_release>;
+/// The triangles of draws, in a tree.
+using embree = owner<shd_embree, shd_embree_retain, shd_embree_release>;
 /// Light from all directions.
 using environment = owner<shd_environment, shd_environment_retain, shd_environment_release>;
 /// A set of planes with the same width and height.
@@ -87,6 +92,19 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   shd_context* handle = nullptr;
   const shd_result result = shd_context_create(desc, &handle);
   out_context.reset(handle);
+  return result;
+}
+
+/// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
+/// shd_embree_create().
+[[nodiscard]] inline shd_result embree_create(
+    shd_context* context_,
+    const shd_draw* draws,
+    size_t draw_count,
+    shd::embree& out_embree) noexcept {
+  shd_embree* handle = nullptr;
+  const shd_result result = shd_embree_create(context_, draws, draw_count, &handle);
+  out_embree.reset(handle);
   return result;
 }
 
@@ -301,7 +319,26 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
+[[nodiscard]] inline shd_result texture_load_vdb(
+    shd_context* context_,
+    const char* path,
+    const shd_vdb_desc* vdb,
+    const shd_load_desc* load,
+    shd_vdb_info* out_info,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_vdb(context_, path, vdb, load, out_info, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
 #ifdef __cpp_exceptions
+/// Shade the surfaces of draws into a framebuffer at their texture coordinates. See shd_bake().
+inline void bake(shd_context* context_, const shd_render_desc* frame, const shd_bake_desc* desc) {
+  check(shd_bake(context_, frame, desc));
+}
+
 /// Read a config. See shd_color_create().
 inline shd::color color_create(shd_context* context_, const shd_color_desc* desc) {
   shd::color made;
@@ -380,6 +417,21 @@ inline void mesh_find_edges(
     const shd_edges* out_,
     size_t* out_count) {
   check(shd_mesh_find_edges(mesh_, desc, capacity, out_, out_count));
+}
+
+/// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
+/// shd_embree_create().
+inline shd::embree embree_create(shd_context* context_, const shd_draw* draws, size_t draw_count) {
+  shd::embree made;
+  check(embree_create(context_, draws, draw_count, made));
+  return made;
+}
+
+/// Get the tracer of a tree. See shd_embree_get_tracer().
+inline shd_tracer embree_get_tracer(const shd_embree* embree_) {
+  shd_tracer made = {};
+  check(shd_embree_get_tracer(embree_, &made));
+  return made;
 }
 
 /// Make an environment on the executor of the context. See shd_environment_create().
@@ -670,6 +722,35 @@ inline void normal_moments(
   check(shd_normal_moments(context_, normals, out_, mixed));
 }
 
+/// Compute the occlusion of points. See shd_occlusion_compute().
+inline void occlusion_compute(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_occlusion_points* points,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_compute(context_, desc, points, out_));
+}
+
+/// Compute the occlusion of the vertices of a draw, with their vertex normals. Its mesh and object_to_world are read.
+/// See shd_occlusion_compute_vertices().
+inline void occlusion_compute_vertices(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_draw* draw,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_compute_vertices(context_, desc, draw, out_));
+}
+
+/// Compute the occlusion of the texels of a texture, each at the point where shd_bake() shades it. See
+/// shd_occlusion_bake().
+inline void occlusion_bake(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_occlusion_atlas* atlas,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_bake(context_, desc, atlas, out_));
+}
+
 /// Compute the barycentric coordinates of points. See shd_polygon_evaluate().
 inline void polygon_evaluate(
     const shd_context* context_,
@@ -955,6 +1036,18 @@ inline shd::texture texture_load_stack(
     const shd_load_desc* load) {
   shd::texture made;
   check(texture_load_stack(context_, stack, load, made));
+  return made;
+}
+
+/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
+inline shd::texture texture_load_vdb(
+    shd_context* context_,
+    const char* path,
+    const shd_vdb_desc* vdb,
+    const shd_load_desc* load,
+    shd_vdb_info* out_info) {
+  shd::texture made;
+  check(texture_load_vdb(context_, path, vdb, load, out_info, made));
   return made;
 }
 
