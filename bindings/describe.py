@@ -37,7 +37,7 @@ def syntax_tree(clang, include, headers):
         unit = pathlib.Path(folder) / "unit.c"
         unit.write_text("".join(f"#include <shd/{h}.h>\n" for h in headers), encoding="utf-8")
         run = subprocess.run([clang, "-std=c99", "-w", "-fsyntax-only", "-Xclang", "-ast-dump=json", "-I", include,
-                              unit], check=True, capture_output=True, text=True)
+                              unit], check=True, stdout=subprocess.PIPE, text=True)
     place = {"file": ""}
     for node in json.loads(run.stdout)["inner"]:
         locate(node, place)
