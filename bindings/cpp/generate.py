@@ -56,13 +56,28 @@ class Generator:
         self.functions = functions
         self.structs = {s["name"] for s in table["structs"]}
         self.owners = [h for h in table["handles"] if len(functions[h["release"]]["parameters"]) == 1]
+        self.optional = {f["header"] for f in table["functions"] if f.get("library", "shd") != "shd"}
         self.owned = {h["name"]: h["name"].removeprefix("shd_") for h in self.owners}
 
-    def owner_lines(self):
-        for handle in self.owners:
-            name = handle["name"]
-            yield f"/// {' '.join(handle['doc'].split())}"
-            yield f"using {self.owned[name]} = owner<{name}, {handle['retain']}, {handle['release']}>;"
+    def owner(self, handle):
+        name = handle["name"]
+        return (f"/// {' '.join(handle['doc'].split())}\n"
+                f"using {self.owned[name]} = owner<{name}, {handle['retain']}, {handle['release']}>;")
+
+    def group(self, entries, make):
+        """The text of each entry. Entries of a component exist only where its header is installed."""
+        current = None
+        for entry in entries:
+            text = make(entry)
+            if text is None:
+                continue
+            header = entry["header"] if entry["header"] in self.optional else None
+            if header != current:
+                yield from ["#endif"] * bool(current)
+                yield from [f"#if __has_include(<shd/{header}.h>)"] * bool(header)
+                current = header
+            yield text
+        yield from ["#endif"] * bool(current)
 
     def output(self, function):
         """The last parameter, if the C++ function returns it, and its type without the pointer."""
@@ -119,11 +134,12 @@ class Generator:
         return "\n".join([*lines, "}", ""])
 
     def text(self):
-        headers = sorted({f["header"] for f in self.table["functions"]} | {h["header"] for h in self.owners})
-        lines = [HEAD.format(includes="\n".join(f"#include <shd/{h}.h>" for h in headers)), *self.owner_lines(), ""]
+        headers = [{"header": h["name"]} for h in self.table["headers"] if h["name"] != "shd"]
+        includes = "\n".join(self.group(headers, lambda h: f"#include <shd/{h['header']}.h>"))
+        lines = [HEAD.format(includes=includes), *self.group(self.owners, self.owner), ""]
         functions = [f for f in self.table["functions"] if self.is_wrapped(f)]
-        lines += filter(None, map(self.creator, functions))
-        lines += ["#ifdef __cpp_exceptions", *map(self.thrower, functions), "#endif", ""]
+        lines += self.group(functions, self.creator)
+        lines += ["", "#ifdef __cpp_exceptions", *self.group(functions, self.thrower), "#endif", ""]
         return "\n".join([*lines, "}  // namespace shd", "// clang-format on", "#endif  // SHD_API_HPP", ""])
 
 

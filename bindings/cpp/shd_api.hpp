@@ -6,19 +6,26 @@
 
 #include <shd/bake.h>
 #include <shd/base.h>
+#if __has_include(<shd/color.h>)
 #include <shd/color.h>
+#endif
 #include <shd/column.h>
 #include <shd/context.h>
 #include <shd/desc.h>
 #include <shd/edges.h>
+#if __has_include(<shd/embree.h>)
 #include <shd/embree.h>
+#endif
 #include <shd/environment.h>
 #include <shd/explain.h>
 #include <shd/extension.h>
 #include <shd/footprint.h>
+#include <shd/fragments.h>
 #include <shd/framebuffer.h>
 #include <shd/image.h>
+#if __has_include(<shd/io.h>)
 #include <shd/io.h>
+#endif
 #include <shd/light.h>
 #include <shd/lookup.h>
 #include <shd/material.h>
@@ -26,11 +33,14 @@
 #include <shd/mip.h>
 #include <shd/occlusion.h>
 #include <shd/polygon.h>
+#include <shd/present.h>
 #include <shd/projection.h>
 #include <shd/render.h>
 #include <shd/result.h>
 #include <shd/sampler.h>
+#if __has_include(<shd/scene.h>)
 #include <shd/scene.h>
+#endif
 #include <shd/shadow.h>
 #include <shd/shapes.h>
 #include <shd/slot.h>
@@ -38,27 +48,37 @@
 #include <shd/tessellate.h>
 #include <shd/texture.h>
 #include <shd/transform.h>
+#include <shd/vertices.h>
 #include <shd/view.h>
 #include <shd/volume.h>
+#if __has_include(<shd/volume_file.h>)
 #include <shd/volume_file.h>
+#endif
+#include <shd/wrap.h>
 
 #include "shd.hpp"
 
 // clang-format off
 namespace shd {
 
+#if __has_include(<shd/color.h>)
 /// An OpenColorIO config and the transforms built from it so far.
 using color = owner<shd_color, shd_color_retain, shd_color_release>;
+#endif
 /// Owner of the allocator, executor and log that its objects use.
 using context = owner<shd_context, shd_context_retain, shd_context_release>;
+#if __has_include(<shd/embree.h>)
 /// The triangles of draws, in a tree.
 using embree = owner<shd_embree, shd_embree_retain, shd_embree_release>;
+#endif
 /// Light from all directions.
 using environment = owner<shd_environment, shd_environment_retain, shd_environment_release>;
 /// A set of planes with the same width and height.
 using framebuffer = owner<shd_framebuffer, shd_framebuffer_retain, shd_framebuffer_release>;
+#if __has_include(<shd/io.h>)
 /// The pixels of a file, without conversion.
 using bitmap = owner<shd_bitmap, shd_bitmap_retain, shd_bitmap_release>;
+#endif
 /// A source of light in world space.
 using light = owner<shd_light, shd_light_retain, shd_light_release>;
 /// Reflectance of a surface.
@@ -67,8 +87,10 @@ using material = owner<shd_material, shd_material_retain, shd_material_release>;
 using mesh = owner<shd_mesh, shd_mesh_retain, shd_mesh_release>;
 /// A filter with its settings, for any texture.
 using sampler = owner<shd_sampler, shd_sampler_retain, shd_sampler_release>;
+#if __has_include(<shd/scene.h>)
 /// A model file in memory.
 using scene = owner<shd_scene, shd_scene_retain, shd_scene_release>;
+#endif
 /// Depths as seen from a light.
 using shadow = owner<shd_shadow, shd_shadow_retain, shd_shadow_release>;
 /// A two-dimensional texture, an array of them, a 3D texture or a texture of directions, with its tables.
@@ -76,6 +98,7 @@ using texture = owner<shd_texture, shd_texture_retain, shd_texture_release>;
 /// A density field with its transfer function.
 using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
 
+#if __has_include(<shd/color.h>)
 /// Read a config. See shd_color_create().
 [[nodiscard]] inline shd_result color_create(
     shd_context* context_,
@@ -87,6 +110,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#endif
 /// Make a context. See shd_context_create().
 [[nodiscard]] inline shd_result context_create(const shd_context_desc* desc, shd::context& out_context) noexcept {
   shd_context* handle = nullptr;
@@ -95,6 +119,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/embree.h>)
 /// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
 /// shd_embree_create().
 [[nodiscard]] inline shd_result embree_create(
@@ -108,6 +133,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#endif
 /// Make an environment on the executor of the context. See shd_environment_create().
 [[nodiscard]] inline shd_result environment_create(
     shd_context* context_,
@@ -130,6 +156,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/io.h>)
 /// Read an image file. See shd_bitmap_load().
 [[nodiscard]] inline shd_result bitmap_load(
     shd_context* context_,
@@ -180,6 +207,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#endif
 /// Make a light. See shd_light_create().
 [[nodiscard]] inline shd_result light_create(
     shd_context* context_,
@@ -236,6 +264,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/scene.h>)
 /// Read a model file. See shd_scene_load().
 [[nodiscard]] inline shd_result scene_load(
     shd_context* context_,
@@ -248,6 +277,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#endif
 /// Make a shadow without a map. Call shd_shadow_render() before any lookup. See shd_shadow_create().
 [[nodiscard]] inline shd_result shadow_create(
     shd_context* context_,
@@ -294,6 +324,7 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#if __has_include(<shd/volume_file.h>)
 /// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
 [[nodiscard]] inline shd_result texture_load_raw(
     shd_context* context_,
@@ -333,12 +364,15 @@ using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
   return result;
 }
 
+#endif
+
 #ifdef __cpp_exceptions
 /// Shade the surfaces of draws into a framebuffer at their texture coordinates. See shd_bake().
 inline void bake(shd_context* context_, const shd_render_desc* frame, const shd_bake_desc* desc) {
   check(shd_bake(context_, frame, desc));
 }
 
+#if __has_include(<shd/color.h>)
 /// Read a config. See shd_color_create().
 inline shd::color color_create(shd_context* context_, const shd_color_desc* desc) {
   shd::color made;
@@ -396,6 +430,7 @@ inline void color_convert(
   check(shd_color_convert(color_, from_space, to_space, in_out));
 }
 
+#endif
 /// Make a context. See shd_context_create().
 inline shd::context context_create(const shd_context_desc* desc) {
   shd::context made;
@@ -419,6 +454,7 @@ inline void mesh_find_edges(
   check(shd_mesh_find_edges(mesh_, desc, capacity, out_, out_count));
 }
 
+#if __has_include(<shd/embree.h>)
 /// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
 /// shd_embree_create().
 inline shd::embree embree_create(shd_context* context_, const shd_draw* draws, size_t draw_count) {
@@ -434,6 +470,7 @@ inline shd_tracer embree_get_tracer(const shd_embree* embree_) {
   return made;
 }
 
+#endif
 /// Make an environment on the executor of the context. See shd_environment_create().
 inline shd::environment environment_create(shd_context* context_, const shd_environment_desc* desc) {
   shd::environment made;
@@ -547,6 +584,7 @@ inline void framebuffer_read_color(const shd_framebuffer* framebuffer_, const sh
   check(shd_framebuffer_read_color(framebuffer_, out_));
 }
 
+#if __has_include(<shd/io.h>)
 /// Read an image file. See shd_bitmap_load().
 inline shd::bitmap bitmap_load(shd_context* context_, const char* path, const shd_load_desc* desc) {
   shd::bitmap made;
@@ -610,6 +648,7 @@ inline void image_save(const shd_image* image, const char* path, const shd_save_
   check(shd_image_save(image, path, desc));
 }
 
+#endif
 /// Make a light. See shd_light_create().
 inline shd::light light_create(shd_context* context_, const shd_light_desc* desc) {
   shd::light made;
@@ -796,6 +835,7 @@ inline shd::sampler sampler_create(shd_context* context_, const shd_sampler_desc
   return made;
 }
 
+#if __has_include(<shd/scene.h>)
 /// Read a model file. See shd_scene_load().
 inline shd::scene scene_load(shd_context* context_, const char* path, const shd_scene_desc* desc) {
   shd::scene made;
@@ -846,6 +886,7 @@ inline void scene_fill_render(const shd_scene* scene_, shd_render_desc* in_out_r
   check(shd_scene_fill_render(scene_, in_out_render));
 }
 
+#endif
 /// Make a shadow without a map. Call shd_shadow_render() before any lookup. See shd_shadow_create().
 inline shd::shadow shadow_create(shd_context* context_, const shd_shadow_desc* desc) {
   shd::shadow made;
@@ -1018,6 +1059,7 @@ inline shd::volume volume_create(shd_context* context_, const shd_volume_desc* d
   return made;
 }
 
+#if __has_include(<shd/volume_file.h>)
 /// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
 inline shd::texture texture_load_raw(
     shd_context* context_,
@@ -1051,6 +1093,7 @@ inline shd::texture texture_load_vdb(
   return made;
 }
 
+#endif
 #endif
 
 }  // namespace shd

@@ -107,6 +107,9 @@ with_pkg_config() {
     "$CC" "${warnings[@]}" "${defines[@]}" "${sources[@]}" -o "$WORK/$example" "${flags[@]}" -lm -pthread
   done
   run "$WORK"
+  read -ra flags <<<"$(pkg-config --cflags --libs shd)"
+  "$CXX" -std=c++17 -Wall -Wextra -Werror "$SOURCE/bindings/cpp/hello.cpp" -o "$WORK/hello_cpp" "${flags[@]}" -pthread
+  "$WORK/hello_cpp"
 }
 
 # One generic SIMD target and no files or colour: quick to build, and the options an embedder would turn.
