@@ -50,7 +50,7 @@ with_find_package() {
   for file in LICENSE README.md docs/index.md docs/pictures/pipeline.svg examples/hello.c; do
     [ -s "$WORK/prefix/share/doc/shd/$file" ] || { echo "$file is not installed" && exit 1; }
   done
-  build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
+  build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" \
     "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
   run "$WORK/build"
   "$WORK/build/hello_cpp"

@@ -67,6 +67,11 @@ class Record:
             return array.reshape(4, 4).T if array is not None and array.size == 16 else array
         return view(value, kind, self._rows)
 
+    def close(self):
+        """Ends the access to the memory of the library."""
+        self.__dict__.clear()
+        self._entry = {}
+
     def _plane(self, where):
         stride = self._struct.row_stride // 4
         rows = view(where, "const float *", self._struct.height * stride - stride + self._struct.width)
@@ -112,8 +117,8 @@ class Callback:
         if self.failure is not None and result == "void" and self._entry["name"] in PROGRAMS:
             return failed
         local.depth = getattr(local, "depth", 0) + 1
+        values = []
         try:
-            values = []
             for parameter, argument in zip(self._entry["parameters"], arguments):
                 if parameter["name"] != "user_data":
                     values.append(record_of(parameter["type"], argument, values))
@@ -126,6 +131,9 @@ class Callback:
             return failed
         finally:
             local.depth -= 1
+            for value in values:
+                if isinstance(value, Record):
+                    value.close()
 
 
 def raise_failures(keep):

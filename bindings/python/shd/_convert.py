@@ -97,7 +97,7 @@ def data(value, base, name, keep):
     if base in ELEMENTS and not isinstance(value, np.ndarray):
         value = np.array(value, ELEMENTS[base])
     if not isinstance(value, np.ndarray):
-        return int(value)
+        raise TypeError(f"{name}: a NumPy array or bytes, not {type(value).__name__}")
     if base in ELEMENTS and value.dtype != ELEMENTS[base]:
         raise TypeError(f"{name}: the array is of {value.dtype}, not {np.dtype(ELEMENTS[base])}")
     if not value.flags.c_contiguous:
@@ -106,29 +106,62 @@ def data(value, base, name, keep):
     return address(value)
 
 
-def pointer(struct, field, value, keep, name, fields):
-    """The address for a field that is a pointer; lists set the field of their length."""
+def set_length(struct, field, count, name, given):
+    """Sets the field that has the length of a list; `given` has the lengths so far, by the names of their fields."""
+    names = [n for n in field.get("length", []) if not n.isdigit()]
+    if not names or not hasattr(struct, names[-1]):
+        if count > 1:
+            raise ValueError(f"{name}: {count} elements, not 1")
+        return
+    rows = max(1, getattr(struct, names[0])) if len(names) > 1 else 1
+    if count % rows:
+        raise ValueError(f"{name}: {count} elements for {rows} {names[0]}")
+    if given.setdefault(names[-1], count // rows) != count // rows:
+        raise ValueError(f"{name}: {count} elements, not {names[-1]} = {given[names[-1]]}")
+    setattr(struct, names[-1], count // rows)
+
+
+def pointer(struct, field, value, keep, name, given):
+    """The address for a field that is a pointer."""
     base = field["type"].replace("const", "").replace("*", "").strip()
-    if base == "char" and "* *" not in field["type"] and "*const *" not in field["type"]:
+    if field["type"].endswith("*const *") and not isinstance(value, (list, tuple)):
+        raise TypeError(f"{name}: a list, not {type(value).__name__}")
+    is_list = isinstance(value, (list, tuple))
+    if field["type"] == "const char *":
         text = ctypes.c_char_p(value.encode() if isinstance(value, str) else value)
         keep.append(text)
         return ctypes.cast(text, ctypes.c_void_p).value
     if hasattr(value, "handle"):
         return value.handle(base, keep, name)
-    is_list = isinstance(value, (list, tuple))
+    if base in _api.handles and not is_list:
+        raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)}")
     if base in _api.structs and not is_list:
+        set_length(struct, field, 1, name, given)
         return ctypes.addressof(build(base, value, keep, name))
-    if not is_list or base in ELEMENTS or base == "void":
-        where = data(value, base, name, keep)
-        if field.get("length", ["1"])[0] in fields and isinstance(value, np.ndarray):
-            setattr(struct, field["length"][0], len(value))
-        return where
-    length = field.get("length", [])
-    if length and length[-1] in fields:
-        setattr(struct, length[-1], len(value))
+    if base in ELEMENTS or base == "void":
+        return numbers_address(struct, field, value, keep, name, given)
+    if not is_list:
+        raise TypeError(f"{name}: a list, not {type(value).__name__}")
+    set_length(struct, field, len(value), name, given)
     array = elements(base, value, keep, name)
     keep.append(array)
     return ctypes.addressof(array) if value else None
+
+
+def numbers_address(struct, field, value, keep, name, given):
+    """The address of numbers. Rows of 16 are matrices, which may be [row][column]."""
+    lengths = field.get("length", [])
+    if lengths[1:] == ["16"]:
+        value = np.asarray(value)
+        if value.ndim == 3 and value.shape[1:] == (4, 4):
+            value = np.ascontiguousarray(value.transpose(0, 2, 1))
+        if value.ndim < 2 or value.size != 16 * len(value):
+            raise ValueError(f"{name}: an array of shape {value.shape}, not [count][4][4]")
+        set_length(struct, field, len(value), name, given)
+    elif lengths and hasattr(struct, lengths[0]) and len(lengths) == 1:
+        set_length(struct, field, len(value), name, given)
+    base = field["type"].replace("const", "").replace("*", "").strip()
+    return data(value, base, name, keep)
 
 
 def elements(base, value, keep, name):
@@ -165,8 +198,8 @@ def build(base, value, keep, name):
     return desc_type(base)(**value).build(keep)
 
 
-def convert(struct, field, value, keep, name, fields):
-    """Sets a field of a struct."""
+def convert(struct, field, value, keep, name, given):
+    """Sets a field of a struct. `given` has the lengths of lists by the names of their fields."""
     kind = field["type"]
     if value is None:
         return
@@ -179,7 +212,7 @@ def convert(struct, field, value, keep, name, fields):
     elif kind in _api.callbacks:
         setattr(struct, field["name"], Callback.of(kind, value, keep).address)
     elif "*" in kind:
-        setattr(struct, field["name"], pointer(struct, field, value, keep, name, fields))
+        setattr(struct, field["name"], pointer(struct, field, value, keep, name, given))
     elif "array" in field and (bits or kind in _api.enums):
         getattr(struct, field["name"])[:] = [enum_value(bits or kind, v, name) for v in value]
     elif "array" in field:
@@ -189,6 +222,8 @@ def convert(struct, field, value, keep, name, fields):
     elif bits or kind in _api.enums:
         setattr(struct, field["name"], enum_value(bits or kind, value, name))
     else:
+        if given.setdefault(field["name"], value) != value:
+            raise ValueError(f"{name}: {value}, but the list has {given[field['name']]} elements")
         try:
             setattr(struct, field["name"], value)
         except TypeError as problem:

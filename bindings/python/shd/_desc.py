@@ -57,9 +57,10 @@ class Desc:
 
     def build(self, keep):
         """The struct of C. `keep` gets everything that must live as long as the struct is used."""
-        made = _api.new(self._struct)
-        for name, value in self._values.items():
-            convert(made, self._fields[name], value, keep, f"{self._struct.removeprefix('shd_')}.{name}", self._fields)
+        made, given = _api.new(self._struct), {}
+        for name in sorted(self._values, key=lambda n: "*" in self._fields[n]["type"]):  # lengths before lists
+            convert(made, self._fields[name], self._values[name], keep,
+                    f"{self._struct.removeprefix('shd_')}.{name}", given)
         keep.append(made)
         return made
 

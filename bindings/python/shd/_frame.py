@@ -62,8 +62,10 @@ class Framebuffer(Object):
         dtype, channels = array_type(texel_format)
         if out is None:
             out = np.empty((info["height"], info["width"], channels), dtype)
-        if out.dtype != dtype:
-            raise TypeError(f"out: the array is of {out.dtype}, not {dtype}")
+        if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape[2:] != (channels,):
+            raise TypeError(f"out: an array [height][width][{channels}] of {dtype}")
+        if not out.flags.writeable:
+            raise ValueError("out: the array is read-only")
         made = image(out, keep, "out", texel_format=texel_format)
         _api.check(_api.lib.shd_framebuffer_read_color(self.handle("shd_framebuffer", keep), ctypes.addressof(made)))
         return out

@@ -159,7 +159,12 @@ class Mesh(Object):
         if indices is not None:
             indices = indices if isinstance(indices, np.ndarray) else np.array(indices, np.uint32)
             made = made.replace(**{"indices16" if indices.dtype == np.uint16 else "indices": indices})
-            made = made.replace(index_count=indices.size)
+        for name in ("indices", "indices16"):
+            count = np.size(made._values.get(name, ()))
+            if made._values.get("index_count", count) > count > 0:
+                raise ValueError(f"mesh.index_count: {made.index_count}, but {name} has {count} elements")
+            if count and "index_count" not in made._values:
+                made = made.replace(index_count=count)
         built = made.build(keep)
         self._set_count(built, made._values)
         self._adopt(keep, _api.lib.shd_mesh_create, context.handle("shd_context", keep), ctypes.addressof(built))

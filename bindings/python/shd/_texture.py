@@ -13,6 +13,22 @@ from ._objects import Object, document, make_desc
 FLOAT = np.dtype("f4")
 
 
+def end_of(array):
+    """Address behind the last element of an array with positive strides."""
+    return address(array) + sum((n - 1) * s for n, s in zip(array.shape, array.strides)) + array.itemsize
+
+
+def check_padding(texels):
+    """Lookups read whole vectors: borrowed texels lie inside a larger array."""
+    whole = texels
+    while isinstance(whole.base, np.ndarray):
+        whole = whole.base
+    padding = end_of(whole) - end_of(texels)
+    if padding < _api.constants["SHD_TEXTURE_PADDING"]:
+        raise ValueError(f"texture.texels: {padding} bytes behind the borrowed texels in their array, not "
+                         f"{_api.constants['SHD_TEXTURE_PADDING']}")
+
+
 @document
 class Texture(Object):
     """Texture(context, texels, srgb=False, tables="mipmap", ...).
@@ -37,6 +53,8 @@ class Texture(Object):
         built.row_stride = texels.strides[-3] if texels.shape[-3] > 1 else 0
         built.layer_stride = texels.strides[0] if stacked and texels.shape[0] > 1 else 0
         built.texels = address(texels)
+        if built.flags:
+            check_padding(texels)
         self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
         if built.flags:  # borrowed texels live as long as the texture
             self._reference.keep.append(texels)

@@ -125,6 +125,17 @@ class Textures(Case):
         texture = shd.Texture(self.context, texels, flags="borrow")
         del texels  # the texture keeps them
         self.assertEqual(texture.read_level().sum(), 0)
+        self.check_refused(ValueError, "0 bytes behind the borrowed texels in their array, not 128", shd.Texture,
+                           self.context, np.zeros((4, 4), np.float32), flags="borrow")
+
+    def test_levels(self):
+        """The caller's levels of two layers: two images for each level."""
+        base, levels = np.zeros((2, 4, 4), np.float32), [np.full((2, 2), i, np.float32) for i in (1, 2)]
+        texture = shd.Texture(self.context, base, layers=2, tables="mipmap", levels=levels)
+        self.assertEqual(texture.info["level_count"], 2)
+        np.testing.assert_array_equal(texture.read_level(1, 1)[..., 0], levels[1])
+        self.check_refused(ValueError, "3 elements for 2 layers", shd.Texture, self.context, base, layers=2,
+                           tables="mipmap", levels=[*levels, levels[0]])
 
     def test_refused(self):
         make = lambda texels, **values: shd.Texture(self.context, texels, **values)

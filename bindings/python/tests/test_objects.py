@@ -104,6 +104,27 @@ class Descs(Case):
         self.check_refused(TypeError, "max_anisotropy", shd.Sampler, self.context, max_anisotropy="large")
         self.check_refused(ValueError, "border_color|3 numbers, not 4", shd.Sampler, self.context, border=(1, 2, 3))
 
+    def test_lengths(self):
+        """A length that is not that of its list is refused before C reads beyond the list."""
+        draw, light = shd.Draw(mesh=self.square()), shd.Light(self.context)
+        render = lambda **values: shd.render(self.context, self.framebuffer(), **values)
+        for kind, message, values in (
+                (ValueError, "render_desc.draws: 1 elements, not draw_count = 3", {"draws": [draw], "draw_count": 3}),
+                (ValueError, "not light_count = [12]", {"lights": [light, light], "shadows": [None]}),
+                (ValueError, r"shape \(1, 15\), not", {"draws": [draw.replace(instances=np.zeros((1, 15), "f4"))]}),
+                (ValueError, "instance_count = 2", {"draws": [draw.replace(instances=np.zeros((1, 16), "f4"),
+                                                                           instance_count=2)]}),
+                (TypeError, "instances: the array is of float64", {"draws": [draw.replace(
+                    instances=np.eye(4)[np.newaxis])]}),
+                (TypeError, "draw.mesh: Light, not Mesh", {"draws": [shd.Draw(mesh=light)]}),
+                (TypeError, "draw.mesh: int, not Mesh", {"draws": [shd.Draw(mesh=5)]}),
+                (TypeError, r"draws\[0\]: Camera, not Draw", {"draws": [shd.Camera()]}),
+                (TypeError, "lights: a list, not Light", {"lights": light}),
+                (TypeError, "uniforms: a NumPy array or bytes, not int", {"draws": [draw.replace(uniforms=5)]})):
+            with self.subTest(message):
+                self.check_refused(kind, message, render, **values)
+        render(draws=[draw], draw_count=1, lights=[light], shadows=[None])
+
     def test_pickle(self):
         for desc in (shd.SamplerDesc(filter="ewa", border=(0, 0, 0, 1)),
                      shd.MeshDesc(position=np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]])),
@@ -144,3 +165,6 @@ class Meshes(Case):
                            uv=np.zeros((2, 2), np.float32))
         self.check_refused(TypeError, "indices: the array is of int64", make, position, np.array([0, 1, 2]))
         self.check_refused(shd.InvalidArgument, "indices", make, position, np.uint32([0, 1, 7]))
+        self.check_refused(ValueError, "vertex_count 9", make, position, vertex_count=9)
+        self.check_refused(ValueError, "index_count: 6, but indices has 3", make, position, [0, 1, 2], index_count=6)
+        self.check_refused(ValueError, "5 columns|4 columns, not 3", make, [position[:, 0]] * 4)

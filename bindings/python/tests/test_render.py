@@ -45,7 +45,8 @@ class Frames(Case):
         move[0, 3] = 1
         framebuffer = self.framebuffer(aovs="draw")
         for draw in (shd.Draw(mesh=self.square(), object_to_world=move),
-                     shd.Draw(mesh=self.square(), instances=np.ascontiguousarray(move.T)[np.newaxis])):
+                     shd.Draw(mesh=self.square(), instances=move[np.newaxis]),
+                     shd.Draw(mesh=self.square(), instances=move.T.reshape(1, 16).copy())):
             shd.render(self.context, framebuffer, [draw])
             np.testing.assert_array_equal(framebuffer.plane("depth") < 1, [[False] * 8 + [True] * 8] * 8)
 
@@ -178,6 +179,11 @@ class Programs(Case):
             self.draw(context, {"fragment": self.shade})
         self.assertLessEqual(len(calls), 4)
         self.check_refused(TypeError, "int is not callable", self.draw, self.context, {"fragment": 3})
+
+    def test_late_access(self):
+        kept = []
+        self.draw(self.context, {"fragment": lambda fragments, out: kept.append(fragments)}, 16, 8)
+        self.check_refused(AttributeError, "no column u", lambda: kept[0].u)
 
     def test_tiles(self):
         image, lock = np.zeros((128, 256), np.float32), threading.Lock()
