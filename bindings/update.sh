@@ -5,3 +5,4 @@ set -euo pipefail
 cd "$(dirname "$0")"
 python3 describe.py
 python3 cpp/generate.py
+python3 python/generate.py

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Objects and descs: lifetimes, misuse, pickling, and memory that is given back."""
+import ast
+import enum
 import gc
+import pathlib
 import pickle
 import threading
 
@@ -141,6 +144,22 @@ class Descs(Case):
         self.assertIn("RenderDesc", dir(shd))
         self.assertIn("EWA", shd.Filter.__members__)
         self.check_refused(AttributeError, "no attribute nothing", lambda: shd.nothing)
+
+
+class Stubs(Case):
+    def test_names(self):
+        """Classes and members of the stubs are those of the module."""
+        tree = ast.parse((pathlib.Path(shd.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
+        classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+        self.assertGreater(len(classes), 100)
+        for node in classes:
+            made = getattr(shd, node.name)
+            members = made.__members__ if isinstance(made, enum.EnumMeta) else made._fields
+            declared = {t.id for n in node.body if isinstance(n, ast.Assign) for t in n.targets}
+            declared |= {n.target.id for n in node.body if isinstance(n, ast.AnnAssign)}
+            self.assertEqual(declared, set(members) - {"struct_size"}, node.name)
+        names = {node.name for node in classes}
+        self.assertEqual({n for n in shd.__dir__() if n in shd._names}, names)
 
 
 class Meshes(Case):
