@@ -138,6 +138,9 @@ class Library:
     def load(self, name):
         if name not in self._loaded:
             problems = []
+            if not self._loaded and not os.environ.get("SHD_LIBRARY"):
+                for needed in sorted(HERE.glob("lib*.so.*")):  # of a wheel with its own libshd
+                    ctypes.CDLL(str(needed))
             for candidate in _candidates(name):
                 try:
                     self._loaded[name] = ctypes.CDLL(candidate)

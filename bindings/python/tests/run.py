@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs the tests of the Python package of this folder's parent, or those of an installed one.
-
-    run.py [--installed]       SHD_LIBRARY is the path of libshd. Exit code 77: NumPy is absent.
-"""
+"""Runs the tests of the package beside this folder. SHD_LIBRARY is the path of libshd. Exit code 77: NumPy is absent."""
 import importlib.util
 import pathlib
 import sys
@@ -17,9 +14,7 @@ def main():
         print(f"skipped: {sys.executable} has no NumPy (Debian: python3-numpy)")
         return 77
     sys.dont_write_bytecode = True
-    sys.path.insert(0, str(HERE))
-    if "--installed" not in sys.argv[1:]:
-        sys.path.insert(0, str(HERE.parent))
+    sys.path[:0] = [str(HERE.parent), str(HERE)]
     suite = unittest.defaultTestLoader.discover(str(HERE))
     result = unittest.TextTestRunner(verbosity=1).run(suite)
     return 0 if result.wasSuccessful() and result.testsRun else 1
