@@ -20,7 +20,8 @@ cd "$(dirname "$0")/.." || exit 1
 
 packages=(abigail-tools assimp-testmodels ca-certificates ccache clang clang-format cmake doxygen g++ gcc git
           libassimp-dev libbenchmark-dev libcmocka-dev libboost-dev libeigen3-dev libembree-dev
-          libhwy-dev libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev ninja-build pkg-config python3)
+          libhwy-dev libopencolorio-dev libopenimageio-dev libopenvdb-dev libtbb-dev ninja-build pkg-config python3
+          python3-numpy)
 arm_packages=(g++-aarch64-linux-gnu qemu-user)
 [ "${SHD_ARM:-0}" = 1 ] && packages+=("${arm_packages[@]}")
 jobs=$(nproc)
@@ -103,10 +104,10 @@ stage_tsan() {
       run_tests tsan -R '^(api|unit\.raster\.bin)' \
         -E '^api\.(call_faults|environment(_texels)?|framebuffer_formats|lookup_(bad_footprints|small)|minified_normals|shadow_contact|render_(painter|passes|supersampling|window))$'
 }
-# The release stage has built shd as a part of another project, and has run the unit tests on the generic SIMD target;
-# failures of allocations do not depend on it.
+# The release stage has built shd as a part of another project and of a Python package, and has run the unit tests on
+# the generic SIMD target; failures of allocations do not depend on it.
 stage_core() {
-  build core -DSHD_SIMD=scalar && run_tests core -E '^(consumer\.add_subdirectory$|unit\.|api\.(call_)?faults$)'
+  build core -DSHD_SIMD=scalar && run_tests core -E '^(bindings\.python\.install$|consumer\.add_subdirectory$|unit\.|api\.(call_)?faults$)'
 }
 # Only the golden hashes: the emulator takes a minute for them.
 stage_arm() {

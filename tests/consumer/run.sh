@@ -50,9 +50,10 @@ with_find_package() {
   for file in LICENSE README.md docs/index.md docs/pictures/pipeline.svg examples/hello.c; do
     [ -s "$WORK/prefix/share/doc/shd/$file" ] || { echo "$file is not installed" && exit 1; }
   done
-  build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" -DSHARED="$SHARED" \
+  build "$SOURCE/tests/consumer/find_package" -DCMAKE_PREFIX_PATH="$WORK/prefix" \
     "-DCOMPONENTS=$(IFS=';' && echo "${components[*]:-}")"
   run "$WORK/build"
+  "$WORK/build/hello_cpp"
 }
 
 # The .pc files of shared libraries work on a machine that has no other .pc file.
@@ -106,6 +107,9 @@ with_pkg_config() {
     "$CC" "${warnings[@]}" "${defines[@]}" "${sources[@]}" -o "$WORK/$example" "${flags[@]}" -lm -pthread
   done
   run "$WORK"
+  read -ra flags <<<"$(pkg-config --cflags --libs shd)"
+  "$CXX" -std=c++17 -Wall -Wextra -Werror "$SOURCE/bindings/cpp/hello.cpp" -o "$WORK/hello_cpp" "${flags[@]}" -pthread
+  "$WORK/hello_cpp"
 }
 
 # One generic SIMD target and no files or colour: quick to build, and the options an embedder would turn.

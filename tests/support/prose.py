@@ -7,8 +7,8 @@ import re
 
 # Finished folders and files; comments elsewhere are not checked yet. A folder includes its subfolders, but Markdown
 # outside docs/ is listed file by file.
-FOLDERS = ["CHANGELOG.md", "README.md", "bench", "docs", "examples", "include", "src/abi", "src/color", "src/core",
-           "src/data", "src/extension", "src/film", "src/frame", "src/geometry", "src/image", "src/io", "src/light",
+FOLDERS = ["CHANGELOG.md", "README.md", "bench", "bindings", "docs", "examples", "include", "src/abi", "src/color",
+           "src/core", "src/data", "src/extension", "src/film", "src/frame", "src/geometry", "src/image", "src/io", "src/light",
            "src/material", "src/raster", "src/scene", "src/shade", "src/shapes", "src/simd", "src/texture", "src/tool",
            "tests/abi", "tests/api", "tests/consumer", "tests/fuzz", "tests/ref", "tests/support", "tests/tool",
            "tests/unit"]

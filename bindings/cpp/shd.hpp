@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// shd for C++17: owners of handles, exceptions, and columns from containers. Descs are the structs of the C API.
+///
+/// shd_api.hpp, which this header includes, has a function for each function of C that can fail. It throws shd::error.
+/// A function that makes an object returns an owner. With an owner as the last argument it returns the shd_result
+/// instead and does not throw. Without exceptions (-fno-exceptions) only the second form exists. Programs call all
+/// other functions as in C.
+///
+/// Lifetime and threads are those of the C headers. An owner itself belongs to one thread, as any object of C++.
+///
+///     shd::context context = shd::context_create(nullptr);
+///     shd_texture_desc desc = shd_texture_desc_default();
+///     shd::texture texture = shd::texture_create(context, &desc);
+#ifndef SHD_HPP
+#define SHD_HPP
+
+#include <shd/shd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace shd {
+
+#ifdef __cpp_exceptions
+/// A call that failed: its result, and the text of shd_last_error() as what().
+class error : public std::runtime_error {
+ public:
+  error(shd_result result, const char* message) : std::runtime_error(message), result_(result) {}
+  shd_result result() const noexcept { return result_; }
+
+ private:
+  shd_result result_;
+};
+
+/// Throws shd::error unless the result is SHD_OK.
+inline void check(shd_result result) {
+  if (result != SHD_OK) throw error(result, shd_last_error());
+}
+#endif
+
+/// The owner of one reference to an object. It cannot be copied; share() makes another owner.
+template <class Handle, void (*Retain)(Handle*), void (*Release)(Handle*)>
+class owner {
+ public:
+  using handle_type = Handle;
+
+  owner() noexcept = default;
+  /// Takes over a reference that the caller owns.
+  explicit owner(Handle* handle) noexcept : handle_(handle) {}
+  owner(owner&& other) noexcept : handle_(other.detach()) {}
+  owner& operator=(owner&& other) noexcept {
+    reset(other.detach());
+    return *this;
+  }
+  owner(const owner&) = delete;
+  owner& operator=(const owner&) = delete;
+  ~owner() { Release(handle_); }
+
+  Handle* get() const noexcept { return handle_; }
+  /// Arguments and fields of C take owners as they are. A temporary owner would release the object at once.
+  operator Handle*() const& noexcept { return handle_; }
+  operator Handle*() && = delete;
+  explicit operator bool() const& noexcept { return handle_ != nullptr; }
+
+  /// Another reference to the same object.
+  owner share() const noexcept {
+    Retain(handle_);
+    return owner(handle_);
+  }
+  /// Gives the reference to the caller.
+  Handle* detach() noexcept { return std::exchange(handle_, nullptr); }
+  /// Releases the object, and takes over a reference to another one.
+  void reset(Handle* handle = nullptr) noexcept { Release(std::exchange(handle_, handle)); }
+
+ private:
+  Handle* handle_ = nullptr;
+};
+
+/// An owner of another reference to a borrowed handle, such as the result of shd_scene_mesh().
+template <class Owner>
+Owner retain(typename Owner::handle_type* handle) noexcept {
+  Owner borrowed(handle);
+  Owner owned = borrowed.share();
+  borrowed.detach();
+  return owned;
+}
+
+/// Neighbouring elements of a container or an array, with the part of std::span that columns need.
+template <class T>
+class span {
+ public:
+  constexpr span() noexcept = default;
+  constexpr span(T* data, std::size_t size) noexcept : data_(data), size_(size) {}
+  template <std::size_t N>
+  constexpr span(T (&array)[N]) noexcept : data_(array), size_(N) {}
+  template <class Range, class = std::enable_if_t<std::is_convertible_v<decltype(std::declval<Range&>().data()), T*>>>
+  constexpr span(Range& range) noexcept : data_(range.data()), size_(range.size()) {}
+
+  constexpr T* data() const noexcept { return data_; }
+  constexpr std::size_t size() const noexcept { return size_; }
+  constexpr bool empty() const noexcept { return size_ == 0; }
+  constexpr T& operator[](std::size_t i) const noexcept { return data_[i]; }
+  constexpr T* begin() const noexcept { return data_; }
+  constexpr T* end() const noexcept { return data_ + size_; }
+
+ private:
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// Packed columns that shd reads.
+inline shd_f32_in in(span<const float> values) noexcept {
+  return shd_f32_column(values.data(), 0);
+}
+inline shd_u32_in in(span<const std::uint32_t> values) noexcept {
+  return shd_u32_column(values.data(), 0);
+}
+inline shd_u16_in in(span<const std::uint16_t> values) noexcept {
+  return shd_u16_column(values.data(), 0);
+}
+
+/// Packed columns that shd writes.
+inline shd_f32_out out(span<float> values) noexcept {
+  return shd_f32_out_column(values.data(), 0);
+}
+inline shd_u32_out out(span<std::uint32_t> values) noexcept {
+  return shd_u32_out_column(values.data(), 0);
+}
+
+/// Columns of one member of records: in(vertices, &vertex::x).
+template <class Range, class Record>
+shd_f32_in in(const Range& records, float Record::*member) noexcept {
+  return shd_f32_column(records.size() ? &(records.data()->*member) : nullptr, sizeof(Record));
+}
+template <class Range, class Record>
+shd_f32_out out(Range& records, float Record::*member) noexcept {
+  return shd_f32_out_column(records.size() ? &(records.data()->*member) : nullptr, sizeof(Record));
+}
+
+}  // namespace shd
+
+#include "shd_api.hpp"
+
+#endif  // SHD_HPP

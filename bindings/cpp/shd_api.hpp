@@ -1,0 +1,1101 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Owners and functions of shd.hpp. Written by generate.py; do not edit.
+#ifndef SHD_API_HPP
+#define SHD_API_HPP
+
+#include <shd/bake.h>
+#include <shd/base.h>
+#if __has_include(<shd/color.h>)
+#include <shd/color.h>
+#endif
+#include <shd/column.h>
+#include <shd/context.h>
+#include <shd/desc.h>
+#include <shd/edges.h>
+#if __has_include(<shd/embree.h>)
+#include <shd/embree.h>
+#endif
+#include <shd/environment.h>
+#include <shd/explain.h>
+#include <shd/extension.h>
+#include <shd/footprint.h>
+#include <shd/fragments.h>
+#include <shd/framebuffer.h>
+#include <shd/image.h>
+#if __has_include(<shd/io.h>)
+#include <shd/io.h>
+#endif
+#include <shd/light.h>
+#include <shd/lookup.h>
+#include <shd/material.h>
+#include <shd/mesh.h>
+#include <shd/mip.h>
+#include <shd/occlusion.h>
+#include <shd/polygon.h>
+#include <shd/present.h>
+#include <shd/projection.h>
+#include <shd/render.h>
+#include <shd/result.h>
+#include <shd/sampler.h>
+#if __has_include(<shd/scene.h>)
+#include <shd/scene.h>
+#endif
+#include <shd/shadow.h>
+#include <shd/shapes.h>
+#include <shd/slot.h>
+#include <shd/solid.h>
+#include <shd/tessellate.h>
+#include <shd/texture.h>
+#include <shd/transform.h>
+#include <shd/vertices.h>
+#include <shd/view.h>
+#include <shd/volume.h>
+#if __has_include(<shd/volume_file.h>)
+#include <shd/volume_file.h>
+#endif
+#include <shd/wrap.h>
+
+#include "shd.hpp"
+
+// clang-format off
+namespace shd {
+
+#if __has_include(<shd/color.h>)
+/// An OpenColorIO config and the transforms built from it so far.
+using color = owner<shd_color, shd_color_retain, shd_color_release>;
+#endif
+/// Owner of the allocator, executor and log that its objects use.
+using context = owner<shd_context, shd_context_retain, shd_context_release>;
+#if __has_include(<shd/embree.h>)
+/// The triangles of draws, in a tree.
+using embree = owner<shd_embree, shd_embree_retain, shd_embree_release>;
+#endif
+/// Light from all directions.
+using environment = owner<shd_environment, shd_environment_retain, shd_environment_release>;
+/// A set of planes with the same width and height.
+using framebuffer = owner<shd_framebuffer, shd_framebuffer_retain, shd_framebuffer_release>;
+#if __has_include(<shd/io.h>)
+/// The pixels of a file, without conversion.
+using bitmap = owner<shd_bitmap, shd_bitmap_retain, shd_bitmap_release>;
+#endif
+/// A source of light in world space.
+using light = owner<shd_light, shd_light_retain, shd_light_release>;
+/// Reflectance of a surface.
+using material = owner<shd_material, shd_material_retain, shd_material_release>;
+/// Vertices and triangles, in object space.
+using mesh = owner<shd_mesh, shd_mesh_retain, shd_mesh_release>;
+/// A filter with its settings, for any texture.
+using sampler = owner<shd_sampler, shd_sampler_retain, shd_sampler_release>;
+#if __has_include(<shd/scene.h>)
+/// A model file in memory.
+using scene = owner<shd_scene, shd_scene_retain, shd_scene_release>;
+#endif
+/// Depths as seen from a light.
+using shadow = owner<shd_shadow, shd_shadow_retain, shd_shadow_release>;
+/// A two-dimensional texture, an array of them, a 3D texture or a texture of directions, with its tables.
+using texture = owner<shd_texture, shd_texture_retain, shd_texture_release>;
+/// A density field with its transfer function.
+using volume = owner<shd_volume, shd_volume_retain, shd_volume_release>;
+
+#if __has_include(<shd/color.h>)
+/// Read a config. See shd_color_create().
+[[nodiscard]] inline shd_result color_create(
+    shd_context* context_,
+    const shd_color_desc* desc,
+    shd::color& out_color) noexcept {
+  shd_color* handle = nullptr;
+  const shd_result result = shd_color_create(context_, desc, &handle);
+  out_color.reset(handle);
+  return result;
+}
+
+#endif
+/// Make a context. See shd_context_create().
+[[nodiscard]] inline shd_result context_create(const shd_context_desc* desc, shd::context& out_context) noexcept {
+  shd_context* handle = nullptr;
+  const shd_result result = shd_context_create(desc, &handle);
+  out_context.reset(handle);
+  return result;
+}
+
+#if __has_include(<shd/embree.h>)
+/// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
+/// shd_embree_create().
+[[nodiscard]] inline shd_result embree_create(
+    shd_context* context_,
+    const shd_draw* draws,
+    size_t draw_count,
+    shd::embree& out_embree) noexcept {
+  shd_embree* handle = nullptr;
+  const shd_result result = shd_embree_create(context_, draws, draw_count, &handle);
+  out_embree.reset(handle);
+  return result;
+}
+
+#endif
+/// Make an environment on the executor of the context. See shd_environment_create().
+[[nodiscard]] inline shd_result environment_create(
+    shd_context* context_,
+    const shd_environment_desc* desc,
+    shd::environment& out_environment) noexcept {
+  shd_environment* handle = nullptr;
+  const shd_result result = shd_environment_create(context_, desc, &handle);
+  out_environment.reset(handle);
+  return result;
+}
+
+/// Make a framebuffer: colour 0, depth 1, AOVs 0, triangle and draw 0xffffffff. See shd_framebuffer_create().
+[[nodiscard]] inline shd_result framebuffer_create(
+    shd_context* context_,
+    const shd_framebuffer_desc* desc,
+    shd::framebuffer& out_framebuffer) noexcept {
+  shd_framebuffer* handle = nullptr;
+  const shd_result result = shd_framebuffer_create(context_, desc, &handle);
+  out_framebuffer.reset(handle);
+  return result;
+}
+
+#if __has_include(<shd/io.h>)
+/// Read an image file. See shd_bitmap_load().
+[[nodiscard]] inline shd_result bitmap_load(
+    shd_context* context_,
+    const char* path,
+    const shd_load_desc* desc,
+    shd::bitmap& out_bitmap) noexcept {
+  shd_bitmap* handle = nullptr;
+  const shd_result result = shd_bitmap_load(context_, path, desc, &handle);
+  out_bitmap.reset(handle);
+  return result;
+}
+
+/// Read an image file that is in memory, as shd_bitmap_load() does. See shd_bitmap_load_memory().
+[[nodiscard]] inline shd_result bitmap_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* desc,
+    shd::bitmap& out_bitmap) noexcept {
+  shd_bitmap* handle = nullptr;
+  const shd_result result = shd_bitmap_load_memory(context_, bytes, size, desc, &handle);
+  out_bitmap.reset(handle);
+  return result;
+}
+
+/// Make a texture from an image file. See shd_texture_load().
+[[nodiscard]] inline shd_result texture_load(
+    shd_context* context_,
+    const char* path,
+    const shd_load_desc* desc,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load(context_, path, desc, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+/// Make a texture from an image file that is in memory, as shd_texture_load() does. See shd_texture_load_memory().
+[[nodiscard]] inline shd_result texture_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* desc,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_memory(context_, bytes, size, desc, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+#endif
+/// Make a light. See shd_light_create().
+[[nodiscard]] inline shd_result light_create(
+    shd_context* context_,
+    const shd_light_desc* desc,
+    shd::light& out_light) noexcept {
+  shd_light* handle = nullptr;
+  const shd_result result = shd_light_create(context_, desc, &handle);
+  out_light.reset(handle);
+  return result;
+}
+
+/// Make a material. See shd_material_create().
+[[nodiscard]] inline shd_result material_create(
+    shd_context* context_,
+    const shd_material_desc* desc,
+    shd::material& out_material) noexcept {
+  shd_material* handle = nullptr;
+  const shd_result result = shd_material_create(context_, desc, &handle);
+  out_material.reset(handle);
+  return result;
+}
+
+/// Copy and check vertices and indices; compute normals if there are none. See shd_mesh_create().
+[[nodiscard]] inline shd_result mesh_create(
+    shd_context* context_,
+    const shd_mesh_desc* desc,
+    shd::mesh& out_mesh) noexcept {
+  shd_mesh* handle = nullptr;
+  const shd_result result = shd_mesh_create(context_, desc, &handle);
+  out_mesh.reset(handle);
+  return result;
+}
+
+/// Make the mesh of a shape: shd_shape_fill() and shd_mesh_create() in one call. See shd_mesh_create_shape().
+[[nodiscard]] inline shd_result mesh_create_shape(
+    shd_context* context_,
+    const shd_shape_desc* desc,
+    shd_mesh_flags flags,
+    shd::mesh& out_mesh) noexcept {
+  shd_mesh* handle = nullptr;
+  const shd_result result = shd_mesh_create_shape(context_, desc, flags, &handle);
+  out_mesh.reset(handle);
+  return result;
+}
+
+/// Make a sampler. See shd_sampler_create().
+[[nodiscard]] inline shd_result sampler_create(
+    shd_context* context_,
+    const shd_sampler_desc* desc,
+    shd::sampler& out_sampler) noexcept {
+  shd_sampler* handle = nullptr;
+  const shd_result result = shd_sampler_create(context_, desc, &handle);
+  out_sampler.reset(handle);
+  return result;
+}
+
+#if __has_include(<shd/scene.h>)
+/// Read a model file. See shd_scene_load().
+[[nodiscard]] inline shd_result scene_load(
+    shd_context* context_,
+    const char* path,
+    const shd_scene_desc* desc,
+    shd::scene& out_scene) noexcept {
+  shd_scene* handle = nullptr;
+  const shd_result result = shd_scene_load(context_, path, desc, &handle);
+  out_scene.reset(handle);
+  return result;
+}
+
+#endif
+/// Make a shadow without a map. Call shd_shadow_render() before any lookup. See shd_shadow_create().
+[[nodiscard]] inline shd_result shadow_create(
+    shd_context* context_,
+    const shd_shadow_desc* desc,
+    shd::shadow& out_shadow) noexcept {
+  shd_shadow* handle = nullptr;
+  const shd_result result = shd_shadow_create(context_, desc, &handle);
+  out_shadow.reset(handle);
+  return result;
+}
+
+/// Make a mesh of smaller triangles. See shd_mesh_tessellate().
+[[nodiscard]] inline shd_result mesh_tessellate(
+    shd_context* context_,
+    const shd_mesh* mesh_,
+    const shd_tessellation_desc* desc,
+    shd::mesh& out_mesh) noexcept {
+  shd_mesh* handle = nullptr;
+  const shd_result result = shd_mesh_tessellate(context_, mesh_, desc, &handle);
+  out_mesh.reset(handle);
+  return result;
+}
+
+/// Make a texture: copy or borrow texels, and build the tables. See shd_texture_create().
+[[nodiscard]] inline shd_result texture_create(
+    shd_context* context_,
+    const shd_texture_desc* desc,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_create(context_, desc, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+/// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
+/// the pictures have the same bits as without skipping. See shd_volume_create().
+[[nodiscard]] inline shd_result volume_create(
+    shd_context* context_,
+    const shd_volume_desc* desc,
+    shd::volume& out_volume) noexcept {
+  shd_volume* handle = nullptr;
+  const shd_result result = shd_volume_create(context_, desc, &handle);
+  out_volume.reset(handle);
+  return result;
+}
+
+#if __has_include(<shd/volume_file.h>)
+/// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
+[[nodiscard]] inline shd_result texture_load_raw(
+    shd_context* context_,
+    const char* path,
+    const shd_raw_desc* raw,
+    const shd_load_desc* load,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_raw(context_, path, raw, load, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+/// Make a 3D texture from images of one size and format. See shd_texture_load_stack().
+[[nodiscard]] inline shd_result texture_load_stack(
+    shd_context* context_,
+    const shd_stack_desc* stack,
+    const shd_load_desc* load,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_stack(context_, stack, load, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
+[[nodiscard]] inline shd_result texture_load_vdb(
+    shd_context* context_,
+    const char* path,
+    const shd_vdb_desc* vdb,
+    const shd_load_desc* load,
+    shd_vdb_info* out_info,
+    shd::texture& out_texture) noexcept {
+  shd_texture* handle = nullptr;
+  const shd_result result = shd_texture_load_vdb(context_, path, vdb, load, out_info, &handle);
+  out_texture.reset(handle);
+  return result;
+}
+
+#endif
+
+#ifdef __cpp_exceptions
+/// Shade the surfaces of draws into a framebuffer at their texture coordinates. See shd_bake().
+inline void bake(shd_context* context_, const shd_render_desc* frame, const shd_bake_desc* desc) {
+  check(shd_bake(context_, frame, desc));
+}
+
+#if __has_include(<shd/color.h>)
+/// Read a config. See shd_color_create().
+inline shd::color color_create(shd_context* context_, const shd_color_desc* desc) {
+  shd::color made;
+  check(color_create(context_, desc, made));
+  return made;
+}
+
+/// Transform a framebuffer for a display. See shd_color_apply_display().
+inline void color_apply_display(
+    const shd_color* color_,
+    const shd_framebuffer* framebuffer_,
+    const char* display,
+    const char* view,
+    const shd_image* out_) {
+  check(shd_color_apply_display(color_, framebuffer_, display, view, out_));
+}
+
+/// Render a frame and transform it for a display, tile by tile. See shd_color_render().
+inline void color_render(
+    const shd_color* color_,
+    const shd_render_desc* render,
+    const char* display,
+    const char* view,
+    const shd_image* out_) {
+  check(shd_color_render(color_, render, display, view, out_));
+}
+
+/// Callback for shd_display.apply that calls shd_color_apply_display(), so that one call saves a display image:
+/// `save.display.apply = shd_color_apply_view, save.display.user_data = &view`. See shd_color_apply_view().
+inline void color_apply_view(
+    void* color_view,
+    const shd_framebuffer* framebuffer_,
+    const shd_image* out_) {
+  check(shd_color_apply_view(color_view, framebuffer_, out_));
+}
+
+/// Transform an image for a display, as shd_color_apply_display() does with a framebuffer. See
+/// shd_color_apply_display_image().
+inline void color_apply_display_image(
+    const shd_color* color_,
+    const shd_image* in_,
+    const char* from_space,
+    const char* display,
+    const char* view,
+    const shd_image* out_) {
+  check(shd_color_apply_display_image(color_, in_, from_space, display, view, out_));
+}
+
+/// Convert an image from one colour space to another in place. See shd_color_convert().
+inline void color_convert(
+    const shd_color* color_,
+    const char* from_space,
+    const char* to_space,
+    const shd_image* in_out) {
+  check(shd_color_convert(color_, from_space, to_space, in_out));
+}
+
+#endif
+/// Make a context. See shd_context_create().
+inline shd::context context_create(const shd_context_desc* desc) {
+  shd::context made;
+  check(context_create(desc, made));
+  return made;
+}
+
+/// Write the defaults of a sized struct into the caller's memory and set its struct_size. See shd_desc_init().
+inline void desc_init(shd_desc_kind kind, void* ptr, size_t size) {
+  check(shd_desc_init(kind, ptr, size));
+}
+
+/// Find all edges of the requested kinds in a mesh. Each edge is listed once, in the order of the edges' first
+/// triangles. See shd_mesh_find_edges().
+inline void mesh_find_edges(
+    const shd_mesh* mesh_,
+    const shd_edges_desc* desc,
+    size_t capacity,
+    const shd_edges* out_,
+    size_t* out_count) {
+  check(shd_mesh_find_edges(mesh_, desc, capacity, out_, out_count));
+}
+
+#if __has_include(<shd/embree.h>)
+/// Build a tree of the triangles of draws. Triangles with a position that is not finite are left out. See
+/// shd_embree_create().
+inline shd::embree embree_create(shd_context* context_, const shd_draw* draws, size_t draw_count) {
+  shd::embree made;
+  check(embree_create(context_, draws, draw_count, made));
+  return made;
+}
+
+/// Get the tracer of a tree. See shd_embree_get_tracer().
+inline shd_tracer embree_get_tracer(const shd_embree* embree_) {
+  shd_tracer made = {};
+  check(shd_embree_get_tracer(embree_, &made));
+  return made;
+}
+
+#endif
+/// Make an environment on the executor of the context. See shd_environment_create().
+inline shd::environment environment_create(shd_context* context_, const shd_environment_desc* desc) {
+  shd::environment made;
+  check(environment_create(context_, desc, made));
+  return made;
+}
+
+/// Get the properties of an environment. See shd_environment_get_info().
+inline shd_environment_info environment_get_info(const shd_environment* environment_) {
+  shd_environment_info made = shd_environment_info_default();
+  check(shd_environment_get_info(environment_, &made));
+  return made;
+}
+
+/// Look up the irradiance of surfaces whose normals are the directions, on the executor of the environment's context.
+/// See shd_environment_irradiance().
+inline void environment_irradiance(
+    const shd_environment* environment_,
+    const shd_environment_lookups* lookups,
+    const shd_environment_light* out_) {
+  check(shd_environment_irradiance(environment_, lookups, out_));
+}
+
+/// Look up the radiance, or its mean over lobes, on the executor of the environment's context. See
+/// shd_environment_radiance().
+inline void environment_radiance(
+    const shd_environment* environment_,
+    const shd_environment_lookups* lookups,
+    const shd_environment_light* out_) {
+  check(shd_environment_radiance(environment_, lookups, out_));
+}
+
+/// Explain lookup `index` of a batch. Call once without memory for the counts, then again with it. See
+/// shd_texture_explain().
+inline void texture_explain(
+    const shd_texture* texture_,
+    const shd_sampler* sampler_,
+    const shd_lookups* lookups,
+    size_t index,
+    shd_explanation* explanation) {
+  check(shd_texture_explain(texture_, sampler_, lookups, index, explanation));
+}
+
+/// Compute derivatives from ray differentials. See shd_derivatives_from_differentials().
+inline void derivatives_from_differentials(
+    const shd_ray_differentials* rays,
+    const shd_derivatives* out_) {
+  check(shd_derivatives_from_differentials(rays, out_));
+}
+
+/// Compute derivatives from ray cones. See shd_derivatives_from_cones().
+inline void derivatives_from_cones(const shd_ray_cones* cones, const shd_derivatives* out_) {
+  check(shd_derivatives_from_cones(cones, out_));
+}
+
+/// Make a framebuffer: colour 0, depth 1, AOVs 0, triangle and draw 0xffffffff. See shd_framebuffer_create().
+inline shd::framebuffer framebuffer_create(shd_context* context_, const shd_framebuffer_desc* desc) {
+  shd::framebuffer made;
+  check(framebuffer_create(context_, desc, made));
+  return made;
+}
+
+/// Get size and planes of a framebuffer. See shd_framebuffer_get_info().
+inline shd_framebuffer_info framebuffer_get_info(const shd_framebuffer* framebuffer_) {
+  shd_framebuffer_info made = shd_framebuffer_info_default();
+  check(shd_framebuffer_get_info(framebuffer_, &made));
+  return made;
+}
+
+/// Get the position of a sample in its pixel. Positions and order are the standard sample locations of the Vulkan 1.3
+/// specification ("Multisampling"), which are those of Direct3D 11's standard pattern. They are multiples of 1/16
+/// pixel. See shd_sample_position().
+inline void sample_position(uint32_t samples, uint32_t index, float* out_x, float* out_y) {
+  check(shd_sample_position(samples, index, out_x, out_y));
+}
+
+/// Get a plane without copying. See shd_framebuffer_view_plane().
+inline shd_plane_view framebuffer_view_plane(const shd_framebuffer* framebuffer_, shd_plane plane) {
+  shd_plane_view made = shd_plane_view_default();
+  check(shd_framebuffer_view_plane(framebuffer_, plane, &made));
+  return made;
+}
+
+/// Get interleaved colour without copying. See shd_framebuffer_view_color().
+inline shd_image framebuffer_view_color(const shd_framebuffer* framebuffer_) {
+  shd_image made = shd_image_default();
+  check(shd_framebuffer_view_color(framebuffer_, &made));
+  return made;
+}
+
+/// Copy a float plane into a column. R, G, B and A are decoded to linear floats if colour is interleaved. See
+/// shd_framebuffer_read_plane().
+inline void framebuffer_read_plane(
+    const shd_framebuffer* framebuffer_,
+    shd_plane plane,
+    const shd_f32_out* out_) {
+  check(shd_framebuffer_read_plane(framebuffer_, plane, out_));
+}
+
+/// Copy a plane of uint32_t into a column. See shd_framebuffer_read_u32_plane().
+inline void framebuffer_read_u32_plane(
+    const shd_framebuffer* framebuffer_,
+    shd_plane plane,
+    const shd_u32_out* out_) {
+  check(shd_framebuffer_read_u32_plane(framebuffer_, plane, out_));
+}
+
+/// Copy colour as interleaved RGBA. Pixels of the framebuffer's own color_format are copied bit by bit. See
+/// shd_framebuffer_read_color().
+inline void framebuffer_read_color(const shd_framebuffer* framebuffer_, const shd_image* out_) {
+  check(shd_framebuffer_read_color(framebuffer_, out_));
+}
+
+#if __has_include(<shd/io.h>)
+/// Read an image file. See shd_bitmap_load().
+inline shd::bitmap bitmap_load(shd_context* context_, const char* path, const shd_load_desc* desc) {
+  shd::bitmap made;
+  check(bitmap_load(context_, path, desc, made));
+  return made;
+}
+
+/// Read an image file that is in memory, as shd_bitmap_load() does. See shd_bitmap_load_memory().
+inline shd::bitmap bitmap_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* desc) {
+  shd::bitmap made;
+  check(bitmap_load_memory(context_, bytes, size, desc, made));
+  return made;
+}
+
+/// Get the pixels without copying. See shd_bitmap_image().
+inline shd_image bitmap_image(const shd_bitmap* bitmap_) {
+  shd_image made = shd_image_default();
+  check(shd_bitmap_image(bitmap_, &made));
+  return made;
+}
+
+/// Get format and properties of a loaded file. See shd_bitmap_get_info().
+inline shd_bitmap_info bitmap_get_info(const shd_bitmap* bitmap_) {
+  shd_bitmap_info made = shd_bitmap_info_default();
+  check(shd_bitmap_get_info(bitmap_, &made));
+  return made;
+}
+
+/// Make a texture from an image file. See shd_texture_load().
+inline shd::texture texture_load(shd_context* context_, const char* path, const shd_load_desc* desc) {
+  shd::texture made;
+  check(texture_load(context_, path, desc, made));
+  return made;
+}
+
+/// Make a texture from an image file that is in memory, as shd_texture_load() does. See shd_texture_load_memory().
+inline shd::texture texture_load_memory(
+    shd_context* context_,
+    const void* bytes,
+    size_t size,
+    const shd_load_desc* desc) {
+  shd::texture made;
+  check(texture_load_memory(context_, bytes, size, desc, made));
+  return made;
+}
+
+/// Write a framebuffer. The extension of `path` decides the format: See shd_framebuffer_save().
+inline void framebuffer_save(
+    const shd_framebuffer* framebuffer_,
+    const char* path,
+    const shd_save_desc* desc) {
+  check(shd_framebuffer_save(framebuffer_, path, desc));
+}
+
+/// Write an image without conversion. Paths and files are handled as by shd_framebuffer_save(). See shd_image_save().
+inline void image_save(const shd_image* image, const char* path, const shd_save_desc* desc) {
+  check(shd_image_save(image, path, desc));
+}
+
+#endif
+/// Make a light. See shd_light_create().
+inline shd::light light_create(shd_context* context_, const shd_light_desc* desc) {
+  shd::light made;
+  check(light_create(context_, desc, made));
+  return made;
+}
+
+/// Filter `lookups->count` points of a texture. See shd_texture_sample().
+inline void texture_sample(
+    const shd_texture* texture_,
+    const shd_sampler* sampler_,
+    const shd_lookups* lookups,
+    shd_texels* out_) {
+  check(shd_texture_sample(texture_, sampler_, lookups, out_));
+}
+
+/// Compute the levels of detail of `lookups->count` points, as trilinear filtering uses them. See
+/// shd_texture_query_levels().
+inline void texture_query_levels(
+    const shd_texture* texture_,
+    const shd_sampler* sampler_,
+    const shd_lookups* lookups,
+    const shd_levels* out_) {
+  check(shd_texture_query_levels(texture_, sampler_, lookups, out_));
+}
+
+/// Make a material. See shd_material_create().
+inline shd::material material_create(shd_context* context_, const shd_material_desc* desc) {
+  shd::material made;
+  check(material_create(context_, desc, made));
+  return made;
+}
+
+/// Copy and check vertices and indices; compute normals if there are none. See shd_mesh_create().
+inline shd::mesh mesh_create(shd_context* context_, const shd_mesh_desc* desc) {
+  shd::mesh made;
+  check(mesh_create(context_, desc, made));
+  return made;
+}
+
+/// Make the mesh of a shape: shd_shape_fill() and shd_mesh_create() in one call. See shd_mesh_create_shape().
+inline shd::mesh mesh_create_shape(
+    shd_context* context_,
+    const shd_shape_desc* desc,
+    shd_mesh_flags flags) {
+  shd::mesh made;
+  check(mesh_create_shape(context_, desc, flags, made));
+  return made;
+}
+
+/// Get counts and bounds of a mesh. See shd_mesh_get_info().
+inline shd_mesh_info mesh_get_info(const shd_mesh* mesh_) {
+  shd_mesh_info made = shd_mesh_info_default();
+  check(shd_mesh_get_info(mesh_, &made));
+  return made;
+}
+
+/// Copy the positions out, object space. See shd_mesh_read_positions().
+inline void mesh_read_positions(const shd_mesh* mesh_, const shd_f32_out* out_) {
+  check(shd_mesh_read_positions(mesh_, out_));
+}
+
+/// Copy the unit vertex normals out, given or computed. See shd_mesh_read_normals().
+inline void mesh_read_normals(const shd_mesh* mesh_, const shd_f32_out* out_) {
+  check(shd_mesh_read_normals(mesh_, out_));
+}
+
+/// Copy the tangents out, given or computed; 0 if the mesh has none. See shd_mesh_read_tangents().
+inline void mesh_read_tangents(const shd_mesh* mesh_, const shd_f32_out* out_) {
+  check(shd_mesh_read_tangents(mesh_, out_));
+}
+
+/// Copy the texture coordinates out; 0 if the mesh has none. See shd_mesh_read_uv().
+inline void mesh_read_uv(const shd_mesh* mesh_, const shd_f32_out* out_) {
+  check(shd_mesh_read_uv(mesh_, out_));
+}
+
+/// Copy the second set of texture coordinates out; 0 if the mesh has none. See shd_mesh_read_uv1().
+inline void mesh_read_uv1(const shd_mesh* mesh_, const shd_f32_out* out_) {
+  check(shd_mesh_read_uv1(mesh_, out_));
+}
+
+/// Copy one of the caller's own columns out; 0 if it was absent. See shd_mesh_read_attribute().
+inline void mesh_read_attribute(const shd_mesh* mesh_, uint32_t index, const shd_f32_out* out_) {
+  check(shd_mesh_read_attribute(mesh_, index, out_));
+}
+
+/// Copy the indices out as separate triangles, also for strips and fans. See shd_mesh_read_indices().
+inline void mesh_read_indices(const shd_mesh* mesh_, const shd_u32_out* out_) {
+  check(shd_mesh_read_indices(mesh_, out_));
+}
+
+/// Make mip levels 1..level_count of an image, in the caller's memory, on the context's executor. See shd_mip_build().
+inline void mip_build(
+    shd_context* context_,
+    const shd_image* base,
+    const shd_mip_desc* desc,
+    uint32_t level_count,
+    const shd_image* levels) {
+  check(shd_mip_build(context_, base, desc, level_count, levels));
+}
+
+/// Turn a normal map into the moments of its slopes, whose averages keep the roughness of normals. See
+/// shd_normal_moments().
+inline void normal_moments(
+    shd_context* context_,
+    const shd_image* normals,
+    const shd_image* out_,
+    const shd_image* mixed) {
+  check(shd_normal_moments(context_, normals, out_, mixed));
+}
+
+/// Compute the occlusion of points. See shd_occlusion_compute().
+inline void occlusion_compute(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_occlusion_points* points,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_compute(context_, desc, points, out_));
+}
+
+/// Compute the occlusion of the vertices of a draw, with their vertex normals. Its mesh and object_to_world are read.
+/// See shd_occlusion_compute_vertices().
+inline void occlusion_compute_vertices(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_draw* draw,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_compute_vertices(context_, desc, draw, out_));
+}
+
+/// Compute the occlusion of the texels of a texture, each at the point where shd_bake() shades it. See
+/// shd_occlusion_bake().
+inline void occlusion_bake(
+    shd_context* context_,
+    const shd_occlusion_desc* desc,
+    const shd_occlusion_atlas* atlas,
+    const shd_f32_out* out_) {
+  check(shd_occlusion_bake(context_, desc, atlas, out_));
+}
+
+/// Compute the barycentric coordinates of points. See shd_polygon_evaluate().
+inline void polygon_evaluate(
+    const shd_context* context_,
+    const shd_polygon_desc* desc,
+    const shd_polygon_points* points,
+    shd_polygon_weights* out_) {
+  check(shd_polygon_evaluate(context_, desc, points, out_));
+}
+
+/// Project directions to points of an image, with derivatives. See shd_project_directions().
+inline void project_directions(
+    shd_context* context_,
+    const shd_directions* directions,
+    shd_projected_points* out_) {
+  check(shd_project_directions(context_, directions, out_));
+}
+
+/// Compute the directions of points of an image. See shd_unproject_directions().
+inline void unproject_directions(
+    shd_context* context_,
+    const shd_image_points* points,
+    shd_point_directions* out_) {
+  check(shd_unproject_directions(context_, points, out_));
+}
+
+/// Convert images of directions to another projection, layout, size or format. See shd_projection_convert().
+inline void projection_convert(
+    shd_context* context_,
+    const shd_direction_images* from,
+    const shd_direction_images* to) {
+  check(shd_projection_convert(context_, from, to));
+}
+
+/// Render a frame. See shd_render().
+inline void render(shd_context* context_, const shd_render_desc* desc) {
+  check(shd_render(context_, desc));
+}
+
+/// Make a sampler. See shd_sampler_create().
+inline shd::sampler sampler_create(shd_context* context_, const shd_sampler_desc* desc) {
+  shd::sampler made;
+  check(sampler_create(context_, desc, made));
+  return made;
+}
+
+#if __has_include(<shd/scene.h>)
+/// Read a model file. See shd_scene_load().
+inline shd::scene scene_load(shd_context* context_, const char* path, const shd_scene_desc* desc) {
+  shd::scene made;
+  check(scene_load(context_, path, desc, made));
+  return made;
+}
+
+/// Counts and bounds of a scene. See shd_scene_get_info().
+inline shd_scene_info scene_get_info(const shd_scene* scene_) {
+  shd_scene_info made = shd_scene_info_default();
+  check(shd_scene_get_info(scene_, &made));
+  return made;
+}
+
+/// The desc of a material, as a starting point for variants of it. See shd_scene_get_material_desc().
+inline shd_material_desc scene_get_material_desc(const shd_scene* scene_, uint32_t index) {
+  shd_material_desc made = shd_material_desc_default();
+  check(shd_scene_get_material_desc(scene_, index, &made));
+  return made;
+}
+
+/// The desc of a light. See shd_scene_get_light_desc().
+inline shd_light_desc scene_get_light_desc(const shd_scene* scene_, uint32_t index) {
+  shd_light_desc made = shd_light_desc_default();
+  check(shd_scene_get_light_desc(scene_, index, &made));
+  return made;
+}
+
+/// A camera of the file. If the file has no aspect, it is 0, which means the aspect of the picture. If the file has no
+/// near and far plane, they enclose the whole model. See shd_scene_get_camera().
+inline shd_camera scene_get_camera(const shd_scene* scene_, uint32_t index) {
+  shd_camera made = shd_camera_default();
+  check(shd_scene_get_camera(scene_, index, &made));
+  return made;
+}
+
+/// An instance of the scene. See shd_scene_get_instance().
+inline shd_scene_instance scene_get_instance(const shd_scene* scene_, uint32_t index) {
+  shd_scene_instance made = shd_scene_instance_default();
+  check(shd_scene_get_instance(scene_, index, &made));
+  return made;
+}
+
+/// Set draws, draw_count, lights and light_count of a frame: one draw for each instance, in their order, and the lights
+/// of the file. All other fields stay as they are. The caller sets the camera and the framebuffer, and adds lights if
+/// the file has none. See shd_scene_fill_render().
+inline void scene_fill_render(const shd_scene* scene_, shd_render_desc* in_out_render) {
+  check(shd_scene_fill_render(scene_, in_out_render));
+}
+
+#endif
+/// Make a shadow without a map. Call shd_shadow_render() before any lookup. See shd_shadow_create().
+inline shd::shadow shadow_create(shd_context* context_, const shd_shadow_desc* desc) {
+  shd::shadow made;
+  check(shadow_create(context_, desc, made));
+  return made;
+}
+
+/// Render the map and replace the previous one. On failure the previous map stays. See shd_shadow_render().
+inline void shadow_render(
+    shd_context* context_,
+    shd_shadow* shadow_,
+    const shd_shadow_render_desc* desc) {
+  check(shd_shadow_render(context_, shadow_, desc));
+}
+
+/// Compute the fraction of the light that reaches each point, 0 (in shadow) to 1 (lit), as frames do. See
+/// shd_shadow_sample().
+inline void shadow_sample(
+    const shd_shadow* shadow_,
+    const shd_shadow_lookups* lookups,
+    const shd_f32_out* out_) {
+  check(shd_shadow_sample(shadow_, lookups, out_));
+}
+
+/// Compute the numbers of vertices and indices of a shape. See shd_shape_count().
+inline void shape_count(const shd_shape_desc* desc, uint32_t* out_vertex_count, size_t* out_index_count) {
+  check(shd_shape_count(desc, out_vertex_count, out_index_count));
+}
+
+/// Write a shape. Elements beyond the numbers from shd_shape_count() do not change. See shd_shape_fill().
+inline void shape_fill(const shd_shape_desc* desc, const shd_shape_columns* columns) {
+  check(shd_shape_fill(desc, columns));
+}
+
+/// Evaluate a solid texture at `points->count` points. See shd_solid_evaluate().
+inline void solid_evaluate(
+    const shd_context* context_,
+    const shd_solid_desc* desc,
+    const shd_solid_points* points,
+    shd_solid_values* out_) {
+  check(shd_solid_evaluate(context_, desc, points, out_));
+}
+
+/// Make a mesh of smaller triangles. See shd_mesh_tessellate().
+inline shd::mesh mesh_tessellate(
+    shd_context* context_,
+    const shd_mesh* mesh_,
+    const shd_tessellation_desc* desc) {
+  shd::mesh made;
+  check(mesh_tessellate(context_, mesh_, desc, made));
+  return made;
+}
+
+/// Make a texture: copy or borrow texels, and build the tables. See shd_texture_create().
+inline shd::texture texture_create(shd_context* context_, const shd_texture_desc* desc) {
+  shd::texture made;
+  check(texture_create(context_, desc, made));
+  return made;
+}
+
+/// Get size, format and memory of a texture. See shd_texture_get_info().
+inline shd_texture_info texture_get_info(const shd_texture* texture_) {
+  shd_texture_info made = shd_texture_info_default();
+  check(shd_texture_get_info(texture_, &made));
+  return made;
+}
+
+/// Copy one mip level of a layer, or a slice of it in 3D, out as stored: sRGB stays encoded, and the swizzle does not
+/// apply. The fourth channel of a format of three is 0 here, while lookups give `fill`. See shd_texture_read_level().
+inline void texture_read_level(
+    const shd_texture* texture_,
+    uint32_t layer,
+    uint32_t level,
+    const shd_image* out_) {
+  check(shd_texture_read_level(texture_, layer, level, out_));
+}
+
+/// Write a rectangle of the base level of one layer or slice, and rebuild the tables that depend on it. See
+/// shd_texture_update().
+inline void texture_update(
+    shd_texture* texture_,
+    uint32_t layer,
+    uint32_t x,
+    uint32_t y,
+    const shd_image* texels) {
+  check(shd_texture_update(texture_, layer, x, y, texels));
+}
+
+/// Perspective projection, view to clip space. With SHD_DEPTH_ORDER_FORWARD and a finite far plane it has the bits of
+/// shd_view_from_camera(). See shd_matrix_perspective().
+inline void matrix_perspective(
+    float fov_y,
+    float aspect,
+    float near_plane,
+    float far_plane,
+    shd_depth_order order,
+    float* out_matrix) {
+  check(shd_matrix_perspective(fov_y, aspect, near_plane, far_plane, order, out_matrix));
+}
+
+/// Parallel projection, view to clip space. See shd_matrix_orthographic().
+inline void matrix_orthographic(
+    const float* rectangle,
+    float near_plane,
+    float far_plane,
+    shd_depth_order order,
+    float* out_matrix) {
+  check(shd_matrix_orthographic(rectangle, near_plane, far_plane, order, out_matrix));
+}
+
+/// Rigid transform from world to view space: the eye is at the origin, the target on -Z. It has the bits of
+/// shd_view_from_camera(). See shd_matrix_look_at().
+inline void matrix_look_at(const float* eye, const float* target, const float* up, float* out_matrix) {
+  check(shd_matrix_look_at(eye, target, up, out_matrix));
+}
+
+/// translation * rotation * scale, as glTF 2.0 places nodes. See shd_matrix_from_trs().
+inline void matrix_from_trs(
+    const float* translation,
+    const float* rotation,
+    const float* scale,
+    float* out_matrix) {
+  check(shd_matrix_from_trs(translation, rotation, scale, out_matrix));
+}
+
+/// The product a b. Applied to a vector, b acts first. See shd_matrix_multiply().
+inline void matrix_multiply(const float* a, const float* b, float* out_matrix) {
+  check(shd_matrix_multiply(a, b, out_matrix));
+}
+
+/// The inverse. An affine matrix, with (0, 0, 0, 1) as its last row, has an affine inverse. See shd_matrix_invert().
+inline void matrix_invert(const float* matrix, float* out_matrix) {
+  check(shd_matrix_invert(matrix, out_matrix));
+}
+
+/// The matrix for normals that belongs to `matrix`: the inverse transpose of its upper left 3 x 3. Transformed normals
+/// are not unit vectors and need normalising. shd_render() transforms normals by itself. See shd_matrix_normal().
+inline void matrix_normal(const float* matrix, float* out_3x3) {
+  check(shd_matrix_normal(matrix, out_3x3));
+}
+
+/// A point, (x, y, z, 1), transformed and divided by its w. See shd_matrix_transform_point().
+inline void matrix_transform_point(const float* matrix, const float* point, float* out_point) {
+  check(shd_matrix_transform_point(matrix, point, out_point));
+}
+
+/// A direction, (x, y, z, 0), transformed; the translation and the last row of the matrix have no effect. See
+/// shd_matrix_transform_direction().
+inline void matrix_transform_direction(
+    const float* matrix,
+    const float* direction,
+    float* out_direction) {
+  check(shd_matrix_transform_direction(matrix, direction, out_direction));
+}
+
+/// Compute the view of a camera; the same bits on every machine. An aspect of 0 counts as 1 here, because there is no
+/// picture. Frames that take the camera itself (shd_render_desc.camera) use the aspect of their picture. See
+/// shd_view_from_camera().
+inline shd_view view_from_camera(const shd_camera* camera) {
+  shd_view made = {};
+  check(shd_view_from_camera(camera, &made));
+  return made;
+}
+
+/// Make a volume. Finds the range of density in each block of the texture, so that rays skip blocks without extinction;
+/// the pictures have the same bits as without skipping. See shd_volume_create().
+inline shd::volume volume_create(shd_context* context_, const shd_volume_desc* desc) {
+  shd::volume made;
+  check(volume_create(context_, desc, made));
+  return made;
+}
+
+#if __has_include(<shd/volume_file.h>)
+/// Make a 3D texture from a file of voxels. See shd_texture_load_raw().
+inline shd::texture texture_load_raw(
+    shd_context* context_,
+    const char* path,
+    const shd_raw_desc* raw,
+    const shd_load_desc* load) {
+  shd::texture made;
+  check(texture_load_raw(context_, path, raw, load, made));
+  return made;
+}
+
+/// Make a 3D texture from images of one size and format. See shd_texture_load_stack().
+inline shd::texture texture_load_stack(
+    shd_context* context_,
+    const shd_stack_desc* stack,
+    const shd_load_desc* load) {
+  shd::texture made;
+  check(texture_load_stack(context_, stack, load, made));
+  return made;
+}
+
+/// Make a 3D texture of format R32F from a grid of an OpenVDB file (.vdb). See shd_texture_load_vdb().
+inline shd::texture texture_load_vdb(
+    shd_context* context_,
+    const char* path,
+    const shd_vdb_desc* vdb,
+    const shd_load_desc* load,
+    shd_vdb_info* out_info) {
+  shd::texture made;
+  check(texture_load_vdb(context_, path, vdb, load, out_info, made));
+  return made;
+}
+
+#endif
+#endif
+
+}  // namespace shd
+// clang-format on
+#endif  // SHD_API_HPP

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""shd: texture filtering, shading and software rasterisation on the CPU, with NumPy arrays.
+
+    context = shd.Context()
+    texture = shd.Texture(context, texels, tables="mipmap")
+    colours = texture.sample(shd.Sampler(context, filter="trilinear"), u, v, lod=lod)
+
+Descs (SamplerDesc, RenderDesc, Draw, Camera, ...) and enums (Filter, Model, ...) of all headers are attributes of the
+module. Arrays are not copied; calls refuse arrays of another type or layout. Objects may be shared between threads as
+the C headers say; a framebuffer serves one call of render() only.
+"""
+import importlib.util
+
+if importlib.util.find_spec("numpy") is None:
+    raise ImportError("shd needs NumPy (Debian: python3-numpy)")
+
+from . import _api
+from ._api import Error, InvalidArgument, OutOfMemory
+from ._desc import desc_type
+from ._frame import Framebuffer, render
+from ._objects import Context, Light, Material, Mesh, Object, Sampler, slot
+from ._texture import Lookup, Texture
+
+_names = {_api.camel(name): (desc_type, name) for name, e in _api.structs.items()}
+_names.update({_api.camel(name): (_api.enum_type, name) for name in _api.enums})
+
+
+def version():
+    """Version of the library: (major, minor, patch)."""
+    value = _api.lib.shd_version()
+    return value >> 16, value >> 8 & 255, value & 255
+
+
+def __getattr__(name):
+    if name not in _names:
+        raise AttributeError(f"module shd has no attribute {name}")
+    make, entry = _names[name]
+    globals()[name] = make(entry)
+    return globals()[name]
+
+
+def __dir__():
+    return sorted({*(n for n in globals() if not n.startswith("_")), *_names})

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""python -m shd [picture.png]: renders a torus with a checkered texture."""
+import argparse
+import pathlib
+import sys
+
+import numpy as np
+
+import shd
+from shd import _png
+
+
+def picture(width, height, samples=4):
+    """A torus with a checkered texture, as sRGB pixels [height][width][4]."""
+    with shd.Context() as context:
+        cells = (np.indices((64, 64)) // 8).sum(axis=0) % 2
+        texels = np.where(cells[..., np.newaxis], np.uint8([230, 220, 200, 255]), np.uint8([40, 90, 150, 255]))
+        texture = shd.Texture(context, texels, srgb=True, tables="mipmap")
+        sampler = shd.Sampler(context, filter="anisotropic", wrap_u="repeat", wrap_v="repeat")
+        material = shd.Material(context, model="blinn_phong", ambient_share=0.2, slots=[
+            shd.slot("diffuse", texture, sampler, uv_transform=(8, 0, 0, 0, 4, 0))])
+        torus = shd.Mesh.shape(context, shape="torus")
+        sun = shd.Light(context, kind="directional", direction=(-0.4, -0.7, -0.6))
+        framebuffer = shd.Framebuffer(context, width, height, samples=samples)
+        camera = shd.Camera(eye=(0, 2.2, 2.6), target=(0, 0, 0), fov_y=0.7)
+        shd.render(context, framebuffer, [shd.Draw(mesh=torus, material=material, cull="back")], camera=camera,
+                   lights=[sun], clear_color=(0.05, 0.06, 0.08, 1))
+        return framebuffer.read_color("rgba8_srgb")
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(prog="python -m shd", description=__doc__)
+    parser.add_argument("picture", nargs="?", default="shd.png", type=pathlib.Path)
+    parser.add_argument("--size", nargs=2, type=int, default=(320, 240), metavar=("WIDTH", "HEIGHT"))
+    options = parser.parse_args(arguments)
+    try:
+        options.picture.write_bytes(_png.encode(picture(*options.size)))
+    except (shd.Error, OSError) as problem:
+        print(f"shd: {problem}", file=sys.stderr)
+        return 1
+    print(f"{options.picture}: {options.size[0]} x {options.size[1]} pixels")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

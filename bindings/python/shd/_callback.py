@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""Python functions that the library calls: programs, procedures of slots, tiles, progress and log.
+
+A callback runs on a thread of the library and takes the GIL. The caller's thread does not have the GIL during a call of
+the library, so workers cannot wait for it. An exception ends no thread: the call that ran the callback raises it.
+"""
+import ctypes
+import threading
+
+import numpy as np
+
+from . import _api
+
+local = threading.local()
+VIEWS = {"float": (ctypes.c_float, np.float32), "uint32_t": (ctypes.c_uint32, np.uint32)}
+ERROR_CALLBACK = 9
+# They have no result: after an exception the rest of the frame is not worth its time.
+PROGRAMS = {"shd_fragment_fn", "shd_vertex_fn", "shd_slot_fn"}
+
+
+def view(where, kind, count):
+    """An array over memory of the library; read-only for types that are const."""
+    if not where:
+        return None
+    ctype, dtype = VIEWS[kind.replace("const", "").replace("*", "").strip()]
+    array = np.frombuffer((ctype * count).from_address(where), dtype) if count else np.empty(0, dtype)
+    if kind.startswith("const"):
+        array.flags.writeable = False
+    return array
+
+
+def pointers(where, count):
+    return (ctypes.c_void_p * count).from_address(where) if where and count else ()
+
+
+class Record:
+    """A struct of the library inside a callback. Columns are arrays over its memory, valid until the callback ends."""
+
+    def __init__(self, name, where, count=None):
+        self._entry = {f["name"]: f for f in _api.structs[name]["fields"]}
+        self._struct = _api.struct_type(name).from_address(where)
+        self._rows = getattr(self._struct, "count", count)
+
+    def __dir__(self):
+        return list(self._entry)
+
+    def __getattr__(self, name):
+        if name.startswith("_") or name not in self._entry:
+            raise AttributeError(f"no column {name}; there are {', '.join(self._entry)}")
+        value = self._read(self._entry[name], getattr(self._struct, name))
+        self.__dict__[name] = value
+        return value
+
+    def _read(self, field, value):
+        kind, length = field["type"], field.get("length", [])
+        if "*" not in kind or kind.startswith("const void"):
+            return value
+        if kind.endswith("(*)[4]"):
+            rows = pointers(value, 4 * getattr(self._struct, length[0]))
+            return [[view(p, "float *", self._rows) for p in rows[i:i + 4]] for i in range(0, len(rows), 4)]
+        if kind.count("*") == 2:
+            return [view(p, kind, self._rows) for p in pointers(value, getattr(self._struct, length[0]))]
+        if "array" in field:  # channels of a tile
+            return [self._plane(p) for p in value]
+        if length and length[0].isdigit():
+            array = view(value, kind, int(length[0]))
+            return array.reshape(4, 4).T if array is not None and array.size == 16 else array
+        return view(value, kind, self._rows)
+
+    def close(self):
+        """Ends the access to the memory of the library."""
+        self.__dict__.clear()
+        self._entry = {}
+
+    def _plane(self, where):
+        stride = self._struct.row_stride // 4
+        rows = view(where, "const float *", self._struct.height * stride - stride + self._struct.width)
+        shape = (self._struct.height, self._struct.width)
+        return np.lib.stride_tricks.as_strided(rows, shape, (4 * stride, 4), writeable=False)
+
+
+def record_of(text, where, earlier):
+    """An argument of a callback as a Python value."""
+    base = text.replace("const", "").replace("*", "").strip()
+    if base in _api.structs and text.count("*") == 1 and where:
+        return Record(base, where, next((r._rows for r in earlier if isinstance(r, Record)), None))
+    if text == "float *const *" and where:
+        rows = next(r._rows for r in earlier if isinstance(r, Record))
+        return [view(p, "float *", rows) for p in pointers(where, 4)]
+    if text == "const char *":
+        return ctypes.string_at(where).decode("utf-8", "replace") if where else ""
+    if text in _api.callbacks:
+        return _api.callback_type(text)(where)
+    return where
+
+
+class Callback:
+    """A function of Python with the address that the library calls. `failure` is its first exception."""
+
+    def __init__(self, name, function):
+        self._function, self._entry, self.failure = function, _api.callbacks[name], None
+        self._prototype = _api.callback_type(name)(self._run)
+        self.address = ctypes.cast(self._prototype, ctypes.c_void_p).value
+
+    @staticmethod
+    def of(name, function, keep):
+        """The callback of a function, kept in `keep`."""
+        if not callable(function):
+            raise TypeError(f"{name}: {type(function).__name__} is not callable")
+        made = Callback(name, function)
+        keep.append(made)
+        return made
+
+    def _run(self, *arguments):
+        result = self._entry["result"]
+        failed = None if result == "void" else ERROR_CALLBACK
+        if self.failure is not None and result == "void" and self._entry["name"] in PROGRAMS:
+            return failed
+        local.depth = getattr(local, "depth", 0) + 1
+        values = []
+        try:
+            for parameter, argument in zip(self._entry["parameters"], arguments):
+                if parameter["name"] != "user_data":
+                    values.append(record_of(parameter["type"], argument, values))
+            returned = self._function(*values)
+            return None if result == "void" else int(returned or 0)
+        except BaseException as problem:  # the call that ran this raises it
+            self.failure = self.failure or problem
+            if result == "shd_result":
+                _api.lib.shd_report_error(ERROR_CALLBACK, str(problem).encode()[:1000])
+            return failed
+        finally:
+            local.depth -= 1
+            for value in values:
+                if isinstance(value, Record):
+                    value.close()
+
+
+def raise_failures(keep):
+    """Raises the first exception of a callback among what a call kept, and clears all of them."""
+    failures, seen, open_items = [], set(), list(keep)
+    while open_items:
+        item = open_items.pop()
+        if isinstance(item, Callback) and item.failure is not None:
+            failures.append(item.failure)
+            item.failure = None
+        elif hasattr(item, "keep") and id(item) not in seen:
+            seen.add(id(item))
+            open_items += item.keep
+    if failures:
+        raise failures[0]

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""Python values to fields of structs. Arrays are not copied; an array that does not fit is refused, with its name."""
+import ctypes
+
+import numpy as np
+
+from . import _api
+from ._callback import Callback
+
+COLUMNS = {f"shd_{kind}_{way}": (np.dtype(dtype), way == "out") for kind, dtype in
+           (("f32", "f4"), ("u32", "u4"), ("u16", "u2")) for way in ("in", "out")}
+ELEMENTS = {"float": "f4", "double": "f8", "uint8_t": "u1", "uint16_t": "u2", "uint32_t": "u4", "int32_t": "i4"}
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+def column(array, dtype, writable, name, keep):
+    """Address and stride of a column, as an array has them."""
+    if not isinstance(array, np.ndarray):
+        if writable:
+            raise TypeError(f"{name}: a NumPy array of {dtype}, not {type(array).__name__}")
+        array = np.array(array, dtype)
+    if array.dtype != dtype:
+        raise TypeError(f"{name}: the array is of {array.dtype}, not {dtype}")
+    if writable and not array.flags.writeable:
+        raise ValueError(f"{name}: the array is read-only")
+    if array.ndim != 1:
+        if not array.flags.c_contiguous:
+            raise ValueError(f"{name}: an array of {array.ndim} axes must be contiguous to be a column")
+        array = array.reshape(-1)
+    keep.append(array)
+    stride = array.strides[0]
+    if array.size > 1 and (stride <= 0 or stride % dtype.itemsize):
+        raise ValueError(f"{name}: its stride is {stride} bytes, not a positive multiple of {dtype.itemsize}")
+    where = address(array)
+    if where % dtype.itemsize:
+        raise ValueError(f"{name}: the array is not aligned to {dtype.itemsize} bytes")
+    return where, stride if array.size > 1 else 0, array.size
+
+
+def columns(value, count, name):
+    """Arrays of several columns: a sequence of them, or an array whose last axis has them."""
+    if isinstance(value, np.ndarray) and value.ndim > 1:
+        if value.shape[-1] != count:
+            raise ValueError(f"{name}: the last axis has {value.shape[-1]} elements, not {count}")
+        if value.ndim > 2:
+            if not value.flags.c_contiguous:
+                raise ValueError(f"{name}: an array of {value.ndim} axes must be contiguous")
+            value = value.reshape(-1, count)
+        return [value[:, i] for i in range(count)]
+    value = list(value)
+    if value and np.ndim(value[0]) == 0 and value[0] is not None:
+        return columns(np.array(value), count, name)
+    if len(value) > count:
+        raise ValueError(f"{name}: {len(value)} columns, not {count}")
+    return value
+
+
+def set_column(target, kind, value, keep, name):
+    if value is not None:
+        dtype, writable = COLUMNS[kind]
+        target.data, target.stride, _ = column(value, dtype, writable, name, keep)
+
+
+def enum_value(kind, value, name):
+    """A constant of an enum from its name, such as "ewa", or from a number."""
+    if not isinstance(value, str):
+        return int(value)
+    members = _api.enum_type(kind).__members__
+    total = 0
+    for part in value.split("|"):
+        key = part.strip().upper().replace("-", "_")
+        if key not in members:
+            raise ValueError(f"{name}: {part.strip()!r} is none of {', '.join(m.lower() for m in members)}")
+        total |= members[key]
+    return total
+
+
+def numbers(value, field, name):
+    """Numbers of an array field. Matrices given as [row][column] become columns first."""
+    flat = np.asarray(value)
+    if flat.ndim == 2 and flat.shape in ((4, 4), (3, 3)):
+        flat = flat.T
+    flat = flat.reshape(-1)
+    length = int(np.prod(field["array"]))
+    if flat.size != length:
+        raise ValueError(f"{name}: {flat.size} numbers, not {length}")
+    return flat.tolist()
+
+
+def data(value, base, name, keep):
+    """Address of the data of an array or of bytes."""
+    if isinstance(value, (bytes, bytearray)):
+        value = np.frombuffer(value, np.uint8)
+    if base in ELEMENTS and not isinstance(value, np.ndarray):
+        value = np.array(value, ELEMENTS[base])
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name}: a NumPy array or bytes, not {type(value).__name__}")
+    if base in ELEMENTS and value.dtype != ELEMENTS[base]:
+        raise TypeError(f"{name}: the array is of {value.dtype}, not {np.dtype(ELEMENTS[base])}")
+    if not value.flags.c_contiguous:
+        raise ValueError(f"{name}: the array must be contiguous")
+    keep.append(value)
+    return address(value)
+
+
+def set_length(struct, field, count, name, given):
+    """Sets the field that has the length of a list; `given` has the lengths so far, by the names of their fields."""
+    names = [n for n in field.get("length", []) if not n.isdigit()]
+    if not names or not hasattr(struct, names[-1]):
+        if count > 1:
+            raise ValueError(f"{name}: {count} elements, not 1")
+        return
+    rows = max(1, getattr(struct, names[0])) if len(names) > 1 else 1
+    if count % rows:
+        raise ValueError(f"{name}: {count} elements for {rows} {names[0]}")
+    if given.setdefault(names[-1], count // rows) != count // rows:
+        raise ValueError(f"{name}: {count} elements, not {names[-1]} = {given[names[-1]]}")
+    setattr(struct, names[-1], count // rows)
+
+
+def pointer(struct, field, value, keep, name, given):
+    """The address for a field that is a pointer."""
+    base = field["type"].replace("const", "").replace("*", "").strip()
+    if field["type"].endswith("*const *") and not isinstance(value, (list, tuple)):
+        raise TypeError(f"{name}: a list, not {type(value).__name__}")
+    is_list = isinstance(value, (list, tuple))
+    if field["type"] == "const char *":
+        text = ctypes.c_char_p(value.encode() if isinstance(value, str) else value)
+        keep.append(text)
+        return ctypes.cast(text, ctypes.c_void_p).value
+    if hasattr(value, "handle"):
+        return value.handle(base, keep, name)
+    if base in _api.handles and not is_list:
+        raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)}")
+    if base in _api.structs and not is_list:
+        set_length(struct, field, 1, name, given)
+        return ctypes.addressof(build(base, value, keep, name))
+    if base in ELEMENTS or base == "void":
+        return numbers_address(struct, field, value, keep, name, given)
+    if not is_list:
+        raise TypeError(f"{name}: a list, not {type(value).__name__}")
+    set_length(struct, field, len(value), name, given)
+    array = elements(base, value, keep, name)
+    keep.append(array)
+    return ctypes.addressof(array) if value else None
+
+
+def numbers_address(struct, field, value, keep, name, given):
+    """The address of numbers. Rows of 16 are matrices, which may be [row][column]."""
+    lengths = field.get("length", [])
+    if lengths[1:] == ["16"]:
+        value = np.asarray(value)
+        if value.ndim == 3 and value.shape[1:] == (4, 4):
+            value = np.ascontiguousarray(value.transpose(0, 2, 1))
+        if value.ndim < 2 or value.size != 16 * len(value):
+            raise ValueError(f"{name}: an array of shape {value.shape}, not [count][4][4]")
+        set_length(struct, field, len(value), name, given)
+    elif lengths and hasattr(struct, lengths[0]) and len(lengths) == 1:
+        set_length(struct, field, len(value), name, given)
+    base = field["type"].replace("const", "").replace("*", "").strip()
+    return data(value, base, name, keep)
+
+
+def elements(base, value, keep, name):
+    """An array of C from a list of descs, objects, columns, constants or texts."""
+    names = [f"{name}[{i}]" for i in range(len(value))]
+    if base in COLUMNS:
+        array = (_api.struct_type(base) * len(value))()
+        for target, item, label in zip(array, value, names):
+            set_column(target, base, item, keep, label)
+    elif base in _api.structs:
+        array = (_api.struct_type(base) * len(value))(*(build(base, v, keep, n) for v, n in zip(value, names)))
+    elif base in _api.enums:
+        array = (ctypes.c_int32 * len(value))(*(enum_value(base, v, n) for v, n in zip(value, names)))
+    elif base == "char":
+        array = (ctypes.c_char_p * len(value))(*(v.encode() for v in value))
+    else:
+        array = (ctypes.c_void_p * len(value))(*(None if v is None else v.handle(base, keep, n)
+                                                 for v, n in zip(value, names)))
+    return array
+
+
+def build(base, value, keep, name):
+    """A struct from a desc, a dict of its fields, or an image."""
+    if hasattr(value, "build"):
+        if value._struct != base:
+            raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)}")
+        return value.build(keep)
+    from ._desc import desc_type
+    if isinstance(value, np.ndarray) and base == "shd_image":
+        from ._image import image
+        return image(value, keep, name)
+    if not isinstance(value, dict):
+        raise TypeError(f"{name}: {type(value).__name__}, not {_api.camel(base)} or a dict of its fields")
+    return desc_type(base)(**value).build(keep)
+
+
+def convert(struct, field, value, keep, name, given):
+    """Sets a field of a struct. `given` has the lengths of lists by the names of their fields."""
+    kind = field["type"]
+    if value is None:
+        return
+    bits = _api.typedefs.get(kind, {}).get("bits_of")
+    if kind in COLUMNS and "array" in field:
+        for target, item in zip(getattr(struct, field["name"]), columns(value, field["array"][0], name)):
+            set_column(target, kind, item, keep, name)
+    elif kind in COLUMNS:
+        set_column(getattr(struct, field["name"]), kind, value, keep, name)
+    elif kind in _api.callbacks:
+        setattr(struct, field["name"], Callback.of(kind, value, keep).address)
+    elif "*" in kind:
+        setattr(struct, field["name"], pointer(struct, field, value, keep, name, given))
+    elif "array" in field and (bits or kind in _api.enums):
+        getattr(struct, field["name"])[:] = [enum_value(bits or kind, v, name) for v in value]
+    elif "array" in field:
+        getattr(struct, field["name"])[:] = numbers(value, field, name)
+    elif kind in _api.structs:
+        setattr(struct, field["name"], build(kind, value, keep, name))
+    elif bits or kind in _api.enums:
+        setattr(struct, field["name"], enum_value(bits or kind, value, name))
+    else:
+        if given.setdefault(field["name"], value) != value:
+            raise ValueError(f"{name}: {value}, but the list has {given[field['name']]} elements")
+        try:
+            setattr(struct, field["name"], value)
+        except TypeError as problem:
+            raise TypeError(f"{name}: {problem}") from None

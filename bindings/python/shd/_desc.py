@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""Descs: options of a call as keyword arguments. A desc holds Python values and becomes a struct of C at the call."""
+import ctypes
+import difflib
+
+import numpy as np
+
+from . import _api
+from ._convert import convert
+
+
+class Desc:
+    """Base of the descs. Fields that are not given have the library's defaults. Descs can be compared and pickled."""
+
+    _struct = ""
+    _fields = {}
+
+    def __init__(self, **values):
+        self.__dict__["_values"] = {}
+        for name, value in values.items():
+            setattr(self, name, value)
+
+    def __setattr__(self, name, value):
+        if name not in self._fields or name == "struct_size":
+            close = difflib.get_close_matches(name, self._fields, 1)
+            hint = f"; did you mean {close[0]}?" if close else ""
+            raise TypeError(f"{type(self).__name__} has no field {name}{hint}")
+        self._values[name] = value
+
+    def __getattr__(self, name):
+        if name in self._values:
+            return self._values[name]
+        if name not in self._fields:
+            raise AttributeError(f"{type(self).__name__} has no field {name}")
+        return read_field(self._fields[name], getattr(_api.new(self._struct), name))
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._fields]
+
+    def __repr__(self):
+        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self._values.items())})"
+
+    def __eq__(self, other):
+        if type(self) is not type(other) or self._values.keys() != other._values.keys():
+            return False
+        return all(np.array_equal(v, other._values[k]) if isinstance(v, np.ndarray) else v == other._values[k]
+                   for k, v in self._values.items())
+
+    __hash__ = None
+
+    def __reduce__(self):
+        return _make, (self._struct, self._values)
+
+    def replace(self, **values):
+        """A copy with other values."""
+        return type(self)(**{**self._values, **values})
+
+    def build(self, keep):
+        """The struct of C. `keep` gets everything that must live as long as the struct is used."""
+        made, given = _api.new(self._struct), {}
+        for name in sorted(self._values, key=lambda n: "*" in self._fields[n]["type"]):  # lengths before lists
+            convert(made, self._fields[name], self._values[name], keep,
+                    f"{self._struct.removeprefix('shd_')}.{name}", given)
+        keep.append(made)
+        return made
+
+
+def _make(struct, values):
+    return desc_type(struct)(**values)
+
+
+def read_field(field, value):
+    """A field of a struct as a Python value."""
+    if isinstance(value, ctypes.Array):
+        return tuple(read_field(field, v) for v in value)
+    bits = _api.typedefs.get(field["type"], {}).get("bits_of")
+    if bits or field["type"] in _api.enums:
+        return _api.enum_type(bits or field["type"])(value)
+    if isinstance(value, ctypes.Structure):
+        return {f["name"]: read_field(f, getattr(value, f["name"])) for f in _api.structs[field["type"]]["fields"]}
+    return value
+
+
+def read_struct(name, struct):
+    """A struct that the library wrote, as a dict without its size."""
+    return {f["name"]: read_field(f, getattr(struct, f["name"])) for f in _api.structs[name]["fields"]
+            if f["name"] != "struct_size"}
+
+
+_types = {}
+
+
+def desc_type(struct):
+    """The class of a desc: shd_render_desc -> RenderDesc, shd_draw -> Draw."""
+    if struct not in _types:
+        entry = _api.structs[struct]
+        fields = {f["name"]: f for f in entry["fields"]}
+        text = "\n".join(f"    {f['name']}: {' '.join(f.get('doc', '').split())}" for f in entry["fields"]
+                         if f["name"] != "struct_size")
+        _types[struct] = type(_api.camel(struct), (Desc,), {
+            "__doc__": f"{entry['doc']}\n\nFields:\n{text}", "__module__": __package__, "_struct": struct,
+            "_fields": fields})
+    return _types[struct]

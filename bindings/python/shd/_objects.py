@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: MIT
+"""Objects of the library and their references: contexts, samplers, materials, lights and meshes."""
+import collections
+import ctypes
+
+import numpy as np
+
+from . import _api
+from ._callback import Callback, local, raise_failures
+from ._convert import address, columns, enum_value
+from ._desc import desc_type, read_struct
+
+_deferred = collections.deque()
+
+
+class Reference:
+    """One reference to an object of C, released with the last user: an object, an array over its memory, a call.
+
+    `keep` has the callbacks of the object and the references of the objects that it was made from: callbacks of a
+    context live as long as its objects.
+    """
+
+    def __init__(self, kind, handle, keep):
+        self.handle, self.keep = handle, keep
+        self._release = getattr(_api.lib, _api.handles[kind]["release"])
+
+    def __del__(self, deferred=_deferred, local=local):
+        deferred.append((self._release, self.handle, self.keep))
+        if not getattr(local, "depth", 0):  # callbacks may not call the library
+            while deferred:
+                release, handle, keep = deferred.popleft()
+                release(handle)
+                del keep
+
+
+class Object:
+    """Base of the objects. `with` closes an object; memory is freed when nothing uses it any more."""
+
+    _kind = ""
+    _reference = None
+
+    def _adopt(self, keep, create, *arguments):
+        out = ctypes.c_void_p()
+        result = create(*arguments, ctypes.addressof(out))
+        if result:
+            raise_failures(keep)
+            _api.check(result)
+        self._reference = Reference(self._kind, out.value, [k for k in keep if isinstance(k, (Callback, Reference))])
+
+    def handle(self, kind, keep, name="object"):
+        """The handle for a call; `keep` gets what must live until its end."""
+        if kind != self._kind:
+            raise TypeError(f"{name}: {type(self).__name__}, not {_api.camel(kind)}")
+        if self._reference is None:
+            raise ValueError(f"{name}: the {type(self).__name__} is closed")
+        keep.append(self._reference)
+        return self._reference.handle
+
+    def close(self):
+        """Drops the reference. Later uses raise ValueError; closing again has no effect."""
+        self._reference = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __reduce__(self):
+        raise TypeError(f"a {type(self).__name__} cannot be pickled; pickle its desc")
+
+    def _info(self, name):
+        keep, out = [], _api.new(name)
+        get = getattr(_api.lib, f"{self._kind}_get_info")
+        _api.check(get(self.handle(self._kind, keep), ctypes.addressof(out)))
+        return read_struct(name, out)
+
+
+def make_desc(struct, desc, values):
+    if desc is not None and values:
+        return desc.replace(**values)
+    return desc if desc is not None else desc_type(struct)(**values)
+
+
+def document(cls):
+    """Adds the texts of the headers to a class."""
+    texts = [cls.__doc__ or "", _api.functions[f"{cls._kind}_create"].get("doc", ""),
+             desc_type(f"{cls._kind}_desc").__doc__]
+    cls.__doc__ = "\n\n".join(filter(None, texts))
+    return cls
+
+
+class _Simple(Object):
+    """An object that is made from a desc alone."""
+
+    def __init__(self, context, desc=None, **values):
+        keep = []
+        built = make_desc(f"{self._kind}_desc", desc, values).build(keep)
+        self._adopt(keep, getattr(_api.lib, f"{self._kind}_create"), context.handle("shd_context", keep),
+                    ctypes.addressof(built))
+
+
+@document
+class Context(Object):
+    """Context(worker_count=4, ...): memory, threads and SIMD target of the objects that are made from it."""
+
+    _kind = "shd_context"
+
+    def __init__(self, desc=None, **values):
+        keep = []
+        built = make_desc("shd_context_desc", desc, values).build(keep)
+        self._adopt(keep, _api.lib.shd_context_create, ctypes.addressof(built))
+
+    @property
+    def simd_target(self):
+        return _api.lib.shd_context_simd_target(self.handle("shd_context", [])).decode()
+
+    @property
+    def worker_count(self):
+        return _api.lib.shd_context_worker_count(self.handle("shd_context", []))
+
+
+@document
+class Sampler(_Simple):
+    """Sampler(context, filter="ewa", ...)."""
+
+    _kind = "shd_sampler"
+
+
+@document
+class Material(_Simple):
+    """Material(context, model="blinn_phong", slots=[slot("diffuse", texture)], ...)."""
+
+    _kind = "shd_material"
+
+
+@document
+class Light(_Simple):
+    """Light(context, kind="directional", direction=(0, -1, 0), ...)."""
+
+    _kind = "shd_light"
+
+
+@document
+class Mesh(Object):
+    """Mesh(context, position, indices=None, uv=None, normal=None, ...).
+
+    `position` and `normal` are arrays [n][3] of float32 or three columns, `uv` is [n][2]. `indices` is an array of
+    uint32 or uint16.
+    """
+
+    _kind = "shd_mesh"
+
+    def __init__(self, context, position=None, indices=None, desc=None, **values):
+        keep = []
+        made = make_desc("shd_mesh_desc", desc, values)
+        if position is not None:
+            made = made.replace(position=position)
+        if indices is not None:
+            indices = indices if isinstance(indices, np.ndarray) else np.array(indices, np.uint32)
+            made = made.replace(**{"indices16" if indices.dtype == np.uint16 else "indices": indices})
+        for name in ("indices", "indices16"):
+            count = np.size(made._values.get(name, ()))
+            if made._values.get("index_count", count) > count > 0:
+                raise ValueError(f"mesh.index_count: {made.index_count}, but {name} has {count} elements")
+            if count and "index_count" not in made._values:
+                made = made.replace(index_count=count)
+        built = made.build(keep)
+        self._set_count(built, made._values)
+        self._adopt(keep, _api.lib.shd_mesh_create, context.handle("shd_context", keep), ctypes.addressof(built))
+
+    @staticmethod
+    def _set_count(built, values):
+        """The number of vertices, which all columns must have."""
+        sizes = {"vertex_count": values["vertex_count"]} if "vertex_count" in values else {}
+        for name, width in (("position", 3), ("normal", 3), ("tangent", 4), ("uv", 2), ("uv1", 2)):
+            if values.get(name) is not None:
+                sizes.update({f"{name}[{i}]": np.size(c) for i, c in
+                              enumerate(columns(values[name], width, f"mesh.{name}"))})
+        sizes.update({f"attributes[{i}]": np.size(c) for i, c in enumerate(values.get("attributes") or ())
+                      if c is not None})
+        if len(set(sizes.values())) > 1:
+            raise ValueError("mesh: the columns have different lengths: " +
+                             ", ".join(f"{k} {n}" for k, n in sizes.items()))
+        built.vertex_count = next(iter(sizes.values()), 0)
+
+    @classmethod
+    def shape(cls, context, desc=None, flags=0, **values):
+        """The mesh of a shape: Mesh.shape(context, shape="torus", ...)."""
+        keep, made = [], cls.__new__(cls)
+        built = make_desc("shd_shape_desc", desc, values).build(keep)
+        made._adopt(keep, _api.lib.shd_mesh_create_shape, context.handle("shd_context", keep), ctypes.addressof(built),
+                    enum_value("shd_mesh_flag", flags, "flags"))
+        return made
+
+    @property
+    def info(self):
+        """Counts and bounds, as a dict."""
+        return self._info("shd_mesh_info")
+
+    def _read(self, function, kind, dtype, shape):
+        keep, array = [], np.empty(shape, dtype)
+        out = (_api.struct_type(kind) * (shape[1] if len(shape) > 1 else 1))()
+        for i, target in enumerate(out):
+            target.data = address(array) + i * array.itemsize
+            target.stride = array.strides[0]
+        _api.check(function(self.handle("shd_mesh", keep), ctypes.addressof(out)))
+        return array
+
+    def _vertices(self, function, width):
+        return self._read(function, "shd_f32_out", np.float32, (self.info["vertex_count"], width))
+
+    @property
+    def positions(self):
+        return self._vertices(_api.lib.shd_mesh_read_positions, 3)
+
+    @property
+    def normals(self):
+        return self._vertices(_api.lib.shd_mesh_read_normals, 3)
+
+    @property
+    def tangents(self):
+        return self._vertices(_api.lib.shd_mesh_read_tangents, 4)
+
+    @property
+    def uv(self):
+        return self._vertices(_api.lib.shd_mesh_read_uv, 2)
+
+    @property
+    def indices(self):
+        flat = self._read(_api.lib.shd_mesh_read_indices, "shd_u32_out", np.uint32,
+                          (3 * self.info["triangle_count"],))
+        return flat.reshape(-1, 3)
+
+
+def slot(target, texture=None, sampler=None, procedure=None, solid=None, **values):
+    """A source for a coefficient of a material: slot("diffuse", texture, sampler), slot("height", procedure=f)."""
+    sources = {"texture": texture, "procedure": procedure, "solid": solid, "vertex": values.get("attribute")}
+    given = [name for name, value in sources.items() if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"slot: one source, not {' and '.join(given)}")
+    fields = {k: v for k, v in {"texture": texture, "sampler": sampler, "procedure": procedure, "solid": solid}.items()
+              if v is not None}
+    source = {"source": given[0]} if given and "source" not in values else {}
+    return desc_type("shd_slot")(target=target, **fields, **source, **values)

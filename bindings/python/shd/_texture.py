@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Textures and lookups."""
+import ctypes
+
+import numpy as np
+
+from . import _api
+from ._callback import raise_failures
+from ._convert import COLUMNS, address, column, columns
+from ._image import array_type, format_of, image, split
+from ._objects import Object, document, make_desc
+
+FLOAT = np.dtype("f4")
+
+
+def end_of(array):
+    """Address behind the last element of an array with positive strides."""
+    return address(array) + sum((n - 1) * s for n, s in zip(array.shape, array.strides)) + array.itemsize
+
+
+def check_padding(texels):
+    """Lookups read whole vectors: borrowed texels lie inside a larger array."""
+    whole = texels
+    while isinstance(whole.base, np.ndarray):
+        whole = whole.base
+    padding = end_of(whole) - end_of(texels)
+    if padding < _api.constants["SHD_TEXTURE_PADDING"]:
+        raise ValueError(f"texture.texels: {padding} bytes behind the borrowed texels in their array, not "
+                         f"{_api.constants['SHD_TEXTURE_PADDING']}")
+
+
+@document
+class Texture(Object):
+    """Texture(context, texels, srgb=False, tables="mipmap", ...).
+
+    `texels` is an array [height][width] or [height][width][channels] of uint8, uint16, float16 or float32; with
+    `layers` or `depth` it has one more axis in front.
+    """
+
+    _kind = "shd_texture"
+
+    def __init__(self, context, texels, desc=None, srgb=False, **values):
+        keep = []
+        made = make_desc("shd_texture_desc", desc, values)
+        stacked = any(k in made._values for k in ("layers", "depth"))
+        texels = split(texels, 3 if stacked else 2, "texture.texels")
+        built = made.build(keep)
+        if "format" not in made._values:
+            built.format = format_of(texels, texels.shape[-1], srgb, "texture.texels")
+        if stacked and max(built.layers, built.depth) != texels.shape[0]:
+            raise ValueError(f"texture.texels: {texels.shape[0]} images, not {max(built.layers, built.depth)}")
+        built.height, built.width = texels.shape[-3:-1]
+        built.row_stride = texels.strides[-3] if texels.shape[-3] > 1 else 0
+        built.layer_stride = texels.strides[0] if stacked and texels.shape[0] > 1 else 0
+        built.texels = address(texels)
+        if built.flags:
+            check_padding(texels)
+        self._adopt(keep, _api.lib.shd_texture_create, context.handle("shd_context", keep), ctypes.addressof(built))
+        if built.flags:  # borrowed texels live as long as the texture
+            self._reference.keep.append(texels)
+
+    @property
+    def info(self):
+        """Size, format and memory, as a dict."""
+        return self._info("shd_texture_info")
+
+    def lookup(self, sampler, u, v, out, **more):
+        """A batch of lookups that can run many times: see Lookup."""
+        return Lookup(self, sampler, u, v, out, **more)
+
+    def sample(self, sampler, u, v, channels=4, out=None, **more):
+        """Filtered values at (u, v), as an array [..., channels] of float32.
+
+        Other columns are those of shd_lookups: dudx, dvdx, dudy, dvdy, lod, layer, random, w, dwdx, dwdy. `out` is an
+        array of that shape to write to, or a list of columns with None for unwanted ones.
+        """
+        if out is not None:
+            Lookup(self, sampler, u, v, out, **more)()
+            return out
+        u = u if isinstance(u, np.ndarray) else np.array(u, np.float32)
+        planes = np.empty((channels, *u.shape), np.float32)  # packed columns are the fastest
+        Lookup(self, sampler, u, v, planes.reshape(channels, -1).T, **more)()
+        return np.moveaxis(planes, 0, -1)
+
+    def levels(self, sampler, u, v, **more):
+        """Levels of detail of trilinear filtering at (u, v)."""
+        keep, out = [], _api.new("shd_levels")
+        lookups = _lookups(u, v, more, keep)
+        lod = np.empty(lookups.count, np.float32)
+        out.lod.data = address(lod)
+        _api.check(_api.lib.shd_texture_query_levels(self.handle("shd_texture", keep),
+                                                     sampler.handle("shd_sampler", keep, "sampler"),
+                                                     ctypes.addressof(lookups), ctypes.addressof(out)))
+        return lod.reshape(np.shape(u))
+
+    def read_level(self, level=0, layer=0):
+        """A copy of one mip level of a layer or slice, as stored."""
+        info, keep = self.info, []
+        dtype, channels = array_type(info["format"])
+        texels = np.empty((max(1, info["height"] >> level), max(1, info["width"] >> level), channels), dtype)
+        made = image(texels, keep, texel_format=int(info["format"]))
+        _api.check(_api.lib.shd_texture_read_level(self.handle("shd_texture", keep), layer, level,
+                                                   ctypes.addressof(made)))
+        return texels
+
+    def update(self, texels, x=0, y=0, layer=0):
+        """Writes a rectangle of the base level, and rebuilds the tables that depend on it. No other call may use the
+        texture concurrently."""
+        keep = []
+        srgb = self.info["format"].name.endswith("_SRGB")
+        made = image(texels, keep, "texels", srgb=srgb)
+        _api.check(_api.lib.shd_texture_update(self.handle("shd_texture", keep), layer, x, y, ctypes.addressof(made)))
+
+
+_LOOKUP_COLUMNS = {f["name"]: f["type"] for f in _api.structs["shd_lookups"]["fields"] if f["type"] in COLUMNS}
+
+
+def _lookups(u, v, more, keep):
+    """A shd_lookups over columns of one length."""
+    lookups, sizes = _api.new("shd_lookups"), {}
+    for name, value in (("u", u), ("v", v), *more.items()):
+        if name not in _LOOKUP_COLUMNS:
+            raise TypeError(f"lookups have no column {name}; there are {', '.join(_LOOKUP_COLUMNS)}")
+        if value is not None:
+            target = getattr(lookups, name)
+            target.data, target.stride, sizes[name] = column(value, *COLUMNS[_LOOKUP_COLUMNS[name]], name, keep)
+    lookups.count = sizes["u"]
+    if any(size != lookups.count for size in sizes.values()):
+        raise ValueError("lookups: the columns have different lengths: " +
+                         ", ".join(f"{k} {n}" for k, n in sizes.items()))
+    return lookups
+
+
+class Lookup:
+    """A batch of lookups, prepared once. Calling it reads the arrays and writes `out` anew.
+
+    `out` is an array [count][channels] of float32, or a list of columns for r, g, b, a. The arrays, texture and sampler
+    stay in use as long as the Lookup lives. `nonfinite_count` belongs to the latest call.
+    """
+
+    def __init__(self, texture, sampler, u, v, out, **more):
+        keep = self._keep = []
+        self._lookups = _lookups(u, v, more, keep)
+        self._texels = _api.new("shd_texels")
+        if isinstance(out, np.ndarray):
+            out = [out] if out.ndim == 1 else columns(out, out.shape[-1], "out")
+        if len(out) > len(self._texels.channel):
+            raise ValueError(f"out: {len(out)} columns, not 1 to 4")
+        for target, item in zip(self._texels.channel, out):
+            if item is not None:
+                target.data, target.stride, size = column(item, FLOAT, True, "out", keep)
+                if size != self._lookups.count:
+                    raise ValueError(f"out: {size} rows for {self._lookups.count} lookups")
+        self._function = _api.lib.shd_texture_sample
+        self._arguments = (texture.handle("shd_texture", keep, "texture"),
+                           sampler.handle("shd_sampler", keep, "sampler"),
+                           ctypes.addressof(self._lookups), ctypes.addressof(self._texels))
+
+    def __call__(self):
+        result = self._function(*self._arguments)
+        if result:
+            raise_failures(self._keep)
+            _api.check(result)
+
+    @property
+    def nonfinite_count(self):
+        return self._texels.nonfinite_count
