@@ -32,6 +32,7 @@ models=/usr/share/assimp/models
 duck=$models/Collada/duck.dae
 spider=$models/OBJ/spider.obj
 truck=$models/glTF/CesiumMilkTruck/CesiumMilkTruck.gltf
+engine=$models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb
 coat=$models/glTF2/ClearCoat-glTF
 transforms=$models/glTF2/textureTransform/TextureTransformTest.gltf
 bark=$models/OBJ/drkwood2.jpg
@@ -143,6 +144,17 @@ for filter in "hard Hard" "pcf PCF" "variance Variance" "summed-area Summed-area
     --shadow-size 1024 --shadows "${filter%% *}" "$spider"
 done
 
+group "Ambient occlusion"
+clay=(--floor --orbit 25,25,3.4 --tessellation 32 --model lambert --diffuse 0.7 --sun -0.5,0.9,0.9:0.25,0.25,0.25
+  --ambient 0.75 --specular 0)
+picture occlusion-none "Without" "${clay[@]}"
+picture occlusion "With" "${clay[@]}" --occlusion 256
+picture occlusion-radius "With rays of a fifth of its size" "${clay[@]}" --occlusion 256 --occlusion-radius 0.4
+steel=(--environment "$world/courtyard.exr" --environment-blur 0.35 --orbit 140,20 --metallic 1 --roughness 0.3)
+behind=()
+picture engine-none "Under an environment, without" "${steel[@]}" "$engine"
+picture engine "Under an environment, with" "${steel[@]}" --occlusion 256 "$engine"
+
 group "Light from environments"
 behind=(--environment-blur 0.2)
 for roughness in 0 0.25 0.5 0.75 1; do
@@ -201,8 +213,11 @@ program polygon "polygon: four kinds of weights" --create 720x600 4 --fill:color
   "$out/polygon.png" --cut 300x300+0+0 --swap --paste +50+0 "$out/polygon.png" --cut 300x300+300+0 --swap --paste +370+0 \
   "$out/polygon.png" --cut 300x300+600+0 --swap --paste +50+300 "$out/polygon.png" --cut 300x300+900+0 --swap --paste +370+300
 
+echo "== The picture that opens README.md"
+"$render" --size 1280x720 --samples 8 "${steel[@]}" --occlusion 256 --dither -o examples/engine.png "$engine"
+
 echo "== The sheet"
 size=$((gap + columns * (cell + gap)))x$((y + tall + label + gap))
 oiiotool --create "$size" 3 --fill:color=1,1,1 "$size" "${pastes[@]}" "${texts[@]}" -d uint8 --compression zip:9 \
   -o examples/gallery.png
-echo "== Done: $PWD/$out, $PWD/examples/gallery.png ($(stat -c %s examples/gallery.png) bytes)"
+echo "== Done: $PWD/$out, $PWD/examples/engine.png, examples/gallery.png ($(stat -c %s examples/gallery.png) bytes)"
