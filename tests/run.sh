@@ -95,11 +95,11 @@ stage_asan() {
 # Without address randomisation: the sanitizer of gcc 12 does not know the layouts of newer kernels. Unit tests call
 # kernels from one thread. The frames and lookups of ten tests and the failures of api.call_faults take minutes here;
 # other tests run the same threads.
-# What does not run is not built.
+# What does not run is not built; two SIMD targets have the threads of all.
 stage_tsan() {
   local runner=() targets=(api_tests test_unit_raster_bin)
   setarch "$(uname -m)" -R true 2>/dev/null && runner=(setarch "$(uname -m)" -R)
-  build tsan -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
+  build tsan -DSHD_SIMD=few -DSHD_WITH_OIIO=OFF -DSHD_WITH_OCIO=OFF -DSHD_BUILD_EXAMPLES=OFF &&
     TSAN_OPTIONS=suppressions=$PWD/tests/support/tsan.supp:halt_on_error=1 \
       run_tests tsan -R '^(api|unit\.raster\.bin)' \
         -E '^api\.(call_faults|environment(_texels)?|framebuffer_formats|lookup_(bad_footprints|small)|minified_normals|shadow_contact|render_(painter|passes|supersampling|window))$'
