@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/executor.h"
+#include "data/hash.h"
 #include "data/trig.h"
 #include "frame/shadow_map.h"
 #include "occlusion/blockers.h"
@@ -13,14 +14,6 @@ namespace shd::occlusion {
 namespace {
 
 constexpr size_t kPiece = 1024;  // points, whose columns lie on the stack
-
-uint32_t mix(uint32_t bits) {
-  bits ^= bits >> 16;
-  bits *= 0x7feb352du;
-  bits ^= bits >> 15;
-  bits *= 0x846ca68bu;
-  return bits ^ bits >> 16;
-}
 
 light::Light distant_light(const float (&to_light)[3]) {
   shd_light_desc desc = shd_light_desc_default();
@@ -94,10 +87,10 @@ void add_direction(const core::Context& context, const Options& options, const l
 /// A spherical Fibonacci set (Keinert, Innmann, Saenger and Stamminger, "Spherical Fibonacci Mapping", 2015), shifted
 /// along its spiral and turned around its axis.
 void sky_direction(uint32_t i, uint32_t n, uint32_t seed, float (&out)[3]) {
-  constexpr uint32_t kGolden = 0x9e3779b9u;  // 2^32 divided by the golden ratio
-  const double shift = static_cast<double>(mix(seed + 1u)) * 0x1p-32;
+  const double shift = static_cast<double>(data::mix_bits(seed + 1u)) * 0x1p-32;
   const double y = 1.0 - 2.0 * (static_cast<double>(i) + shift) / static_cast<double>(n);
-  const data::CirclePoint turn = data::circle_point((i * kGolden + mix(seed + kGolden)) >> 8, 1u << 24);
+  const data::CirclePoint turn =
+      data::circle_point((i * data::kHashStep + data::mix_bits(seed + data::kHashStep)) >> 8, 1u << 24);
   const double radius = std::sqrt(std::max(0.0, 1.0 - y * y));
   out[0] = static_cast<float>(radius * turn.cosine);
   out[1] = static_cast<float>(y);

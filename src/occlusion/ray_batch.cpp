@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "data/data.h"
+#include "data/hash.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "occlusion/ray_batch.cpp"
@@ -59,16 +60,8 @@ HWY_EXPORT(AppendRays);
 
 namespace {
 
-/// Wellons, "Prospecting for Hash Functions" (2018), lowbias32.
-uint32_t mix(uint32_t bits) {
-  bits ^= bits >> 16;
-  bits *= 0x7feb352du;
-  bits ^= bits >> 15;
-  bits *= 0x846ca68bu;
-  return bits ^ bits >> 16;
-}
-
-constexpr uint32_t kWeylStep = 0x9e3779b9u;  // 2^32 divided by the golden ratio
+using data::kHashStep;
+using data::mix_bits;
 
 uint32_t bits_of(float value) {
   uint32_t bits;
@@ -127,7 +120,7 @@ bool make_origin(const Points& points, size_t index, const Options& options, Ray
     largest = std::max(largest, std::fabs(p));
     n[c] = static_cast<double>(points.normal[c][index]);
     squared += n[c] * n[c];
-    hash = mix(bits_of(p + 0.0f) + mix(bits_of(points.normal[c][index] + 0.0f) + hash + kWeylStep));
+    hash = mix_bits(bits_of(p + 0.0f) + mix_bits(bits_of(points.normal[c][index] + 0.0f) + hash + kHashStep));
   }
   if (!(squared > 0.0) || !std::isfinite(squared)) return false;
   const double length = std::sqrt(squared);
@@ -139,7 +132,7 @@ bool make_origin(const Points& points, size_t index, const Options& options, Ray
   }
   set_basis(out);
   out->shift[0] = hash;
-  out->shift[1] = mix(hash + kWeylStep);
+  out->shift[1] = mix_bits(hash + kHashStep);
   return true;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/hash.h"
+
 namespace shd::procedural {
 namespace {
 
@@ -46,7 +48,8 @@ void build_octaves(const shd_solid_desc& desc, Solid* out) {
   amplitude = 1.0;
   for (uint32_t i = 0; i < desc.octaves; ++i) {
     // The step of a Weyl sequence; hashes mix the seed further.
-    out->octave[i] = {static_cast<float>(frequency), static_cast<float>(amplitude / sum), desc.seed + i * 0x9e3779b9u};
+    out->octave[i] = {static_cast<float>(frequency), static_cast<float>(amplitude / sum),
+                      desc.seed + i * data::kHashStep};
     frequency *= double{desc.lacunarity};
     amplitude *= double{desc.gain};
   }
