@@ -18,6 +18,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
+import generated
 import words
 
 SKIPPED = 77
@@ -295,19 +296,12 @@ def main():
     parser.add_argument("--clang", default="clang")
     arguments = parser.parse_args()
     if arguments.asserts:
-        arguments.asserts.write_text(asserts(json.loads(OUTPUT.read_text(encoding="utf-8"))), encoding="utf-8")
+        arguments.asserts.write_text(asserts(generated.description()), encoding="utf-8")
         return 0
     if not shutil.which(arguments.clang):
         print(f"skipped: {arguments.clang} is not installed (Debian: clang)")
         return SKIPPED if arguments.check else 1
-    text = write(describe(arguments.clang))
-    if arguments.check and text != OUTPUT.read_text(encoding="utf-8"):
-        print("bindings/shd.json is not current. Run bindings/update.sh")
-        return 1
-    if not arguments.check:
-        OUTPUT.write_text(text, encoding="utf-8")
-    print(f"shd.json: {len(text.encode())} bytes")
-    return 0
+    return generated.save(OUTPUT, write(describe(arguments.clang)), arguments.check)
 
 
 if __name__ == "__main__":

@@ -4,13 +4,16 @@
 
     generate.py [--check]      write the file, or compare it with shd.json
 """
-import json
 import pathlib
 import re
 import sys
 import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(HERE.parent))
+import generated
+
 OUTPUT = HERE / "shd_api.hpp"
 WIDTH = 120
 HEAD = """// SPDX-License-Identifier: MIT
@@ -143,16 +146,5 @@ class Generator:
         return "\n".join([*lines, "}  // namespace shd", "// clang-format on", "#endif  // SHD_API_HPP", ""])
 
 
-def main():
-    text = Generator(json.loads((HERE.parent / "shd.json").read_text(encoding="utf-8"))).text()
-    if "--check" not in sys.argv[1:]:
-        OUTPUT.write_text(text, encoding="utf-8")
-    elif not OUTPUT.exists() or OUTPUT.read_text(encoding="utf-8") != text:
-        print("bindings/cpp/shd_api.hpp is not current. Run bindings/update.sh")
-        return 1
-    print(f"shd_api.hpp: {text.count(chr(10))} lines")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(generated.save(OUTPUT, Generator(generated.description()).text(), "--check" in sys.argv[1:]))

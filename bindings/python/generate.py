@@ -4,12 +4,15 @@
 
     generate.py [--check]      write the file, or compare it with shd.json
 """
-import json
 import pathlib
 import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(HERE.parent))
+import generated
+
 OUTPUT = HERE / "shd/__init__.pyi"
 HEAD = '''# SPDX-License-Identifier: MIT
 # Types of the module's descs and enums. Written by generate.py; do not edit.
@@ -89,16 +92,5 @@ class Stubs:
         return "\n".join([*lines, ""])
 
 
-def main():
-    text = Stubs(json.loads((HERE.parent / "shd.json").read_text(encoding="utf-8"))).text()
-    if "--check" not in sys.argv[1:]:
-        OUTPUT.write_text(text, encoding="utf-8")
-    elif not OUTPUT.exists() or OUTPUT.read_text(encoding="utf-8") != text:
-        print("bindings/python/shd/__init__.pyi is not current. Run bindings/update.sh")
-        return 1
-    print(f"__init__.pyi: {text.count(chr(10))} lines")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(generated.save(OUTPUT, Stubs(generated.description()).text(), "--check" in sys.argv[1:]))
