@@ -109,9 +109,9 @@ stage_tsan() {
 stage_core() {
   build core -DSHD_SIMD=scalar && run_tests core -E '^(bindings\.python\.install$|consumer\.add_subdirectory$|unit\.|api\.(call_faults(_directions)?|faults)$)'
 }
-# Only the golden hashes: the emulator takes a minute for them.
+# Only the golden hashes and those of the bindings' programs: the emulator takes a minute for them.
 stage_arm() {
-  local missing targets=(test_api_determinism)
+  local missing targets=(test_api_determinism c_programs)
   missing=$(missing_packages "${arm_packages[@]}" | paste -sd, | sed 's/,/, /g')
   if [ -n "$missing" ]; then
     echo "skipped: packages $missing are absent" | tee build/ci/arm.count
