@@ -122,7 +122,8 @@ class Declarations:
                 yield declare(entry["result"], entry["name"]) + f"({self.parameters(entry)});"
 
     def text(self):
-        return HEAD.format("Declarations of libshd and its components") + "return [[\n" + "\n".join(self.lines()) + "\n]]\n"
+        head = HEAD.format("Declarations of libshd and its components")
+        return head + "\n".join(["return [[", *self.lines(), "]]", ""])
 
 
 def quoted(value):
@@ -140,10 +141,11 @@ class Tables:
         parts = [quoted(field["name"]), quoted(kind), quoted(base)]
         for key in ("array", "length"):
             if field.get(key):
-                parts.append(f"{key} = {{{', '.join(quoted(v) if isinstance(v, str) else str(v) for v in field[key])}}}")
+                values = ", ".join(quoted(v) if isinstance(v, str) else str(v) for v in field[key])
+                parts.append(f"{key} = {{{values}}}")
         if field["type"].startswith("const"):
             parts.append("const = true")
-        if kind in ("data", "structs") and field.get("nullable"):
+        if kind == "handle" and field.get("nullable"):
             parts.append("nullable = true")
         return f"{{{', '.join(parts)}}}"
 

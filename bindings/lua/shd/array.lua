@@ -61,7 +61,9 @@ function array.describe(value, label)
   if getmetatable(value) == View then return value end
   if type(value) ~= "cdata" then refuse("%s: an array of ffi, not %s", label, type(value)) end
   local base, is_const, count = inspect(value)
-  if not count then refuse("%s: %s has no length; use shd.view(pointer, count)", label, tostring(ffi.typeof(value))) end
+  if not count then
+    refuse("%s: %s has no length; use shd.view(pointer, count)", label, tostring(ffi.typeof(value)):match("<(.*)>"))
+  end
   return setmetatable({source = value, base = base, is_const = is_const, count = count, offset = 0, stride = 1}, View)
 end
 
@@ -110,7 +112,8 @@ end
 
 --- Whether a value is one array instead of a list of several.
 function array.is_single(value)
-  return type(value) == "cdata" or getmetatable(value) == View or (type(value) == "table" and type(value[1]) == "number")
+  return type(value) == "cdata" or getmetatable(value) == View or
+    (type(value) == "table" and type(value[1]) == "number")
 end
 
 return array

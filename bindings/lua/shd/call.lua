@@ -90,10 +90,14 @@ function give.data(parameter, value, state, label)
   return pointer, count
 end
 
+-- Other classes may be NULL; the library refuses a NULL that it cannot use.
+local REQUIRED = {number = true, enum = true, handle = true}
+
 local function give_parameter(parameter, value, state)
   local label = parameter[2] == "structs" and convert.short(parameter[3]) or parameter[1]
   if not give[parameter[2]] then refuse("%s: only library.C takes it", parameter[1]) end
-  if value == nil and parameter[2] ~= "number" and parameter[2] ~= "enum" and parameter[2] ~= "handle" then return nil end
+  if value == nil and not REQUIRED[parameter[2]] then return nil end
+  if value == nil and parameter.nullable then return nil end
   return give[parameter[2]](parameter, value, state, label)
 end
 
@@ -109,9 +113,17 @@ local function check_workers(name, state, desc)
   end
 end
 
+local RENDERS = {shd_render = true, shd_bake = true, shd_color_render = true}
+
 -- Calls C. A callback may run, so this must not be part of a trace of the compiler.
-local function invoke(name, count, values)
-  return C[name](unpack(values, 1, count))
+local function invoke(name, count, values, state)
+  local framebuffer = RENDERS[name] and state.framebuffer
+  if not framebuffer then return C[name](unpack(values, 1, count)) end
+  framebuffer._busy = true
+  local good, returned = pcall(C[name], unpack(values, 1, count))
+  framebuffer._busy = nil
+  if not good then error(returned, 0) end
+  return returned
 end
 jit.off(invoke)
 
@@ -163,7 +175,7 @@ local function call(name, ...)
   state.rows = sizes.rows_of(name, ...)
   local values, outs = values_of(name, entry, state, ...)
   check_workers(name, state, ...)
-  local returned = invoke(name, #entry, values)
+  local returned = invoke(name, #entry, values, state)
   callback.finish()
   object.flush()
   if name == "shd_context_create" and tonumber(returned) == 0 then

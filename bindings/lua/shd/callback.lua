@@ -20,13 +20,14 @@ local LOOKUPS = {shd_texture_sample = true, shd_solid_evaluate = true}
 local ALLOWED = {shd_fragment_fn = LOOKUPS, shd_vertex_fn = LOOKUPS, shd_slot_fn = LOOKUPS,
   ["shd_display.apply"] = true, ["shd_executor.parallel_for"] = true}
 
---- `restricted` is the set of functions that the running callback may call; nil = all.
-callback.status = {restricted = nil}
+--- `depth` is the number of callbacks that run, `restricted` the set of functions that the innermost may call (nil =
+--- all).
+callback.status = {depth = 0, restricted = nil}
 local status = callback.status
 
 local entries = setmetatable({}, {__mode = "v"})
 local entry_count = 0
-local depth, has_failed, failure = 0, false, nil
+local has_failed, failure = false, nil
 local borrow  -- makes an object of a handle, for the time of a callback
 
 function callback.set_borrow(make) borrow = make end
@@ -37,7 +38,9 @@ local adapters = {
   shd_vertex_fn = function(run, input, output) run(input, output) end,
   shd_slot_fn = function(run, input, output) run(input, output) end,
   shd_trace_fn = function(run, rays, blocked) run(rays, blocked) end,
-  ["shd_log.write"] = function(run, level, text) run(enums.name("shd_log_level", tonumber(level)), ffi.string(text)) end,
+  ["shd_log.write"] = function(run, level, text)
+    run(enums.name("shd_log_level", tonumber(level)), ffi.string(text))
+  end,
   ["shd_progress.report"] = function(run, fraction) return run(fraction) and 1 or 0 end,
   ["shd_present.tile"] = function(run, tile)
     run(tile)
@@ -81,9 +84,9 @@ local function dispatch(name, user_data, a, b, c)
   end
   local before, allowed = status.restricted, ALLOWED[name] or {}
   if allowed ~= true then status.restricted = allowed end
-  depth = depth + 1
+  status.depth = status.depth + 1
   local good, returned = pcall(adapters[name], entry[name], a, b, c)
-  depth = depth - 1
+  status.depth = status.depth - 1
   status.restricted = before
   if not good then
     fail(returned)
@@ -128,7 +131,7 @@ end
 
 --- After a call: raises the error of a callback that ran in it.
 function callback.finish()
-  if depth > 0 or not has_failed then return end
+  if status.depth > 0 or not has_failed then return end
   local problem = failure
   has_failed, failure = false, nil
   error(problem, 0)

@@ -327,7 +327,8 @@ local function check_fields(base, value, names, state, label)
   end
   for name in pairs(value) do
     if name == "owner" then
-      object.handle(value.owner, value.owner._kind, state, label .. ".owner")
+      object.handle(value.owner, object.is_object(value.owner) and value.owner._kind or "shd_object", state,
+        label .. ".owner")
     elseif not names[name] or not set[names[name][2]] then
       refuse("%s: %s has no field %s", label, base, tostring(name))
     end

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: MIT
 -- Batches of lookups that are prepared once and run many times.
-local ffi = require "ffi"
 local callback = require "shd.callback"
 local convert = require "shd.convert"
 local library = require "shd.library"
@@ -49,8 +48,7 @@ local HostedBatch = {__index = index {run = run_hosted}, __call = run_hosted}
 
 -- A handle that keeps the object of C in use until it is collected.
 local function hold(value, kind, state, label)
-  local handle = object.handle(value, kind, state, label)
-  return object.share(kind, ffi.cast(kind .. " *", handle), state)
+  return object.share(kind, object.handle(value, kind, state, label), state)
 end
 
 --- A batch: batch() reads the columns of `lookups` and writes those of `out` anew. The arrays, the texture and the

@@ -8,11 +8,13 @@ local C, refuse = library.C, library.refuse
 
 local object = {}
 
--- Most callbacks must not release objects, so releases wait until the outermost call ends.
+-- A running call uses objects, and most callbacks must not call the library: while a callback runs, releases wait until
+-- the outermost call ends.
 local deferred = {}
+local status = callback.status
 
 local function drop(kind, handle)
-  if callback.status.restricted then
+  if status.depth > 0 then
     deferred[#deferred + 1] = {kind, handle}
   else
     C[tables.handles[kind].release](handle)
@@ -22,7 +24,7 @@ jit.off(drop)
 
 --- Releases what was dropped while a callback ran.
 function object.flush()
-  while #deferred > 0 and not callback.status.restricted do
+  while #deferred > 0 and status.depth == 0 do
     local kind, handle = unpack(table.remove(deferred))
     C[tables.handles[kind].release](handle)
   end
@@ -83,8 +85,10 @@ end
 
 --- Another object for a handle whose reference belongs to someone else.
 function object.share(kind, handle, state)
-  C[tables.handles[kind].retain](handle)
-  return object.wrap(kind, handle, state)
+  -- A cast to the type that a cdata already has gives the same cdata, which has its own finalizer.
+  local own = ffi.cast(kind .. " *", ffi.cast("void *", handle))
+  C[tables.handles[kind].retain](own)
+  return object.wrap(kind, own, state)
 end
 
 callback.set_borrow(function(kind, handle)
@@ -108,6 +112,10 @@ function object.handle(value, kind, state, label)
   if not object.is_object(value) then refuse("%s: a %s, not %s", label, short(kind), type(value)) end
   if value._kind ~= kind then refuse("%s: a %s, not a %s", label, short(kind), short(value._kind)) end
   if value._handle == nil then refuse("%s: the %s is closed", label, short(kind)) end
+  if kind == "shd_framebuffer" then
+    if value._busy then refuse("%s: another call renders to it", label) end
+    state.framebuffer = value
+  end
   state.workers = math.max(state.workers, value._workers)
   state.callbacks = state.callbacks or value._callbacks
   state.anchors[#state.anchors + 1] = value._anchors

@@ -42,7 +42,7 @@ end
 function get.struct(value, field, _, state) return read(field[3], value, state) end
 
 function get.handle(value, field, _, state)
-  return value ~= nil and object.share(field[3], ffi.cast(field[3] .. " *", value), state) or nil
+  return value ~= nil and object.share(field[3], value, state) or nil
 end
 
 function get.structs(value, field, struct, state)
