@@ -8,6 +8,7 @@
 # API struct is written by Godot's own gdnative_builders.py.
 set -euo pipefail
 folder=$(realpath -m "${1:?usage: fetch_headers.sh FOLDER}")
+# shellcheck source=/dev/null
 suite=$(. /etc/os-release && echo "${VERSION_CODENAME:?the release of Debian is unknown}")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

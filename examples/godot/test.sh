@@ -4,8 +4,8 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 if [ ! -f "$GODOT_HEADERS/gdnative_api_struct.gen.h" ]; then
-  echo "skipped: no headers of GDNative; run examples/godot/fetch_headers.sh FOLDER," \
-    "and configure with -DGODOT_HEADERS=FOLDER/include"
+  echo "skipped: no headers of GDNative in $GODOT_HEADERS;" \
+    "run examples/godot/fetch_headers.sh $(dirname "$GODOT_HEADERS")"
   exit 77
 fi
 rm -rf "$WORK"

@@ -18,15 +18,26 @@ end
 local View = {}
 View.__index = View
 
--- Element type, whether it is const, and the number of elements of a cdata; the number is nil for pointers.
-local function inspect(value)
-  local text = tostring(ffi.typeof(value)):match("^ctype<(.*)>$"):gsub("%s*%(&%)", "")
-  local is_const = text:match("^const ") ~= nil
+-- Element type, whether it is const, and whether there is a length, by the number of a type of C.
+local types = {}
+
+local function inspect_type(ctype)
+  local text = tostring(ctype):match("^ctype<(.*)>$"):gsub("%s*%(&%)", "")
   local base = text:gsub("^const ", ""):match("^([%w_ ]-)%s*[%[*]") or text
   base = SPELLINGS[base] or base
-  local count
-  if text:match("%[") and SIZES[base] then count = ffi.sizeof(value) / SIZES[base] end
-  return base, is_const, count
+  return {base = base, is_const = text:match("^const ") ~= nil, is_array = text:match("%[") and SIZES[base] ~= nil}
+end
+
+-- Element type of a cdata, whether it is const, and the number of elements; the number is nil for pointers.
+local function inspect(value)
+  local ctype = ffi.typeof(value)
+  local number = tonumber(ctype)
+  local entry = types[number]
+  if not entry then
+    entry = inspect_type(ctype)
+    types[number] = entry
+  end
+  return entry.base, entry.is_const, entry.is_array and ffi.sizeof(value) / SIZES[entry.base] or nil
 end
 
 --- Memory behind a pointer: shd.view(pointer, count). The caller keeps the memory alive. The type is that of the

@@ -18,16 +18,22 @@ local C, refuse = library.C, library.refuse
 local RAW = {shd_context_allocate = true, shd_context_free = true, shd_context_parallel_for = true,
   shd_color_apply_view = true, shd_report_error = true, shd_desc_init = true, shd_texture_explain = true}
 
-local function is_out(parameter) return parameter[1]:match("^out_") and parameter[2] ~= "columns" end
+for _, entry in pairs(tables.functions) do
+  for _, parameter in ipairs(entry) do
+    parameter.is_out = parameter[1]:match("^out_") ~= nil and parameter[2] ~= "columns"
+  end
+end
 
--- The parameters that are lengths of lists.
+-- The parameters that are lengths of lists, kept in the entry of the function.
 local function lengths_of(entry)
+  if entry.lengths then return entry.lengths end
   local lengths = {}
   for _, parameter in ipairs(entry) do
     for _, other in ipairs(entry) do
       if parameter.length and parameter.length[1] == other[1] then lengths[other[1]] = parameter end
     end
   end
+  entry.lengths = lengths
   return lengths
 end
 
@@ -36,7 +42,7 @@ local function make_out(parameter, state)
   local base = parameter[3]
   if parameter[2] == "out_handle" then
     local out = ffi.new(base .. " *[1]")
-    return out, function() return object.wrap(base, out[0], state) end
+    return out, function() return out[0] ~= nil and object.wrap(base, out[0], state) or nil end
   elseif parameter[2] == "structs" then
     local out = convert.new(base)
     return out, function()
@@ -101,15 +107,19 @@ local function give_parameter(parameter, value, state)
   return give[parameter[2]](parameter, value, state, label)
 end
 
--- A context that has functions of Lua must have one worker, before it is made.
-local function check_workers(name, state, desc)
-  if name == "shd_context_create" and desc then
-    local executor = desc.executor and desc.executor.parallel_for and desc.executor
-    state.workers = (executor or desc).worker_count == 1 and 1 or state.callbacks and 2 or 1
-  end
-  if state.callbacks and state.workers > 1 then
-    refuse("%s: a function of Lua needs a context with worker_count = 1%s", state.callbacks,
-      name == "shd_context_create" and "" or ", not " .. state.workers)
+-- The number of workers of a new context, as far as functions of Lua may run on them. An executor of C may run its one
+-- worker on another thread.
+local function workers_of(context, desc)
+  local executor = desc and desc.executor and desc.executor.parallel_for
+  return type(executor) == "cdata" and math.huge or C.shd_context_worker_count(context)
+end
+
+-- A function of Lua in the desc of a context must have one worker before the context is made.
+local function check_new_context(state, desc)
+  if not state.callbacks then return end
+  local executor = desc.executor and desc.executor.parallel_for and desc.executor
+  if (executor or desc).worker_count ~= 1 or (executor and type(executor.parallel_for) == "cdata") then
+    refuse("%s: a function of Lua needs a context with worker_count = 1", state.callbacks)
   end
 end
 
@@ -151,7 +161,7 @@ local function values_of(name, entry, state, ...)
   local values, outs, given, lengths = {}, {}, 0, lengths_of(entry)
   local counts = {}
   for i, parameter in ipairs(entry) do
-    if is_out(parameter) then
+    if parameter.is_out then
       values[i], outs[#outs + 1] = make_out(parameter, state)
     elseif not lengths[parameter[1]] then
       given = given + 1
@@ -174,12 +184,16 @@ local function call(name, ...)
   local state = convert.state()
   state.rows = sizes.rows_of(name, ...)
   local values, outs = values_of(name, entry, state, ...)
-  check_workers(name, state, ...)
+  if name == "shd_context_create" then check_new_context(state, ...) end
+  callback.check_workers(state)
   local returned = invoke(name, #entry, values, state)
-  callback.finish()
   object.flush()
+  if callback.has_failed() then
+    pcall(results_of, entry, returned, outs, state)  -- the collector releases what the call made
+    callback.finish()
+  end
   if name == "shd_context_create" and tonumber(returned) == 0 then
-    state.workers = C.shd_context_worker_count(values[2][0])
+    state.workers = workers_of(values[2][0], ...)
   end
   for _, item in ipairs(state.after) do
     if entry.result[2] ~= "shd_result" or returned == 0 then read(item[1], item[2], state, item[3]) end

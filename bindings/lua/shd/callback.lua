@@ -123,11 +123,22 @@ function callback.bind(name, run, state, label)
   return trampoline(name), ffi.cast("void *", state.entry.id)
 end
 
+--- Refuses a call in which functions of Lua might run on another thread.
+function callback.check_workers(state)
+  if state.callbacks and state.workers > 1 then
+    library.refuse("%s: a function of Lua needs a context with worker_count = 1, not %s", state.callbacks,
+      state.workers == math.huge and "an executor of C" or state.workers)
+  end
+end
+
 --- Refuses a call that the running callback must not make.
 function callback.guard(name)
   local allowed = status.restricted
   if allowed and not allowed[name] then library.refuse("%s: a callback must not call it", name) end
 end
+
+--- Whether finish() will raise an error.
+function callback.has_failed() return status.depth == 0 and has_failed end
 
 --- After a call: raises the error of a callback that ran in it.
 function callback.finish()

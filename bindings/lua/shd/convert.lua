@@ -15,21 +15,23 @@ local C, refuse = library.C, library.refuse
 
 local convert = {}
 
+local WRITABLE = {shd_f32_out = true, shd_u32_out = true}
 local COLUMNS = {shd_f32_in = "float", shd_f32_out = "float", shd_u32_in = "uint32_t", shd_u32_out = "uint32_t",
   shd_u16_in = "uint16_t"}
 local LIMITS = {uint8_t = {0, 2 ^ 8}, uint16_t = {0, 2 ^ 16}, uint32_t = {0, 2 ^ 32}, int32_t = {-2 ^ 31, 2 ^ 31},
   uint64_t = {0, 2 ^ 53}, size_t = {0, 2 ^ 53}, int = {-2 ^ 31, 2 ^ 31}}
 
-local templates = {}
+local templates, types = {}, {}
 
 --- A struct with the defaults of the library.
 function convert.new(base)
-  local made, entry = ffi.new(base), tables.structs[base]
+  local entry = tables.structs[base]
   if not templates[base] then
     local template = ffi.new(base)
     if entry.desc_kind > 0 then library.check(C.shd_desc_init(entry.desc_kind, template, entry.size)) end
-    templates[base] = template
+    templates[base], types[base] = template, ffi.typeof(base)
   end
+  local made = types[base]()
   ffi.copy(made, templates[base], entry.size)
   return made
 end
@@ -93,7 +95,7 @@ local function check_rows(count, counter, state, label)
 end
 
 local function set_column(target, base, value, counter, state, label)
-  local writable = base:match("_out$") ~= nil
+  local writable = WRITABLE[base] or false
   local pointer, stride, count = array.elements(value, COLUMNS[base], writable, label, state.keep)
   check_rows(count, counter, state, label)
   target.data, target.stride = pointer, stride
@@ -102,7 +104,7 @@ end
 --- Columns of a field or parameter such as position[3]: a list of arrays, or one array that has them interleaved.
 function convert.columns(target, base, count, value, counter, state, label)
   if array.is_single(value) then
-    local pointer, stride, total = array.elements(value, COLUMNS[base], base:match("_out$") ~= nil, label, state.keep)
+    local pointer, stride, total = array.elements(value, COLUMNS[base], WRITABLE[base] or false, label, state.keep)
     if total % count ~= 0 then refuse("%s: %d elements are no rows of %d", label, total, count) end
     check_rows(total / count, counter, state, label)
     local step = stride / ffi.sizeof(COLUMNS[base])

@@ -25,8 +25,8 @@ local function run_hosted(self)
   callback.guard("shd_texture_sample")
   if not self._texture then refuse("lookup: the batch is closed") end
   local result = texture_sample(self._texture, self._sampler, self._lookups, self._texels)
-  callback.finish()
   object.flush()
+  callback.finish()
   library.check(result)
 end
 jit.off(run_hosted)
@@ -59,9 +59,7 @@ function lookup.prepare(texture, sampler, lookups, out)
   local objects = {hold(texture, "shd_texture", state, "texture"), hold(sampler, "shd_sampler", state, "sampler")}
   local columns = convert.build("shd_lookups", lookups, state, "lookups")
   local texels = convert.build("shd_texels", out, state, "texels")
-  if state.callbacks and state.workers > 1 then
-    refuse("%s: a function of Lua needs a context with worker_count = 1, not %d", state.callbacks, state.workers)
-  end
+  callback.check_workers(state)
   return setmetatable({_texture = objects[1]._handle, _sampler = objects[2]._handle, _lookups = columns,
     _texels = texels, _keep = {state, objects}}, state.callbacks and HostedBatch or Batch)
 end

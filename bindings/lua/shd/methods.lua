@@ -61,8 +61,12 @@ function texture:explain(sampler, lookups, index)
   explanation.taps, explanation.tap_capacity = taps, explanation.tap_count
   explanation.blends, explanation.blend_capacity = blends, explanation.blend_count
   library.check(C.shd_texture_explain(own, other, columns, index, explanation))
+  object.flush()
+  callback.finish()
   return read("shd_explanation", explanation, state)
 end
+
+jit.off(texture.explain)  -- as every call of C in which a function of Lua may run
 
 -- An image over `target`, or over a new array.
 local function image_of(format, width, height, target)

@@ -180,3 +180,29 @@ case("a task after its call", function()
   support.frame(own, shd.framebuffer(own, {width = 96, height = 96}))
   refused("task: the call of parallel_for has ended", kept, 0)
 end)
+
+case("an executor of C", function()
+  local run = ffi.cast("shd_executor_parallel_for_fn", function() return 9 end)
+  local own = shd.context {executor = {worker_count = 1, parallel_for = run}}
+  refused("needs a context with worker_count = 1, not an executor of C", shd.material, own,
+    {model = "program", program = {fragment = fill}})
+  refused("context.log.write: a function of Lua", shd.context,
+    {executor = {worker_count = 1, parallel_for = run}, log = {write = print}})
+  local problem = refused("", support.frame, own, shd.framebuffer(own, {width = 96, height = 96}))
+  equal(problem.result, "error_callback")
+  own:close()
+  collectgarbage()
+  collectgarbage()
+  run:free()
+end)
+
+case("an error in the log", function()
+  local own = shd.context {worker_count = 1, log = {write = function(_, text) error(text, 0) end}}
+  local good, problem = pcall(own.log, own, "error", "from the log")
+  assert(not good and problem == "from the log")
+  local texture = support.texture(own, {{2}})
+  local batch = texture:prepare(shd.sampler(own), {u = {0}, v = {0}}, {channel = {floats(0)}})
+  for _ = 1, 200 do batch() end
+  batch:close()
+  refused("lookup: the batch is closed", batch)
+end)
