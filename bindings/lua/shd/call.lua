@@ -107,17 +107,23 @@ local function give_parameter(parameter, value, state)
   return give[parameter[2]](parameter, value, state, label)
 end
 
+-- The executor of the desc of a context. A null pointer of ffi equals nil but is a value, so only tables count.
+local function executor_of(desc)
+  local executor = type(desc) == "table" and desc.executor
+  return type(executor) == "table" and executor.parallel_for ~= nil and executor or nil
+end
+
 -- The number of workers of a new context, as far as functions of Lua may run on them. An executor of C may run its one
 -- worker on another thread.
 local function workers_of(context, desc)
-  local executor = desc and desc.executor and desc.executor.parallel_for
-  return type(executor) == "cdata" and math.huge or C.shd_context_worker_count(context)
+  local executor = executor_of(desc)
+  return executor and type(executor.parallel_for) == "cdata" and math.huge or C.shd_context_worker_count(context)
 end
 
 -- A function of Lua in the desc of a context must have one worker before the context is made.
 local function check_new_context(state, desc)
   if not state.callbacks then return end
-  local executor = desc.executor and desc.executor.parallel_for and desc.executor
+  local executor = executor_of(desc)
   if (executor or desc).worker_count ~= 1 or (executor and type(executor.parallel_for) == "cdata") then
     refuse("%s: a function of Lua needs a context with worker_count = 1", state.callbacks)
   end

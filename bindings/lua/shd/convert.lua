@@ -192,8 +192,11 @@ end
 -- Memory behind a pointer: texels, uniforms, matrices.
 local function data(struct, base, names, field, value, state, label)
   if field[1] == "user_data" then
-    if type(value) ~= "cdata" then refuse("%s: a pointer of ffi, not %s", label, type(value)) end
-    return value
+    if type(value) ~= "cdata" or not tostring(ffi.typeof(value)):find("[%*%[]") then
+      refuse("%s: a pointer of ffi, not %s", label, type(value))
+    end
+    state.keep[#state.keep + 1] = value
+    return ffi.cast("void *", value)
   end
   local rule = sizes.bytes[base .. "." .. field[1]]
   if rule then
@@ -217,6 +220,8 @@ end
 
 local function set_callback(struct, field, value, state, label)
   if type(value) == "cdata" then
+    local ctype = tables.callbacks[field[3]].type
+    if not ffi.istype(ctype, value) then refuse("%s: a function of Lua or a %s of C", label, ctype) end
     struct[field[1]] = value
     return
   end
