@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- Values of Lua to structs of C. A struct is a table of its fields; fields that are absent have the library's defaults.
 --
--- `state` belongs to one call: `keep` has the memory that must live until its end, `anchors` what objects that the call
--- makes must keep, `rows` the number of rows of output columns, `after` functions that run after the call.
+-- `state` belongs to one call. `keep` has the memory that must live until its end. `anchors` has what the objects that
+-- it makes must keep. `rows` is the number of rows of output columns. `after` has structs that are read after it.
 local ffi = require "ffi"
 local array = require "shd.array"
 local callback = require "shd.callback"

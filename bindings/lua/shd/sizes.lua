@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: MIT
 -- Sizes of the memory that arguments need, where the struct alone does not have them.
-local ffi = require "ffi"
 local library = require "shd.library"
 local tables = require "shd.tables"
 local C = library.C

@@ -151,27 +151,3 @@ case("instances and uniforms", function()
     draws = {{mesh = mesh, instances = instances, uniforms = floats(1, 2)}}}
   equal(stats.triangles, 24)
 end)
-
-case("a model file", function()
-  if not pcall(require("shd.library").load, "shd_scene") then
-    print("skipped: libshd_scene is not built")
-    return
-  end
-  local path = os.tmpname()
-  os.rename(path, path .. ".obj")
-  local file = assert(io.open(path .. ".obj", "w"))
-  file:write("v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n")
-  file:close()
-  local scene = shd.scene_load(context, path .. ".obj")
-  os.remove(path .. ".obj")
-  equal(scene:get_info().triangle_count, 1)
-  equal(scene:mesh(0):get_info().triangle_count, 1)
-  local frame = {framebuffer = shd.framebuffer(context, {width = 8, height = 8}), camera = {eye = {0, 0, 3}}}
-  scene:fill_render(frame)
-  equal(#frame.draws, 1)
-  scene:close()
-  frame.stats = {}
-  context:render(frame)
-  equal(frame.stats.triangles, 1)
-  equal(refused("nothing.obj", shd.scene_load, context, "/nothing.obj").result, "error_not_found")
-end)
