@@ -1,0 +1,151 @@
+-- SPDX-License-Identifier: MIT
+-- Functions of Lua that the library calls.
+--
+-- LuaJIT runs a callback only on the thread of its Lua state, so the context must have one worker. There is one C
+-- function for each type of callback. The user_data of C is a number that selects the function of Lua: a function that
+-- was collected is then an error and not a stale pointer. An error does not unwind through C: it is kept, and the call
+-- of the library raises it.
+local ffi = require "ffi"
+local enums = require "shd.enums"
+local library = require "shd.library"
+local tables = require "shd.tables"
+local C = library.C
+
+local callback = {}
+
+local ERROR_CALLBACK = 9
+local USER_DATA_LAST = {shd_fragment_fn = true, shd_vertex_fn = true, shd_slot_fn = true, shd_trace_fn = true}
+local LOOKUPS = {shd_texture_sample = true, shd_solid_evaluate = true}
+-- Functions of the library that a callback may call; true = all.
+local ALLOWED = {shd_fragment_fn = LOOKUPS, shd_vertex_fn = LOOKUPS, shd_slot_fn = LOOKUPS,
+  ["shd_display.apply"] = true, ["shd_executor.parallel_for"] = true}
+
+--- `depth` is the number of callbacks that run, `restricted` the set of functions that the innermost may call (nil =
+--- all).
+callback.status = {depth = 0, restricted = nil}
+local status = callback.status
+
+local entries = setmetatable({}, {__mode = "v"})
+local entry_count = 0
+local has_failed, failure = false, nil
+local borrow  -- makes an object of a handle, for the time of a callback
+
+function callback.set_borrow(make) borrow = make end
+
+-- The arguments of C as arguments of Lua, and the result of Lua as the result of C.
+local adapters = {
+  shd_fragment_fn = function(run, input, output) run(input, output) end,
+  shd_vertex_fn = function(run, input, output) run(input, output) end,
+  shd_slot_fn = function(run, input, output) run(input, output) end,
+  shd_trace_fn = function(run, rays, blocked) run(rays, blocked) end,
+  ["shd_log.write"] = function(run, level, text)
+    run(enums.name("shd_log_level", tonumber(level)), ffi.string(text))
+  end,
+  ["shd_progress.report"] = function(run, fraction) return run(fraction) and 1 or 0 end,
+  ["shd_present.tile"] = function(run, tile)
+    run(tile)
+    return 0
+  end,
+}
+
+adapters["shd_display.apply"] = function(run, framebuffer, image)
+  local object = borrow("shd_framebuffer", framebuffer)
+  local good, problem = pcall(run, object, image)
+  object._handle = nil
+  if not good then error(problem, 0) end
+  return 0
+end
+
+adapters["shd_executor.parallel_for"] = function(run, count, task, task_data)
+  local is_open = true
+  local function run_task(index, worker)
+    if not is_open then library.refuse("task: the call of parallel_for has ended") end
+    task(task_data, index, worker or 0)
+  end
+  jit.off(run_task)
+  local good, problem = pcall(run, count, run_task)
+  is_open = false
+  if not good then error(problem, 0) end
+  return 0
+end
+
+local function fail(problem)
+  if not has_failed then has_failed, failure = true, problem end
+end
+
+local function dispatch(name, user_data, a, b, c)
+  local result = tables.callbacks[name].result
+  local failed = result ~= "void" and ERROR_CALLBACK or nil
+  if has_failed and result == "void" and name ~= "shd_log.write" then return failed end
+  local entry = entries[tonumber(ffi.cast("uintptr_t", user_data))]
+  if not entry then
+    fail(setmetatable({result = "error_callback", message = name .. ": the function was collected"}, library.Error))
+    return failed
+  end
+  local before, allowed = status.restricted, ALLOWED[name] or {}
+  if allowed ~= true then status.restricted = allowed end
+  status.depth = status.depth + 1
+  local good, returned = pcall(adapters[name], entry[name], a, b, c)
+  status.depth = status.depth - 1
+  status.restricted = before
+  if not good then
+    fail(returned)
+    return failed
+  end
+  return returned
+end
+
+local trampolines = {}
+
+-- The C function of a type of callback. It is never freed.
+local function trampoline(name)
+  if not trampolines[name] then
+    local run
+    if USER_DATA_LAST[name] then
+      function run(a, b, user_data) return dispatch(name, user_data, a, b) end
+    else
+      function run(user_data, a, b, c) return dispatch(name, user_data, a, b, c) end
+    end
+    trampolines[name] = ffi.cast(tables.callbacks[name].type, run)
+  end
+  return trampolines[name]
+end
+
+--- The C function for a field of a struct. `state.entry` has the functions of one user_data.
+function callback.bind(name, run, state, label)
+  if not adapters[name] then library.refuse("%s: a function of C, not of Lua; it runs on any thread", label) end
+  if not state.entry then
+    entry_count = entry_count + 1
+    state.entry = {id = entry_count}
+    entries[entry_count] = state.entry
+  end
+  state.entry[name] = run
+  return trampoline(name), ffi.cast("void *", state.entry.id)
+end
+
+--- Refuses a call in which functions of Lua might run on another thread.
+function callback.check_workers(state)
+  if state.callbacks and state.workers > 1 then
+    library.refuse("%s: a function of Lua needs a context with worker_count = 1, not %s", state.callbacks,
+      state.workers == math.huge and "an executor of C" or state.workers)
+  end
+end
+
+--- Refuses a call that the running callback must not make.
+function callback.guard(name)
+  local allowed = status.restricted
+  if allowed and not allowed[name] then library.refuse("%s: a callback must not call it", name) end
+end
+
+--- Whether finish() will raise an error.
+function callback.has_failed() return status.depth == 0 and has_failed end
+
+--- After a call: raises the error of a callback that ran in it.
+function callback.finish()
+  if status.depth > 0 or not has_failed then return end
+  local problem = failure
+  has_failed, failure = false, nil
+  error(problem, 0)
+end
+
+return callback

@@ -1,0 +1,157 @@
+-- SPDX-License-Identifier: MIT
+-- Textures, samplers and lookups.
+local ffi = require "ffi"
+local shd = require "shd"
+local support = require "support"
+local case, equal, refused, floats = support.case, support.equal, support.refused, support.floats
+
+local context = shd.context {worker_count = 1}
+local texture = support.texture(context, {{0, 1}, {2, 3}})
+local sampler = shd.sampler(context, {filter = "bilinear", wrap_u = "clamp", wrap_v = "clamp"})
+
+case("values, allocated and in place", function()
+  local out = texture:sample(sampler, {u = {0.5, 0.25}, v = {0.5, 0.25}})
+  equal(out.channel[1][0], 1.5)
+  equal(out.channel[1][1], 0)
+  equal(ffi.sizeof(out.channel[4]), 8)
+  local red = floats(7, 7)
+  texture:sample(sampler, {u = floats(0.5, 0.75), v = floats(0.5, 0.75)}, {channel = {red}})
+  equal(red[0], 1.5)
+  equal(red[1], 3)
+  equal(texture:sample(sampler, {u = {0 / 0}, v = {0}}).nonfinite_count, 1)
+end)
+
+case("strides, views and derivatives", function()
+  local points = floats(0.25, 0.25, 9, 0.75, 0.25, 9, 0.25, 0.75, 9)
+  local u, v = shd.column(points, 0, 3), shd.column(points, 1, 3)
+  local out = ffi.new("float[?]", 6)
+  texture:sample(sampler, {u = u, v = v}, {channel = {shd.column(out, 0, 2)}, du = {shd.column(out, 1, 2)}})
+  equal(out[0], 0)
+  equal(out[2], 1)
+  equal(out[4], 2)
+  assert(out[1] ~= 0)
+  local pointer = ffi.cast("float *", points)
+  equal(texture:sample(sampler, {u = shd.view(pointer, 1), v = shd.view(pointer + 1, 1)}).channel[1][0], 0)
+end)
+
+case("columns that do not fit are refused by name", function()
+  local function look(lookups, out) return texture:sample(sampler, lookups, out or {}) end
+  local two = floats(0, 0)
+  refused("lookups.v: 1 elements, not 2", look, {u = two, v = floats(0)})
+  refused("lookups.v: 1 elements, not 2", look, {u = two, v = floats(0), count = 2})
+  refused("lookups.u: 2 elements, not 3", look, {u = two, v = two, count = 3})
+  refused("lookups.u: an array of float, not double", look, {u = ffi.new("double[2]"), v = two})
+  refused("lookups.layer: an array of uint32_t, not float", look, {u = two, v = two, layer = two})
+  refused("lookups.u: const float * has no length", look, {u = ffi.cast("const float *", two), v = two})
+  refused("lookups.u[2]: a number, not string", look, {u = {0, "a"}, v = two})
+  refused("lookups.layer[1]: -1 is no uint32_t", look, {u = two, v = two, layer = {-1, 0}})
+  refused("texels.channel[2]: 1 elements, not 2", look, {u = two, v = two}, {channel = {two, floats(0)}})
+  refused("texels.channel[1]: an array of float, not uint8_t", look, {u = two, v = two},
+    {channel = {ffi.new("uint8_t[2]")}})
+end)
+
+case("columns of the wrong kind", function()
+  local two = floats(0, 0)
+  local function look(lookups, out) return texture:sample(sampler, lookups, out or {}) end
+  refused("texels.channel[1]: an array of ffi, not table", look, {u = two, v = two}, {channel = {{}, {}}})
+  refused("texels.channel[5]: there are 4 columns", look, {u = two, v = two}, {channel = {[5] = two}})
+  refused("the array is const", look, {u = two, v = two}, {channel = {ffi.new("const float[2]")}})
+  refused("not aligned", look, {u = shd.view(ffi.cast("float *", ffi.cast("char *", two) + 1), 1), v = {0}})
+  refused("texels: a table, not number", look, {u = two, v = two}, 3)
+  refused("lookups: a table, not number", texture.sample, texture, sampler, 3)
+  refused("column: stride 0", shd.column, two, 0, 0)
+  refused("view: 3 elements of 2", shd.view, two, 3)
+  equal(shd.column(two, 5, 1).count, 0)
+end)
+
+case("a prepared batch", function()
+  local u, v, red = floats(0.25, 0.75), floats(0.25, 0.75), floats(0, 0)
+  local batch = texture:prepare(sampler, {u = u, v = v}, {channel = {red}})
+  batch()
+  equal(red[1], 3)
+  u[1], v[1] = 0.25, 0.25
+  for _ = 1, 1000 do batch:run() end  -- the compiled trace
+  equal(red[1], 0)
+  u[0] = 0 / 0
+  batch()
+  equal(batch.nonfinite_count, 1)
+  batch:close()
+  batch:close()
+  refused("lookup: the batch is closed", batch)
+end)
+
+case("a batch keeps its texture, sampler and arrays", function()
+  local own = support.texture(context, {{5}})
+  local other = shd.sampler(context, {filter = "nearest"})
+  local red = floats(0)
+  local batch = own:prepare(other, {u = floats(0.5), v = floats(0.5)}, {channel = {red}})
+  own:close()
+  other:close()
+  own, other = nil, nil
+  for _ = 1, 3 do collectgarbage() end
+  batch()
+  equal(red[0], 5)
+  refused("texture: the texture is closed", texture.prepare, (function()
+    local closed = support.texture(context, {{5}})
+    closed:close()
+    return closed
+  end)(), sampler, {u = {0}, v = {0}}, {})
+end)
+
+case("an error of the library in a batch", function()
+  local batch = texture:prepare(sampler, {u = floats(0), v = floats(0)}, {channel = {floats(0)}})
+  batch._lookups.u.stride = 3
+  local problem
+  for _ = 1, 200 do problem = refused("stride", batch) end
+  equal(problem.result, "error_invalid_argument")
+end)
+
+case("texels", function()
+  local bytes = ffi.new "uint8_t[16]"
+  local function make(more)
+    local desc = {width = 2, height = 2, format = "rgba8", texels = bytes}
+    for key, value in pairs(more) do desc[key] = value end
+    return shd.texture(context, desc)
+  end
+  make {}
+  make {texels = ("\0"):rep(16)}
+  refused("texture.texels: 16 bytes, not 24", make, {height = 3})
+  refused("texture.texels: 16 bytes, not 20", make, {row_stride = 12})
+  refused("texture.texels: 16 bytes, not 48", make, {layers = 3})
+  refused("texture.texels: 15 bytes, not 16", make, {texels = ("x"):rep(15)})
+  refused("texture.texels: 16 bytes, not 144", make, {flags = "borrow"})
+  refused("texture.texels: an array of float, not uint8_t", make, {format = "rgba32f"})
+  refused("texture.texels: an array of ffi, not table", make, {texels = {1, 2}})
+  refused("texture.texels: ", make, {width = 2 ^ 32 - 1, height = 2 ^ 32 - 1})
+  refused("texture.width: 0", make, {width = 0})
+  refused("texture.format", make, {format = "none"})
+  refused("texture.levels: 3 elements, not 2", make, {level_count = 2, levels = {{}, {}, {}}})
+end)
+
+case("borrowed texels live as long as their texture", function()
+  local big = ffi.new("float[?]", 1 + 32)
+  big[0] = 4
+  local borrowed = shd.texture(context, {width = 1, height = 1, format = "r32f", texels = big, flags = "borrow"})
+  local weak = setmetatable({big}, {__mode = "v"})
+  big = nil
+  collectgarbage()
+  assert(weak[1])
+  equal(borrowed:sample(sampler, {u = {0}, v = {0}}).channel[1][0], 4)
+end)
+
+case("levels, explanations, updates", function()
+  local pyramid = support.texture(context, {{0, 1}, {2, 3}}, {tables = "mipmap"})
+  local texels, width, height = pyramid:read_level(0, 1)
+  equal(texels[0], 1.5)
+  equal(width * height, 1)
+  local explained = texture:explain(sampler, {u = {0.5}, v = {0.5}})
+  equal(#explained.taps, 4)
+  equal(explained.taps[1].weight, 0.25)
+  equal(explained.filter, "bilinear")
+  refused("index", texture.explain, texture, sampler, {u = {0.5}, v = {0.5}}, 1)
+  pyramid:update(0, 1, 1, {width = 1, height = 1, format = "r32f", pixels = floats(9)})
+  equal(pyramid:read_level()[3], 9)
+  refused("image.pixels: 4 bytes, not 8", pyramid.update, pyramid, 0, 0, 0,
+    {width = 2, height = 1, format = "r32f", pixels = floats(9)})
+  equal(pyramid:query_levels(sampler, {u = {0}, v = {0}, dudx = {0.5}}).lod[0], 0)
+end)
