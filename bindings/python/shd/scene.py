@@ -91,12 +91,18 @@ class Scene(Object):
         return [desc_type("shd_camera")(**read_struct("shd_camera", s)) for s in structs]
 
     @property
+    def instances(self):
+        """The instances of the file, as a list of SceneInstance: indices of a mesh and a material, and a matrix."""
+        structs = self._structs(_api.lib.shd_scene_get_instance, "shd_scene_instance", "instance_count")
+        return [desc_type("shd_scene_instance")(mesh=s.mesh, material=s.material,
+                                                object_to_world=_matrix(s.object_to_world)) for s in structs]
+
+    @property
     def draws(self):
         """The instances of the file, as a list of Draw with mesh, material and object_to_world."""
         meshes, materials = self.meshes, self.materials
-        structs = self._structs(_api.lib.shd_scene_get_instance, "shd_scene_instance", "instance_count")
-        return [desc_type("shd_draw")(mesh=meshes[s.mesh], material=materials[s.material],
-                                      object_to_world=_matrix(s.object_to_world)) for s in structs]
+        return [desc_type("shd_draw")(mesh=meshes[i.mesh], material=materials[i.material],
+                                      object_to_world=i.object_to_world) for i in self.instances]
 
     @property
     def light_descs(self):
