@@ -28,6 +28,7 @@ from ._bake import (bake as bake, bake_occlusion as bake_occlusion, occlusion as
 from ._desc import Desc as Desc
 from ._environment import Environment as Environment
 from ._frame import Framebuffer as Framebuffer, render as render
+from ._png import save_png as save_png
 from ._objects import (Context as Context, Light as Light, Material as Material, Mesh as Mesh, Object as Object,
                        Sampler as Sampler, slot as slot)
 from ._projection import convert_projection as convert_projection, project as project, unproject as unproject

@@ -2,6 +2,7 @@
 """Materials of the renderer: colours, textures, and the material objects of trimesh."""
 import numpy as np
 
+from . import _api
 from ._convert import enum_value
 from ._desc import desc_type
 from ._objects import Material, Sampler, slot
@@ -107,8 +108,13 @@ def make_look(context, color=None, texture=None, vertex_colors=False, blend=None
         "blend": blend or ("sorted" if is_translucent else "opaque"), **values}))
 
 
-def file_look(context, desc):
-    """The material of a file, as metallic-roughness: lights have one unit for all materials."""
+def file_look(context, desc, metallic=0.0):
+    """The material of a file, as metallic-roughness: lights have one unit for all materials.
+
+    `metallic` is the value of materials of the Blinn-Phong model.
+    """
+    if desc.model == _api.enum_type("shd_model").BLINN_PHONG:
+        desc = desc.replace(metallic=metallic)
     slots = [s for s in desc._values.get("slots", ()) if enum_value("shd_slot_target", s.target, "target") not in PHONG]
     return Look(context, desc.replace(model="metallic_roughness", slots=slots, ambient_share=1.0))
 

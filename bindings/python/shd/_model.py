@@ -83,7 +83,7 @@ def _look(context, rgba, texture, values):
     return make_look(context, None if per_vertex else rgba, texture, per_vertex, **values)
 
 
-def _surface(item):
+def _surface(item, linear_codes=False):
     """Colours or texture of a mesh of trimesh, by the names of the attributes of its `visual`."""
     visual = getattr(item, "visual", None)
     if visual is None or getattr(visual, "defined", True) is False:
@@ -100,28 +100,38 @@ def _surface(item):
             uv = np.asarray(uv, np.float64)[:, :2] * (1, -1) + (0, 1)  # v of trimesh grows upwards
         return kind, {"uv": uv, **found}
     colors = getattr(visual, f"{kind}_colors", None)
-    return (None, {}) if colors is None else (kind, {"color": np.asarray(colors)})
+    if colors is None:
+        return None, {}
+    colors = np.asarray(colors)
+    return kind, {"color": colors / 255 if linear_codes and colors.dtype.kind in "iu" else colors}
 
 
-def from_trimesh(context, item, smooth=True, material=None, local=None, **values):
-    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual."""
+def _unshared(columns, surface, kind):
+    """Columns and colours of triangles that share no vertices, so that each has its own normal or colour."""
+    corners = columns["indices"].reshape(-1)
+    made = {name: np.asarray(columns[name])[corners] for name in ("position", "normal") if columns[name] is not None}
+    surface = dict(surface)
+    if surface.get("uv") is not None:
+        surface["uv"] = surface["uv"][corners]
+    if np.ndim(surface.get("color")) == 2:
+        surface["color"] = np.repeat(surface["color"], 3, axis=0) if kind == "face" else surface["color"][corners]
+    return made, surface
+
+
+def from_trimesh(context, item, smooth=True, material=None, local=None, linear_codes=False, replace=None, **values):
+    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual.
+
+    `linear_codes` means that integers of colours are linear. `replace` has options that replace those of its material.
+    """
     position = floats(item.vertices, 3, "vertices")
     faces = triangles(item.faces, len(position), "faces")
-    kind, surface = _surface(item)
+    kind, surface = _surface(item, linear_codes)
+    if replace is not None:
+        surface = {**{k: v for k, v in surface.items() if k == "uv"}, **replace}
     normals = getattr(item, "vertex_normals", None) if smooth else None
-    if smooth and kind != "face":
-        columns = {"position": position, "indices": faces, "normal": normals}
-    else:  # triangles share no vertices
-        columns = {"position": position[faces.reshape(-1)]}
-        for name in surface.keys() & {"uv", "color"}:
-            if name == "uv" and surface[name] is not None:
-                surface[name] = surface[name][faces.reshape(-1)]
-            elif kind == "vertex":
-                surface[name] = surface[name][faces.reshape(-1)]
-            elif kind == "face":
-                surface[name] = np.repeat(surface[name], 3, axis=0)
-        if smooth and normals is not None:
-            columns["normal"] = np.asarray(normals)[faces.reshape(-1)]
+    columns = {"position": position, "indices": faces, "normal": normals}
+    if not smooth or kind == "face":
+        columns, surface = _unshared(columns, surface, kind)
     if material is not None:
         surface = {k: v for k, v in surface.items() if k == "uv"}
     return from_arrays(context, **columns, **{**surface, **values}, material=material, local=local)
@@ -145,9 +155,8 @@ def parts_of(context, item, **values):
     raise TypeError(f"add: a mesh or scene of trimesh, a path, a Mesh or arrays, not {type(item).__name__}")
 
 
-def from_scene(context, scene):
-    """The parts of a model file."""
-    looks = [file_look(context, desc) for desc in scene.material_descs]
+def from_scene(context, scene, **values):
+    """The parts of a model file. Options are those of file_look()."""
+    looks = [file_look(context, desc, **values) for desc in scene.material_descs]
     meshes = scene.meshes
-    return [Part(meshes[i.mesh], looks[i.material], np.float64(i.object_to_world))
-            for i in scene.instances]
+    return [Part(meshes[i.mesh], looks[i.material], np.float64(i.object_to_world)) for i in scene.instances]

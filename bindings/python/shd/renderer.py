@@ -40,7 +40,7 @@ class Item:
         self._pose = matrix(value)
 
 
-def _exclusive(method):
+def exclusive(method):
     """A method that needs an open renderer, and the renderer for itself."""
     @functools.wraps(method)
     def run(self, *arguments, **values):
@@ -193,14 +193,14 @@ class Renderer:
         return [part.draw(item.pose, material=choose(part), **values) for item in self._visible()
                 for part in item.parts]
 
-    @_exclusive
-    def render(self, alpha=False, flat=False, shadows=False, wireframe=False, cull=None):
+    @exclusive
+    def render(self, alpha=False, flat=False, shadows=False, **values):
         """Draws a frame: color [height][width][3] of uint8 in sRGB, and depth [height][width] of float32.
 
         Depth is the distance along the view [world units], 0 in the background. `alpha` adds a channel of opacity, with
         straight colours. `flat` shows colours without light. `shadows` is True, or the kinds of lights with shadows.
+        Other options are fields of all draws, such as cull="back" or fill="wireframe".
         """
-        values = {**({"fill": "wireframe"} if wireframe else {}), **({"cull": cull} if cull else {})}
         draws = self._draws((lambda part: part.look.flat) if flat else (lambda part: part.look.lit), **values)
         view, planes = self._view()
         background = self._background
@@ -211,14 +211,14 @@ class Renderer:
         color = self._framebuffer.view_color()
         return (straight(color) if alpha else color[..., :3].copy()), depth
 
-    @_exclusive
+    @exclusive
     def render_depth(self, **values):
         """The depth of a frame, without colours."""
         view, planes = self._view()
         render(self._context, self._framebuffer, self._draws(None, **values), view=view, clear_depth=0)
         return self._lens.distances(self._framebuffer.plane("depth"), *planes)
 
-    @_exclusive
+    @exclusive
     def render_ids(self, **values):
         """The index of the model in `items` that is visible at each pixel, -1 in the background; not antialiased."""
         if self._ids is None:
