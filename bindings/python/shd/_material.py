@@ -135,7 +135,7 @@ def options_of(material):
         ("metallic", _given(material, "metallicRoughnessTexture"), False, 2),
         ("emission", _given(material, "emissiveTexture"), True, 0)) if image is not None]
     has_metal = any(target == "metallic" for target, *_ in maps)
-    color = _given(material, "baseColorFactor", "main_color")
+    color = _given(material, "baseColorFactor")
     factors = {"metallic": _given(material, "metallicFactor"), "roughness": _given(material, "roughnessFactor")}
     # glTF's default is a metal, which is black without an environment: only a texture makes it the default here.
     defaults = {"metallic": 1.0 if has_metal else 0.0, "roughness": 1.0}

@@ -8,6 +8,7 @@ from . import _api
 from ._callback import raise_failures
 from ._convert import enum_value, text_bytes
 from ._desc import read_struct
+from ._frame import Framebuffer
 from ._image import array_type, image
 from ._objects import _Simple, document, make_desc
 
@@ -96,6 +97,8 @@ class Color(_Simple):
 
     @staticmethod
     def _shape(framebuffer):
+        if not isinstance(framebuffer, Framebuffer):
+            raise TypeError(f"framebuffer: {type(framebuffer).__name__}, not Framebuffer")
         info = framebuffer.info
         return info["height"], info["width"]
 

@@ -15,7 +15,7 @@ import threading
 import numpy as np
 
 from ._camera import matrix
-from ._material import make_look, options_of
+from ._material import Fixed, options_of
 from ._model import floats, from_arrays, from_scene, from_trimesh
 from ._nodes import (Camera, DirectionalLight, IntrinsicsCamera, Light, Node, OrthographicCamera, PerspectiveCamera,
                      PointLight, Scene, SpotLight)
@@ -91,6 +91,8 @@ class Primitive:
             raise ValueError(f"mode: {mode} is neither {TRIANGLES}, triangles, nor {POINTS}, points")
         self.material, self.mode = material, mode
         options, fill = _options(material)
+        if material is None and color_0 is not None:
+            options.update(WHITE)
         if mode == POINTS:  # a point is a triangle without area
             count = len(floats(positions, 3, "positions"))
             indices, fill, options["cull"] = np.repeat(np.arange(count), 3), "points", "none"
@@ -102,6 +104,8 @@ class Primitive:
                            None if texcoord_0 is None else np.asarray(texcoord_0)[:, :2] * (1, -1) + (0, 1),
                            **_with_color(options, color_0))
         part.values["fill"] = fill
+        if mode == POINTS and normals is None:
+            part.look = Fixed(part.look.flat)
         self.parts = _placed([part], poses)
 
 
@@ -176,7 +180,7 @@ class Mesh:
 
     @staticmethod
     def from_points(points, colors=None, normals=None, is_visible=True, poses=None):
-        """Points, drawn as squares of OffscreenRenderer.point_size pixels."""
+        """Points, drawn as squares of OffscreenRenderer.point_size pixels; without normals they show their colours."""
         return Mesh([Primitive(points, normals, color_0=colors, mode=POINTS, poses=poses)], is_visible=is_visible)
 
     @staticmethod
