@@ -85,7 +85,8 @@ def perspective(yfov, aspect=None, near=None, far=None):
     if aspect is not None and not 0 < aspect < math.inf:
         raise ValueError(f"camera.aspect: {aspect} is not above 0")
     scale = 1 / math.tan(yfov / 2)
-    return Lens(lambda width, height: [[scale / (aspect or width / height), 0, 0, 0], [0, scale, 0, 0]], True, near, far)
+    return Lens(lambda width, height: [[scale / (aspect or width / height), 0, 0, 0], [0, scale, 0, 0]], True,
+                near, far)
 
 
 def orthographic(half_height, near=None, far=None):

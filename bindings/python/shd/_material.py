@@ -125,7 +125,7 @@ def _given(material, *names):
 
 
 def options_of(material):
-    """Options of make_look() from a material of trimesh: SimpleMaterial or PBRMaterial, by the names of their attributes."""
+    """Options of make_look() from a material of trimesh, SimpleMaterial or PBRMaterial, by the names of attributes."""
     if not hasattr(material, "baseColorTexture"):
         return _simple_options(material)
     maps = [(target, image, srgb, channel) for target, image, srgb, channel in (

@@ -9,7 +9,8 @@ import numpy as np
 def encode(pixels):
     """Bytes of a PNG file from an array [height][width][3 or 4] of uint8."""
     if not isinstance(pixels, np.ndarray) or pixels.ndim != 3:
-        raise TypeError(f"pixels: an array [height][width][3 or 4], not {getattr(pixels, 'shape', type(pixels).__name__)}")
+        raise TypeError("pixels: an array [height][width][3 or 4], not " +
+                        (f"of shape {pixels.shape}" if isinstance(pixels, np.ndarray) else type(pixels).__name__))
     height, width, channels = pixels.shape
     if pixels.dtype != np.uint8 or channels not in (3, 4):
         raise TypeError(f"pixels: [height][width][3 or 4] of uint8, not {pixels.shape} of {pixels.dtype}")

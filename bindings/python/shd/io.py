@@ -81,7 +81,7 @@ def _built(struct, desc, values, keep):
 
 
 def load_raw(context, path, desc=None, load=None, **values):
-    """A 3D texture from a file of voxels: load_raw(context, "head.raw", width=256, height=256, depth=113, sample="u16").
+    """A 3D texture from a file of voxels: load_raw(context, "head.raw", width=256, height=256, depth=113).
 
     Options are the fields of RawDesc; `load` is a LoadDesc with budgets.
     """
@@ -92,8 +92,10 @@ def load_raw(context, path, desc=None, load=None, **values):
 
 
 def load_stack(context, paths=None, desc=None, load=None, **values):
-    """A 3D texture from images: a list of paths, or pattern="slice%03d.png", first=0, last=80 (the fields of StackDesc).
-    `load` is a LoadDesc."""
+    """A 3D texture from images: a list of paths, or pattern="slice%03d.png", first=0, last=80.
+
+    Options are the fields of StackDesc; `load` is a LoadDesc.
+    """
     keep = []
     if paths is not None:
         values["paths"] = list(paths)
@@ -118,8 +120,8 @@ def load_vdb(context, path, desc=None, load=None, **values):
 def save(picture, path, desc=None, srgb=False, **values):
     """Writes a framebuffer, or an image [height][width][channels], to the format of the extension.
 
-    Options are the fields of SaveDesc: save(framebuffer, "frame.png", dither="ordered"). `srgb` marks arrays of uint8 as
-    encoded.
+    Options are the fields of SaveDesc: save(framebuffer, "frame.png", dither="ordered"). `srgb` marks arrays of uint8
+    as encoded.
     """
     keep = []
     built = _built("shd_save_desc", desc, values, keep)

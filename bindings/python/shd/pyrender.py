@@ -5,8 +5,8 @@
 
 Classes and arguments have pyrender's names. Lights have its units: a SpotLight or PointLight of intensity I gives the
 irradiance I / r^2. Materials of OBJ files are rough metals, and colours of vertices are linear, as in pyrender.
-Differences: light falls off at the edge of a spot as in shd/light.h, and colours have the piecewise sRGB curve. There is
-no Viewer. load() reads model files by libshd_scene.
+Differences: light falls off at the edge of a spot as in shd/light.h, and colours have the piecewise sRGB curve. There
+is no Viewer. load() reads model files by libshd_scene.
 """
 import copy
 import functools
@@ -239,8 +239,10 @@ class OffscreenRenderer:
 
     @exclusive
     def render(self, scene, flags=RenderFlags.NONE, seg_node_map=None):
-        """Colour [height][width][3] of uint8 (4 with RGBA), and depth [height][width] of float32 [world units], 0 in the
-        background. DEPTH_ONLY gives depth alone; SEG gives the colours of `seg_node_map`, by nodes."""
+        """Colour [height][width][3] of uint8 (4 with RGBA), and depth [height][width] of float32 [world units].
+
+        Depth is 0 in the background. DEPTH_ONLY gives depth alone; SEG gives the colours of `seg_node_map`, by nodes.
+        """
         if flags & UNSUPPORTED:
             raise ValueError(f"flags: {flags & UNSUPPORTED} is not supported")
         if scene.main_camera_node is None:

@@ -38,7 +38,7 @@ class Cases(Case):
 
 class Pictures(Cases):
     def test_units_of_lights(self):
-        """A white surface in the irradiance E has E / pi (0.96 of it as a diffuse part in pyrender), plus little gloss."""
+        """A white surface in the irradiance E has E / pi, plus little gloss."""
         material = pyrender.MetallicRoughnessMaterial(metallicFactor=0.0, roughnessFactor=1.0)
         for light, pose, irradiance in (
                 (pyrender.DirectionalLight(intensity=1.0), at(3), 1.0),
