@@ -13,10 +13,11 @@ Components have modules of their own: shd.scene, shd.color, shd.io and shd.embre
 meshes in few lines, and shd.pyrender has the interface of pyrender.
 """
 import importlib
-import importlib.util
 
-if importlib.util.find_spec("numpy") is None:
-    raise ImportError("shd needs NumPy (Debian: python3-numpy)")
+try:
+    import numpy as _numpy
+except ModuleNotFoundError:
+    raise ImportError("shd needs NumPy (Debian: python3-numpy)") from None
 
 from . import _api
 from ._api import Error, InvalidArgument, OutOfMemory

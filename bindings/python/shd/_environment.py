@@ -2,6 +2,8 @@
 """Environments: light from all directions."""
 import ctypes
 
+import numpy as np
+
 from . import _api
 from ._columns import inputs, outputs, shape_of
 from ._objects import Object, document, make_desc
@@ -37,11 +39,11 @@ class Environment(Object):
         _api.check(function(self.handle("shd_environment", keep), ctypes.addressof(lookups), ctypes.addressof(light)))
         return arrays[0]
 
-    def irradiance(self, direction, out=None):
+    def irradiance(self, direction, out=None) -> np.ndarray:
         """The irradiance of surfaces with these normals, as an array [..., 3] of float32."""
         return self._look_up(_api.lib.shd_environment_irradiance, out, direction=direction)
 
-    def radiance(self, direction, roughness=None, exponent=None, out=None):
+    def radiance(self, direction, roughness=None, exponent=None, out=None) -> np.ndarray:
         """The radiance along directions, or its mean over lobes of GGX or Phong, as an array [..., 3] of float32."""
         return self._look_up(_api.lib.shd_environment_radiance, out, direction=direction, roughness=roughness,
                              exponent=exponent)

@@ -3,13 +3,13 @@
 import ctypes
 import threading
 
+import numpy as np
+
 from . import _api
 from ._callback import raise_failures
 from ._columns import inputs, shape_of
 from ._convert import column
 from ._objects import _Simple, document, make_desc
-
-import numpy as np
 
 
 @document
@@ -42,7 +42,7 @@ class Shadow(_Simple):
         raise_failures(keep)
         _api.check(result)
 
-    def sample(self, position, normal=None, out=None):
+    def sample(self, position, normal=None, out=None) -> np.ndarray:
         """The fraction of the light that reaches points, 0 to 1, as an array of float32."""
         keep, shape = [], shape_of(position, "position")
         lookups = inputs("shd_shadow_lookups", {"position": position, "normal": normal}, keep)

@@ -46,16 +46,18 @@ class Color(_Simple):
     _kind = "shd_color"
 
     def _texts(self, name, *arguments):
-        handle = self.handle(self._kind, [])
+        keep = []  # another thread may close the object
+        handle = self.handle(self._kind, keep)
         count, get = getattr(_api.lib, f"shd_color_{name}_count"), getattr(_api.lib, f"shd_color_{name}_name")
         return [get(handle, *arguments, i).decode() for i in range(count(handle, *arguments))]
 
     def _text(self, name, *arguments):
-        found = getattr(_api.lib, f"shd_color_{name}")(self.handle(self._kind, []), *arguments)
+        keep = []
+        found = getattr(_api.lib, f"shd_color_{name}")(self.handle(self._kind, keep), *arguments)
         return found.decode() if found is not None else None
 
     @property
-    def displays(self):
+    def displays(self) -> list:
         """Names of the displays."""
         return self._texts("display")
 
@@ -64,7 +66,7 @@ class Color(_Simple):
         return self._text("default_display")
 
     @property
-    def spaces(self):
+    def spaces(self) -> list:
         """Names of the colour spaces."""
         return self._texts("space")
 
@@ -72,7 +74,7 @@ class Color(_Simple):
     def working_space(self):
         return self._text("working_space")
 
-    def views(self, display=None):
+    def views(self, display=None) -> list:
         """Names of the views of a display."""
         return self._texts("view", text_bytes(display, "display"))
 
@@ -102,7 +104,7 @@ class Color(_Simple):
         info = framebuffer.info
         return info["height"], info["width"]
 
-    def apply(self, framebuffer, display=None, view=None, out=None, format="rgba8"):
+    def apply(self, framebuffer, display=None, view=None, out=None, format="rgba8") -> np.ndarray:
         """A framebuffer for a display, as an array [height][width][4] with straight alpha."""
         keep = []
         made, out = self._out(out, self._shape(framebuffer), format, keep)
@@ -128,7 +130,8 @@ class Color(_Simple):
         _api.check(result)
         return out, read_struct("shd_render_stats", stats)
 
-    def apply_image(self, pixels, from_space=None, display=None, view=None, out=None, format="rgba8"):
+    def apply_image(self, pixels, from_space=None, display=None, view=None, out=None,
+                    format="rgba8") -> np.ndarray:
         """An image [height][width][4] of float16 or float32 for a display, from a colour space."""
         keep = []
         source = image(pixels, keep, "pixels")
@@ -138,7 +141,7 @@ class Color(_Simple):
             text_bytes(display, "display"), text_bytes(view, "view"), ctypes.addressof(made)))
         return out
 
-    def convert(self, pixels, from_space, to_space=None):
+    def convert(self, pixels, from_space, to_space=None) -> np.ndarray:
         """Converts an image [height][width][4] of float16 or float32 to another colour space, in place."""
         keep = []
         made = image(pixels, keep, "pixels")

@@ -38,33 +38,35 @@ class Bitmap(Object):
         return self._info("shd_bitmap_info")
 
     @property
-    def color_space(self):
+    def color_space(self) -> str:
         """The colour space of the pixels, such as "sRGB"."""
-        return _api.lib.shd_bitmap_color_space(self.handle(self._kind, [])).decode("utf-8", "replace")
+        keep = []
+        return _api.lib.shd_bitmap_color_space(self.handle(self._kind, keep)).decode("utf-8", "replace")
 
     @property
-    def pixels(self):
+    def pixels(self) -> np.ndarray:
         """The pixels in place, as a read-only array [height][width][4], which keeps their memory."""
         out = _api.new("shd_image")
-        _api.check(_api.lib.shd_bitmap_image(self.handle(self._kind, []), ctypes.addressof(out)))
+        keep = []
+        _api.check(_api.lib.shd_bitmap_image(self.handle(self._kind, keep), ctypes.addressof(out)))
         dtype, channels = array_type(out.format)
         stride = out.row_stride or out.width * channels * dtype.itemsize
         memory = (ctypes.c_char * (stride * (out.height - 1) + out.width * channels * dtype.itemsize)).from_address(
             out.pixels)
-        memory.reference = self._reference
+        memory.reference = keep[0]
         array = np.ndarray((out.height, out.width, channels), dtype, memory, 0,
                            (stride, channels * dtype.itemsize, dtype.itemsize))
         array.flags.writeable = False
         return array
 
 
-def load(context, source, desc=None, **values):
+def load(context, source, desc=None, **values) -> Bitmap:
     """The image in a file, or in the bytes of a file, as a Bitmap. Options are the fields of LoadDesc."""
     return _load(Bitmap, context, source, desc, values,
                  (_api.lib.shd_bitmap_load, _api.lib.shd_bitmap_load_memory))
 
 
-def load_texture(context, source, desc=None, **values):
+def load_texture(context, source, desc=None, **values) -> Texture:
     """A texture from an image file, or from the bytes of one. Options are the fields of LoadDesc."""
     return _load(Texture, context, source, desc, values,
                  (_api.lib.shd_texture_load, _api.lib.shd_texture_load_memory))
@@ -80,7 +82,7 @@ def _built(struct, desc, values, keep):
     return ctypes.addressof(make_desc(struct, desc, values).build(keep))
 
 
-def load_raw(context, path, desc=None, load=None, **values):
+def load_raw(context, path, desc=None, load=None, **values) -> Texture:
     """A 3D texture from a file of voxels: load_raw(context, "head.raw", width=256, height=256, depth=113).
 
     Options are the fields of RawDesc; `load` is a LoadDesc with budgets.
@@ -91,7 +93,7 @@ def load_raw(context, path, desc=None, load=None, **values):
                     _built("shd_load_desc", load, {}, keep)), keep)
 
 
-def load_stack(context, paths=None, desc=None, load=None, **values):
+def load_stack(context, paths=None, desc=None, load=None, **values) -> Texture:
     """A 3D texture from images: a list of paths, or pattern="slice%03d.png", first=0, last=80.
 
     Options are the fields of StackDesc; `load` is a LoadDesc.
@@ -103,7 +105,7 @@ def load_stack(context, paths=None, desc=None, load=None, **values):
                    (_built("shd_stack_desc", desc, values, keep), _built("shd_load_desc", load, {}, keep)), keep)
 
 
-def load_vdb(context, path, desc=None, load=None, **values):
+def load_vdb(context, path, desc=None, load=None, **values) -> "tuple[Texture, dict]":
     """A 3D texture from a grid of an OpenVDB file, and a dict of its properties with object_to_world as [4][4].
 
     Options are the fields of VdbDesc; `load` is a LoadDesc.
@@ -117,7 +119,7 @@ def load_vdb(context, path, desc=None, load=None, **values):
                      "object_to_world": np.array(read["object_to_world"], np.float32).reshape(4, 4).T.copy()}
 
 
-def save(picture, path, desc=None, srgb=False, **values):
+def save(picture, path, desc=None, srgb=False, **values) -> None:
     """Writes a framebuffer, or an image [height][width][channels], to the format of the extension.
 
     Options are the fields of SaveDesc: save(framebuffer, "frame.png", dither="ordered"). `srgb` marks arrays of uint8

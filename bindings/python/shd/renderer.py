@@ -91,7 +91,7 @@ class Renderer:
             raise ValueError(f"background: three or four numbers 0..1, not {value}")
         self._background = rgba
 
-    def add(self, item=None, pose=None, **values):
+    def add(self, item=None, pose=None, **values) -> Item:
         """Adds a model and returns its Item, whose pose may change between frames.
 
         add(mesh)                               an object like trimesh.Trimesh or trimesh.Scene; smooth=False for flat
@@ -194,7 +194,7 @@ class Renderer:
                 for part in item.parts]
 
     @exclusive
-    def render(self, alpha=False, flat=False, shadows=False, **values):
+    def render(self, alpha=False, flat=False, shadows=False, **values) -> "tuple[np.ndarray, np.ndarray]":
         """Draws a frame: color [height][width][3] of uint8 in sRGB, and depth [height][width] of float32.
 
         Depth is the distance along the view [world units], 0 in the background. `alpha` adds a channel of opacity, with
@@ -212,14 +212,14 @@ class Renderer:
         return (straight(color) if alpha else color[..., :3].copy()), depth
 
     @exclusive
-    def render_depth(self, **values):
-        """The depth of a frame, without colours."""
+    def render_depth(self, **values) -> np.ndarray:
+        """The depth of a frame, without colours. Options are fields of all draws."""
         view, planes = self._view()
         render(self._context, self._framebuffer, self._draws(None, **values), view=view, clear_depth=0)
         return self._lens.distances(self._framebuffer.plane("depth"), *planes)
 
     @exclusive
-    def render_ids(self, **values):
+    def render_ids(self, **values) -> np.ndarray:
         """The index of the model in `items` that is visible at each pixel, -1 in the background; not antialiased."""
         if self._ids is None:
             self._ids = Framebuffer(self._context, *self._size, aovs="draw", color_format="rgba8")

@@ -37,20 +37,22 @@ class Scene(Object):
         self._info_values = self._info("shd_scene_info")
 
     @property
-    def info(self):
+    def info(self) -> dict:
         """Counts and bounds, as a dict."""
         self.handle(self._kind, [])
         return dict(self._info_values)
 
     def _texts(self, function, count, *arguments):
-        return [function(self.handle(self._kind, []), *arguments, i).decode("utf-8", "replace") for i in range(count)]
+        keep = []  # another thread may close the scene
+        handle = self.handle(self._kind, keep)
+        return [function(handle, *arguments, i).decode("utf-8", "replace") for i in range(count)]
 
     @property
-    def warnings(self):
+    def warnings(self) -> list:
         """Parts of the file that were left out or changed, one text each."""
         return self._texts(_api.lib.shd_scene_warning, self.info["warning_count"])
 
-    def names(self, part):
+    def names(self, part) -> list:
         """The names of the parts of a kind: names("mesh"), "material", "texture" (a path), "light" or "camera"."""
         kind = _api.enum_type("shd_scene_part")(enum_value("shd_scene_part", part, "part"))
         return self._texts(_api.lib.shd_scene_name, self.info[f"{kind.name.lower()}_count"], int(kind))
@@ -62,56 +64,57 @@ class Scene(Object):
         return [kind.borrowed(get(handle, i), keep) for i in range(self.info[f"{name}_count"])]
 
     @property
-    def meshes(self):
+    def meshes(self) -> list:
         return self._objects(Mesh)
 
     @property
-    def materials(self):
+    def materials(self) -> list:
         return self._objects(Material)
 
     @property
-    def textures(self):
+    def textures(self) -> list:
         return self._objects(Texture)
 
     @property
-    def lights(self):
+    def lights(self) -> list:
         return self._objects(Light)
 
     def _structs(self, function, struct, count):
-        made = []
+        made, keep = [], []
+        handle = self.handle(self._kind, keep)
         for i in range(self.info[count]):
             made.append(_api.new(struct))
-            _api.check(function(self.handle(self._kind, []), i, ctypes.addressof(made[-1])))
+            _api.check(function(handle, i, ctypes.addressof(made[-1])))
         return made
 
     @property
-    def cameras(self):
+    def cameras(self) -> list:
         """The cameras of the file, as a list of Camera."""
         structs = self._structs(_api.lib.shd_scene_get_camera, "shd_camera", "camera_count")
         return [desc_type("shd_camera")(**read_struct("shd_camera", s)) for s in structs]
 
     @property
-    def instances(self):
+    def instances(self) -> list:
         """The instances of the file, as a list of SceneInstance: indices of a mesh and a material, and a matrix."""
         structs = self._structs(_api.lib.shd_scene_get_instance, "shd_scene_instance", "instance_count")
         return [desc_type("shd_scene_instance")(mesh=s.mesh, material=s.material,
                                                 object_to_world=_matrix(s.object_to_world)) for s in structs]
 
     @property
-    def draws(self):
+    def draws(self) -> list:
         """The instances of the file, as a list of Draw with mesh, material and object_to_world."""
         meshes, materials = self.meshes, self.materials
         return [desc_type("shd_draw")(mesh=meshes[i.mesh], material=materials[i.material],
                                       object_to_world=i.object_to_world) for i in self.instances]
 
     @property
-    def light_descs(self):
+    def light_descs(self) -> list:
         """The descs of the lights, for variants of them."""
         structs = self._structs(_api.lib.shd_scene_get_light_desc, "shd_light_desc", "light_count")
         return [self._desc("shd_light_desc", s) for s in structs]
 
     @property
-    def material_descs(self):
+    def material_descs(self) -> list:
         """The descs of the materials with their slots, for variants of them."""
         structs = self._structs(_api.lib.shd_scene_get_material_desc, "shd_material_desc", "material_count")
         return [self._desc("shd_material_desc", s) for s in structs]

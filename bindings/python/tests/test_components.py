@@ -180,6 +180,7 @@ class Files(Case):
         for kind, message, call, arguments, values in (
                 (shd.Error, "nothing.png", io.load, (self.context, "nothing.png"), {}),
                 (shd.Error, "", io.load, (self.context, b"not an image"), {}),
+                (shd.Error, "the file is empty", io.load, (self.context, b""), {}),
                 (TypeError, "path: a text, not float", io.load_texture, (self.context, 1.5), {}),
                 (ValueError, "has a null character", io.save, (self.pixels, "a\0.png"), {}),
                 (TypeError, "picture: a NumPy array, not list", io.save, ([[0]], path), {}),

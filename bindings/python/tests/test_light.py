@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Environments, shadows, volumes, solid textures and projections."""
+import gc
 import threading
 
 import numpy as np
 
 import shd
-from support import Case
+from support import Allocator, Case
 
 AXES = np.float32([[1, 0, 0], [0, 1, 0], [0, 0, -1]])
 
@@ -165,6 +166,30 @@ class Solids(Case):
             with self.subTest(message):
                 self.check_refused(kind, message, shd.evaluate_solid, place, **values)
         self.check_refused(TypeError, "position.* of float64", shd.evaluate_solid, np.zeros((2, 3)))
+
+
+class Memory(Case):
+    def test_given_back(self):
+        allocator = Allocator()
+        context = shd.Context(worker_count=1, allocator=allocator.options())
+        environment = shd.Environment(context, np.ones((4, 8), np.float32))
+        shadow = shd.Shadow(context, size=16)
+        shadow.render(context, shd.Light(context, kind="directional"), [shd.Draw(mesh=self.square(context))])
+        texture = shd.Texture(context, np.ones((2, 2, 2), np.float32), depth=2)
+        volume = shd.Volume(context, texture, density=[0, 1], extinction=[0, 1])
+        for values in ({"density": [1, 0]}, {"step": -1}):
+            with self.assertRaises(shd.InvalidArgument):
+                shd.Volume(context, texture, **{"density": [0, 1], "extinction": [0, 1], **values})
+        with shd.Renderer(8, 8, context=context) as renderer:
+            renderer.add(position=np.eye(3), color=(1.0, 0, 0))
+            renderer.render(shadows=True)
+        for made in (environment, shadow, volume):
+            made.close()
+            made.close()
+        del context, environment, shadow, volume, texture, renderer
+        gc.collect()
+        self.assertGreater(allocator.total, 0)
+        self.assertEqual(allocator.live, 0)
 
 
 class Projections(Case):
