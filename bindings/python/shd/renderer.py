@@ -57,7 +57,8 @@ def exclusive(method):
 class Renderer:
     """Renderer(width, height, samples=4, background=(0, 0, 0, 0)): a scene, a camera and a framebuffer.
 
-    `background` has sRGB values 0..1 and an opacity. Without lights a headlight and some ambient light are used. Models
+    `background` has sRGB values 0..1 and an opacity. `ambient` is ambient light, `environment` an Environment, which is
+    the background if `shows_environment` is true. Without any light a headlight and some ambient light are used. Models
     and the framebuffer are kept between frames. A renderer serves one thread; objects of shd may be shared.
     """
 
@@ -66,6 +67,7 @@ class Renderer:
         self._samples, self._lock = samples, threading.Lock()
         self._framebuffer = self._ids = self._plain = None
         self.items, self.lights, self.ambient = [], [], None
+        self.environment, self.shows_environment = None, False
         self.background = background
         self.resize(width, height)
         self.look_at(eye=(0, 0, 3))
@@ -139,11 +141,14 @@ class Renderer:
         return made
 
     def clear(self):
-        """Removes all models and lights."""
-        self.items, self.lights = [], []
+        """Removes all models and lights, and the environment."""
+        self.items, self.lights, self.environment = [], [], None
 
     def look_at(self, eye, target=(0, 0, 0), up=(0, 1, 0), yfov=0.8, near=None, far=None):
-        """Places the camera at `eye`. Planes that are not given are fitted to the models in each frame."""
+        """Places the camera at `eye`. Planes that are not given are fitted to the models in each frame.
+
+        Vertex programs may move vertices beyond fitted planes: give both planes then.
+        """
         self.look_from(_camera.look_at(eye, target, up), yfov, near=near, far=far)
 
     def look_from(self, pose, yfov=0.8, aspect=None, near=None, far=None, lens=None):
@@ -170,16 +175,20 @@ class Renderer:
             raise ValueError("renderer: the Renderer is closed")
 
     def _lights(self, draws, shadows):
-        """Lights, and their shadows or None."""
+        """Lights, their shadows or None, and the environment, as options of a frame."""
         lights, kinds = list(self.lights), SHADOWED if shadows is True else tuple(shadows or ())
-        if not lights and self.ambient is None:
+        if not lights and self.ambient is None and self.environment is None:
             lights = [(Light(self._context, kind="directional", direction=self._pose[:3, :3] @ FORWARD,
                              intensity=(2.5,) * 3), None),
                       (Light(self._context, kind="ambient", intensity=(0.2,) * 3), None)]
         if self.ambient is not None and np.any(self.ambient):
             lights.append((Light(self._context, kind="ambient", intensity=self.ambient), None))
         made = [self._shadow(light, draws) if kind in kinds else None for light, kind in lights]
-        return {"lights": [light for light, _ in lights], **({"shadows": made} if any(made) else {})}
+        options = {"lights": [light for light, _ in lights], **({"shadows": made} if any(made) else {})}
+        if self.environment is not None:
+            options.update(environment=self.environment,
+                           background="environment" if self.shows_environment else "clear")
+        return options
 
     def _shadow(self, light, draws):
         from ._shadow import Shadow

@@ -182,6 +182,17 @@ class Frames(Renderers):
         lit, dark = (renderer.render(shadows=shadows)[0][32, 20, 0] for shadows in (False, True))
         self.assertGreater(int(lit) - int(dark), 60)
 
+    def test_environment(self):
+        """A white sky of radiance 0.25 is seen in a mirror, and is the background."""
+        renderer = self.renderer()
+        renderer.add(square(), pose=np.diag([0.5, 0.5, 1, 1]), metallic=1.0, roughness=0.0)
+        renderer.environment = shd.Environment(self.context, np.full((4, 8), 0.25, np.float32))
+        self.assertEqual(renderer.render()[0][0, 0].tolist(), [0, 0, 0])
+        renderer.shows_environment = True
+        color = renderer.render()[0]
+        np.testing.assert_allclose(color[0, 0], 137, atol=1)
+        np.testing.assert_allclose(color[16, 16], 137, atol=2)
+
     def test_reuse(self):
         """Frames reuse the framebuffer and the texture; results do not share memory with it."""
         renderer = self.renderer()
