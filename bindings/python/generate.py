@@ -22,17 +22,30 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from ._api import Error as Error, InvalidArgument as InvalidArgument, OutOfMemory as OutOfMemory
+from . import color as color, embree as embree, io as io, pyrender as pyrender, renderer as renderer, scene as scene
+from ._bake import (bake as bake, bake_occlusion as bake_occlusion, occlusion as occlusion,
+                    vertex_occlusion as vertex_occlusion)
 from ._desc import Desc as Desc
+from ._environment import Environment as Environment
 from ._frame import Framebuffer as Framebuffer, render as render
+from ._png import save_png as save_png
 from ._objects import (Context as Context, Light as Light, Material as Material, Mesh as Mesh, Object as Object,
                        Sampler as Sampler, slot as slot)
+from ._projection import convert_projection as convert_projection, project as project, unproject as unproject
+from ._shadow import Shadow as Shadow
+from ._solid import evaluate_solid as evaluate_solid
 from ._texture import Lookup as Lookup, Texture as Texture
+from ._volume import Volume as Volume
+from .color import Color as Color
+from .renderer import Renderer as Renderer
+from .scene import Scene as Scene
 
 _Array = Union[np.ndarray, Sequence[Any]]
 
 def version() -> tuple[int, int, int]: ...
 '''
-CLASSES = {"shd_context", "shd_framebuffer", "shd_light", "shd_material", "shd_mesh", "shd_sampler", "shd_texture"}
+CLASSES = {"shd_color", "shd_context", "shd_environment", "shd_framebuffer", "shd_light", "shd_material", "shd_mesh",
+           "shd_sampler", "shd_shadow", "shd_texture", "shd_volume"}
 
 
 def camel(name):

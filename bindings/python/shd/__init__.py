@@ -8,11 +8,16 @@
 Descs (SamplerDesc, RenderDesc, Draw, Camera, ...) and enums (Filter, Model, ...) of all headers are attributes of the
 module. Arrays are not copied; calls refuse arrays of another type or layout. Objects may be shared between threads as
 the C headers say; a framebuffer serves one call of render() only.
-"""
-import importlib.util
 
-if importlib.util.find_spec("numpy") is None:
-    raise ImportError("shd needs NumPy (Debian: python3-numpy)")
+Components have modules of their own: shd.scene, shd.color, shd.io and shd.embree. shd.Renderer draws pictures of
+meshes in few lines, and shd.pyrender has the interface of pyrender.
+"""
+import importlib
+
+try:
+    import numpy as _numpy
+except ModuleNotFoundError:
+    raise ImportError("shd needs NumPy (Debian: python3-numpy)") from None
 
 from . import _api
 from ._api import Error, InvalidArgument, OutOfMemory
@@ -24,6 +29,13 @@ from ._texture import Lookup, Texture
 _names = {_api.camel(name): (desc_type, name) for name, e in _api.structs.items()}
 _names.update({_api.camel(name): (_api.enum_type, name) for name in _api.enums})
 
+# Modules that are imported when a name is first used, so that a small program starts fast.
+_modules = {"Environment": "_environment", "Shadow": "_shadow", "Volume": "_volume", "evaluate_solid": "_solid",
+            "bake": "_bake", "bake_occlusion": "_bake", "occlusion": "_bake", "vertex_occlusion": "_bake",
+            "project": "_projection", "unproject": "_projection", "convert_projection": "_projection",
+            "save_png": "_png", "Color": "color", "Scene": "scene", "Renderer": "renderer"}
+_submodules = ("color", "embree", "io", "pyrender", "renderer", "scene")
+
 
 def version():
     """Version of the library: (major, minor, patch)."""
@@ -32,6 +44,11 @@ def version():
 
 
 def __getattr__(name):
+    if name in _submodules:
+        return importlib.import_module(f"{__name__}.{name}")
+    if name in _modules:
+        globals()[name] = getattr(importlib.import_module(f"{__name__}.{_modules[name]}"), name)
+        return globals()[name]
     if name not in _names:
         raise AttributeError(f"module shd has no attribute {name}")
     make, entry = _names[name]
@@ -40,4 +57,4 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*(n for n in globals() if not n.startswith("_")), *_names})
+    return sorted({*(n for n in globals() if not n.startswith("_")), *_names, *_modules, *_submodules})

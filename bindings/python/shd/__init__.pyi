@@ -6,11 +6,23 @@ from typing import Any, Callable, Mapping, Sequence, Union
 import numpy as np
 
 from ._api import Error as Error, InvalidArgument as InvalidArgument, OutOfMemory as OutOfMemory
+from . import color as color, embree as embree, io as io, pyrender as pyrender, renderer as renderer, scene as scene
+from ._bake import (bake as bake, bake_occlusion as bake_occlusion, occlusion as occlusion,
+                    vertex_occlusion as vertex_occlusion)
 from ._desc import Desc as Desc
+from ._environment import Environment as Environment
 from ._frame import Framebuffer as Framebuffer, render as render
+from ._png import save_png as save_png
 from ._objects import (Context as Context, Light as Light, Material as Material, Mesh as Mesh, Object as Object,
                        Sampler as Sampler, slot as slot)
+from ._projection import convert_projection as convert_projection, project as project, unproject as unproject
+from ._shadow import Shadow as Shadow
+from ._solid import evaluate_solid as evaluate_solid
 from ._texture import Lookup as Lookup, Texture as Texture
+from ._volume import Volume as Volume
+from .color import Color as Color
+from .renderer import Renderer as Renderer
+from .scene import Scene as Scene
 
 _Array = Union[np.ndarray, Sequence[Any]]
 
@@ -665,11 +677,11 @@ class ColorDesc(Desc):
                  ) -> None: ...
 
 class ColorView(Desc):
-    color: _Array
+    color: Color
     display: str
     view: str
     def __init__(self, *,
-                 color: _Array = ...,
+                 color: Color = ...,
                  display: str = ...,
                  view: str = ...,
                  ) -> None: ...
@@ -1679,7 +1691,7 @@ class RenderDesc(Desc):
     draws: Union[Draw, Sequence[Union[Draw, Mapping[str, Any]]]]
     draw_count: int
     lights: Sequence[Union[Light, None]]
-    shadows: _Array
+    shadows: Sequence[Union[Shadow, None]]
     light_count: int
     picture_width: int
     picture_height: int
@@ -1692,7 +1704,7 @@ class RenderDesc(Desc):
     stats: Union[RenderStats, Mapping[str, Any]]
     progress: Union[Progress, Mapping[str, Any]]
     present: Union[Present, Mapping[str, Any]]
-    environment: _Array
+    environment: Environment
     environment_intensity: float
     environment_to_world: _Array
     background: Union[int, str]
@@ -1710,7 +1722,7 @@ class RenderDesc(Desc):
                  draws: Union[Draw, Sequence[Union[Draw, Mapping[str, Any]]]] = ...,
                  draw_count: int = ...,
                  lights: Sequence[Union[Light, None]] = ...,
-                 shadows: _Array = ...,
+                 shadows: Sequence[Union[Shadow, None]] = ...,
                  light_count: int = ...,
                  picture_width: int = ...,
                  picture_height: int = ...,
@@ -1723,7 +1735,7 @@ class RenderDesc(Desc):
                  stats: Union[RenderStats, Mapping[str, Any]] = ...,
                  progress: Union[Progress, Mapping[str, Any]] = ...,
                  present: Union[Present, Mapping[str, Any]] = ...,
-                 environment: _Array = ...,
+                 environment: Environment = ...,
                  environment_intensity: float = ...,
                  environment_to_world: _Array = ...,
                  background: Union[int, str] = ...,
@@ -2255,10 +2267,10 @@ class VolumeDesc(Desc):
                  ) -> None: ...
 
 class VolumeDraw(Desc):
-    volume: _Array
+    volume: Volume
     object_to_world: _Array
     def __init__(self, *,
-                 volume: _Array = ...,
+                 volume: Volume = ...,
                  object_to_world: _Array = ...,
                  ) -> None: ...
 

@@ -148,7 +148,8 @@ class Library:
                 except OSError as problem:
                     problems.append(str(problem))
             else:
-                raise ImportError(f"lib{name} was not found. Set SHD_LIBRARY to its path. " + "; ".join(problems))
+                place = "its path" if name == "shd" else "the path of libshd; components lie beside it"
+                raise ImportError(f"lib{name} was not found. Set SHD_LIBRARY to {place}. " + "; ".join(problems))
         return self._loaded[name]
 
     def __getattr__(self, name):

@@ -87,6 +87,8 @@ def record_of(text, where, earlier):
     if text == "float *const *" and where:
         rows = next(r._rows for r in earlier if isinstance(r, Record))
         return [view(p, "float *", rows) for p in pointers(where, 4)]
+    if base in VIEWS and text.count("*") == 1:
+        return view(where, text, next(r._rows for r in earlier if isinstance(r, Record)))
     if text == "const char *":
         return ctypes.string_at(where).decode("utf-8", "replace") if where else ""
     if text in _api.callbacks:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Python values to fields of structs. Arrays are not copied; an array that does not fit is refused, with its name."""
 import ctypes
+import os
 
 import numpy as np
 
@@ -10,6 +11,18 @@ from ._callback import Callback
 COLUMNS = {f"shd_{kind}_{way}": (np.dtype(dtype), way == "out") for kind, dtype in
            (("f32", "f4"), ("u32", "u4"), ("u16", "u2")) for way in ("in", "out")}
 ELEMENTS = {"float": "f4", "double": "f8", "uint8_t": "u1", "uint16_t": "u2", "uint32_t": "u4", "int32_t": "i4"}
+
+
+def text_bytes(value, name):
+    """A text, a path or None as the bytes of a string of C."""
+    if value is None:
+        return None
+    if not isinstance(value, (str, bytes, os.PathLike)):
+        raise TypeError(f"{name}: a text, not {type(value).__name__}")
+    raw = value if isinstance(value, bytes) else os.fsencode(value)
+    if b"\0" in raw:
+        raise ValueError(f"{name}: {value!r} has a null character")
+    return raw
 
 
 def address(array):
@@ -51,8 +64,10 @@ def columns(value, count, name):
             value = value.reshape(-1, count)
         return [value[:, i] for i in range(count)]
     value = list(value)
-    if value and np.ndim(value[0]) == 0 and value[0] is not None:
-        return columns(np.array(value), count, name)
+    if value and np.ndim(value[0]) == 0 and value[0] is not None:  # a single row
+        if len(value) != count:
+            raise ValueError(f"{name}: the last axis has {len(value)} elements, not {count}")
+        return [np.atleast_1d(v) if isinstance(v, np.generic) else [v] for v in value]
     if len(value) > count:
         raise ValueError(f"{name}: {len(value)} columns, not {count}")
     return value
@@ -81,13 +96,23 @@ def enum_value(kind, value, name):
 def numbers(value, field, name):
     """Numbers of an array field. Matrices given as [row][column] become columns first."""
     flat = np.asarray(value)
-    if flat.ndim == 2 and flat.shape in ((4, 4), (3, 3)):
+    if flat.ndim == 2 and flat.shape in ((4, 4), (3, 3)) and len(field["array"]) == 1:
         flat = flat.T
     flat = flat.reshape(-1)
     length = int(np.prod(field["array"]))
     if flat.size != length:
         raise ValueError(f"{name}: {flat.size} numbers, not {length}")
     return flat.tolist()
+
+
+def set_rows(struct, field, value, name, given):
+    """Sets the first rows of an array [rows][columns], and their number if the struct has a field for it."""
+    rows, (capacity, width), target = np.asarray(value, np.float64), field["array"], getattr(struct, field["name"])
+    if rows.ndim != 2 or rows.shape[1] != width or len(rows) > capacity:
+        raise ValueError(f"{name}: an array of shape {rows.shape}, not [1..{capacity}][{width}]")
+    set_length(struct, field, len(rows), name, given)
+    for i, row in enumerate(rows.tolist()):
+        target[i][:] = row
 
 
 def data(value, base, name, keep):
@@ -108,7 +133,7 @@ def data(value, base, name, keep):
 
 def set_length(struct, field, count, name, given):
     """Sets the field that has the length of a list; `given` has the lengths so far, by the names of their fields."""
-    names = [n for n in field.get("length", []) if not n.isdigit()]
+    names = [n for n in field.get("length", [f"{field['name'].removesuffix('s')}_count"]) if not n.isdigit()]
     if not names or not hasattr(struct, names[-1]):
         if count > 1:
             raise ValueError(f"{name}: {count} elements, not 1")
@@ -128,7 +153,7 @@ def pointer(struct, field, value, keep, name, given):
         raise TypeError(f"{name}: a list, not {type(value).__name__}")
     is_list = isinstance(value, (list, tuple))
     if field["type"] == "const char *":
-        text = ctypes.c_char_p(value.encode() if isinstance(value, str) else value)
+        text = ctypes.c_char_p(text_bytes(value, name))
         keep.append(text)
         return ctypes.cast(text, ctypes.c_void_p).value
     if hasattr(value, "handle"):
@@ -176,7 +201,7 @@ def elements(base, value, keep, name):
     elif base in _api.enums:
         array = (ctypes.c_int32 * len(value))(*(enum_value(base, v, n) for v, n in zip(value, names)))
     elif base == "char":
-        array = (ctypes.c_char_p * len(value))(*(v.encode() for v in value))
+        array = (ctypes.c_char_p * len(value))(*(text_bytes(v, n) for v, n in zip(value, names)))
     else:
         array = (ctypes.c_void_p * len(value))(*(None if v is None else v.handle(base, keep, n)
                                                  for v, n in zip(value, names)))
@@ -215,6 +240,8 @@ def convert(struct, field, value, keep, name, given):
         setattr(struct, field["name"], pointer(struct, field, value, keep, name, given))
     elif "array" in field and (bits or kind in _api.enums):
         getattr(struct, field["name"])[:] = [enum_value(bits or kind, v, name) for v in value]
+    elif "array" in field and len(field["array"]) == 2:
+        set_rows(struct, field, value, name, given)
     elif "array" in field:
         getattr(struct, field["name"])[:] = numbers(value, field, name)
     elif kind in _api.structs:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Descs: options of a call as keyword arguments. A desc holds Python values and becomes a struct of C at the call."""
 import ctypes
-import difflib
 
 import numpy as np
 
@@ -22,6 +21,7 @@ class Desc:
 
     def __setattr__(self, name, value):
         if name not in self._fields or name == "struct_size":
+            import difflib  # slow to import, and seldom used
             close = difflib.get_close_matches(name, self._fields, 1)
             hint = f"; did you mean {close[0]}?" if close else ""
             raise TypeError(f"{type(self).__name__} has no field {name}{hint}")

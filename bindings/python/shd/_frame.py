@@ -31,6 +31,15 @@ class Framebuffer(Object):
         """Size and planes, as a dict."""
         return self._info("shd_framebuffer_info")
 
+    def exclusive(self, call, *arguments):
+        """Runs a call of the library that needs the framebuffer for itself."""
+        if not self.lock.acquire(blocking=False):
+            raise ValueError("framebuffer: another call renders to it")
+        try:
+            return call(*arguments)
+        finally:
+            self.lock.release()
+
     def _array(self, where, dtype, shape, row_stride):
         memory = (ctypes.c_char * (row_stride * shape[0])).from_address(where)
         memory.reference = self._reference  # the array keeps the planes, also after close()
@@ -78,12 +87,7 @@ def render(context, framebuffer, draws=(), desc=None, **values):
     made = make_desc("shd_render_desc", desc, {**values, "draws": list(draws)}).replace(framebuffer=framebuffer)
     built, stats = made.build(keep), _api.new("shd_render_stats")
     built.stats = ctypes.addressof(stats)
-    if not framebuffer.lock.acquire(blocking=False):
-        raise ValueError("framebuffer: another call renders to it")
-    try:
-        result = _api.lib.shd_render(context.handle("shd_context", keep), ctypes.addressof(built))
-    finally:
-        framebuffer.lock.release()
+    result = framebuffer.exclusive(_api.lib.shd_render, context.handle("shd_context", keep), ctypes.addressof(built))
     raise_failures(keep)
     _api.check(result)
     return read_struct("shd_render_stats", stats)

@@ -47,6 +47,16 @@ class Object:
             _api.check(result)
         self._reference = Reference(self._kind, out.value, [k for k in keep if isinstance(k, (Callback, Reference))])
 
+    @classmethod
+    def borrowed(cls, handle, keep):
+        """An object with a reference of its own to an object of C, or None; `keep` lives as long as the object."""
+        if not handle:
+            return None
+        getattr(_api.lib, _api.handles[cls._kind]["retain"])(handle)
+        made = cls.__new__(cls)
+        made._reference = Reference(cls._kind, handle, list(keep))
+        return made
+
     def handle(self, kind, keep, name="object"):
         """The handle for a call; `keep` gets what must live until its end."""
         if kind != self._kind:

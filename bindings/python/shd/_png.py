@@ -8,6 +8,9 @@ import numpy as np
 
 def encode(pixels):
     """Bytes of a PNG file from an array [height][width][3 or 4] of uint8."""
+    if not isinstance(pixels, np.ndarray) or pixels.ndim != 3:
+        raise TypeError("pixels: an array [height][width][3 or 4], not " +
+                        (f"of shape {pixels.shape}" if isinstance(pixels, np.ndarray) else type(pixels).__name__))
     height, width, channels = pixels.shape
     if pixels.dtype != np.uint8 or channels not in (3, 4):
         raise TypeError(f"pixels: [height][width][3 or 4] of uint8, not {pixels.shape} of {pixels.dtype}")
@@ -18,3 +21,10 @@ def encode(pixels):
     return b"\x89PNG\r\n\x1a\n" + b"".join(
         struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
         for name, body in chunks)
+
+
+def save_png(path, pixels):
+    """Writes an array [height][width][3 or 4] of uint8 in sRGB as a PNG file. Needs no component."""
+    encoded = encode(pixels)
+    with open(path, "wb") as file:
+        file.write(encoded)

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Small scenes, an executor of Python threads, and a counting allocator for the tests."""
 import ctypes
+import pathlib
 import threading
 import unittest
 
 import numpy as np
 
 import shd
+from shd import _api
 
 
 class Case(unittest.TestCase):
@@ -78,3 +80,14 @@ class Allocator:
 
     def options(self):
         return {"allocate": self.allocate, "free": self.free}
+
+
+def require_component(name, *paths):
+    """Skips a test without a component, or without a file of the package assimp-testmodels."""
+    try:
+        _api.lib.load(name)
+    except ImportError as problem:
+        raise unittest.SkipTest(f"lib{name} is absent: {problem}") from None
+    for path in paths:
+        if not pathlib.Path(path).exists():
+            raise unittest.SkipTest(f"{path} is absent (Debian: assimp-testmodels)")

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""Materials of the renderer: colours, textures, and the material objects of trimesh."""
+import numpy as np
+
+from . import _api
+from ._convert import enum_value
+from ._desc import desc_type
+from ._objects import Material, Sampler, slot
+from ._texture import Texture
+
+OPAQUE, DIFFUSE = 255, 0
+PHONG = (1, 2, 3)  # slots for ambient and specular light, which metallic-roughness does not have
+
+
+def decode(codes):
+    """sRGB codes 0..1 to linear light (IEC 61966-2-1)."""
+    codes = np.asarray(codes, np.float64)
+    return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
+
+
+def linear_color(color, name="color"):
+    """r, g, b, a as linear floats. Integers are sRGB codes 0..255, floats are linear; alpha is 1 by default."""
+    array = np.asarray(color)
+    if array.dtype.kind not in "fiu" or array.ndim < 1 or array.shape[-1] not in (3, 4):
+        raise ValueError(f"{name}: r, g, b or r, g, b, a, not {array.dtype} of shape {array.shape}")
+    made = np.ones((*array.shape[:-1], 4))
+    if array.dtype.kind in "iu":
+        array = array / 255
+        made[..., :3] = decode(array[..., :3])
+    else:
+        made[..., :3] = array[..., :3]
+    made[..., 3:] = array[..., 3:] if array.shape[-1] == 4 else 1
+    return made
+
+
+def pixels_of(image, name="texture"):
+    """An array of an image: a NumPy array, or an image of Pillow."""
+    if hasattr(image, "convert"):
+        image = image if image.mode in ("L", "RGB", "RGBA") else image.convert("RGBA")
+        image = np.asarray(image)
+    if not isinstance(image, np.ndarray):
+        raise TypeError(f"{name}: a NumPy array, an image of Pillow or a Texture, not {type(image).__name__}")
+    return np.ascontiguousarray(image)
+
+
+def colored(pixels):
+    """Pixels with r, g and b: grey ones have equal channels."""
+    if pixels.ndim == 2:
+        pixels = pixels[..., np.newaxis]
+    if pixels.ndim == 3 and pixels.shape[2] in (1, 2):
+        pixels = pixels[..., (0, 0, 0, 1)[:pixels.shape[2] + 2]]
+    return np.ascontiguousarray(pixels)
+
+
+def make_texture(context, image, srgb, name="texture"):
+    """A texture with mip levels, and whether a part of it is translucent."""
+    if isinstance(image, Texture):
+        return image, False
+    pixels = colored(pixels_of(image, name)) if srgb else pixels_of(image, name)
+    has_alpha = pixels.ndim == 3 and pixels.shape[2] == 4 and pixels.dtype == np.uint8
+    return (Texture(context, pixels, srgb=srgb and pixels.dtype == np.uint8, tables="mipmap"),
+            has_alpha and pixels[..., 3].min() < OPAQUE)
+
+
+class Look:
+    """A material, and a variant of it that shows its colours without light."""
+
+    def __init__(self, context, desc):
+        self.lit, self._context, self._desc, self._flat = Material(context, desc), context, desc, None
+
+    @property
+    def flat(self):
+        if self._flat is None:
+            kept = {name: getattr(self._desc, name) for name in ("diffuse", "opacity", "blend", "alpha_cutoff")}
+            slots = [s for s in self._desc._values.get("slots", ())
+                     if enum_value("shd_slot_target", s.target, "target") == DIFFUSE]
+            self._flat = Material(self._context, model="unlit", slots=slots, **kept)
+        return self._flat
+
+
+class Fixed:
+    """A material of the caller, which has no other variant."""
+
+    def __init__(self, material):
+        self.lit = self.flat = material
+
+
+def make_look(context, color=None, texture=None, vertex_colors=False, blend=None, maps=(), **values):
+    """A material of metallic-roughness from one colour, a texture or colours of vertices, and from maps.
+
+    `maps` has tuples of the target of a slot, an image, whether its codes are those of sRGB, and a channel.
+    """
+    rgba = np.ones(4) if color is None else linear_color(color)
+    slots, is_translucent, sampler = [], rgba[3] < 1, None
+    if texture is not None or maps:
+        sampler = Sampler(context, filter="anisotropic", max_anisotropy=8, wrap_u="repeat", wrap_v="repeat")
+    if vertex_colors:
+        slots.append(slot("diffuse", attribute=0))
+    elif texture is not None:
+        made, has_alpha = make_texture(context, texture, True)
+        slots.append(slot("diffuse", made, sampler))
+        is_translucent |= has_alpha
+    slots += [slot(target, make_texture(context, image, srgb, target)[0], sampler, channel=channel)
+              for target, image, srgb, channel in maps]
+    return Look(context, desc_type("shd_material_desc")(**{
+        "model": "metallic_roughness", "flags": "double_sided", "ambient_share": 1.0, "roughness": 0.8,
+        "diffuse": rgba[:3], "opacity": rgba[3], "slots": slots,
+        "blend": blend or ("sorted" if is_translucent else "opaque"), **values}))
+
+
+def file_look(context, desc, metallic=0.0):
+    """The material of a file, as metallic-roughness: lights have one unit for all materials.
+
+    `metallic` is the value of materials of the Blinn-Phong model.
+    """
+    if desc.model == _api.enum_type("shd_model").BLINN_PHONG:
+        desc = desc.replace(metallic=metallic)
+    slots = [s for s in desc._values.get("slots", ()) if enum_value("shd_slot_target", s.target, "target") not in PHONG]
+    return Look(context, desc.replace(model="metallic_roughness", slots=slots, ambient_share=1.0))
+
+
+def _given(material, *names):
+    """The first attribute that is not None."""
+    return next((v for v in (getattr(material, n, None) for n in names) if v is not None), None)
+
+
+def options_of(material):
+    """Options of make_look() from a material of trimesh, SimpleMaterial or PBRMaterial, by the names of attributes."""
+    if not hasattr(material, "baseColorTexture"):
+        return _simple_options(material)
+    maps = [(target, image, srgb, channel) for target, image, srgb, channel in (
+        ("normal", _given(material, "normalTexture"), False, 0),
+        ("occlusion", _given(material, "occlusionTexture"), False, 0),
+        ("roughness", _given(material, "metallicRoughnessTexture"), False, 1),
+        ("metallic", _given(material, "metallicRoughnessTexture"), False, 2),
+        ("emission", _given(material, "emissiveTexture"), True, 0)) if image is not None]
+    has_metal = any(target == "metallic" for target, *_ in maps)
+    color = _given(material, "baseColorFactor")
+    factors = {"metallic": _given(material, "metallicFactor"), "roughness": _given(material, "roughnessFactor")}
+    # glTF's default is a metal, which is black without an environment: only a texture makes it the default here.
+    defaults = {"metallic": 1.0 if has_metal else 0.0, "roughness": 1.0}
+    emission = _given(material, "emissiveFactor")
+    mode = _given(material, "alphaMode")
+    values = {k: float(defaults[k] if v is None else v) for k, v in factors.items()}
+    if emission is not None or any(target == "emission" for target, *_ in maps):
+        values["emission"] = np.ones(3) if emission is None else np.asarray(emission, np.float64)
+    if mode == "MASK":
+        cutoff = _given(material, "alphaCutoff")
+        values.update(blend="opaque", alpha_cutoff=0.5 if cutoff is None else float(cutoff))
+    elif mode == "OPAQUE":
+        values["blend"] = "opaque"
+    # Factors of glTF are linear; trimesh stores them as codes 0..255 or as floats.
+    factor = None if color is None else np.asarray(color) / (255 if np.asarray(color).dtype.kind in "iu" else 1)
+    return {"texture": _given(material, "baseColorTexture"), "color": factor, "maps": maps, **values}
+
+
+def _simple_options(material):
+    """Of an OBJ file: a texture or a diffuse colour, and a roughness from the exponent."""
+    image, diffuse = _given(material, "image"), _given(material, "diffuse", "main_color")
+    glossiness = _given(material, "glossiness")
+    exponent = 0.0 if glossiness is None else float(np.ravel(glossiness)[0])
+    # GGX of alpha^2 = 2 / (p + 2) is as wide as Blinn's lobe (Walter et al., "Microfacet Models for Refraction", 2007).
+    roughness = (2 / (max(exponent, 0) + 2)) ** 0.25
+    return {"texture": image, "color": None if image is not None else diffuse, "metallic": 0.0,
+            "roughness": roughness}

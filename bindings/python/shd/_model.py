@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""Models of the renderer: parts with a mesh and a material, from arrays, from meshes of trimesh, and from files."""
+import itertools
+
+import numpy as np
+
+from ._camera import matrix
+from ._desc import desc_type
+from ._material import Fixed, file_look, linear_color, make_look, options_of
+from ._objects import Mesh
+
+
+def floats(value, width, name):
+    """Numbers [count][width] as float32."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu" or array.ndim != 2 or array.shape[1] != width:
+        raise ValueError(f"{name}: numbers of shape [count][{width}], not {array.dtype} of shape {array.shape}")
+    return np.ascontiguousarray(array, np.float32)
+
+
+def triangles(value, count, name):
+    """Numbers of vertices as uint32, [triangles][3]."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "iu" or (array.ndim == 2 and array.shape[1] != 3) or array.size % 3:
+        raise ValueError(f"{name}: integers of shape [triangles][3], not {array.dtype} of shape {array.shape}")
+    if array.size and not 0 <= array.min() <= array.max() < count:
+        wrong = array.min() if array.min() < 0 else array.max()
+        raise ValueError(f"{name}: {wrong} is not in 0..{count - 1}")
+    return np.ascontiguousarray(array.reshape(-1, 3), np.uint32)
+
+
+class Part:
+    """A mesh with a material at a place of its model."""
+
+    def __init__(self, mesh, look, local=None, values=None):
+        self.mesh, self.look, self.values = mesh, look, values or {}
+        self.local = np.eye(4) if local is None else local
+        info = mesh.info
+        bounds = np.array([info["bounds_min"], info["bounds_max"]], np.float64)
+        picks = np.array(list(itertools.product((0, 1), repeat=3)))
+        self.corners = np.concatenate([bounds[picks, np.arange(3)], np.ones((8, 1))], axis=1).T
+        self.is_empty = not info["triangle_count"]
+
+    def draw(self, pose, **values):
+        return desc_type("shd_draw")(**{
+            "mesh": self.mesh, "object_to_world": (pose @ self.local).astype(np.float32), "compare": "greater",
+            **self.values, **values})
+
+
+def from_arrays(context, position, indices=None, normal=None, uv=None, color=None, texture=None, material=None,
+                cull="none", local=None, **values):
+    """A part from arrays. `color` is one colour, or one for each vertex: integers are sRGB codes, floats are linear."""
+    position = floats(position, 3, "position")
+    columns = {name: floats(value, width, name) for name, value, width in (("normal", normal, 3), ("uv", uv, 2))
+               if value is not None}
+    for name, column in columns.items():
+        if len(column) != len(position):
+            raise ValueError(f"{name}: {len(column)} rows, not {len(position)}")
+    if indices is not None:
+        columns["indices"] = triangles(indices, len(position), "indices")
+    rgba = None if color is None else linear_color(color)
+    if rgba is not None and rgba.ndim == 2:
+        if len(rgba) != len(position):
+            raise ValueError(f"color: {len(rgba)} rows, not {len(position)}")
+        if texture is not None:
+            raise ValueError("color: one colour if there is a texture, not one for each vertex")
+        columns["attributes"] = list(np.ascontiguousarray(rgba.T, np.float32))
+    if any(target == "normal" for target, *_ in values.get("maps", ())):
+        columns["flags"] = "tangents"
+    if material is None:
+        material = _look(context, rgba, texture, values)
+    elif values:
+        raise TypeError(f"add: {', '.join(values)} cannot change a material")
+    else:
+        material = Fixed(material)
+    return Part(Mesh(context, position, **columns), material, local, {"cull": cull})
+
+
+def _look(context, rgba, texture, values):
+    per_vertex = rgba is not None and rgba.ndim == 2
+    if per_vertex and (rgba[:, 3] < 1).any():
+        values.setdefault("blend", "sorted")
+    return make_look(context, None if per_vertex else rgba, texture, per_vertex, **values)
+
+
+def _surface(item, linear_codes=False):
+    """Colours or texture of a mesh of trimesh, by the names of the attributes of its `visual`."""
+    visual = getattr(item, "visual", None)
+    if visual is None or getattr(visual, "defined", True) is False:
+        return None, {}
+    kind = getattr(visual, "kind", None)
+    if kind is None:
+        kind = "texture" if getattr(visual, "material", None) is not None else "vertex"
+    if kind == "texture":
+        uv = getattr(visual, "uv", None)
+        found = options_of(visual.material)
+        if uv is None:  # textures have no place
+            found.update(texture=None, maps=[])
+        else:
+            uv = np.asarray(uv, np.float64)[:, :2] * (1, -1) + (0, 1)  # v of trimesh grows upwards
+        return kind, {"uv": uv, **found}
+    colors = getattr(visual, f"{kind}_colors", None)
+    if colors is None:
+        return None, {}
+    colors = np.asarray(colors)
+    return kind, {"color": colors / 255 if linear_codes and colors.dtype.kind in "iu" else colors}
+
+
+def _unshared(columns, surface, kind):
+    """Columns and colours of triangles that share no vertices, so that each has its own normal or colour."""
+    corners = columns["indices"].reshape(-1)
+    made = {name: np.asarray(columns[name])[corners] for name in ("position", "normal") if columns[name] is not None}
+    surface = dict(surface)
+    if surface.get("uv") is not None:
+        surface["uv"] = surface["uv"][corners]
+    if np.ndim(surface.get("color")) == 2:
+        surface["color"] = np.repeat(surface["color"], 3, axis=0) if kind == "face" else surface["color"][corners]
+    return made, surface
+
+
+def from_trimesh(context, item, smooth=True, material=None, local=None, linear_codes=False, replace=None, **values):
+    """A part from an object like trimesh.Trimesh: vertices, faces, vertex_normals and visual.
+
+    `linear_codes` means that integers of colours are linear. `replace` has options that replace those of its material.
+    """
+    position = floats(item.vertices, 3, "vertices")
+    faces = triangles(item.faces, len(position), "faces")
+    kind, surface = _surface(item, linear_codes)
+    if replace is not None:
+        surface = {**{k: v for k, v in surface.items() if k == "uv"}, **replace}
+    normals = getattr(item, "vertex_normals", None) if smooth else None
+    columns = {"position": position, "indices": faces, "normal": normals}
+    if not smooth or kind == "face":
+        columns, surface = _unshared(columns, surface, kind)
+    if material is not None:
+        surface = {k: v for k, v in surface.items() if k == "uv"}
+    return from_arrays(context, **columns, **{**surface, **values}, material=material, local=local)
+
+
+def parts_of(context, item, **values):
+    """The parts of an object: a mesh of trimesh, a scene of trimesh, or a Mesh of shd with a material."""
+    if isinstance(item, Mesh):
+        material = values.pop("material", None)
+        return [Part(item, make_look(context, **values) if material is None else Fixed(material))]
+    if hasattr(item, "vertices") and hasattr(item, "faces"):
+        return [from_trimesh(context, item, **values)]
+    if hasattr(item, "geometry") and hasattr(item, "graph"):
+        parts = []
+        for node in item.graph.nodes_geometry:
+            local, name = item.graph[node]
+            if hasattr(item.geometry[name], "faces"):
+                parts.append(from_trimesh(context, item.geometry[name], local=matrix(local, f"graph[{node!r}]"),
+                                          **values))
+        return parts
+    raise TypeError(f"add: a mesh or scene of trimesh, a path, a Mesh or arrays, not {type(item).__name__}")
+
+
+def from_scene(context, scene, **values):
+    """The parts of a model file. Options are those of file_look()."""
+    looks = [file_look(context, desc, **values) for desc in scene.material_descs]
+    meshes = scene.meshes
+    return [Part(meshes[i.mesh], looks[i.material], np.float64(i.object_to_world)) for i in scene.instances]

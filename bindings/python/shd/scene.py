@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""Model files: meshes, materials, textures, lights and cameras. Needs the component libshd_scene."""
+import ctypes
+
+import numpy as np
+
+from . import _api
+from ._convert import enum_value, text_bytes
+from ._desc import desc_type, read_struct
+from ._objects import Light, Material, Mesh, Object, Sampler, make_desc
+from ._texture import Texture
+
+_HANDLES = {"shd_texture": Texture, "shd_sampler": Sampler, "shd_mesh": Mesh, "shd_material": Material}
+
+
+def _matrix(values):
+    """A matrix of C, columns first, as an array [row][column]."""
+    return np.array(values, np.float32).reshape(4, 4).T.copy()
+
+
+class Scene(Object):
+    """Scene(context, "model.glb", ...): the contents of a model file.
+
+    The parts are ordinary objects and descs, which may be used longer than the scene:
+
+        scene = shd.Scene(context, "model.glb")
+        shd.render(context, framebuffer, scene.draws, lights=scene.lights, camera=scene.cameras[0])
+    """
+
+    _kind = "shd_scene"
+
+    def __init__(self, context, path, desc=None, **values):
+        keep = []
+        built = make_desc("shd_scene_desc", desc, values).build(keep)
+        self._adopt(keep, _api.lib.shd_scene_load, context.handle("shd_context", keep), text_bytes(path, "path"),
+                    ctypes.addressof(built))
+        self._info_values = self._info("shd_scene_info")
+
+    @property
+    def info(self) -> dict:
+        """Counts and bounds, as a dict."""
+        self.handle(self._kind, [])
+        return dict(self._info_values)
+
+    def _texts(self, function, count, *arguments):
+        keep = []  # another thread may close the scene
+        handle = self.handle(self._kind, keep)
+        return [function(handle, *arguments, i).decode("utf-8", "replace") for i in range(count)]
+
+    @property
+    def warnings(self) -> list:
+        """Parts of the file that were left out or changed, one text each."""
+        return self._texts(_api.lib.shd_scene_warning, self.info["warning_count"])
+
+    def names(self, part) -> list:
+        """The names of the parts of a kind: names("mesh"), "material", "texture" (a path), "light" or "camera"."""
+        kind = _api.enum_type("shd_scene_part")(enum_value("shd_scene_part", part, "part"))
+        return self._texts(_api.lib.shd_scene_name, self.info[f"{kind.name.lower()}_count"], int(kind))
+
+    def _objects(self, kind):
+        get, name = getattr(_api.lib, f"shd_scene_{kind._kind[4:]}"), kind._kind[4:]
+        keep = []
+        handle = self.handle(self._kind, keep)
+        return [kind.borrowed(get(handle, i), keep) for i in range(self.info[f"{name}_count"])]
+
+    @property
+    def meshes(self) -> list:
+        return self._objects(Mesh)
+
+    @property
+    def materials(self) -> list:
+        return self._objects(Material)
+
+    @property
+    def textures(self) -> list:
+        return self._objects(Texture)
+
+    @property
+    def lights(self) -> list:
+        return self._objects(Light)
+
+    def _structs(self, function, struct, count):
+        made, keep = [], []
+        handle = self.handle(self._kind, keep)
+        for i in range(self.info[count]):
+            made.append(_api.new(struct))
+            _api.check(function(handle, i, ctypes.addressof(made[-1])))
+        return made
+
+    @property
+    def cameras(self) -> list:
+        """The cameras of the file, as a list of Camera."""
+        structs = self._structs(_api.lib.shd_scene_get_camera, "shd_camera", "camera_count")
+        return [desc_type("shd_camera")(**read_struct("shd_camera", s)) for s in structs]
+
+    @property
+    def instances(self) -> list:
+        """The instances of the file, as a list of SceneInstance: indices of a mesh and a material, and a matrix."""
+        structs = self._structs(_api.lib.shd_scene_get_instance, "shd_scene_instance", "instance_count")
+        return [desc_type("shd_scene_instance")(mesh=s.mesh, material=s.material,
+                                                object_to_world=_matrix(s.object_to_world)) for s in structs]
+
+    @property
+    def draws(self) -> list:
+        """The instances of the file, as a list of Draw with mesh, material and object_to_world."""
+        meshes, materials = self.meshes, self.materials
+        return [desc_type("shd_draw")(mesh=meshes[i.mesh], material=materials[i.material],
+                                      object_to_world=i.object_to_world) for i in self.instances]
+
+    @property
+    def light_descs(self) -> list:
+        """The descs of the lights, for variants of them."""
+        structs = self._structs(_api.lib.shd_scene_get_light_desc, "shd_light_desc", "light_count")
+        return [self._desc("shd_light_desc", s) for s in structs]
+
+    @property
+    def material_descs(self) -> list:
+        """The descs of the materials with their slots, for variants of them."""
+        structs = self._structs(_api.lib.shd_scene_get_material_desc, "shd_material_desc", "material_count")
+        return [self._desc("shd_material_desc", s) for s in structs]
+
+    def _desc(self, struct, made):
+        """A desc from a struct of the library: numbers, objects and slots, without programs."""
+        keep, values = [], {}
+        self.handle(self._kind, keep)
+        for name, value in read_struct(struct, made).items():
+            field = desc_type(struct)._fields[name]
+            base = field["type"].replace("const", "").replace("*", "").strip()
+            if base in _HANDLES:
+                values[name] = _HANDLES[base].borrowed(value, keep)
+            elif name == "slots" and value:
+                rows = (_api.struct_type("shd_slot") * made.slot_count).from_address(value)
+                values[name] = [self._desc("shd_slot", row) for row in rows]
+            elif "*" in field["type"] or base in _api.callbacks or isinstance(value, dict):
+                continue
+            elif name == "place_transform":
+                values[name] = _matrix(value)
+            elif name not in ("slot_count", "varying_count"):
+                values[name] = value
+        return desc_type(struct)(**{k: v for k, v in values.items() if v is not None})
