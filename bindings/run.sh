@@ -66,6 +66,7 @@ fi
 
 say "speed"
 python3 bindings/programs.py speed "$build/bindings/programs.list"
+SHD_LIBRARY=$build/src/libshd.so /usr/bin/python3 bindings/python/start_time.py
 say "summary"
 table "$build/bindings.xml"
 [ -z "$arm" ] || echo "$arm"
