@@ -6,6 +6,7 @@ set(SHD_MAINTAINER "The shd authors <shd@shd.invalid>" CACHE STRING "Maintainer 
 set(soname_version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${SHD_MAINTAINER}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # the descriptions below have a summary of their own
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
@@ -50,8 +51,8 @@ endif()
 if(TARGET shd_io)
   shd_deb(shd_io libshd-io${soname_version} libs "image and volume files for shd, by OpenImageIO
 ${about}
-This package has libshd_io. It loads and saves images, textures and volumes,
-in a process of its own if the program wishes." shd)
+This package has libshd_io. It loads and saves images, textures and volumes.
+Files can be decoded in a process of its own." shd)
 endif()
 if(TARGET shd_scene)
   shd_deb(shd_scene libshd-scene${soname_version} libs "model files for shd, by assimp

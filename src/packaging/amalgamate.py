@@ -10,6 +10,7 @@ at run time: Highway's foreach_target.h includes it once more for each instructi
 kernels are therefore one part of the file, which is compiled each time. Plain headers come before it and plain sources
 after it; both are compiled once.
 """
+import functools
 import pathlib
 import re
 import sys
@@ -27,6 +28,7 @@ HIGHWAY = re.compile(r"^#undef HWY_TARGET_INCLUDE\n|^#define HWY_TARGET_INCLUDE 
 ONCE = re.compile(r"^#if HWY_ONCE\b[^\n]*\n(.*)^#endif\b[^\n]*\n\Z", re.S | re.M)
 
 
+@functools.lru_cache(maxsize=None)
 def read(path):
     return path.read_text(encoding="utf-8")
 
@@ -47,6 +49,7 @@ def find(name):
     return ROOT / "include" / name if name.startswith("shd/") else SRC / name
 
 
+@functools.lru_cache(maxsize=None)
 def includes(path):
     return [a or b for a, b in LOCAL.findall(read(path))]
 

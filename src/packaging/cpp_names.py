@@ -171,6 +171,8 @@ def declarations(text):
 
 def rename(text, new_names):
     """The text with names replaced, except members and qualified names, comments and strings."""
+    if not new_names:
+        return text
     out, last, previous = [], 0, ""
     for match in TOKEN.finditer(text):
         kind, token = match.lastgroup, match.group()

@@ -45,7 +45,7 @@ def debian_changelog(version, maintainer, when):
             lines += [f"  [ {title} ]"]
             lines += [line for item in items for line in
                       textwrap.wrap(item, 76, initial_indent="  * ", subsequent_indent="    ")] + [""]
-    date = email.utils.formatdate(when)
+    date = email.utils.formatdate(when).replace("-0000", "+0000")
     return "\n".join([*lines, f" -- {maintainer}  {date}"]) + "\n"
 
 

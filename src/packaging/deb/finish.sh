@@ -5,6 +5,7 @@
 # Usage: finish.sh package.deb...
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(stat -c %Y "$here/../../../CHANGELOG.md")} # dpkg-deb writes it, too
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
