@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene embree), pkg-config files and documentation.
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene embree), pkg-config files, documents.
 include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)

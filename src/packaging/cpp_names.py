@@ -89,8 +89,9 @@ def names_of_value(items):
             i = skip_angles(items, i)
         elif token in ("(", "=", "[", "{", ","):
             # A name follows a type; a macro call such as HWY_EXPORT(name) and a qualified name do not count.
-            if seen > 0 and is_word(items[i - 1]) and items[i - 2] not in ("::", ".", "->") and items[i - 1] != "operator":
-                yield items[i - 1]
+            name = items[i - 1]
+            if seen > 0 and is_word(name) and name != "operator" and items[i - 2] not in ("::", ".", "->"):
+                yield name
             if token == "(" and seen:
                 return
             while i < len(items) and items[i] != ",":

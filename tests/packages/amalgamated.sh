@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2154,SC2034
 # libshd as one source, compiled with one command; sourced by run.sh. The source has two SIMD targets here, as in the
 # preset core, and one in a second build without libhwy.
 rm -rf "$WORK"

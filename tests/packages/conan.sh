@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2154,SC2034
 # The recipe of Conan 2; sourced by run.sh. One SIMD target, which is quick to compile.
 recipe=$SOURCE/src/packaging/conan/conanfile.py
 rm -rf "$WORK"
@@ -28,7 +29,8 @@ with_harness() {
   local flags
   say "conan is not on PATH (PyPI: conan; no Debian package): a harness runs the recipe"
   export CCACHE_BASEDIR=$WORK
-  export HARNESS_CMAKE_OPTIONS="-DCMAKE_C_COMPILER=$CC -DCMAKE_CXX_COMPILER=$CXX -DCMAKE_CXX_COMPILER_LAUNCHER=$LAUNCHER"
+  HARNESS_CMAKE_OPTIONS="-DCMAKE_C_COMPILER=$CC -DCMAKE_CXX_COMPILER=$CXX"
+  export HARNESS_CMAKE_OPTIONS+=" -DCMAKE_CXX_COMPILER_LAUNCHER=$LAUNCHER"
   "$PYTHON" "$here/conan_harness.py" "$recipe" --archive "$WORK/shd.tar.gz" --work "$WORK" | tee "$WORK/harness.log"
   read -ra flags <<<"$(tail -n 1 "$WORK/harness.log")"
   rm -rf "$WORK/build" "$WORK/src" # the package needs neither

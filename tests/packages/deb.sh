@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2154,SC2034
 # Debian packages by CPack, and their installation in a chroot of Debian 12; sourced by run.sh.
 command -v dpkg-shlibdeps >/dev/null || skip "no dpkg-shlibdeps (Debian: dpkg-dev)"
 command -v file >/dev/null || skip "no file (Debian: file)"
@@ -51,8 +52,8 @@ purge_all() {
 install_built() {
   local name files=()
   for name in "$@"; do files+=("/packages/$name"); done
-  inside env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${files[@]}" >"$WORK/apt.log" ||
-    { cat "$WORK/apt.log" && exit 1; }
+  inside env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${files[@]}" \
+    >"$WORK/apt.log" 2>&1 || { cat "$WORK/apt.log" && exit 1; }
 }
 
 run_in_chroot() {
@@ -75,7 +76,6 @@ run_in_chroot() {
   say "every package"
   (cd "$WORK/packages" && install_built ./*.deb)
   for name in hello programs; do
-    # shellcheck disable=SC2016 # the shell inside expands it
     inside sh -c "cd /packages && gcc -std=c99 -O2 $name.c -o $name \$(pkg-config --cflags --libs shd)"
   done
   inside /packages/hello
@@ -91,10 +91,10 @@ run_in_chroot() {
 check_component() {
   local object=$1
   [ "$1" != io ] || object=bitmap
-  printf '#include <stddef.h>\n#include <shd/%s.h>\nint main(void) { shd_%s_release(NULL); return 0; }\n' "$1" "$object" \
-    >"$root/packages/component.c"
-  # shellcheck disable=SC2016 # the shell inside expands it
-  inside sh -c "cd /packages && gcc -std=c99 component.c -o component \$(pkg-config --cflags --libs shd_$1) && ./component"
+  printf '#include <stddef.h>\n#include <shd/%s.h>\nint main(void) { shd_%s_release(NULL); return 0; }\n' "$1" \
+    "$object" >"$root/packages/component.c"
+  inside sh -c "cd /packages && gcc -std=c99 component.c -o component \$(pkg-config --cflags --libs shd_$1)"
+  inside /packages/component
   echo "libshd_$1 starts"
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# A project that fetches an archive of the sources with CMake's FetchContent; sourced by run.sh. One SIMD target, which is
-# quick to compile.
+# shellcheck shell=bash disable=SC2154,SC2034
+# A project that fetches an archive of the sources with CMake's FetchContent; sourced by run.sh. One SIMD target, which
+# is quick to compile.
 rm -rf "$WORK"
 mkdir -p "$WORK"
 write_archive "$WORK/shd.tar.gz"

@@ -82,7 +82,7 @@ run_all() {
 stages=(deb vcpkg conan fetchcontent amalgamated)
 [ $# -ne 0 ] || run_all "${stages[@]}"
 [ $# -eq 1 ] || run_all "$@"
-[ -f "$here/$1.sh" ] && [ "$1" != run ] || die "no stage $1; the stages are ${stages[*]}"
+[[ " ${stages[*]} " == *" $1 "* ]] || die "no stage $1; the stages are: ${stages[*]}"
 mkdir -p "$WORK/$1"
 WORK=$WORK/$1
 # shellcheck source=/dev/null

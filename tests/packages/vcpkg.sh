@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2154,SC2034
 # The port of vcpkg; sourced by run.sh. One SIMD target, which is quick to compile.
 port=$SOURCE/src/packaging/vcpkg/shd
 rm -rf "$WORK"
@@ -27,9 +28,10 @@ with_harness() {
   say "vcpkg is not on PATH (no Debian package): a harness runs the port"
   # The port's build and its sources lie in one folder, for the compiler's cache.
   export CCACHE_BASEDIR=$WORK/buildtrees/shd
+  options="-DSHD_SIMD=scalar;-DCMAKE_C_COMPILER=$CC;-DCMAKE_CXX_COMPILER=$CXX"
+  options+=";-DCMAKE_CXX_COMPILER_LAUNCHER=$LAUNCHER"
   "$CMAKE" "-DPORT_DIR=$port" "-DARCHIVE=$WORK/shd.tar.gz" "-DWORK=$WORK" -DFEATURES=tbb "-DJOBS=$JOBS" \
-    "-DOPTIONS=-DSHD_SIMD=scalar;-DCMAKE_C_COMPILER=$CC;-DCMAKE_CXX_COMPILER=$CXX;-DCMAKE_CXX_COMPILER_LAUNCHER=$LAUNCHER" \
-    -P "$here/vcpkg_harness.cmake"
+    "-DOPTIONS=$options" -P "$here/vcpkg_harness.cmake"
   # vcpkg, too, moves a package after its build.
   prefix=$WORK/installed/x64-linux-release
   mkdir -p "$WORK/installed"

@@ -4,8 +4,9 @@
 
     documents.py FOLDER --version VERSION --maintainer "NAME <ADDRESS>"
 
-copyright is in the machine-readable format 1.0 of Debian. changelog.gz is CHANGELOG.md. changelog.Debian.gz has an entry
-with the first sentences of the newest version of CHANGELOG.md. The date is that of CHANGELOG.md, or SOURCE_DATE_EPOCH.
+copyright is in the machine-readable format 1.0 of Debian. changelog.gz is CHANGELOG.md. changelog.Debian.gz has an
+entry with the first sentences of the newest version of CHANGELOG.md. The date is that of CHANGELOG.md, or
+SOURCE_DATE_EPOCH.
 """
 import argparse
 import email.utils
