@@ -26,6 +26,7 @@ check_with_lintian() {
     return
   fi
   lintian --allow-root --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs "$WORK/packages/"*.deb
+  echo "lintian: no error, no warning"
 }
 
 # Without root or debootstrap: the packages unpacked, and a search path.
