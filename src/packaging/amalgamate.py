@@ -54,12 +54,25 @@ def includes(path):
     return [a or b for a, b in LOCAL.findall(read(path))]
 
 
+@functools.lru_cache(maxsize=None)
+def earlier():
+    """For a header, those that must come before it. A list of includes between the marks of clang-format has an order:
+    templates of the later ones call overloads of functions that the earlier ones declare."""
+    result = {}
+    for path in sorted(SRC.rglob("*.h")):
+        for part in re.findall(r"// clang-format off\n(.*?)// clang-format on\n", read(path), re.S):
+            names = [a or b for a, b in LOCAL.findall(part)]
+            for i, name in enumerate(names):
+                result.setdefault(name, []).extend(names[:i])
+    return result
+
+
 def closure(names, seen):
     """The headers that are included, each after those that it includes."""
     for name in names:
         if name not in seen:
             seen[name] = None  # first, against cycles; put in its place below
-            closure(includes(find(name)), seen)
+            closure(earlier().get(name, []) + includes(find(name)), seen)
             del seen[name]
             seen[name] = None
     return list(seen)
