@@ -19,7 +19,8 @@ run_golden() {
     return
   fi
   "$CC" -std=c99 -O1 "-DSHD_GOLDEN_DIR=\"$SOURCE/tests/golden\"" "-I$SOURCE/tests" "-I$WORK/include" "-I$WORK" \
-    "$SOURCE/tests/api/test_determinism.c" "$WORK/$name.o" -o "$WORK/$name/determinism" -lcmocka -lstdc++ -lm -pthread "$@"
+    "$SOURCE/tests/api/test_determinism.c" "$WORK/$name.o" -o "$WORK/$name/determinism" -lcmocka -lstdc++ -lm \
+    -pthread "$@"
   "$WORK/$name/determinism" >"$WORK/$name/determinism.log" 2>&1 || { cat "$WORK/$name/determinism.log" && exit 1; }
   echo "golden hashes: equal"
 }

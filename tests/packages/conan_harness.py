@@ -22,8 +22,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "conan_stand_in
 import conan
 from conan.errors import ConanInvalidConfiguration
 
-# Where a component of a requirement is on this system: a name of pkg-config.
-SYSTEM = {"highway::hwy": "libhwy", "onetbb::libtbb": "tbb", "opencolorio::opencolorio": "OpenColorIO",
+# Where a requirement is on this system: a name of pkg-config.
+SYSTEM = {"highway::highway": "libhwy", "onetbb::onetbb": "tbb", "opencolorio::opencolorio": "OpenColorIO",
           "openimageio::openimageio": "OpenImageIO", "assimp::assimp": "assimp"}
 
 

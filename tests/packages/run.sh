@@ -39,10 +39,9 @@ version() { sed -n 's/^project(shd VERSION \([0-9.]*\).*/\1/p' "$SOURCE/CMakeLis
 
 # file: an archive of the tracked sources as they are in the working tree, with the folder shd-<version>
 write_archive() {
-  local tree
   git -C "$SOURCE" rev-parse --git-dir >/dev/null 2>&1 || skip "the sources are no clone of git"
-  tree=$(git -C "$SOURCE" -c user.name=shd -c user.email=shd@shd.invalid stash create)
-  git -C "$SOURCE" archive --format=tar.gz --prefix="shd-$(version)/" -o "$1" "${tree:-HEAD}"
+  git -C "$SOURCE" ls-files -z |
+    tar --create --gzip --file "$1" --directory "$SOURCE" --null --files-from - --transform "flags=r;s,^,shd-$(version)/,"
 }
 
 # command...: it prints the stored hashes

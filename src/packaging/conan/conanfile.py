@@ -82,7 +82,7 @@ class ShdConan(ConanFile):
         deps = CMakeDeps(self)
         # The names of Highway's own CMake package.
         deps.set_property("highway", "cmake_file_name", "hwy")
-        deps.set_property("highway::hwy", "cmake_target_name", "hwy::hwy")
+        deps.set_property("highway", "cmake_target_name", "hwy::hwy")
         deps.generate()
         PkgConfigDeps(self).generate()  # OpenColorIO, OpenImageIO and assimp are found by pkg-config
 
@@ -99,7 +99,7 @@ class ShdConan(ConanFile):
 
     def package_info(self):
         self.cpp_info.set_property("cmake_file_name", "shd")
-        self._component("shd", "shd", ["highway::hwy"] + (["onetbb::libtbb"] if self.options.with_tbb else []))
+        self._component("shd", "shd", ["highway::highway"] + (["onetbb::onetbb"] if self.options.with_tbb else []))
         self.cpp_info.components["shd"].system_libs = ["m", "pthread"]
         library = stdcpp_library(self)
         if library and not self.options.shared:
