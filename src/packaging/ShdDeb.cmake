@@ -3,6 +3,14 @@
 # of this folder has the commands. deb/finish.sh completes each package with what CPack does not write.
 set(SHD_MAINTAINER "The shd authors <shd@shd.invalid>" CACHE STRING "Maintainer of the Debian packages")
 
+if(NOT SHD_BUILD_SHARED)
+  message(FATAL_ERROR "SHD_BUILD_SHARED is OFF; the Debian packages are of shared libraries")
+elseif(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  message(FATAL_ERROR "CMAKE_INSTALL_PREFIX is ${CMAKE_INSTALL_PREFIX}; the prefix of Debian packages is /usr")
+elseif(NOT CMAKE_SKIP_INSTALL_RPATH)
+  message(FATAL_ERROR "CMAKE_SKIP_INSTALL_RPATH is OFF; files of Debian packages have no search path")
+endif()
+
 set(soname_version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "${SHD_MAINTAINER}")

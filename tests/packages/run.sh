@@ -41,7 +41,8 @@ version() { sed -n 's/^project(shd VERSION \([0-9.]*\).*/\1/p' "$SOURCE/CMakeLis
 write_archive() {
   git -C "$SOURCE" rev-parse --git-dir >/dev/null 2>&1 || skip "the sources are no clone of git"
   git -C "$SOURCE" ls-files -z |
-    tar --create --gzip --file "$1" --directory "$SOURCE" --null --files-from - --transform "flags=r;s,^,shd-$(version)/,"
+    tar --create --gzip --file "$1" --directory "$SOURCE" --null --files-from - \
+      --transform "flags=r;s,^,shd-$(version)/,"
 }
 
 # command...: it prints the stored hashes
