@@ -174,14 +174,14 @@ TOP = """
  *
  *   (nothing)                   the baseline, SSE4, AVX2 and AVX-512; chosen at run time
  *   -DSHD_SIMD_FEW              the baseline and AVX2; chosen at run time
- *   -DHWY_COMPILE_ONLY_STATIC   the instruction set of the command (-march=...) alone; no choice, and no -lhwy
+ *   -DHWY_COMPILE_ONLY_STATIC   the best of them that -march=... allows; no choice at run time, and no -lhwy
  *
  * -DSHD_WITH_TBB adds the executor of oneTBB (-ltbb), -DSHD_WITH_EIGEN harmonic coordinates (-isystem of Eigen).
  */
 #ifndef SHD_AMALGAMATED
 #define SHD_AMALGAMATED
 #define SHD_FORMAT_KERNELS
-#if !defined(HWY_COMPILE_ONLY_STATIC) && !defined(HWY_COMPILE_ONLY_SCALAR) && !defined(HWY_DISABLED_TARGETS)
+#if !defined(HWY_COMPILE_ONLY_SCALAR) && !defined(HWY_DISABLED_TARGETS)
 #ifdef SHD_SIMD_FEW
 #define HWY_DISABLED_TARGETS (~(@FEW@))
 #else
