@@ -1,22 +1,25 @@
 # SPDX-License-Identifier: MIT
-# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene embree), pkg-config files and documentation.
+# Install rules: libraries, headers, find_package(shd COMPONENTS color io scene embree), pkg-config files, documents.
 include(CMakePackageConfigHelpers)
 
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shd)
 
-# One export file per component, so that a component's absent dependency does not break the others.
+# One export file per component, so that a component's absent dependency does not break the others. The components of
+# install() are the packages of packaging/ShdDeb.cmake: one per library, and dev, doc and tools.
 foreach(target IN LISTS shd_targets)
-  install(TARGETS ${target} EXPORT ${target}Targets FILE_SET HEADERS
-          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT ${target}Targets NAMESPACE shd:: DESTINATION ${cmake_dir})
+  install(TARGETS ${target} EXPORT ${target}Targets FILE_SET HEADERS COMPONENT dev
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${target} NAMELINK_COMPONENT dev
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${target}
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT ${target}Targets NAMESPACE shd:: DESTINATION ${cmake_dir} COMPONENT dev)
 endforeach()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/src/shdConfig.cmake.in ${PROJECT_BINARY_DIR}/shdConfig.cmake
                               INSTALL_DESTINATION ${cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/shdConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/shdConfig.cmake ${PROJECT_BINARY_DIR}/shdConfigVersion.cmake
-        DESTINATION ${cmake_dir})
+        DESTINATION ${cmake_dir} COMPONENT dev)
 
 # The .pc files find their prefix from where they lie, so that `cmake --install --prefix` and moved trees work.
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
@@ -40,7 +43,7 @@ function(shd_pkg_config name description private_requires requires)
     set(PC_LIBS_EXTRA "${ARGN} -lstdc++ -lm -pthread")
   endif()
   configure_file(${PROJECT_SOURCE_DIR}/src/shd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 endfunction()
 
 if(SHD_WITH_TBB)
@@ -73,8 +76,13 @@ endif()
 # Licence, manual and examples. The links between them are those of the source tree.
 set(doc_dir ${CMAKE_INSTALL_DATAROOTDIR}/doc/shd)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-        DESTINATION ${doc_dir})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${doc_dir}
+        DESTINATION ${doc_dir} COMPONENT doc)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${doc_dir} COMPONENT doc
         FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "cheatsheet.html")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc_dir}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc_dir} COMPONENT doc
         FILES_MATCHING PATTERN "*.c" PATTERN "*.h" PATTERN "*.png")
+
+option(SHD_DEB "Set up CPack for Debian packages" OFF)
+if(SHD_DEB)
+  include(${PROJECT_SOURCE_DIR}/src/packaging/ShdDeb.cmake)
+endif()

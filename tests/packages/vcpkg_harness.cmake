@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+# Runs the port of vcpkg without vcpkg: functions of the same names do what vcpkg documents for one triplet,
+# x64-linux-release (static libraries, no debug build). The archive replaces the download. Dependencies are those of the
+# system. What this cannot show: versions of vcpkg's other ports, other triplets, and vcpkg's own checks.
+#
+#   cmake -DPORT_DIR= -DARCHIVE= -DWORK= -DFEATURES=tbb -DOPTIONS= -DJOBS=1 -P vcpkg_harness.cmake
+#
+# After: microsoft/vcpkg, "Maintainer functions", learn.microsoft.com/vcpkg/maintainers/functions (2022-2025).
+cmake_minimum_required(VERSION 3.23)
+
+set(TARGET_TRIPLET x64-linux-release)
+set(VCPKG_BUILD_TYPE release)
+set(VCPKG_LIBRARY_LINKAGE static)
+set(CURRENT_BUILDTREES_DIR ${WORK}/buildtrees/shd)
+set(CURRENT_PACKAGES_DIR ${WORK}/packages/shd_${TARGET_TRIPLET})
+file(REMOVE_RECURSE ${CURRENT_PACKAGES_DIR})
+
+file(READ ${PORT_DIR}/vcpkg.json manifest)
+string(JSON PORT GET "${manifest}" name)
+string(JSON VERSION GET "${manifest}" version)
+
+# The names of an array of dependencies: texts, or objects with a name.
+function(read_names json out)
+  set(names "")
+  string(JSON count LENGTH "${json}")
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    string(JSON type TYPE "${json}" ${i})
+    if(type STREQUAL "STRING")
+      string(JSON name GET "${json}" ${i})
+    else()
+      string(JSON name GET "${json}" ${i} name)
+    endif()
+    list(APPEND names ${name})
+  endforeach()
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
+string(JSON dependencies GET "${manifest}" dependencies)
+read_names("${dependencies}" helper_ports)
+
+# The port that has a function must be a dependency.
+function(need_port port)
+  if(NOT port IN_LIST helper_ports)
+    message(FATAL_ERROR "vcpkg.json does not depend on ${port}")
+  endif()
+endfunction()
+
+macro(parse flags one many)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "${flags}" "${one}" "${many}")
+  if(DEFINED arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${CMAKE_CURRENT_FUNCTION}: unknown arguments ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+endmacro()
+
+function(need)
+  foreach(name IN LISTS ARGN)
+    if("${arg_${name}}" STREQUAL "")
+      message(FATAL_ERROR "${name} is missing")
+    endif()
+  endforeach()
+endfunction()
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# The folder inside the archive is the root of the sources.
+function(vcpkg_from_github)
+  parse("" "OUT_SOURCE_PATH;REPO;REF;SHA512;HEAD_REF" "PATCHES")
+  need(OUT_SOURCE_PATH REPO REF SHA512)
+  if(NOT arg_REF STREQUAL "v${VERSION}")
+    message(FATAL_ERROR "REF is ${arg_REF}, not v${VERSION}")
+  endif()
+  file(REMOVE_RECURSE ${CURRENT_BUILDTREES_DIR}/src)
+  file(ARCHIVE_EXTRACT INPUT ${ARCHIVE} DESTINATION ${CURRENT_BUILDTREES_DIR}/src)
+  file(GLOB folders ${CURRENT_BUILDTREES_DIR}/src/*)
+  set(${arg_OUT_SOURCE_PATH} ${folders} PARENT_SCOPE)
+endfunction()
+
+function(vcpkg_check_features)
+  parse("" "OUT_FEATURE_OPTIONS;PREFIX" "FEATURES;INVERTED_FEATURES")
+  need(OUT_FEATURE_OPTIONS FEATURES)
+  set(options "")
+  while(arg_FEATURES)
+    list(POP_FRONT arg_FEATURES feature variable)
+    string(JSON description GET "${manifest}" features ${feature} description)  # an error if there is none
+    if(feature IN_LIST FEATURES)
+      list(APPEND options -D${variable}=ON)
+    else()
+      list(APPEND options -D${variable}=OFF)
+    endif()
+  endwhile()
+  set(${arg_OUT_FEATURE_OPTIONS} ${options} PARENT_SCOPE)
+endfunction()
+
+function(vcpkg_find_acquire_program variable)
+  if(NOT variable STREQUAL "PKGCONFIG")
+    message(FATAL_ERROR "vcpkg_find_acquire_program: the harness has no ${variable}")
+  endif()
+  find_program(PKGCONFIG NAMES pkg-config pkgconf REQUIRED)
+endfunction()
+
+# vcpkg fails if the project does not use a variable that the port sets.
+function(check_used_variables log)
+  file(READ ${log} text)
+  if(text MATCHES "Manually-specified variables were not used by the project:\n\n([^\n]+(\n [^\n]+)*)")
+    string(REGEX MATCHALL "[A-Za-z_][A-Za-z0-9_]*" unused "${CMAKE_MATCH_1}")
+    list(REMOVE_ITEM unused ${ARGN} CMAKE_INSTALL_BINDIR)
+    if(unused)
+      message(FATAL_ERROR "the project does not use ${unused}")
+    endif()
+  endif()
+endfunction()
+
+function(vcpkg_cmake_configure)
+  need_port(vcpkg-cmake)
+  parse("DISABLE_PARALLEL_CONFIGURE;NO_CHARSET_FLAG;WINDOWS_USE_MSBUILD" "SOURCE_PATH;LOGFILE_BASE;GENERATOR"
+        "OPTIONS;OPTIONS_RELEASE;OPTIONS_DEBUG;MAYBE_UNUSED_VARIABLES")
+  need(SOURCE_PATH)
+  set(log ${CURRENT_BUILDTREES_DIR}/config.log)
+  set(tree ${CURRENT_BUILDTREES_DIR}/${TARGET_TRIPLET}-rel)
+  file(REMOVE_RECURSE ${tree})
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${arg_SOURCE_PATH} -B ${tree} -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_INSTALL_PREFIX=${CURRENT_PACKAGES_DIR} -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_LIBDIR:STRING=lib
+    -DCMAKE_INSTALL_BINDIR:STRING=bin ${arg_OPTIONS} ${arg_OPTIONS_RELEASE} ${OPTIONS}
+    RESULT_VARIABLE result OUTPUT_FILE ${log} ERROR_FILE ${log})
+  if(result)
+    file(READ ${log} text)
+    message(FATAL_ERROR "configure failed:\n${text}")
+  endif()
+  check_used_variables(${log} ${arg_MAYBE_UNUSED_VARIABLES})
+endfunction()
+
+function(vcpkg_cmake_install)
+  need_port(vcpkg-cmake)
+  parse("DISABLE_PARALLEL;ADD_BIN_TO_PATH" "" "")
+  run(${CMAKE_COMMAND} --build ${CURRENT_BUILDTREES_DIR}/${TARGET_TRIPLET}-rel --target install -j ${JOBS})
+endfunction()
+
+# The files of CMake move to share/<package>, two folders below the prefix.
+function(vcpkg_cmake_config_fixup)
+  need_port(vcpkg-cmake-config)
+  parse("DO_NOT_DELETE_PARENT_CONFIG_PATH;NO_PREFIX_CORRECTION" "PACKAGE_NAME;CONFIG_PATH" "")
+  if(NOT arg_PACKAGE_NAME)
+    set(arg_PACKAGE_NAME ${PORT})
+  endif()
+  set(share ${CURRENT_PACKAGES_DIR}/share/${arg_PACKAGE_NAME})
+  if(NOT EXISTS ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH}/${arg_PACKAGE_NAME}Config.cmake)
+    message(FATAL_ERROR "no ${arg_CONFIG_PATH}/${arg_PACKAGE_NAME}Config.cmake")
+  endif()
+  file(MAKE_DIRECTORY ${CURRENT_PACKAGES_DIR}/share)
+  file(RENAME ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH} ${share})
+  file(GLOB files ${share}/*.cmake)
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    string(REGEX REPLACE "(get_filename_component\\(_IMPORT_PREFIX [^\n]*\n)+"
+           "get_filename_component(_IMPORT_PREFIX \"\${CMAKE_CURRENT_LIST_DIR}/../..\" ABSOLUTE)\n" text "${text}")
+    string(REGEX REPLACE "\"\\\${CMAKE_CURRENT_LIST_DIR}/(\\.\\./?)+\" ABSOLUTE"
+           "\"\${CMAKE_CURRENT_LIST_DIR}/../../\" ABSOLUTE" text "${text}")
+    string(REPLACE "${CURRENT_PACKAGES_DIR}" "\${_IMPORT_PREFIX}" text "${text}")
+    file(WRITE ${file} "${text}")
+  endforeach()
+  get_filename_component(parent ${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH} DIRECTORY)
+  file(REMOVE_RECURSE ${parent})
+endfunction()
+
+function(vcpkg_fixup_pkgconfig)
+  parse("SKIP_CHECK" "" "RELEASE_FILES;DEBUG_FILES;SYSTEM_LIBRARIES;SYSTEM_PACKAGES;IGNORE_FLAGS")
+  file(GLOB files ${CURRENT_PACKAGES_DIR}/lib/pkgconfig/*.pc)
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    string(REGEX REPLACE "^prefix=[^\n]*" "prefix=\${pcfiledir}/../.." text "${text}")
+    file(WRITE ${file} "${text}")
+  endforeach()
+endfunction()
+
+function(vcpkg_install_copyright)
+  parse("" "COMMENT" "FILE_LIST")
+  need(FILE_LIST)
+  file(INSTALL ${arg_FILE_LIST} DESTINATION ${CURRENT_PACKAGES_DIR}/share/${PORT} RENAME copyright)
+endfunction()
+
+# What vcpkg checks after a build.
+function(check_package)
+  foreach(name IN ITEMS share/${PORT}/copyright share/${PORT}/usage share/${PORT}/${PORT}Config.cmake include lib)
+    if(NOT EXISTS ${CURRENT_PACKAGES_DIR}/${name})
+      message(FATAL_ERROR "the package has no ${name}")
+    endif()
+  endforeach()
+  foreach(name IN ITEMS lib/cmake debug/include debug/share bin)
+    if(EXISTS ${CURRENT_PACKAGES_DIR}/${name})
+      message(FATAL_ERROR "the package has ${name}")
+    endif()
+  endforeach()
+  file(GLOB_RECURSE files ${CURRENT_PACKAGES_DIR}/*.cmake ${CURRENT_PACKAGES_DIR}/*.pc)
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    string(FIND "${text}" "${WORK}" place)
+    if(NOT place EQUAL -1)
+      message(FATAL_ERROR "${file} has the path of the build")
+    endif()
+  endforeach()
+endfunction()
+
+include(${PORT_DIR}/portfile.cmake)
+check_package()
