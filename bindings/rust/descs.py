@@ -29,8 +29,11 @@ DESCS = {
     "shd_draw": {"instance_count"},
     "shd_render_desc": {"draw_count", "light_count", "volume_count"},
     "shd_render_stats": set(),
+    "shd_load_desc": set(),
+    "shd_save_desc": set(),
+    "shd_color_desc": set(),
 }
-RENAMED = {"shd_draw": "DrawDesc", "shd_slot": "SlotDesc", "shd_result": "ResultCode"}
+RENAMED = {"shd_box": "FilterBox", "shd_draw": "DrawDesc", "shd_slot": "SlotDesc", "shd_result": "ResultCode"}
 
 
 def prefix_of(enum):

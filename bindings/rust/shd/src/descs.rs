@@ -13,7 +13,7 @@ pub use sys::shd_bitmap_flag as BitmapFlag;
 #[doc(inline)]
 pub use sys::shd_blend as Blend;
 #[doc(inline)]
-pub use sys::shd_box as Box;
+pub use sys::shd_box as FilterBox;
 #[doc(inline)]
 pub use sys::shd_bump as Bump;
 #[doc(inline)]
@@ -361,7 +361,7 @@ pub struct SamplerDesc {
     /// kernel of bicubic filters; default SHD_CUBIC_CATMULL_ROM
     pub cubic: Cubic,
     /// area of SHD_FILTER_SUMMED_AREA; default SHD_BOX_BOUNDING
-    pub r#box: Box,
+    pub r#box: FilterBox,
     /// tolerance of SHD_FILTER_EXACT, 2^-12..1; default 2^-6
     pub tolerance: f32,
     /// Filter that SHD_FILTER_STOCHASTIC estimates: BILINEAR, BICUBIC (B-spline only), TRILINEAR, ANISOTROPIC or EWA;
@@ -1416,5 +1416,134 @@ impl Default for RenderStats {
     /// The defaults of `shd_render_stats`.
     fn default() -> Self {
         Self::from_raw(&sys::shd_render_stats::default())
+    }
+}
+
+/// Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadDesc {
+    /// formats to accept; default 0 = SHD_FILE_FORMAT_DEFAULT
+    pub formats: FileFormat,
+    /// default none
+    pub flags: LoadFlag,
+    /// default AUTO; other values override the file's declaration
+    pub color_space: ColorEncoding,
+    /// tables of textures; default SHD_TABLE_MIPMAP
+    pub tables: Table,
+    /// part of a multi-part EXR, page of a TIFF, frame of a GIF; default 0
+    pub subimage: u32,
+    /// size of the file; 0 = 2^30
+    pub max_file_bytes: u64,
+    /// width * height, of the data and of the display window, and the pixels of all
+    /// levels with SHD_LOAD_FILE_LEVELS; 0 = 2^28
+    pub max_pixels: u64,
+    /// decoded, as RGBA, all levels; 0 = 2^32
+    pub max_bytes: u64,
+    /// decoded bytes per file byte, for more than 2^24 decoded; 0 = 4000
+    pub max_ratio: f64,
+    /// \[s\], 0 = 60; kills the child that decodes. With SHD_LOAD_IN_PROCESS it is
+    /// checked between bands of rows
+    pub time_limit: f64,
+}
+impl LoadDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_load_desc {
+        let mut raw = sys::shd_load_desc::default();
+        raw.formats = self.formats.0;
+        raw.flags = self.flags.0;
+        raw.color_space = self.color_space;
+        raw.tables = self.tables.0;
+        raw.subimage = self.subimage;
+        raw.max_file_bytes = self.max_file_bytes;
+        raw.max_pixels = self.max_pixels;
+        raw.max_bytes = self.max_bytes;
+        raw.max_ratio = self.max_ratio;
+        raw.time_limit = self.time_limit;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_load_desc) -> Self {
+        Self {
+            formats: FileFormat(raw.formats),
+            flags: LoadFlag(raw.flags),
+            color_space: raw.color_space,
+            tables: Table(raw.tables),
+            subimage: raw.subimage,
+            max_file_bytes: raw.max_file_bytes,
+            max_pixels: raw.max_pixels,
+            max_bytes: raw.max_bytes,
+            max_ratio: raw.max_ratio,
+            time_limit: raw.time_limit,
+        }
+    }
+}
+impl Default for LoadDesc {
+    /// The defaults of `shd_load_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_load_desc::default())
+    }
+}
+
+/// Options of a save.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SaveDesc {
+    /// a framebuffer's colour: PNG 8 or 16, EXR 16 or 32, TIFF 8, 16 or 32;
+    /// default 0 = 8 for PNG, 16 for EXR, 32 for TIFF. For images always 0
+    pub bit_depth: u32,
+    /// framebuffers in 8 and 16 bits: AUTO and SRGB apply the sRGB curve, LINEAR and
+    /// DATA do not. Images: the tag of PNG and EXR; AUTO = by pixel format
+    pub color_space: ColorEncoding,
+    /// a framebuffer's colour in 8 and 16 bits; default none
+    pub dither: Dither,
+}
+impl SaveDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_save_desc {
+        let mut raw = sys::shd_save_desc::default();
+        raw.bit_depth = self.bit_depth;
+        raw.color_space = self.color_space;
+        raw.dither = self.dither;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_save_desc) -> Self {
+        Self {
+            bit_depth: raw.bit_depth,
+            color_space: raw.color_space,
+            dither: raw.dither,
+        }
+    }
+}
+impl Default for SaveDesc {
+    /// The defaults of `shd_save_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_save_desc::default())
+    }
+}
+
+/// Source of the config. Zero is the default of each field. Strings are borrowed for the call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColorDesc {
+    /// precision of 8-bit images; default SHD_DISPLAY_PRECISION_BAKED
+    pub display_precision: DisplayPrecision,
+}
+impl ColorDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_color_desc {
+        let mut raw = sys::shd_color_desc::default();
+        raw.display_precision = self.display_precision;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_color_desc) -> Self {
+        Self {
+            display_precision: raw.display_precision,
+        }
+    }
+}
+impl Default for ColorDesc {
+    /// The defaults of `shd_color_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_color_desc::default())
     }
 }

@@ -33,9 +33,13 @@
 //! - **Errors** have the result code and the text of the library. A panic of a closure continues in the call that ran
 //!   the closure.
 //!
+//! The features `io` and `color` add files and colour transforms, of installed component libraries.
+//!
 //! [`sys`] has the C API for what this crate lacks; `as_raw()` gives the handle of an object.
 #![deny(unsafe_op_in_unsafe_fn)]
 
+#[cfg(feature = "color")]
+mod color;
 mod column;
 mod context;
 #[rustfmt::skip]
@@ -43,6 +47,8 @@ mod context;
 mod descs;
 mod error;
 mod framebuffer;
+#[cfg(feature = "io")]
+mod io;
 mod light;
 mod lookup;
 mod material;
@@ -56,6 +62,8 @@ mod texture;
 
 pub use shd_sys as sys;
 
+#[cfg(feature = "color")]
+pub use color::Color;
 pub use column::{Column, ColumnMut, Scalar};
 pub use context::{Context, ContextBuilder, Executor, Tasks};
 pub use descs::*;

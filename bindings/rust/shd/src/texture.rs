@@ -6,7 +6,9 @@ use std::sync::Arc;
 use crate::error::check;
 use crate::object::Object;
 use crate::pixels::{check_alignment, check_size, image_over, pixel_size, span};
-use crate::{sys, Context, Error, Lookups, Plain, Result, Sampler, Texels, TextureDesc, TextureFlag, TextureInfo};
+use crate::{
+    sys, Context, Error, Lookups, Plain, Result, ResultCode, Sampler, Texels, TextureDesc, TextureFlag, TextureInfo,
+};
 
 /// An image prepared for filtering. A clone is another owner of the same texture.
 ///
@@ -104,7 +106,14 @@ impl<'a> Texture<'a> {
     }
 
     fn create(context: &Context, raw: &sys::shd_texture_desc) -> Result<Self> {
-        let create = |out| unsafe { sys::shd_texture_create(context.as_raw(), raw, out) };
+        Self::of(context, |out| unsafe { sys::shd_texture_create(context.as_raw(), raw, out) })
+    }
+
+    /// The texture that a function of C makes.
+    pub(crate) fn of(
+        context: &Context,
+        create: impl FnOnce(*mut *mut sys::shd_texture) -> ResultCode,
+    ) -> Result<Self> {
         let object = Object::create(context, sys::shd_texture_release, create)?;
         Ok(Self { object: Arc::new(object), texels: PhantomData })
     }
