@@ -23,7 +23,8 @@ file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/link.txt" CONTENT "${lines}")
 fn find_source() -> PathBuf {
     let crate_folder = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets CARGO_MANIFEST_DIR"));
     let places = [crate_folder.join("source"), crate_folder.join("../../..")];
-    let is_source = |place: &&PathBuf| place.join("include/shd/shd.h").exists() && place.join("CMakeLists.txt").exists();
+    let is_source =
+        |place: &&PathBuf| place.join("include/shd/shd.h").exists() && place.join("CMakeLists.txt").exists();
     match places.iter().find(is_source) {
         Some(place) => place.canonicalize().unwrap_or_else(|_| place.clone()),
         None => fail(

@@ -23,7 +23,7 @@ fn hash(bytes: impl IntoIterator<Item = u8>) -> u64 {
 }
 
 fn texture(context: &Context) -> Result<Texture<'static>> {
-    let texel = |i: u32| [i % SIZE * 4, i / SIZE * 4, (i % SIZE ^ i / SIZE) * 4, 255].map(|channel| channel as u8);
+    let texel = |i: u32| [i % SIZE * 4, i / SIZE * 4, ((i % SIZE) ^ (i / SIZE)) * 4, 255].map(|channel| channel as u8);
     let texels: Vec<[u8; 4]> = (0..SIZE * SIZE).map(texel).collect();
     let (format, tables) = (Format::RGBA8_SRGB, Table::MIPMAP);
     Texture::new(context, &TextureDesc { format, width: SIZE, height: SIZE, tables, ..Default::default() }, &texels)

@@ -67,9 +67,7 @@ impl Color {
         let (display, view) = (optional("display", display)?, optional("view", view)?);
         let image = image_over("out", format, framebuffer.width(), framebuffer.height(), out)?;
         let (display, view) = (pointer(&display), pointer(&view));
-        check(unsafe {
-            sys::shd_color_apply_display(self.as_raw(), framebuffer.as_raw(), display, view, &image)
-        })
+        check(unsafe { sys::shd_color_apply_display(self.as_raw(), framebuffer.as_raw(), display, view, &image) })
     }
 }
 

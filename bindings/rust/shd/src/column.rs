@@ -38,7 +38,7 @@ unsafe impl<T: Scalar> Sync for Column<'_, T> {}
 /// The offset of a field in its record, if the field lies inside it.
 fn offset_in<R, T>(record: *const R, field: *const T) -> Option<usize> {
     let offset = (field as usize).checked_sub(record as usize)?;
-    (offset + size_of::<T>() <= size_of::<R>()).then(|| offset)
+    (offset + size_of::<T>() <= size_of::<R>()).then_some(offset)
 }
 
 fn elsewhere(index: usize) -> Error {

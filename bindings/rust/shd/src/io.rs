@@ -21,7 +21,9 @@ impl Texture<'static> {
     /// `LoadFlag::IN_PROCESS` is refused, because a hostile file could then break the safety of the program.
     pub fn load(context: &Context, path: impl AsRef<Path>, desc: &LoadDesc) -> Result<Self> {
         if desc.flags.contains(LoadFlag::IN_PROCESS) {
-            return Err(Error::argument("load.flags: IN_PROCESS, which needs sys::shd_texture_load() and trusted files"));
+            return Err(Error::argument(
+                "load.flags: IN_PROCESS, which needs sys::shd_texture_load() and trusted files",
+            ));
         }
         let (path, raw) = (path_of(path.as_ref())?, desc.to_raw());
         Self::of(context, |out| unsafe { sys::shd_texture_load(context.as_raw(), path.as_ptr(), &raw, out) })

@@ -43,7 +43,7 @@ mod color;
 mod column;
 mod context;
 #[rustfmt::skip]
-#[allow(clippy::doc_lazy_continuation, clippy::wrong_self_convention)]
+#[allow(clippy::doc_lazy_continuation, clippy::field_reassign_with_default)]
 mod descs;
 mod error;
 mod framebuffer;

@@ -50,10 +50,12 @@ impl<'a> Lookups<'a> {
     /// Points (u, v), in images of the texture from its top left corner.
     pub fn new(u: impl Into<Column<'a>>, v: impl Into<Column<'a>>) -> Self {
         let (u, v) = (u.into(), v.into());
-        let mut raw = sys::shd_lookups::default();
-        raw.count = u.count;
-        raw.u = sys::shd_f32_in { data: u.data, stride: u.stride };
-        raw.v = sys::shd_f32_in { data: v.data, stride: v.stride };
+        let raw = sys::shd_lookups {
+            count: u.count,
+            u: sys::shd_f32_in { data: u.data, stride: u.stride },
+            v: sys::shd_f32_in { data: v.data, stride: v.stride },
+            ..Default::default()
+        };
         Self { raw, mismatch: None, columns: PhantomData }.count("lookups.v", v.count)
     }
 

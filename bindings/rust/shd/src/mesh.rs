@@ -190,7 +190,8 @@ impl Mesh {
         let mut columns = [sys::shd_f32_out { data: ptr::null_mut(), stride: 0 }; N];
         if !rows.is_empty() {
             for (axis, column) in columns.iter_mut().enumerate() {
-                *column = sys::shd_f32_out { data: unsafe { first.add(axis) }, stride: std::mem::size_of::<[f32; N]>() };
+                *column =
+                    sys::shd_f32_out { data: unsafe { first.add(axis) }, stride: std::mem::size_of::<[f32; N]>() };
             }
         }
         // The columns have the vertex count of the mesh, which never changes.

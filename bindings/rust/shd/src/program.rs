@@ -85,7 +85,6 @@ unsafe fn column_mut<'a, T>(data: *mut T, count: usize) -> &'a mut [T] {
     unsafe { slice::from_raw_parts_mut(data, count) }
 }
 
-
 macro_rules! inputs {
     ($(#[$doc:meta])* $name:ident from $raw:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty,)* }) => {
         $(#[$doc])*
@@ -123,22 +122,11 @@ macro_rules! inputs {
 
             /// The value of [`crate::Draw::uniforms`], if it has this type.
             pub fn uniforms<T: Any + Sync>(&self) -> Option<&'a T> {
-                let uniforms: &'a dyn Any = self.uniforms?.as_any();
+                let uniforms: &'a dyn Any = self.uniforms?;
                 uniforms.downcast_ref()
             }
         }
     };
-}
-
-/// Gives `dyn Any` for `dyn Any + Sync`.
-trait AsAny<'a> {
-    fn as_any(self) -> &'a dyn Any;
-}
-
-impl<'a> AsAny<'a> for Uniforms<'a> {
-    fn as_any(self) -> &'a dyn Any {
-        self
-    }
 }
 
 inputs! {

@@ -110,10 +110,7 @@ impl<'a> Texture<'a> {
     }
 
     /// The texture that a function of C makes.
-    pub(crate) fn of(
-        context: &Context,
-        create: impl FnOnce(*mut *mut sys::shd_texture) -> ResultCode,
-    ) -> Result<Self> {
+    pub(crate) fn of(context: &Context, create: impl FnOnce(*mut *mut sys::shd_texture) -> ResultCode) -> Result<Self> {
         let object = Object::create(context, sys::shd_texture_release, create)?;
         Ok(Self { object: Arc::new(object), texels: PhantomData })
     }
@@ -163,16 +160,9 @@ impl<'a> Texture<'a> {
     ///
     /// # Safety
     /// No other call uses the texture concurrently. This includes renders that use it.
-    pub unsafe fn update_shared<T: Plain>(
-        &self,
-        layer: u32,
-        x: u32,
-        y: u32,
-        width: u32,
-        texels: &[T],
-    ) -> Result<()> {
+    pub unsafe fn update_shared<T: Plain>(&self, layer: u32, x: u32, y: u32, width: u32, texels: &[T]) -> Result<()> {
         let info = self.info()?;
-        if TextureFlag(info.flags.0).contains(TextureFlag::BORROW) {
+        if info.flags.contains(TextureFlag::BORROW) {
             return Err(Error::argument("texture: its texels are borrowed, and nothing may change them"));
         }
         let row = pixel_size("texture", info.format)? * width as usize;

@@ -108,7 +108,10 @@ fn texels_must_fill_the_desc() {
     assert!(Texture::new(&context, &rows, &[0u8; 76]).is_ok());
     assert_eq!(message(Texture::borrowed(&context, &desc, &[0u8; 191])), "texture.texels: 191 bytes, not 192 or more");
     let huge = TextureDesc { layer_stride: usize::MAX, layers: 9, ..desc };
-    assert_eq!(message(Texture::new(&context, &huge, &[0u8; 9])), "texture.texels: the image exceeds the address space");
+    assert_eq!(
+        message(Texture::new(&context, &huge, &[0u8; 9])),
+        "texture.texels: the image exceeds the address space"
+    );
     let none = TextureDesc::default();
     assert_eq!(message(Texture::new(&context, &none, &[0u8; 9])), "texture.format: NONE is not a format");
     let floats = TextureDesc { format: Format::R32F, width: 1, height: 1, ..Default::default() };
