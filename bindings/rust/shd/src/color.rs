@@ -35,6 +35,7 @@ impl Color {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_color {
         self.0.raw()
     }

@@ -84,6 +84,7 @@ impl Context {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_context {
         self.0.raw.as_ptr()
     }

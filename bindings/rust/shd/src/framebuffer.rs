@@ -51,6 +51,7 @@ impl Framebuffer {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_framebuffer {
         self.object.raw()
     }

@@ -48,6 +48,7 @@ impl<'a> Light<'a> {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_light {
         self.0.object.raw()
     }

@@ -116,6 +116,7 @@ impl<'a> Material<'a> {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_material {
         self.0.object.raw()
     }

@@ -145,6 +145,7 @@ impl Mesh {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_mesh {
         self.0.raw()
     }

@@ -18,6 +18,7 @@ impl Sampler {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_sampler {
         self.0.raw()
     }

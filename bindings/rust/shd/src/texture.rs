@@ -116,6 +116,7 @@ impl<'a> Texture<'a> {
     }
 
     /// The handle of C, borrowed from this owner.
+    #[inline]
     pub fn as_raw(&self) -> *mut sys::shd_texture {
         self.object.raw()
     }
