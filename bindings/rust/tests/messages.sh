@@ -11,8 +11,9 @@ failures=0
 # text, variables and features...: a build with these fails and prints the text
 expect() {
   local text=$1 output
+  local check=("$CARGO" check --offline --locked -p shd-sys)
   shift
-  if output=$(env "$@" CARGO_TARGET_DIR="$WORK/target" "$CARGO" check --offline --locked -p shd-sys $features 2>&1); then
+  if output=$(env "$@" CARGO_TARGET_DIR="$WORK/target" "${check[@]}" $features 2>&1); then
     echo "no failure, but expected: $text"
     failures=1
   elif [[ $output != *"shd-sys: $text"* ]]; then

@@ -38,7 +38,7 @@ fn main() {
         let components: Vec<String> = libraries().into_iter().filter(|name| name != "shd").collect();
         if !components.is_empty() {
             fail(&format!(
-                "{} must be installed: set SHD_LIB_DIR to the folder of the libraries, or enable the feature pkg-config",
+                "{} must be installed: set SHD_LIB_DIR to the folder of the libraries, or enable pkg-config",
                 components.join(" and ")
             ));
         }

@@ -30,8 +30,8 @@ fn find_source() -> PathBuf {
     match places.iter().find(is_source) {
         Some(place) => place.canonicalize().unwrap_or_else(|_| place.clone()),
         None => fail(
-            "the sources of libshd are neither in source/ nor in the repository above. Set SHD_LIB_DIR to the folder of \
-             an installed libshd, or enable the feature pkg-config",
+            "the sources of libshd are neither in source/ nor in the repository above. Set SHD_LIB_DIR to the folder \
+             of an installed libshd, or enable the feature pkg-config",
         ),
     }
 }

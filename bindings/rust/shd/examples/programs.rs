@@ -52,8 +52,8 @@ fn look_up(context: &Context) -> Result<()> {
     Ok(())
 }
 
-/// Renders a torus of one material in the light of the sun, with four samples a pixel, and prints the hash of its pixels
-/// as RGBA8 in sRGB.
+/// Renders a torus of one material in the light of the sun, with four samples a pixel, and prints the hash of its
+/// pixels as RGBA8 in sRGB.
 fn draw(context: &Context, name: &str, material: &Material) -> Result<()> {
     let mesh = Mesh::shape(context, &ShapeDesc { shape: Shape::TORUS, ..Default::default() }, MeshFlag::NONE)?;
     let (kind, direction) = (LightKind::DIRECTIONAL, [-0.5, -1.0, -0.25]);

@@ -113,6 +113,7 @@ impl ContextBuilder {
 
     /// Makes the context.
     pub fn build(self) -> Result<Context> {
+        check_version(unsafe { sys::shd_version() })?;
         let mut desc = self.desc.to_raw();
         let callbacks = Arc::new(self.callbacks);
         let user_data = Arc::as_ptr(&callbacks) as *mut c_void;
@@ -128,6 +129,16 @@ impl ContextBuilder {
         let raw = NonNull::new(raw).ok_or_else(|| Error::new(ResultCode::ERROR_INTERNAL, "context: NULL"))?;
         Ok(Context(Arc::new(Inner { raw, _callbacks: callbacks })))
     }
+}
+
+/// Structs that the library lends to programs may grow with the minor version.
+fn check_version(running: u32) -> Result<()> {
+    let (major, minor) = (running >> 16, running >> 8 & 0xff);
+    if (major, minor) == (sys::SHD_VERSION_MAJOR, sys::SHD_VERSION_MINOR) {
+        return Ok(());
+    }
+    let own = format!("{}.{}", sys::SHD_VERSION_MAJOR, sys::SHD_VERSION_MINOR);
+    Err(Error::new(ResultCode::ERROR_UNSUPPORTED, format!("libshd is {major}.{minor}, but this crate is for {own}")))
 }
 
 /// Ends the process when it is dropped, which happens if a panic passes: a panic must not reach C.
@@ -243,5 +254,16 @@ unsafe extern "C" fn parallel_for(
             keep_panic(panic);
             ResultCode::ERROR_CALLBACK
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::check_version;
+
+    #[test]
+    fn another_minor_version_is_refused() {
+        assert!(check_version(crate::sys::SHD_VERSION_MINOR << 8 | 9).is_ok());
+        assert_eq!(check_version(7 << 8).unwrap_err().message(), "libshd is 0.7, but this crate is for 0.1");
     }
 }

@@ -56,7 +56,8 @@ thread_local! {
 
 /// Keeps the panic of an executor until the call of the library returns.
 pub(crate) fn keep_panic(panic: Panic) {
-    PANIC.with(|kept| *kept.borrow_mut() = Some(panic));
+    // A thread that ends has no place for a panic.
+    let _ = PANIC.try_with(|kept| *kept.borrow_mut() = Some(panic));
 }
 
 /// The result of a call on this thread. Its text is read at once, because the next call may replace it.
@@ -70,7 +71,7 @@ pub(crate) fn check(code: ResultCode) -> Result<()> {
 
 #[cold]
 fn last_error(code: ResultCode) -> Error {
-    if let Some(panic) = PANIC.with(|kept| kept.borrow_mut().take()) {
+    if let Ok(Some(panic)) = PANIC.try_with(|kept| kept.borrow_mut().take()) {
         panic::resume_unwind(panic);
     }
     // The text is UTF-8 with an end, valid until the next failure on this thread.

@@ -270,8 +270,8 @@ pub struct Radiance<'a> {
 /// Output of a procedure of a slot.
 #[non_exhaustive]
 pub struct SlotValues<'a> {
-    /// Columns that start as 1: three for colours, four for the diffuse slot and for normals, one for scalars. The other
-    /// columns are empty.
+    /// Columns that start as 1: three for colours, four for the diffuse slot and for normals, one for scalars. The
+    /// other columns are empty.
     pub channel: [&'a mut [f32]; 4],
 }
 

@@ -145,8 +145,8 @@ impl<'a> Texture<'a> {
         check(unsafe { sys::shd_texture_read_level(self.as_raw(), layer, level, &image) })
     }
 
-    /// Writes a rectangle of `width` texels a row at column `x` and row `y`, and rebuilds the tables. `texels` has whole
-    /// rows, in the format of the texture's info.
+    /// Writes a rectangle of `width` texels a row at column `x` and row `y`, and rebuilds the tables. `texels` has
+    /// whole rows, in the format of the texture's info.
     ///
     /// The texture must have this owner alone: materials and lights that have the texture, and clones, are owners, too.
     pub fn update<T: Plain>(&mut self, layer: u32, x: u32, y: u32, width: u32, texels: &[T]) -> Result<()> {
