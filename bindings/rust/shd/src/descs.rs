@@ -1419,6 +1419,212 @@ impl Default for RenderStats {
     }
 }
 
+/// Image and tables of an environment. Required: image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnvironmentDesc {
+    /// any but SHD_PROJECTION_NONE; default SHD_PROJECTION_LAT_LONG
+    pub projection: Projection,
+    /// default SHD_IRRADIANCE_HARMONICS
+    pub irradiance: Irradiance,
+    /// default SHD_ENVIRONMENT_TABLE_ALL
+    pub tables: EnvironmentTable,
+}
+impl EnvironmentDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_environment_desc {
+        let mut raw = sys::shd_environment_desc::default();
+        raw.projection = self.projection;
+        raw.irradiance = self.irradiance;
+        raw.tables = self.tables.0;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_environment_desc) -> Self {
+        Self {
+            projection: raw.projection,
+            irradiance: raw.irradiance,
+            tables: EnvironmentTable(raw.tables),
+        }
+    }
+}
+impl Default for EnvironmentDesc {
+    /// The defaults of `shd_environment_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_environment_desc::default())
+    }
+}
+
+/// Properties of an environment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnvironmentInfo {
+    /// as in its desc
+    pub projection: Projection,
+    /// as in its desc
+    pub irradiance: Irradiance,
+    /// as in its desc, with SHD_ENVIRONMENT_TABLE_RADIANCE if there are lobes
+    pub tables: EnvironmentTable,
+    /// texels a side of the largest map, 0 without SHD_ENVIRONMENT_TABLE_RADIANCE
+    pub map_size: u32,
+    /// mean radiance of all directions
+    pub mean: [f32; 3],
+    /// channels of the image that were negative, NaN or above 1e12
+    pub replaced_count: u64,
+    /// bytes of all tables
+    pub byte_size: usize,
+}
+impl EnvironmentInfo {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_environment_info {
+        let mut raw = sys::shd_environment_info::default();
+        raw.projection = self.projection;
+        raw.irradiance = self.irradiance;
+        raw.tables = self.tables.0;
+        raw.map_size = self.map_size;
+        raw.mean = self.mean;
+        raw.replaced_count = self.replaced_count;
+        raw.byte_size = self.byte_size;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_environment_info) -> Self {
+        Self {
+            projection: raw.projection,
+            irradiance: raw.irradiance,
+            tables: EnvironmentTable(raw.tables),
+            map_size: raw.map_size,
+            mean: raw.mean,
+            replaced_count: raw.replaced_count,
+            byte_size: raw.byte_size,
+        }
+    }
+}
+impl Default for EnvironmentInfo {
+    /// The defaults of `shd_environment_info`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_environment_info::default())
+    }
+}
+
+/// Options of a shadow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadowDesc {
+    /// edge length of each face \[texels\], 16..8192; default 1024
+    pub size: u32,
+    /// default SHD_SHADOW_FILTER_HARD
+    pub filter: ShadowFilter,
+    /// n of PCF, VARIANCE and PCSS, 1..15; default 3
+    pub taps: u32,
+    /// SUMMED_AREA_VARIANCE: edge length of the averaged square, world length at the point, 0..1e9; clamped to one texel
+    /// to size / 4 texels. Default 0.
+    pub filter_size: f32,
+    /// PCSS: edge length of the square light, world length, 0..1e9; default 0. For directional lights: width of the
+    /// penumbra per distance of blocker and receiver, which is twice the tangent of half the angular size of the light
+    /// (the sun: 0.0093). Search and penumbra are at most size / 4 texels wide.
+    pub light_size: f32,
+    /// points are moved towards the light by this depth, world length, 0..1e9; default 0
+    pub bias: f32,
+    /// Factor of another bias: the edge length of a texel at the point times 1/4 + s. s is the sum of the |slopes| of
+    /// the surface across and along the map, at most 8. A slope is depth over length. The plane of the surface is exact
+    /// at each texel, so this bias covers only the difference of the surface from its plane. Without a normal, 1/4 + s
+    /// is replaced by 2, or by n + 1 for PCF. 0..1000; default 1.
+    pub bias_slope: f32,
+    /// before the lookup, points are moved along their normal by this world length, 0..1e9;
+    /// default 0. For coarse meshes with smooth normals: about the edge length of a texel
+    pub normal_offset: f32,
+    /// faces that cast no shadow: BACK faces are turned away from the light, FRONT faces
+    /// towards it. Replaces the culling of the draws. Default SHD_CULL_NONE, for open surfaces.
+    /// FRONT avoids acne on closed objects without a bias, but light leaks where they touch
+    /// other surfaces
+    pub caster_cull: Cull,
+    /// VARIANCE, SUMMED_AREA_VARIANCE: visibilities below this value become 0, 0..0.99;
+    /// default 0
+    pub bleed: f32,
+    /// VARIANCE, SUMMED_AREA_VARIANCE: world length squared, 0..1e9; default 0
+    pub min_variance: f32,
+}
+impl ShadowDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_shadow_desc {
+        let mut raw = sys::shd_shadow_desc::default();
+        raw.size = self.size;
+        raw.filter = self.filter;
+        raw.taps = self.taps;
+        raw.filter_size = self.filter_size;
+        raw.light_size = self.light_size;
+        raw.bias = self.bias;
+        raw.bias_slope = self.bias_slope;
+        raw.normal_offset = self.normal_offset;
+        raw.caster_cull = self.caster_cull;
+        raw.bleed = self.bleed;
+        raw.min_variance = self.min_variance;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_shadow_desc) -> Self {
+        Self {
+            size: raw.size,
+            filter: raw.filter,
+            taps: raw.taps,
+            filter_size: raw.filter_size,
+            light_size: raw.light_size,
+            bias: raw.bias,
+            bias_slope: raw.bias_slope,
+            normal_offset: raw.normal_offset,
+            caster_cull: raw.caster_cull,
+            bleed: raw.bleed,
+            min_variance: raw.min_variance,
+        }
+    }
+}
+impl Default for ShadowDesc {
+    /// The defaults of `shd_shadow_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_shadow_desc::default())
+    }
+}
+
+/// Light and draws of a map; borrowed for the call. Required: light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadowRenderDesc {
+    /// Range of depths, near_plane \< far_plane. Surfaces outside cast no shadow. Both 0 = fitted to the draws.
+    /// Directional lights: measured from the origin of the world along the direction of the light, any sign. Other
+    /// lights: measured from the light along the axis of the face, > 0; a fitted near_plane is at least 1/256 of
+    /// far_plane.
+    pub near_plane: f32,
+    pub far_plane: f32,
+    /// Directional lights: the part of the world that needs shadows. Both 0 = the bounds of the draws. Draws between
+    /// this part and the light still cast shadows. The size of texels is rounded up in steps of 1/8 to 1/16, and texels
+    /// lie at multiples of their size, so shadows do not shimmer while bounds of constant size move.
+    pub bounds_min: [f32; 3],
+    pub bounds_max: [f32; 3],
+}
+impl ShadowRenderDesc {
+    #[allow(dead_code)]
+    pub(crate) fn to_raw(self) -> sys::shd_shadow_render_desc {
+        let mut raw = sys::shd_shadow_render_desc::default();
+        raw.near_plane = self.near_plane;
+        raw.far_plane = self.far_plane;
+        raw.bounds_min = self.bounds_min;
+        raw.bounds_max = self.bounds_max;
+        raw
+    }
+    #[allow(dead_code)]
+    pub(crate) fn from_raw(raw: &sys::shd_shadow_render_desc) -> Self {
+        Self {
+            near_plane: raw.near_plane,
+            far_plane: raw.far_plane,
+            bounds_min: raw.bounds_min,
+            bounds_max: raw.bounds_max,
+        }
+    }
+}
+impl Default for ShadowRenderDesc {
+    /// The defaults of `shd_shadow_render_desc`.
+    fn default() -> Self {
+        Self::from_raw(&sys::shd_shadow_render_desc::default())
+    }
+}
+
 /// Options and budgets of a load. A budget that would be exceeded is SHD_ERROR_LIMIT.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadDesc {

@@ -45,6 +45,7 @@ mod context;
 #[rustfmt::skip]
 #[allow(clippy::doc_lazy_continuation, clippy::field_reassign_with_default)]
 mod descs;
+mod environment;
 mod error;
 mod framebuffer;
 #[cfg(feature = "io")]
@@ -58,6 +59,7 @@ mod pixels;
 mod program;
 mod render;
 mod sampler;
+mod shadow;
 mod texture;
 
 pub use shd_sys as sys;
@@ -67,6 +69,7 @@ pub use color::Color;
 pub use column::{Column, ColumnMut, Scalar};
 pub use context::{Context, ContextBuilder, Executor, Tasks};
 pub use descs::*;
+pub use environment::Environment;
 pub use error::{Error, Result};
 pub use framebuffer::{Framebuffer, PlaneView};
 pub use light::Light;
@@ -77,6 +80,7 @@ pub use pixels::Plain;
 pub use program::{Fragments, Radiance, SlotValues, VertexOutputs, Vertices};
 pub use render::{Draw, Frame};
 pub use sampler::Sampler;
+pub use shadow::Shadow;
 pub use texture::{Texture, TEXTURE_PADDING};
 
 /// Version of the library that is running: major, minor and patch.

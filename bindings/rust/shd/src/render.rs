@@ -9,7 +9,8 @@ use std::ptr;
 use crate::error::check;
 use crate::program::{Call, DrawCall};
 use crate::{
-    sys, Camera, Context, DrawDesc, Error, Framebuffer, Light, Material, Mesh, Region, RenderDesc, RenderStats, Result,
+    sys, Camera, Context, DrawDesc, Environment, Error, Framebuffer, Light, Material, Mesh, Region, RenderDesc,
+    RenderStats, Result, Shadow,
 };
 
 /// One mesh in a frame.
@@ -75,6 +76,13 @@ impl<'a> Draw<'a> {
     }
 }
 
+/// The draws of a call in the form of C. The second vector points into the first one.
+pub(crate) fn raw_draws<'c>(draws: &[Draw<'c>], call: &'c Call) -> (Vec<DrawCall<'c>>, Vec<sys::shd_draw>) {
+    let calls: Vec<_> = draws.iter().map(|draw| DrawCall { call, uniforms: draw.uniforms }).collect();
+    let raw = draws.iter().zip(&calls).map(|(draw, call)| draw.to_raw(call)).collect();
+    (calls, raw)
+}
+
 type Progress<'a> = dyn Fn(f32) -> ControlFlow<()> + Send + Sync + 'a;
 
 /// Everything that a picture shows. It borrows its objects and can be rendered several times.
@@ -83,7 +91,8 @@ pub struct Frame<'a> {
     /// Background, size of the picture, supersampling and so on.
     pub desc: RenderDesc,
     draws: Vec<Draw<'a>>,
-    lights: Vec<&'a Light<'a>>,
+    lights: Vec<(&'a Light<'a>, Option<&'a Shadow>)>,
+    environment: Option<&'a Environment>,
     camera: Option<Camera>,
     viewport: Option<Region>,
     scissor: Option<Region>,
@@ -116,7 +125,19 @@ impl<'a> Frame<'a> {
 
     /// Adds a light.
     pub fn light(mut self, light: &'a Light<'a>) -> Self {
-        self.lights.push(light);
+        self.lights.push((light, None));
+        self
+    }
+
+    /// Adds a light with the shadows that were rendered for it.
+    pub fn light_with_shadow(mut self, light: &'a Light<'a>, shadow: &'a Shadow) -> Self {
+        self.lights.push((light, Some(shadow)));
+        self
+    }
+
+    /// Adds light from all directions.
+    pub fn environment(mut self, environment: &'a Environment) -> Self {
+        self.environment = Some(environment);
         self
     }
 
@@ -145,10 +166,11 @@ impl<'a> Frame<'a> {
     /// framebuffer then holds a part of the frame.
     pub fn render(&self, context: &Context, framebuffer: &mut Framebuffer) -> Result<RenderStats> {
         let call = Call::default();
-        let calls: Vec<DrawCall<'_>> =
-            self.draws.iter().map(|draw| DrawCall { call: &call, uniforms: draw.uniforms }).collect();
-        let draws: Vec<sys::shd_draw> = self.draws.iter().zip(&calls).map(|(draw, call)| draw.to_raw(call)).collect();
-        let lights: Vec<*const sys::shd_light> = self.lights.iter().map(|light| light.as_raw() as *const _).collect();
+        let (calls, draws) = raw_draws(&self.draws, &call);
+        let lights: Vec<*const sys::shd_light> =
+            self.lights.iter().map(|(light, _)| light.as_raw() as *const _).collect();
+        let shadow = |shadow: &Option<&Shadow>| shadow.map_or(ptr::null(), |shadow| shadow.as_raw() as *const _);
+        let shadows: Vec<*const sys::shd_shadow> = self.lights.iter().map(|(_, it)| shadow(it)).collect();
         let camera = self.camera.map(|camera| camera.to_raw());
         let (viewport, scissor) = (self.viewport.map(Region::to_raw), self.scissor.map(Region::to_raw));
         let mut stats = sys::shd_render_stats::default();
@@ -158,6 +180,8 @@ impl<'a> Frame<'a> {
         raw.framebuffer = framebuffer.as_raw();
         (raw.draws, raw.draw_count) = (draws.as_ptr(), draws.len());
         (raw.lights, raw.light_count) = (lights.as_ptr(), lights.len());
+        raw.shadows = shadows.as_ptr();
+        raw.environment = self.environment.map_or(ptr::null(), |environment| environment.as_raw());
         raw.camera = camera.as_ref().map_or(ptr::null(), |camera| camera);
         raw.viewport = viewport.as_ref().map_or(ptr::null(), |region| region);
         raw.scissor = scissor.as_ref().map_or(ptr::null(), |region| region);
