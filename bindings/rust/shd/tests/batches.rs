@@ -33,11 +33,11 @@ fn a_field_must_have_one_place() {
         Left(f32),
         Right(u32, f32),
     }
-    let values = [Either::Left(1.0), Either::Right(2, 3.0)];
+    static VALUES: [Either; 2] = [Either::Left(1.0), Either::Right(2, 3.0)];
+    let values = &VALUES[..];
     let field = |value: &'static Either| match value {
         Either::Left(x) | Either::Right(_, x) => x,
     };
-    let values: &'static [Either] = Box::leak(Box::new(values));
     assert!(message(Column::strided(values, field)).starts_with("column: the field of record 1"));
     static ELSEWHERE: f32 = 1.0;
     assert!(message(Column::strided(values, |_| &ELSEWHERE)).starts_with("column: the field of record 0"));
