@@ -264,7 +264,7 @@ pub struct Radiance<'a> {
     /// Starts as 0; any other value drops the row. Empty without `MaterialFlag::DISCARDS`.
     pub discard: &'a mut [u32],
     /// r, g, b, a of the targets 1, 2 and 3, which start as 0. Empty for targets that the framebuffer lacks.
-    pub target: Vec<[&'a mut [f32]; 4]>,
+    pub target: [[&'a mut [f32]; 4]; 3],
 }
 
 /// Output of a procedure of a slot.
@@ -326,7 +326,10 @@ pub(crate) unsafe extern "C" fn fragment(
     let run = |uniforms: Option<Uniforms<'_>>| {
         if let Some(program) = &programs.fragment {
             let targets = unsafe { column(out.target, out.target_count as usize) };
-            let target = targets.iter().map(|planes| planes.map(|plane| unsafe { column_mut(plane, count) }));
+            let plane = |target: usize, channel: usize| match targets.get(target) {
+                Some(planes) => unsafe { column_mut(planes[channel], count) },
+                None => &mut [],
+            };
             let mut radiance = unsafe {
                 Radiance {
                     r: column_mut(out.r, count),
@@ -334,7 +337,7 @@ pub(crate) unsafe extern "C" fn fragment(
                     b: column_mut(out.b, count),
                     a: column_mut(out.a, count),
                     discard: column_mut(out.discard, count),
-                    target: target.collect(),
+                    target: std::array::from_fn(|target| std::array::from_fn(|channel| plane(target, channel))),
                 }
             };
             program(&unsafe { Fragments::new(raw, uniforms) }, &mut radiance);

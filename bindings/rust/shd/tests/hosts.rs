@@ -108,6 +108,22 @@ fn callbacks_live_as_long_as_the_last_object() {
     assert_eq!(Arc::strong_count(&alive), 1);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_panic_of_a_log_ends_the_process() {
+    const VARIABLE: &str = "SHD_TEST_LOG_PANIC";
+    if std::env::var_os(VARIABLE).is_some() {
+        let context = Context::builder(ContextDesc::default()).log(|_, _| panic!("full")).build().unwrap();
+        let _ = std::panic::catch_unwind(AssertUnwindSafe(|| context.log(LogLevel::INFO, "line")));
+        return;
+    }
+    let mut child = std::process::Command::new(std::env::current_exe().unwrap());
+    child.env(VARIABLE, "1").args(["--exact", "a_panic_of_a_log_ends_the_process"]);
+    let output = child.output().unwrap();
+    // The process ended by a signal, and not by its own exit.
+    assert_eq!(output.status.code(), None, "{output:?}");
+}
+
 #[test]
 fn lines_of_the_log_arrive() {
     let lines = Arc::new(Mutex::new(Vec::new()));
