@@ -61,6 +61,7 @@ mod render;
 mod sampler;
 mod shadow;
 mod texture;
+mod tile;
 
 pub use shd_sys as sys;
 
@@ -82,6 +83,7 @@ pub use render::{Draw, Frame};
 pub use sampler::Sampler;
 pub use shadow::Shadow;
 pub use texture::{Texture, TEXTURE_PADDING};
+pub use tile::Tile;
 
 /// Version of the library that is running: major, minor and patch.
 pub fn version() -> (u32, u32, u32) {

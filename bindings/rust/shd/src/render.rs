@@ -8,9 +8,10 @@ use std::ptr;
 
 use crate::error::check;
 use crate::program::{Call, DrawCall};
+use crate::tile::{self, TileCall, TileFn};
 use crate::{
     sys, Camera, Context, DrawDesc, Environment, Error, Framebuffer, Light, Material, Mesh, Region, RenderDesc,
-    RenderStats, Result, Shadow,
+    RenderStats, Result, Shadow, Tile,
 };
 
 /// One mesh in a frame.
@@ -97,6 +98,7 @@ pub struct Frame<'a> {
     viewport: Option<Region>,
     scissor: Option<Region>,
     progress: Option<Box<Progress<'a>>>,
+    tiles: Option<Box<TileFn<'a>>>,
 }
 
 impl<'a> Frame<'a> {
@@ -160,6 +162,13 @@ impl<'a> Frame<'a> {
         self
     }
 
+    /// Calls a closure with each tile of the framebuffer as soon as it is finished. The closure runs on any worker, also
+    /// concurrently for different tiles. If it panics, [`Frame::render`] panics.
+    pub fn tiles(mut self, tiles: impl Fn(&Tile<'_>) + Send + Sync + 'a) -> Self {
+        self.tiles = Some(Box::new(tiles));
+        self
+    }
+
     /// Renders the frame and returns its statistics. The context's executor does the work.
     ///
     /// A panic of a program, the progress closure or an executor continues here, after the library has returned. The
@@ -175,6 +184,7 @@ impl<'a> Frame<'a> {
         let (viewport, scissor) = (self.viewport.map(Region::to_raw), self.scissor.map(Region::to_raw));
         let mut stats = sys::shd_render_stats::default();
         let progress = ProgressCall { call: &call, report: self.progress.as_deref() };
+        let tiles = TileCall { call: &call, show: self.tiles.as_deref() };
 
         let mut raw = self.desc.to_raw();
         raw.framebuffer = framebuffer.as_raw();
@@ -189,6 +199,10 @@ impl<'a> Frame<'a> {
         if self.progress.is_some() {
             let user_data = &progress as *const ProgressCall<'_> as *mut c_void;
             raw.progress = sys::shd_progress { report: Some(report), user_data };
+        }
+        if self.tiles.is_some() {
+            let user_data = &tiles as *const TileCall<'_> as *mut c_void;
+            raw.present = sys::shd_present { tile: Some(tile::tile), user_data };
         }
         // All objects are borrowed for the call, and the framebuffer exclusively.
         let result = unsafe { sys::shd_render(context.as_raw(), &raw) };

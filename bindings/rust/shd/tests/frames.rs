@@ -104,6 +104,29 @@ fn progress_cancels() {
 }
 
 #[test]
+fn finished_tiles_have_the_pixels() {
+    let context = Context::new().unwrap();
+    let mesh = square(&context);
+    let material = program(&context, |fragments, out| out.g.copy_from_slice(fragments.v));
+    let desc = FramebufferDesc { width: 100, height: 70, ..Default::default() };
+    let mut framebuffer = Framebuffer::new(&context, &desc).unwrap();
+    let rows = Mutex::new(vec![vec![0.0; 100]; 70]);
+    let frame = Frame::new().camera(Camera::default()).draw(Draw::new(&mesh, &material)).tiles(|tile| {
+        let mut rows = rows.lock().unwrap();
+        for y in 0..tile.height() {
+            let row = &mut rows[(tile.y() + y) as usize];
+            row[tile.x() as usize..(tile.x() + tile.width()) as usize].copy_from_slice(tile.row(1, y));
+        }
+    });
+    frame.render(&context, &mut framebuffer).unwrap();
+    drop(frame);
+    assert!(framebuffer.plane(Plane::G).unwrap().rows().eq(rows.into_inner().unwrap().iter()));
+    let frame = Frame::new().tiles(|tile| drop(tile.row(0, tile.height())));
+    let text = panic_text(AssertUnwindSafe(|| drop(frame.render(&context, &mut framebuffer))));
+    assert!(text.starts_with("tile.row: ") && text.contains(" is not in 0.."), "{text}");
+}
+
+#[test]
 fn closures_live_as_long_as_their_material() {
     let context = Context::new().unwrap();
     let captured = Arc::new(0.5f32);
