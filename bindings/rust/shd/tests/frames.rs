@@ -121,7 +121,9 @@ fn finished_tiles_have_the_pixels() {
     frame.render(&context, &mut framebuffer).unwrap();
     drop(frame);
     assert!(framebuffer.plane(Plane::G).unwrap().rows().eq(rows.into_inner().unwrap().iter()));
-    let frame = Frame::new().tiles(|tile| drop(tile.row(0, tile.height())));
+    let frame = Frame::new().tiles(|tile| {
+        tile.row(0, tile.height());
+    });
     let text = panic_text(AssertUnwindSafe(|| drop(frame.render(&context, &mut framebuffer))));
     assert!(text.starts_with("tile.row: ") && text.contains(" is not in 0.."), "{text}");
 }
