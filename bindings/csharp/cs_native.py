@@ -132,7 +132,9 @@ class Native:
         yield f"    /// <summary>Functions of {library}, as in C.</summary>"
         yield f"    public static unsafe class {cls}"
         yield "    {"
-        yield f'        static {cls}() {{ Library.Load("{library}"); }}'
+        yield "#if NET5_0_OR_GREATER"
+        yield f"        static {cls}() {{ Library.SetResolver(); }}"
+        yield "#endif"
         yield ""
         for entry in self.types.table["functions"]:
             if entry.get("library") != library:

@@ -27,6 +27,7 @@ namespace Shd
 
         internal unsafe void* UserData { get { return (void*)GCHandle.ToIntPtr(self); } }
 
+        /// <summary>The root of a callback that runs on this thread.</summary>
         internal static unsafe CallbackRoot Of(void* userData)
         {
             return (CallbackRoot)GCHandle.FromIntPtr((IntPtr)userData).Target;

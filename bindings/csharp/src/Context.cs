@@ -9,6 +9,7 @@ namespace Shd
         /// <summary>A context of a desc; null = all defaults.</summary>
         public Context(ContextDesc desc = null) : base(new ContextHandle())
         {
+            Library.CheckVersion();
             using (Call call = new Call())
             {
                 Native.ContextDesc built = (desc ?? new ContextDesc()).Build(call, "desc");

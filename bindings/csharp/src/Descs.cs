@@ -10,15 +10,21 @@ namespace Shd
     {
         /// <summary>Memory of the context and its objects; null = malloc and free.</summary>
         public Allocator Allocator;
-        /// <summary>Threads; null = the built-in executor.</summary>
+        /// <summary>
+        /// Threads; null = the built-in executor of the library, or with Mono a ThreadExecutor of WorkerCount threads.
+        /// </summary>
         public Executor Executor;
         /// <summary>Receives messages on any thread, and must not call the library; null = none.</summary>
         public Action<LogLevel, string> Log;
 
         partial void More(Call call, string name, ref Native.ContextDesc made)
         {
-            if (Allocator == null && Executor == null && Log == null) return;
-            ContextDesc kept = new ContextDesc { Allocator = Allocator, Executor = Executor, Log = Log };
+            Executor executor = Executor;
+            int cores = System.Environment.ProcessorCount;
+            if (executor == null && ThreadExecutor.IsMono && WorkerCount != 1 && WorkerCount <= 1024)
+                executor = new ThreadExecutor((int)Math.Min(WorkerCount, (uint)cores));
+            if (Allocator == null && executor == null && Log == null) return;
+            ContextDesc kept = new ContextDesc { Allocator = Allocator, Executor = executor, Log = Log };
             void* root = call.Callback(kept).UserData;
             if (Allocator != null)
             {
@@ -26,11 +32,11 @@ namespace Shd
                 made.Allocator.Free = ContextThunks.Free;
                 made.Allocator.UserData = root;
             }
-            if (Executor != null)
+            if (executor != null)
             {
                 made.Executor.ParallelFor = ContextThunks.ParallelFor;
                 made.Executor.UserData = root;
-                made.Executor.WorkerCount = (uint)Executor.WorkerCount;
+                made.Executor.WorkerCount = (uint)executor.WorkerCount;
             }
             if (Log == null) return;
             made.Log.Write = ContextThunks.Write;

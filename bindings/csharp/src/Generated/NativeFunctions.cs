@@ -9,7 +9,9 @@ namespace Shd.Native
     /// <summary>Functions of shd, as in C.</summary>
     public static unsafe class LibShd
     {
-        static LibShd() { Library.Load("shd"); }
+#if NET5_0_OR_GREATER
+        static LibShd() { Library.SetResolver(); }
+#endif
 
         /// <summary>
         /// Shade the surfaces of draws into a framebuffer at their texture coordinates.
@@ -653,7 +655,9 @@ namespace Shd.Native
     /// <summary>Functions of shd_color, as in C.</summary>
     public static unsafe class LibShdColor
     {
-        static LibShdColor() { Library.Load("shd_color"); }
+#if NET5_0_OR_GREATER
+        static LibShdColor() { Library.SetResolver(); }
+#endif
 
         /// <summary>Text of the built-in config, as a starting point for other configs. Static. Any thread.</summary>
         [DllImport("shd_color", EntryPoint = "shd_color_default_config", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -760,7 +764,9 @@ namespace Shd.Native
     /// <summary>Functions of shd_embree, as in C.</summary>
     public static unsafe class LibShdEmbree
     {
-        static LibShdEmbree() { Library.Load("shd_embree"); }
+#if NET5_0_OR_GREATER
+        static LibShdEmbree() { Library.SetResolver(); }
+#endif
 
         /// <summary>Build a tree of the triangles of draws. Triangles with a position that is not finite are left out.</summary>
         [DllImport("shd_embree", EntryPoint = "shd_embree_create", CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -783,7 +789,9 @@ namespace Shd.Native
     /// <summary>Functions of shd_io, as in C.</summary>
     public static unsafe class LibShdIo
     {
-        static LibShdIo() { Library.Load("shd_io"); }
+#if NET5_0_OR_GREATER
+        static LibShdIo() { Library.SetResolver(); }
+#endif
 
         /// <summary>
         /// Read an image file.
@@ -923,7 +931,9 @@ namespace Shd.Native
     /// <summary>Functions of shd_scene, as in C.</summary>
     public static unsafe class LibShdScene
     {
-        static LibShdScene() { Library.Load("shd_scene"); }
+#if NET5_0_OR_GREATER
+        static LibShdScene() { Library.SetResolver(); }
+#endif
 
         /// <summary>
         /// Read a model file.
