@@ -7,3 +7,4 @@ python3 describe.py
 python3 cpp/generate.py
 python3 python/generate.py
 python3 lua/generate.py
+python3 csharp/generate.py
