@@ -4,7 +4,6 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 python3 describe.py
-python3 cpp/generate.py
-python3 python/generate.py
-python3 lua/generate.py
-python3 rust/generate.py
+for language in cpp csharp js lua python rust; do
+  python3 "$language/generate.py"
+done

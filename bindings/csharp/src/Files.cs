@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace Shd
+{
+    /// <summary>The pixels of a file, without conversion. Needs libshd_io.</summary>
+    public sealed unsafe class Bitmap : ShdObject
+    {
+        public Bitmap(Context context, string path, LoadDesc desc = null) : base(new BitmapHandle())
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdIo.BitmapLoad(call.Use(context, "context"), call.Text(path), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        /// <summary>A file in memory.</summary>
+        public Bitmap(Context context, byte[] file, LoadDesc desc = null) : base(new BitmapHandle())
+        {
+            if (file == null) throw new ArgumentNullException("file");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdIo.BitmapLoadMemory(call.Use(context, "context"), call.Pin(file),
+                                                            (UIntPtr)(uint)file.Length, &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        public BitmapInfo Info
+        {
+            get
+            {
+                using (Call call = new Call())
+                {
+                    BitmapInfo info = BitmapInfo.Default;
+                    call.Check(Native.LibShdIo.BitmapGetInfo(call.Use(this, "bitmap"), &info));
+                    return info;
+                }
+            }
+        }
+
+        public string ColorSpace
+        {
+            get { using (Call call = new Call()) return Utf8.Read(Native.LibShdIo.BitmapColorSpace(call.Use(this, "bitmap"))); }
+        }
+
+        /// <summary>A copy of the pixels, as bytes.</summary>
+        public Image Read()
+        {
+            using (Call call = new Call())
+            {
+                Native.Image view = Native.Image.Default;
+                call.Check(Native.LibShdIo.BitmapImage(call.Use(this, "bitmap"), &view));
+                long row = (long)Native.LibShd.FormatSize(view.Format) * view.Width;
+                byte[] pixels = new byte[row * view.Height];
+                byte* to = (byte*)call.Pin(pixels);
+                for (long y = 0; y < view.Height; ++y)
+                    Buffer.MemoryCopy((byte*)view.Pixels + y * (view.RowStride != 0 ? view.RowStride : row), to + y * row,
+                                      row, row);
+                return new Image(view.Format, (int)view.Width, (int)view.Height, pixels);
+            }
+        }
+    }
+
+    /// <summary>Textures and pictures in files. Needs libshd_io.</summary>
+    public static unsafe class Files
+    {
+        private static Texture Adopt(Call call, IntPtr made)
+        {
+            Texture texture = new Texture();
+            texture.Handle.Adopt(made, call.Roots);
+            return texture;
+        }
+
+        public static Texture LoadTexture(Context context, string path, LoadDesc desc = null)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureLoad(call.Use(context, "context"), call.Text(path), &built, &made));
+                return Adopt(call, made);
+            }
+        }
+
+        public static Texture LoadTexture(Context context, byte[] file, LoadDesc desc = null)
+        {
+            if (file == null) throw new ArgumentNullException("file");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureLoadMemory(call.Use(context, "context"), call.Pin(file),
+                                                             (UIntPtr)(uint)file.Length, &built, &made));
+                return Adopt(call, made);
+            }
+        }
+
+        /// <summary>A 3D texture from numbers without a header.</summary>
+        public static Texture LoadRaw(Context context, string path, RawDesc raw, LoadDesc desc = null)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureLoadRaw(call.Use(context, "context"), call.Text(path), &raw, &built,
+                                                          &made));
+                return Adopt(call, made);
+            }
+        }
+
+        /// <summary>A 3D texture from images of its slices.</summary>
+        public static Texture LoadStack(Context context, StackDesc stack, LoadDesc desc = null)
+        {
+            if (stack == null) throw new ArgumentNullException("stack");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                Native.StackDesc slices = stack.Build(call, "stack");
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureLoadStack(call.Use(context, "context"), &slices, &built, &made));
+                return Adopt(call, made);
+            }
+        }
+
+        /// <summary>A 3D texture from a grid of OpenVDB.</summary>
+        public static Texture LoadVdb(Context context, string path, VdbDesc vdb, out VdbInfo info, LoadDesc desc = null)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.LoadDesc built = (desc ?? new LoadDesc()).Build(call, "desc");
+                Native.VdbDesc grid = (vdb ?? new VdbDesc()).Build(call, "vdb");
+                VdbInfo found = VdbInfo.Default;
+                IntPtr made;
+                call.Check(Native.LibShdIo.TextureLoadVdb(call.Use(context, "context"), call.Text(path), &grid, &built,
+                                                          &found, &made));
+                info = found;
+                return Adopt(call, made);
+            }
+        }
+
+        public static void Save(Framebuffer framebuffer, string path, SaveDesc desc = null)
+        {
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.SaveDesc built = (desc ?? new SaveDesc()).Build(call, "desc");
+                call.Check(Native.LibShdIo.FramebufferSave(call.Use(framebuffer, "framebuffer"), call.Text(path), &built));
+            }
+        }
+
+        public static void Save(Image image, string path, SaveDesc desc = null)
+        {
+            if (image == null) throw new ArgumentNullException("image");
+            if (path == null) throw new ArgumentNullException("path");
+            using (Call call = new Call())
+            {
+                Native.Image pixels = image.Build(call, "image");
+                Native.SaveDesc built = (desc ?? new SaveDesc()).Build(call, "desc");
+                call.Check(Native.LibShdIo.ImageSave(&pixels, call.Text(path), &built));
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace Shd
+{
+    /// <summary>A filter with its settings, for any texture.</summary>
+    public sealed unsafe class Sampler : ShdObject
+    {
+        /// <summary>A sampler of a desc that began as SamplerDesc.Default; null = all defaults.</summary>
+        public Sampler(Context context, SamplerDesc? desc = null) : base(new SamplerHandle())
+        {
+            using (Call call = new Call())
+            {
+                SamplerDesc built = desc ?? SamplerDesc.Default;
+                IntPtr made;
+                call.Check(Native.LibShd.SamplerCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+    }
+
+    /// <summary>A source of light in world space.</summary>
+    public sealed unsafe class Light : ShdObject
+    {
+        public Light(Context context, LightDesc desc) : this()
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.LightDesc built = desc.Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShd.LightCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        internal Light() : base(new LightHandle()) { }
+    }
+
+    /// <summary>Reflectance of a surface. It keeps its programs, textures and samplers.</summary>
+    public sealed unsafe class Material : ShdObject
+    {
+        public Material(Context context, MaterialDesc desc) : this()
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.MaterialDesc built = desc.Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShd.MaterialCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        internal Material() : base(new MaterialHandle()) { }
+    }
+
+    /// <summary>Light from all directions.</summary>
+    public sealed unsafe class Environment : ShdObject
+    {
+        public Environment(Context context, EnvironmentDesc desc) : base(new EnvironmentHandle())
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.EnvironmentDesc built = desc.Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShd.EnvironmentCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        public EnvironmentInfo Info
+        {
+            get
+            {
+                using (Call call = new Call())
+                {
+                    EnvironmentInfo info = EnvironmentInfo.Default;
+                    call.Check(Native.LibShd.EnvironmentGetInfo(call.Use(this, "environment"), &info));
+                    return info;
+                }
+            }
+        }
+
+        /// <summary>Irradiance around directions.</summary>
+        public void Irradiance(EnvironmentLookups lookups, EnvironmentLight output)
+        {
+            Evaluate(lookups, output, true);
+        }
+
+        /// <summary>Radiance through the lobes of rough materials.</summary>
+        public void Radiance(EnvironmentLookups lookups, EnvironmentLight output) { Evaluate(lookups, output, false); }
+
+        private void Evaluate(EnvironmentLookups lookups, EnvironmentLight output, bool isIrradiance)
+        {
+            if (lookups == null) throw new ArgumentNullException("lookups");
+            if (output == null) throw new ArgumentNullException("output");
+            using (Call call = new Call())
+            {
+                IntPtr self = call.Use(this, "environment");
+                Native.EnvironmentLookups built = lookups.Build(call, "lookups");
+                Native.EnvironmentLight light = output.Build(call, "output", built.Count);
+                call.Check(isIrradiance ? Native.LibShd.EnvironmentIrradiance(self, &built, &light)
+                                        : Native.LibShd.EnvironmentRadiance(self, &built, &light));
+            }
+        }
+    }
+
+    /// <summary>Depths as seen from a light.</summary>
+    public sealed unsafe class Shadow : ShdObject
+    {
+        public Shadow(Context context, ShadowDesc? desc = null) : base(new ShadowHandle())
+        {
+            using (Call call = new Call())
+            {
+                ShadowDesc built = desc ?? ShadowDesc.Default;
+                IntPtr made;
+                call.Check(Native.LibShd.ShadowCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+
+        /// <summary>Draws the depths. A shadow serves one Render, without concurrent uses.</summary>
+        public void Render(Context context, ShadowRenderDesc desc)
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.ShadowRenderDesc built = desc.Build(call, "desc");
+                call.Check(Native.LibShd.ShadowRender(call.Use(context, "context"), call.UseAlone(this, "shadow"), &built));
+            }
+        }
+
+        /// <summary>Visibility of the light at positions.</summary>
+        public void Sample(ShadowLookups lookups, Column<float> visibility)
+        {
+            if (lookups == null) throw new ArgumentNullException("lookups");
+            using (Call call = new Call())
+            {
+                Native.ShadowLookups built = lookups.Build(call, "lookups");
+                long rows = built.Count;
+                Native.F32Out output = call.F32Out(visibility, "", "visibility", ref rows);
+                call.Check(Native.LibShd.ShadowSample(call.Use(this, "shadow"), &built, &output));
+            }
+        }
+    }
+
+    /// <summary>A density field with its transfer function.</summary>
+    public sealed unsafe class Volume : ShdObject
+    {
+        public Volume(Context context, VolumeDesc desc) : base(new VolumeHandle())
+        {
+            if (desc == null) throw new ArgumentNullException("desc");
+            using (Call call = new Call())
+            {
+                Native.VolumeDesc built = desc.Build(call, "desc");
+                IntPtr made;
+                call.Check(Native.LibShd.VolumeCreate(call.Use(context, "context"), &built, &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+    }
+
+    /// <summary>The triangles of draws in a tree of Embree, which traces rays for OcclusionDesc.</summary>
+    public sealed unsafe class Embree : ShdObject
+    {
+        public Embree(Context context, params Draw[] draws) : base(new EmbreeHandle())
+        {
+            if (draws == null) throw new ArgumentNullException("draws");
+            using (Call call = new Call())
+            {
+                Native.Draw* all = Draw.BuildAll(call, "draws", draws);
+                IntPtr made;
+                call.Check(Native.LibShdEmbree.EmbreeCreate(call.Use(context, "context"), all, (UIntPtr)(uint)draws.Length,
+                                                            &made));
+                Handle.Adopt(made, call.Roots);
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+
+namespace Shd
+{
+    /// <summary>Arrays of pixels: their element types and lengths.</summary>
+    internal static unsafe class Pixels
+    {
+        private static int ChannelSize(Format format)
+        {
+            string name = format.ToString();
+            if (name.EndsWith("32f")) return 4;
+            return name.EndsWith("16") || name.EndsWith("16f") ? 2 : 1;
+        }
+
+        /// <summary>Checks that an array can hold pixels of a format in rows and layers with these strides.</summary>
+        internal static void Check(Array pixels, string name, Format format, long width, long height, long layers,
+                                   long rowStride, long layerStride)
+        {
+            long pixel = (long)Native.LibShd.FormatSize(format);
+            if (pixel == 0) return; // the library names the unknown format
+            Type element = pixels.GetType().GetElementType();
+            int size = element.IsValueType ? Marshal.SizeOf(element) : 0;
+            bool isFloat = element == typeof(float), is32Bit = ChannelSize(format) == 4;
+            bool fits = element == typeof(byte) ||
+                        (element.IsPrimitive ? size == ChannelSize(format) && isFloat == is32Bit : size == pixel);
+            if (!fits)
+                throw new ArgumentException(name + ": elements are " + element.Name + ", not channels of " + format,
+                                            name);
+            long row = rowStride != 0 ? rowStride : width * pixel, layer = layerStride != 0 ? layerStride : height * row;
+            if (width <= 0 || height <= 0 || layers <= 0 || row < 0 || layer < 0) return; // refused by the library
+            decimal needed = (decimal)(layers - 1) * layer + (decimal)(height - 1) * row + (decimal)width * pixel;
+            decimal bytes = (decimal)pixels.LongLength * size;
+            if (bytes < needed || (rowStride == 0 && layerStride == 0 && bytes != needed))
+                throw new ArgumentException(name + ": " + bytes + " bytes, not " + needed, name);
+        }
+    }
+
+    public sealed unsafe partial class Image
+    {
+        /// <summary>[height][width] pixels: an array of channels, of bytes, or of structs of one pixel.</summary>
+        public Array Pixels;
+
+        public Image() { }
+        public Image(Format format, int width, int height, Array pixels)
+        {
+            Format = format;
+            Width = (uint)width;
+            Height = (uint)height;
+            Pixels = pixels;
+        }
+
+        partial void More(Call call, string name, ref Native.Image made)
+        {
+            if (Pixels == null) return;
+            Shd.Pixels.Check(Pixels, Call.Join(name, "Pixels"), Format, Width, Height, 1, RowStride, 0);
+            made.Pixels = call.Pin(Pixels);
+        }
+    }
+
+    public sealed unsafe partial class TextureDesc
+    {
+        /// <summary>
+        /// [layers or depth][height][width] texels: an array of channels, of bytes, or of structs of one texel. Copied.
+        /// </summary>
+        public Array Texels;
+        /// <summary>The caller's mip levels, [layers][LevelCount]; null = the library builds the levels.</summary>
+        public IList<Image> Levels;
+
+        public TextureDesc() { }
+        public TextureDesc(Format format, int width, int height, Array texels)
+        {
+            Format = format;
+            Width = (uint)width;
+            Height = (uint)height;
+            Texels = texels;
+        }
+
+        partial void More(Call call, string name, ref Native.TextureDesc made)
+        {
+            if ((Flags & TextureFlags.Borrow) != 0)
+                throw new ArgumentException(Call.Join(name, "Flags") + ": arrays are pinned for the call only, so a " +
+                                            "texture cannot borrow their texels", "Flags");
+            if (Texels != null)
+            {
+                Pixels.Check(Texels, Call.Join(name, "Texels"), Format, Width, Height,
+                             Math.Max(1, Math.Max((long)Depth, Layers)), RowStride, LayerStride);
+                made.Texels = call.Pin(Texels);
+            }
+            if (Levels == null) return;
+            uint layers = Depth > 0 ? 1 : Math.Max(1, Layers);
+            if (Depth == 0 && Levels.Count % layers != 0)
+                throw new ArgumentException(Call.Join(name, "Levels") + ": " + Levels.Count + " images are not levels of " +
+                                            layers + " layers", "Levels");
+            made.LevelCount = Depth > 0 ? LevelsOfSlices() : (uint)Levels.Count / layers;
+            made.Levels = Image.BuildAll(call, Call.Join(name, "Levels"), Levels);
+        }
+
+        /// <summary>Levels of a 3D texture: level l has max(1, depth >> l) of the images.</summary>
+        private uint LevelsOfSlices()
+        {
+            uint level = 0;
+            for (long left = Levels.Count; left > 0; left -= Math.Max(1, Depth >> (int)Math.Min(31, level))) ++level;
+            return level;
+        }
+    }
+}
