@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// A finished picture: what the window shows, and the numbers behind it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "explanation.h"
+#include "state.h"
+
+namespace viewer {
+
+/// One side of a picture.
+struct Image {
+  uint32_t width = 0, height = 0;
+  std::vector<uint8_t> display;  // [height][width][4], encoded for the display, opaque
+  std::vector<float> linear;     // [height][width][4], scene-linear, premultiplied
+  shd_render_stats stats = shd_render_stats_default();
+  double seconds = 0.0;  // of shd_render() and the display transform
+};
+
+struct Picture {
+  State state;
+  std::shared_ptr<const Image> side[2];  // null after an error, and the second one without a wipe
+  Explanation explanation;
+  Bounds bounds;
+  uint64_t triangles = 0;
+  std::vector<std::string> warnings;  // of the model file
+  std::string error;                  // "" = the images are those of the state
+  bool from_file = false;
+  bool cancelled = false;
+  std::string simd;
+  uint32_t workers = 0;
+};
+
+/// The pixels of the viewport: A left of the divider, B right of it. [height][width][4].
+std::vector<uint8_t> compose(const Picture& picture, uint32_t divider);
+
+/// FNV-1a, 64 bits.
+uint64_t hash_of(const std::vector<uint8_t>& bytes);
+
+}  // namespace viewer

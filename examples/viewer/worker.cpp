@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "worker.h"
+
+#include <chrono>
+
+namespace viewer {
+namespace {
+
+constexpr double kPatience = 0.25;                 // a rendering that runs for longer gives way to a new state [s]
+constexpr int64_t kReportInterval = 50'000'000;    // [ns]
+
+int64_t now() {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+}  // namespace
+
+Worker::Worker(uint32_t workers, std::function<void()> changed)
+    : changed_(std::move(changed)), thread_([this, workers] { run(workers); }) {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_ending_ = true;
+    stop_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Worker::ask(const State& state) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_ = state;
+    if (is_busy_ && latest_ && static_cast<double>(now() - start_) * 1e-9 > kPatience) stop_ = true;
+  }
+  wake_.notify_all();
+}
+
+void Worker::cancel() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_busy_) stop_ = true;
+}
+
+std::shared_ptr<const Picture> Worker::latest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return latest_;
+}
+
+std::shared_ptr<const Picture> Worker::wait() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  idle_.wait(lock, [this] { return !is_busy_ && !waiting_; });
+  return latest_;
+}
+
+std::vector<Display> Worker::displays() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  idle_.wait(lock, [this] { return is_ready_; });
+  return displays_;
+}
+
+bool Worker::is_busy() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return is_busy_ || waiting_;
+}
+
+double Worker::seconds() const {
+  return static_cast<double>(now() - start_) * 1e-9;
+}
+
+int32_t Worker::report(void* user_data, float fraction) {
+  auto* const self = static_cast<Worker*>(user_data);
+  self->progress_ = fraction;
+  const int64_t time = now();
+  if (time - self->last_report_ > kReportInterval) {
+    self->last_report_ = time;
+    self->changed_();
+  }
+  return self->stop_ ? 1 : 0;
+}
+
+void Worker::run(uint32_t workers) {
+  std::unique_ptr<Stage> stage;
+  Picture failure;
+  try {
+    stage = std::make_unique<Stage>(workers);
+  } catch (const std::exception& error) {
+    failure.error = error.what();
+  }
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (stage) displays_ = stage->displays();
+  is_ready_ = true;
+  idle_.notify_all();
+  for (;;) {
+    wake_.wait(lock, [this] { return waiting_ || is_ending_; });
+    if (is_ending_) return;
+    const State state = *waiting_;
+    waiting_.reset();
+    is_busy_ = true;
+    stop_ = false;
+    progress_ = 0.0f;
+    start_ = now();
+    const std::shared_ptr<const Picture> previous = latest_;
+    lock.unlock();
+    const shd_progress progress = {report, this};
+    auto picture = std::make_shared<Picture>(stage ? stage->show(state, progress, previous.get()) : failure);
+    if (!stage) picture->state = state;
+    lock.lock();
+    // A stopped rendering leaves the window as it was, except that the panel can offer to render again.
+    if (picture->cancelled && previous) {
+      const State asked = picture->state;
+      *picture = *previous;
+      picture->state = asked;
+      picture->cancelled = true;
+    }
+    latest_ = picture;
+    is_busy_ = false;
+    idle_.notify_all();
+    lock.unlock();
+    changed_();
+    lock.lock();
+  }
+}
+
+}  // namespace viewer
