@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <shd/io.h>
+
 namespace viewer {
 
 std::vector<uint8_t> compose(const Picture& picture, uint32_t divider) {
@@ -17,6 +19,29 @@ std::vector<uint8_t> compose(const Picture& picture, uint32_t divider) {
               pixels.begin() + static_cast<std::ptrdiff_t>(y * row + first));
   }
   return pixels;
+}
+
+Pixel first_magnified(Pixel middle, uint32_t width, uint32_t height) {
+  const auto first = [](uint32_t at, uint32_t count, uint32_t size) {
+    const uint32_t last = size > count ? size - count : 0;
+    return std::min(at > count / 2 ? at - count / 2 : 0, last);
+  };
+  return {first(middle.x, kMagnifiedColumns, width), first(middle.y, kMagnifiedRows, height)};
+}
+
+std::string save_pixels(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height, const std::string& path) {
+  std::vector<uint8_t> copy = pixels;  // shd_image has no read-only pixels
+  shd_image image = shd_image_default();
+  image.format = SHD_FORMAT_RGBA8_SRGB;
+  image.width = width, image.height = height;
+  image.pixels = copy.data();
+  const shd_save_desc desc = shd_save_desc_default();
+  return shd_image_save(&image, path.c_str(), &desc) == SHD_OK ? "" : path + ": " + shd_last_error();
+}
+
+std::string save_viewport(const Picture& picture, uint32_t divider, const std::string& path) {
+  if (!picture.side[0]) return path + ": there is no picture";
+  return save_pixels(compose(picture, divider), picture.side[0]->width, picture.side[0]->height, path);
 }
 
 uint64_t hash_of(const std::vector<uint8_t>& bytes) {

@@ -38,6 +38,19 @@ struct Picture {
 /// The pixels of the viewport: A left of the divider, B right of it. [height][width][4].
 std::vector<uint8_t> compose(const Picture& picture, uint32_t divider);
 
+/// Pixels that the magnifier shows.
+constexpr int kMagnifiedColumns = 9, kMagnifiedRows = 7;
+
+/// First pixel of the magnifier around `middle`, so that all of its pixels are in a picture of that size if it is
+/// large enough.
+Pixel first_magnified(Pixel middle, uint32_t width, uint32_t height);
+
+/// Writes RGBA pixels as PNG, or in another format by the extension. Returns the text of an error, or "".
+std::string save_pixels(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height, const std::string& path);
+
+/// Writes the pixels of the viewport. Returns the text of an error, or "".
+std::string save_viewport(const Picture& picture, uint32_t divider, const std::string& path);
+
 /// FNV-1a, 64 bits.
 uint64_t hash_of(const std::vector<uint8_t>& bytes);
 

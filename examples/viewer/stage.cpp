@@ -218,7 +218,8 @@ Picture Stage::show(const State& state, const shd_progress& progress, const Pict
   picture.simd = shd_context_simd_target(context_);
   picture.workers = shd_context_worker_count(context_);
   try {
-    const bool is_rendered = previous && previous->side[0] && same_pixels(previous->state, state);
+    const bool is_rendered =
+        previous && !previous->cancelled && previous->side[0] && same_pixels(previous->state, state);
     if (!is_rendered) prepare(state);
     for (int i = 0; i < (state.wipe ? 2 : 1); ++i) {
       picture.side[i] = is_rendered ? previous->side[i] : render(state, i, progress);

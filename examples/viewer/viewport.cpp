@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "viewport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "magnifier.h"
+
+namespace viewer {
+namespace {
+
+constexpr int kGrip = 7;       // pixels beside the divider that hold it
+constexpr int kClickMoves = 4;  // pixels that a click may move
+
+void draw_label(ImDrawList& list, const Ui& ui, ImVec2 at, const char* text, bool is_right) {
+  ImGui::PushFont(ui.fonts.bold);
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  ImGui::PopFont();
+  const float pad = 7.0f * ui.scale;
+  if (is_right) at.x -= size.x + 2.0f * pad;
+  list.AddRectFilled(at, ImVec2(at.x + size.x + 2.0f * pad, at.y + size.y + pad), kShade, 3.0f);
+  list.AddText(ui.fonts.bold, ui.fonts.bold->FontSize, ImVec2(at.x + pad, at.y + 0.5f * pad), kBright, text);
+}
+
+/// Name of a side: the settings in which it may differ.
+std::string name_of(const Side& side, int index) {
+  std::string name = index == 0 ? "A   " : "B   ";
+  name += label_of(kFilters, side.sampling.filter);
+  if (side.show != Show::kModel) name += std::string(", ") + label_of(kShows, int(side.show));
+  if (side.samples > 1) name += ", 4 samples";
+  return name;
+}
+
+void draw_message(const Ui& ui, const Rect& place) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float width = std::min(0.7f * float(place.width), 620.0f * ui.scale), pad = 18.0f * ui.scale;
+  const char* const title = "This could not be shown";
+  const ImVec2 size = ImGui::CalcTextSize(ui.message.c_str(), nullptr, false, width);
+  const float line = 1.7f * ImGui::GetFontSize(), height = size.y + line;
+  const ImVec2 at(std::round(float(place.x) + 0.5f * (float(place.width) - width)),
+                  std::round(float(place.y) + 0.5f * (float(place.height) - height)));
+  const ImVec2 low(at.x - pad, at.y - pad), high(at.x + width + pad, at.y + height + pad);
+  list.AddRectFilled(low, high, IM_COL32(28, 22, 24, 240), 5.0f);
+  list.AddRectFilled(low, ImVec2(low.x + 5.0f * ui.scale, high.y), IM_COL32(225, 84, 72, 255));
+  list.AddText(ui.fonts.bold, ui.fonts.bold->FontSize, at, IM_COL32(255, 140, 125, 255), title);
+  list.AddText(ui.fonts.text, ui.fonts.text->FontSize, ImVec2(at.x, at.y + line), kBright, ui.message.c_str(), nullptr,
+               width);
+}
+
+}  // namespace
+
+Viewport::~Viewport() {
+  for (SDL_Texture* texture : textures_) {
+    if (texture) SDL_DestroyTexture(texture);
+  }
+}
+
+void Viewport::set_picture(const std::shared_ptr<const Picture>& picture) {
+  if (!picture || picture == shown_ || !picture->side[0]) return;
+  for (int i = 0; i < 2; ++i) {
+    const Image* image = picture->side[i].get();
+    if (shown_ && shown_->side[i] == picture->side[i]) continue;
+    if (textures_[i]) SDL_DestroyTexture(textures_[i]);
+    textures_[i] = nullptr;
+    if (!image) continue;
+    textures_[i] = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STATIC,
+                                     static_cast<int>(image->width), static_cast<int>(image->height));
+    if (!textures_[i]) continue;
+    SDL_UpdateTexture(textures_[i], nullptr, image->display.data(), static_cast<int>(4 * image->width));
+    SDL_SetTextureBlendMode(textures_[i], SDL_BLENDMODE_NONE);
+  }
+  shown_ = picture;
+}
+
+void Viewport::draw_pixels(const Rect& place, const State& state) const {
+  if (!shown_) return;
+  for (int i = 0; i < 2; ++i) {
+    if (!textures_[i]) continue;
+    State scaled = state;
+    scaled.width = shown_->side[i]->width;
+    const int image_width = static_cast<int>(scaled.width), image_height = static_cast<int>(shown_->side[i]->height);
+    const int image_split = i == 0 ? 0 : static_cast<int>(divider_column(scaled));
+    const int split = i == 0 ? 0 : static_cast<int>(divider_column(state));
+    const SDL_Rect from = {image_split, 0, image_width - image_split, image_height};
+    const SDL_Rect to = {place.x + split, place.y, place.width - split, place.height};
+    if (from.w > 0 && to.w > 0) SDL_RenderCopy(renderer_, textures_[i], &from, &to);
+  }
+}
+
+void Viewport::draw_marks(const Ui& ui, const Rect& place, const State& state) const {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(ImVec2(float(place.x), float(place.y)),
+                    ImVec2(float(place.x + place.width), float(place.y + place.height)));
+  if (state.wipe && shown_ && shown_->side[1]) {
+    const float x = float(place.x) + float(divider_column(state)), middle = float(place.y) + 0.5f * float(place.height);
+    const float top = float(place.y), grip = 13.0f * ui.scale;
+    list.AddRectFilled(ImVec2(x - 1.0f, top), ImVec2(x + 1.0f, top + float(place.height)), kAccent);
+    list.AddCircleFilled(ImVec2(x, middle), grip, kAccent);
+    for (const float side : {-1.0f, 1.0f}) {
+      list.AddTriangleFilled(ImVec2(x + side * 0.68f * grip, middle), ImVec2(x + side * 0.2f * grip, middle - 0.4f * grip),
+                             ImVec2(x + side * 0.2f * grip, middle + 0.4f * grip), IM_COL32(30, 24, 14, 255));
+    }
+    const float gap = 12.0f * ui.scale;
+    draw_label(list, ui, ImVec2(x - gap, top + gap), name_of(shown_->state.side[0], 0).c_str(), true);
+    draw_label(list, ui, ImVec2(x + gap, top + gap), name_of(shown_->state.side[1], 1).c_str(), false);
+  }
+  if (state.pick && shown_) {
+    const ImVec2 at(float(place.x) + float(state.pick->x) + 0.5f, float(place.y) + float(state.pick->y) + 0.5f);
+    list.AddCircle(at, 8.0f * ui.scale, IM_COL32(0, 0, 0, 200), 24, 4.0f * ui.scale);
+    list.AddCircle(at, 8.0f * ui.scale, kAccent, 24, 2.0f * ui.scale);
+  }
+  if (ui.magnified && ui.message.empty() && shown_ && shown_->side[0]->width == state.width) {
+    draw_magnifier(ui, place, *shown_, divider_column(state), *ui.magnified);
+  }
+  if (!ui.message.empty()) draw_message(ui, place);
+  list.PopClipRect();
+}
+
+void Viewport::press(const SDL_MouseButtonEvent& event, const Rect& place, const State& state) {
+  if (drag_ != Drag::kNone || !place.contains(event.x, event.y)) return;
+  const int divider = place.x + static_cast<int>(divider_column(state));
+  moved_ = 0;
+  if (event.button != SDL_BUTTON_LEFT || (SDL_GetModState() & KMOD_SHIFT)) {
+    drag_ = Drag::kPan;
+  } else if (state.wipe && std::abs(event.x - divider) <= kGrip) {
+    drag_ = Drag::kDivider;
+  } else {
+    drag_ = Drag::kTurn;
+  }
+}
+
+void Viewport::release(const SDL_MouseButtonEvent& event, const Rect& place, Ui& ui, State& state) {
+  const bool is_click = drag_ == Drag::kTurn && moved_ < kClickMoves && place.contains(event.x, event.y);
+  drag_ = Drag::kNone;
+  moved_ = 0;
+  if (!is_click) return;
+  state.pick = Pixel{static_cast<uint32_t>(event.x - place.x), static_cast<uint32_t>(event.y - place.y)};
+  ui.pixel_tab = ui.select_tab = true;
+  ui.level = 0;
+}
+
+void Viewport::move(const SDL_MouseMotionEvent& event, const Rect& place, Ui& ui, State& state) {
+  if (ui.magnifier && place.contains(event.x, event.y)) {
+    ui.magnified = Pixel{static_cast<uint32_t>(event.x - place.x), static_cast<uint32_t>(event.y - place.y)};
+  }
+  if (drag_ == Drag::kNone) return;
+  moved_ += std::abs(event.xrel) + std::abs(event.yrel);
+  const float dx = float(event.xrel), dy = float(event.yrel);
+  if (drag_ == Drag::kDivider) {
+    state.divider = std::clamp(float(event.x - place.x) / float(place.width), 0.0f, 1.0f);
+  } else if (moved_ >= kClickMoves) {
+    state.pick.reset();  // the pixel shows another point now
+    if (drag_ == Drag::kTurn) turn(state.orbit, dx, dy);
+    if (drag_ == Drag::kPan) pan(state.orbit, dx, dy, float(place.width), float(place.height));
+  }
+}
+
+void Viewport::handle(const SDL_Event& event, const Rect& place, Ui& ui, State& state) {
+  if (event.type == SDL_MOUSEBUTTONDOWN) {
+    press(event.button, place, state);
+  } else if (event.type == SDL_MOUSEBUTTONUP) {
+    release(event.button, place, ui, state);
+  } else if (event.type == SDL_MOUSEMOTION) {
+    move(event.motion, place, ui, state);
+  } else if (event.type == SDL_MOUSEWHEEL) {
+    state.pick.reset();
+    zoom(state.orbit, float(event.wheel.y), float(place.width) / float(place.height));
+  }
+}
+
+}  // namespace viewer
