@@ -150,9 +150,12 @@ void App::show_panel() {
   if (ImGui::BeginTabBar("tabs")) {
     const auto flags_of = [&](bool is_wanted) { return select && is_wanted ? ImGuiTabItemFlags_SetSelected : 0; };
     if (ImGui::BeginTabItem("Settings", nullptr, flags_of(!ui_.pixel_tab))) {
-      ImGui::BeginChild("settings");
+      const float buttons = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+      ImGui::BeginChild("settings", ImVec2(0.0f, -buttons));
       show_settings(ui_, picture, state_);
       ImGui::EndChild();
+      ImGui::Separator();
+      show_buttons(ui_);
       ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Pixel", nullptr, flags_of(ui_.pixel_tab))) {

@@ -92,7 +92,7 @@ void draw_weights(ImDrawList& list, const Ui& ui, const Explanation& e, const Fr
   for (const auto& [texel, weight] : weights) {
     const ImVec2 middle = frame.at(float(texel.first) + 0.5f, float(texel.second) + 0.5f);
     const float radius = std::max(0.42f * frame.cell * std::sqrt(std::abs(weight) / most), 1.0f);
-    const ImU32 fill = weight < 0.0f ? IM_COL32(90, 150, 255, 150) : IM_COL32(255, 255, 255, 120);
+    const ImU32 fill = weight < 0.0f ? IM_COL32(90, 150, 255, 190) : IM_COL32(255, 255, 255, 190);
     list.AddCircleFilled(middle, radius, fill);
     list.AddCircle(middle, radius, IM_COL32(0, 0, 0, 210), 0, 1.2f);
     if (frame.cell < 34.0f * ui.scale) continue;
@@ -203,7 +203,8 @@ void show_explanation(Ui& ui, const Explanation& e) {
     ImGui::TextWrapped("%s", e.note.empty() ? "The lookup reads no texels." : e.note.c_str());
     return;
   }
-  ImGui::TextDisabled("u %.5f  v %.5f   %zu taps", e.lookup.u, e.lookup.v, e.taps.size());
+  ImGui::TextDisabled("u %.5f  v %.5f   %zu tap%s", e.lookup.u, e.lookup.v, e.taps.size(),
+                      e.taps.size() == 1 ? "" : "s");
   show_level_buttons(ui, e);
   show_level(ui, e, e.levels[ui.level]);
   show_sum(ui, e);

@@ -115,12 +115,16 @@ void place(const std::vector<Tap>& taps, LevelView& view) {
       high[axis] = std::max(high[axis], at[axis]);
     }
   }
+  // The shorter side gets more texels, so that the view has about the shape of its place on the screen.
+  const int spans[2] = {high[0] - low[0] + 1 + 2 * kMargin, high[1] - low[1] + 1 + 2 * kMargin};
+  const int wanted[2] = {std::max(spans[0], spans[1] * 8 / 7), std::max(spans[1], spans[0] * 7 / 8)};
   int* const first[2] = {&view.x, &view.y};
   int* const count[2] = {&view.columns, &view.rows};
   for (int axis = 0; axis < 2; ++axis) {
-    const int middle = static_cast<int>(std::floor(view.center[axis]));
-    *first[axis] = std::max(low[axis] - kMargin, middle - kMostTexels / 2);
-    *count[axis] = std::min(high[axis] + kMargin, middle + kMostTexels / 2) - *first[axis] + 1;
+    const int middle = static_cast<int>(std::floor(view.center[axis])), extra = wanted[axis] - spans[axis];
+    const int last = std::min(high[axis] + kMargin + extra / 2, middle + kMostTexels / 2);
+    *first[axis] = std::max(low[axis] - kMargin - (extra + 1) / 2, middle - kMostTexels / 2);
+    *count[axis] = last - *first[axis] + 1;
   }
 }
 

@@ -42,7 +42,7 @@ shd::shadow make_shadow(shd_context* context, const shd_light* light, const Asse
   shd_shadow_desc desc = shd_shadow_desc_default();
   desc.size = 2048;
   desc.filter = SHD_SHADOW_FILTER_PCSS;
-  desc.taps = 9;
+  desc.taps = 7;
   desc.light_size = 0.14f;
   desc.normal_offset = 0.004f * assets.bounds.radius;
   shd_shadow_render_desc render = shd_shadow_render_desc_default();

@@ -36,8 +36,8 @@ bool section(const Ui& ui, const char* text) {
   return is_open;
 }
 
-/// A name of the list, or the file's path.
-void source(const char* text, const char* const* names, int count, std::string& value) {
+/// A name of the list, or the path of a file, which `path` takes.
+void source(Ui& ui, const char* text, const char* const* names, int count, std::string& value) {
   label(text);
   ImGui::PushID(text);
   const std::string shown = value.find('/') == std::string::npos ? value : value.substr(value.rfind('/') + 1);
@@ -45,7 +45,13 @@ void source(const char* text, const char* const* names, int count, std::string& 
     for (int i = 0; i < count; ++i) {
       if (ImGui::Selectable(names[i], value == names[i])) value = names[i];
     }
-    ImGui::TextDisabled("or drop a file on the window");
+    ImGui::TextDisabled("or drop a file on the window, or type its path:");
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool is_entered = ImGui::InputText("##path", ui.path, sizeof ui.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (is_entered && ui.path[0]) {
+      value = ui.path;
+      ImGui::CloseCurrentPopup();
+    }
     ImGui::EndCombo();
   }
   ImGui::PopID();
@@ -89,7 +95,7 @@ void show_surface(const Ui& ui, bool from_file, Surface& surface) {
   ImGui::EndDisabled();
 }
 
-void show_light(const Ui& ui, Lighting& lighting, Content& content) {
+void show_light(Ui& ui, Lighting& lighting, Content& content) {
   if (!section(ui, "Light")) return;
   label("Direction");
   float direction[2] = {lighting.azimuth, lighting.elevation};
@@ -99,7 +105,7 @@ void show_light(const Ui& ui, Lighting& lighting, Content& content) {
   slider("Intensity", lighting.intensity, 0.0f, 10.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
   slider("Ambient", lighting.ambient, 0.0f, 1.0f);
   constexpr const char* kEnvironments[] = {"studio", "none"};
-  source("Environment", kEnvironments, 2, lighting.environment);
+  source(ui, "Environment", kEnvironments, 2, lighting.environment);
   ImGui::BeginDisabled(lighting.environment == "none");
   slider("Its intensity", lighting.environment_intensity, 0.0f, 4.0f);
   ImGui::EndDisabled();
@@ -136,15 +142,8 @@ void show_content(Ui& ui, const Picture* picture, Content& content) {
   if (!section(ui, "Model")) return;
   constexpr const char* kModelNames[] = {"teapot", "sphere", "box", "torus", "plane"};
   constexpr const char* kTextureNames[] = {"default", "porcelain", "tiles", "none"};
-  source("Model", kModelNames, 5, content.model);
-  source("Texture", kTextureNames, 4, content.texture);
-  label("Model file");
-  const float button = ImGui::CalcTextSize("Open").x + 2.0f * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool is_entered = ImGui::InputTextWithHint("##path", "path", ui.path, sizeof ui.path,
-                                                   ImGuiInputTextFlags_EnterReturnsTrue);
-  ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
-  if ((ImGui::Button("Open") || is_entered) && ui.path[0]) content.model = ui.path;
+  source(ui, "Model", kModelNames, 5, content.model);
+  source(ui, "Texture", kTextureNames, 4, content.texture);
   label("Floor");
   ImGui::Checkbox("##floor", &content.floor);
   if (!picture) return;
@@ -182,7 +181,9 @@ void show_settings(Ui& ui, const Picture* picture, State& state) {
   show_light(ui, state.lighting, state.content);
   show_display(ui, state, side);
   show_content(ui, picture, state.content);
-  ImGui::Spacing();
+}
+
+void show_buttons(Ui& ui) {
   if (ImGui::Button("Save PNG")) ui.save = true;
   ImGui::SameLine();
   if (ImGui::Button("Reset camera")) ui.reset = true;

@@ -43,7 +43,7 @@ struct Side {
   Sampling sampling;
   Surface surface;
   Show show = Show::kModel;
-  uint32_t samples = 1;  // 1 or 4
+  uint32_t samples = 4;  // 1 or 4
   auto tie() const { return std::tuple_cat(sampling.tie(), surface.tie(), std::tie(show, samples)); }
 };
 

@@ -83,7 +83,7 @@ Fonts set_theme(float scale, const std::string& font) {
   style.FrameRounding = style.GrabRounding = style.PopupRounding = style.TabRounding = 3.0f;
   style.WindowPadding = ImVec2(14.0f, 10.0f);
   style.FramePadding = ImVec2(8.0f, 3.0f);
-  style.ItemSpacing = ImVec2(8.0f, 5.0f);
+  style.ItemSpacing = ImVec2(8.0f, 4.0f);
   style.ItemInnerSpacing = ImVec2(8.0f, 4.0f);
   style.ScrollbarSize = 12.0f;
   style.AntiAliasedLinesUseTex = false;  // needs bilinear lookups, which SDL's software renderer does not have

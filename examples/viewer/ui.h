@@ -23,7 +23,7 @@ struct Ui {
   std::string message;             // error of the last picture, shown over the viewport
   std::string notice;              // such as the name of a saved file, shown in the status line
   std::vector<Display> displays;
-  char path[1024] = {};            // of a model, in the panel
+  char path[1024] = {};            // typed in the panel
   bool save = false, reset = false, cancel = false;  // asked by a button; the application resets them
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "magnifier.h"
@@ -23,12 +24,21 @@ void draw_label(ImDrawList& list, const Ui& ui, ImVec2 at, const char* text, boo
   list.AddText(ui.fonts.bold, ui.fonts.bold->FontSize, ImVec2(at.x + pad, at.y + 0.5f * pad), kBright, text);
 }
 
-/// Name of a side: the settings in which it may differ.
-std::string name_of(const Side& side, int index) {
-  std::string name = index == 0 ? "A   " : "B   ";
-  name += label_of(kFilters, side.sampling.filter);
-  if (side.show != Show::kModel) name += std::string(", ") + label_of(kShows, int(side.show));
-  if (side.samples > 1) name += ", 4 samples";
+/// Name of a side: its filter, and other settings in which the sides differ.
+std::string name_of(const Side (&sides)[2], int index) {
+  const Side &side = sides[index], &other = sides[1 - index];
+  std::string name = std::string(index == 0 ? "A   " : "B   ") + label_of(kFilters, side.sampling.filter);
+  const auto add = [&name](bool differs, const std::string& text) { name += differs ? ", " + text : ""; };
+  const Sampling &a = side.sampling, &b = other.sampling;
+  char bias[32];
+  std::snprintf(bias, sizeof bias, "bias %.2f", a.lod_bias);
+  add(a.max_anisotropy != b.max_anisotropy, "max " + std::to_string(int(a.max_anisotropy)));
+  add(a.lod_bias != b.lod_bias, bias);
+  add(a.profile != b.profile, label_of(kProfiles, a.profile));
+  add(a.precision != b.precision, label_of(kPrecisions, a.precision));
+  add(side.surface.model != other.surface.model, label_of(kModels, side.surface.model));
+  add(side.show != other.show, label_of(kShows, int(side.show)));
+  add(side.samples != other.samples, side.samples == 1 ? "1 sample" : "4 samples");
   return name;
 }
 
@@ -36,16 +46,18 @@ void draw_message(const Ui& ui, const Rect& place) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float width = std::min(0.7f * float(place.width), 620.0f * ui.scale), pad = 18.0f * ui.scale;
   const char* const title = "This could not be shown";
+  const char* const hint = "Choose another file in the panel, or press Escape.";
   const ImVec2 size = ImGui::CalcTextSize(ui.message.c_str(), nullptr, false, width);
-  const float line = 1.7f * ImGui::GetFontSize(), height = size.y + line;
+  const float line = 1.7f * ImGui::GetFontSize(), height = size.y + 2.0f * line;
   const ImVec2 at(std::round(float(place.x) + 0.5f * (float(place.width) - width)),
                   std::round(float(place.y) + 0.5f * (float(place.height) - height)));
   const ImVec2 low(at.x - pad, at.y - pad), high(at.x + width + pad, at.y + height + pad);
-  list.AddRectFilled(low, high, IM_COL32(28, 22, 24, 240), 5.0f);
+  list.AddRectFilled(low, high, IM_COL32(62, 38, 40, 245), 5.0f);
   list.AddRectFilled(low, ImVec2(low.x + 5.0f * ui.scale, high.y), IM_COL32(225, 84, 72, 255));
   list.AddText(ui.fonts.bold, ui.fonts.bold->FontSize, at, IM_COL32(255, 140, 125, 255), title);
   list.AddText(ui.fonts.text, ui.fonts.text->FontSize, ImVec2(at.x, at.y + line), kBright, ui.message.c_str(), nullptr,
                width);
+  list.AddText(ui.fonts.text, ui.fonts.text->FontSize, ImVec2(at.x, at.y + line + size.y + 0.3f * line), kDim, hint);
 }
 
 }  // namespace
@@ -102,8 +114,8 @@ void Viewport::draw_marks(const Ui& ui, const Rect& place, const State& state) c
                              ImVec2(x + side * 0.2f * grip, middle + 0.4f * grip), IM_COL32(30, 24, 14, 255));
     }
     const float gap = 12.0f * ui.scale;
-    draw_label(list, ui, ImVec2(x - gap, top + gap), name_of(shown_->state.side[0], 0).c_str(), true);
-    draw_label(list, ui, ImVec2(x + gap, top + gap), name_of(shown_->state.side[1], 1).c_str(), false);
+    draw_label(list, ui, ImVec2(x - gap, top + gap), name_of(shown_->state.side, 0).c_str(), true);
+    draw_label(list, ui, ImVec2(x + gap, top + gap), name_of(shown_->state.side, 1).c_str(), false);
   }
   if (state.pick && shown_) {
     const ImVec2 at(float(place.x) + float(state.pick->x) + 0.5f, float(place.y) + float(state.pick->y) + 0.5f);
