@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include <imgui.h>
 #include <backends/imgui_impl_sdl.h>
+#include <imgui.h>
 
 #include "explain_view.h"
 #include "gui_render.h"
@@ -17,7 +17,7 @@
 namespace viewer {
 namespace {
 
-constexpr double kSmooth = 0.12;  // frames that take longer are drawn coarsely during a drag [s]
+constexpr double kSmooth = 0.12;     // frames that take longer are drawn coarsely during a drag [s]
 constexpr int kDrawsAfterEvent = 3;  // ImGui settles its layout within this number of frames
 
 void require(bool is_good, const char* what) {
@@ -39,8 +39,7 @@ void wake() {
 }
 
 bool is_same_request(const State& a, const State& b) {
-  return same_pixels(a, b) && a.pick == b.pick &&
-         (!a.pick || side_at(a, a.pick->x) == side_at(b, b.pick->x));
+  return same_pixels(a, b) && a.pick == b.pick && (!a.pick || side_at(a, a.pick->x) == side_at(b, b.pick->x));
 }
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -57,6 +56,7 @@ App::App(const Options& options) : options_(options), state_(options.state) {
     throw;
   }
   ui_.pixel_tab = options_.pixel_tab;
+  ui_.b_is_own = state_.wipe;
   ui_.magnified = options_.magnify;
   ui_.magnifier = options_.magnify.has_value();
   viewport_ = std::make_unique<Viewport>(renderer_);
@@ -142,8 +142,9 @@ void App::take_picture() {
 void App::show_panel() {
   ImGui::SetNextWindowPos(ImVec2(float(layout_.panel.x), float(layout_.panel.y)));
   ImGui::SetNextWindowSize(ImVec2(float(layout_.panel.width), float(layout_.panel.height)));
-  ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
   const Picture* const picture = viewport_->shown().get();
   const bool select = ui_.select_tab;
   ui_.select_tab = false;
@@ -218,15 +219,24 @@ void App::drop(const char* path) {
 }
 
 void App::handle_key(SDL_Keycode key) {
-  if (key == SDLK_w) state_.wipe = !state_.wipe;
+  if (key == SDLK_w) set_wipe(ui_, state_, !state_.wipe);
   if (key == SDLK_m) ui_.magnifier = !ui_.magnifier;
   if (key == SDLK_s) ui_.save = true;
   if (key == SDLK_r) ui_.reset = true;
   if (key == SDLK_TAB) ui_.pixel_tab = !ui_.pixel_tab, ui_.select_tab = true;
   if (key != SDLK_ESCAPE) return;
   if (worker_->is_busy()) worker_->cancel();
-  ui_.message.clear();
+  if (!ui_.message.empty()) leave_error();
   state_.pick.reset();
+}
+
+/// Returns to the files of the shown picture.
+void App::leave_error() {
+  const Picture* const shown = viewport_->shown().get();
+  state_.content = shown ? shown->state.content : Content();
+  state_.lighting.environment = shown ? shown->state.lighting.environment : Lighting().environment;
+  state_.display = shown ? shown->state.display : Display();
+  ui_.message.clear();
 }
 
 void App::handle(const SDL_Event& event) {

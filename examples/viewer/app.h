@@ -32,6 +32,7 @@ class App {
   void handle(const SDL_Event& event);
   void handle_key(SDL_Keycode key);
   void drop(const char* path);
+  void leave_error();
   void obey_buttons();
   void show_panel();
   void save_picture();
@@ -47,8 +48,8 @@ class App {
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<Worker> worker_;
   std::shared_ptr<const Picture> latest_;
-  std::optional<State> asked_;  // of the worker, last
-  double full_seconds_ = 0.0;   // of the last picture in full size
+  std::optional<State> asked_;  // last state that the worker was asked for
+  double full_seconds_ = 0.0;   // time of the last picture in full size
   bool is_open_ = true;
 };
 

@@ -13,7 +13,7 @@
 namespace viewer {
 namespace {
 
-constexpr float kFloorSize = 120.0f;  // [radii]
+constexpr float kFloorSize = 120.0f;     // [radii]
 constexpr float kTilesPerRadius = 0.5f;  // repeats of the texture
 
 shd_texture* load_texture(shd_context* context, const std::string& name, shd_table_flags tables, Assets& assets) {

@@ -33,7 +33,7 @@ struct SurfaceAsset {
 };
 
 struct Assets {
-  shd::scene scene;  // of a file
+  shd::scene scene;  // scene of a file; null for shapes
   std::vector<shd::mesh> meshes;
   std::vector<shd::texture> textures;
   std::vector<SurfaceAsset> surfaces;

@@ -115,7 +115,8 @@ void show_level(const Ui& ui, const Explanation& e, const LevelView& view) {
   list.AddRectFilled(corner, ImVec2(corner.x + side, corner.y + height), IM_COL32(16, 18, 22, 255), 3.0f);
   const float cell = std::min({side / float(view.columns), height / float(view.rows), 64.0f * ui.scale});
   const Frame frame = {ImVec2(corner.x + 0.5f * (side - cell * float(view.columns)),
-                              corner.y + 0.5f * (height - cell * float(view.rows))), cell, view};
+                              corner.y + 0.5f * (height - cell * float(view.rows))),
+                       cell, view};
   list.PushClipRect(corner, ImVec2(corner.x + side, corner.y + height), true);
   draw_texels(list, frame);
   draw_weights(list, ui, e, frame);
@@ -189,14 +190,15 @@ void show_sum(const Ui& ui, const Explanation& e) {
 
 void show_explanation(Ui& ui, const Explanation& e) {
   if (!e.asked) {
-    ImGui::TextWrapped("Click a pixel of the picture to see its footprint on the texture, and the texels that the "
-                       "filter reads there.");
+    ImGui::TextWrapped(
+        "Click a pixel of the picture to see its footprint on the texture, and the texels that the "
+        "filter reads there.");
     return;
   }
   show_head(ui, e);
   if (!e.surface.empty() && e.width > 0) {
-    ImGui::TextDisabled("%u x %u texels, %s, level of detail %.2f", e.width, e.height,
-                        label_of(kFilters, e.filter), e.lod);
+    ImGui::TextDisabled("%u x %u texels, %s, level of detail %.2f", e.width, e.height, label_of(kFilters, e.filter),
+                        e.lod);
   }
   if (!e.note.empty() || e.levels.empty()) {
     ImGui::Spacing();

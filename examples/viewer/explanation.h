@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the texture lookup of one pixel reads: taps, weights and levels, and the arithmetic that repeats it.
+/// The texels that the lookup of one pixel reads, with their weights and levels, and the arithmetic that repeats it.
 #pragma once
 #include <array>
 #include <string>
@@ -20,12 +20,12 @@ struct Tap {
 /// The texels of a level around the lookup.
 struct LevelView {
   uint32_t level_u = 0, level_v = 0, width = 1, height = 1;
-  int x = 0, y = 0;              // texel of the first pixel, before wrapping
-  int columns = 0, rows = 0;     // shown texels
-  std::vector<uint8_t> pixels;   // [rows][columns][4], sRGB
-  float share = 0.0f;            // sum of the weights of its taps
-  float footprint[2][2] = {};    // longer and shorter half axis [texels of the level]
-  float center[2] = {};          // point of the lookup [texels of the level]
+  int x = 0, y = 0;             // texel of the first pixel, before wrapping
+  int columns = 0, rows = 0;    // shown texels
+  std::vector<uint8_t> pixels;  // [rows][columns][4], sRGB
+  float share = 0.0f;           // sum of the weights of its taps
+  float footprint[2][2] = {};   // longer and shorter half axis [texels of the level]
+  float center[2] = {};         // point of the lookup [texels of the level]
 };
 
 struct Lookup {
@@ -36,19 +36,19 @@ struct Explanation {
   bool asked = false;  // a pixel is picked
   Pixel pixel;
   int side = 0;
-  std::string surface;  // name of the material; "" = no draw covers the pixel
-  std::string note;     // why there are no taps
-  Lookup lookup;        // of the diffuse texture, after the transform of the slot
-  uint32_t width = 0, height = 0, level_count = 0;  // of the texture
+  std::string surface;                              // name of the material; "" = no draw covers the pixel
+  std::string note;                                 // why there are no taps
+  Lookup lookup;                                    // lookup of the diffuse texture, after the transform of the slot
+  uint32_t width = 0, height = 0, level_count = 0;  // size of the texture
   shd_filter filter = SHD_FILTER_NEAREST;           // after magnification
   float lod = 0.0f;
   std::vector<Tap> taps;
-  std::vector<LevelView> levels;           // by falling share
-  std::array<float, 4> explained = {};     // shd_explanation.result
-  std::array<float, 4> sampled = {};       // shd_texture_sample()
-  std::array<float, 4> weighted = {};      // sum of weight times texel
-  bool replay_is_exact = false;            // the blends, repeated, give the bits of `sampled`
-  std::array<float, 4> color = {};         // of the pixel in the framebuffer, linear
+  std::vector<LevelView> levels;        // by falling share
+  std::array<float, 4> explained = {};  // shd_explanation.result
+  std::array<float, 4> sampled = {};    // shd_texture_sample()
+  std::array<float, 4> weighted = {};   // sum of weight times texel
+  bool replay_is_exact = false;         // the blends, repeated, give the bits of `sampled`
+  std::array<float, 4> color = {};      // colour of the pixel in the framebuffer, linear
 };
 
 /// Texture coordinates through the transform of a slot.

@@ -22,10 +22,10 @@ void draw_command(SDL_Renderer* renderer, const ImDrawData& data, const ImDrawLi
   const auto* const position = reinterpret_cast<const float*>(bytes + offsetof(ImDrawVert, pos));
   const auto* const uv = reinterpret_cast<const float*>(bytes + offsetof(ImDrawVert, uv));
   const auto* const color = reinterpret_cast<const SDL_Color*>(bytes + offsetof(ImDrawVert, col));
-  SDL_RenderGeometryRaw(renderer, static_cast<SDL_Texture*>(command.GetTexID()), position, sizeof *vertices, color,
-                        sizeof *vertices, uv, sizeof *vertices,
-                        list.VtxBuffer.Size - static_cast<int>(command.VtxOffset), list.IdxBuffer.Data + command.IdxOffset,
-                        static_cast<int>(command.ElemCount), sizeof(ImDrawIdx));
+  SDL_RenderGeometryRaw(
+      renderer, static_cast<SDL_Texture*>(command.GetTexID()), position, sizeof *vertices, color, sizeof *vertices, uv,
+      sizeof *vertices, list.VtxBuffer.Size - static_cast<int>(command.VtxOffset),
+      list.IdxBuffer.Data + command.IdxOffset, static_cast<int>(command.ElemCount), sizeof(ImDrawIdx));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ class Lights {
     const shd_light* list[2] = {};
   };
 
-  std::optional<Lighting> lighting_;  // of the members below
-  Set sets_[2];  // for models that reflect E, and for those that reflect E / pi
+  std::optional<Lighting> lighting_;  // settings of the members below
+  Set sets_[2];                       // for models that reflect E, and for those that reflect E / pi
   shd::shadow shadow_;
   const shd_shadow* shadows_[2] = {};
   std::optional<std::string> environment_name_;

@@ -32,7 +32,8 @@ void draw_magnifier(const Ui& ui, const Rect& viewport, const Picture& picture, 
   const Pixel first = first_magnified(middle, a.width, a.height);
   const float cell = std::floor(46.0f * ui.scale), margin = 10.0f * ui.scale, line = 24.0f * ui.scale;
   const float width = cell * kMagnifiedColumns, height = cell * kMagnifiedRows;
-  const ImVec2 corner(float(viewport.x) + 2.0f * margin, float(viewport.y + viewport.height) - height - line - 2.0f * margin);
+  const ImVec2 corner(float(viewport.x) + 2.0f * margin,
+                      float(viewport.y + viewport.height) - height - line - 2.0f * margin);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled(ImVec2(corner.x - margin, corner.y - margin),
                      ImVec2(corner.x + width + margin, corner.y + height + line + 0.5f * margin), kShade, 4.0f);
@@ -50,7 +51,8 @@ void draw_magnifier(const Ui& ui, const Rect& viewport, const Picture& picture, 
     }
   }
   const ImVec2 low(corner.x + cell * float(middle.x - first.x), corner.y + cell * float(middle.y - first.y));
-  list.AddRect(ImVec2(low.x - 1.0f, low.y - 1.0f), ImVec2(low.x + cell, low.y + cell), kAccent, 0.0f, 0, 2.0f * ui.scale);
+  list.AddRect(ImVec2(low.x - 1.0f, low.y - 1.0f), ImVec2(low.x + cell, low.y + cell), kAccent, 0.0f, 0,
+               2.0f * ui.scale);
   const float* linear = &middle_image->linear[4 * (size_t{middle.y} * a.width + middle.x)];
   char text[128];
   std::snprintf(text, sizeof text, "%u, %u    linear %.4f  %.4f  %.4f", middle.x, middle.y, linear[0], linear[1],

@@ -84,7 +84,7 @@ void add_occlusion(shd_context* context, Assets& assets) {
   }
   for (SurfaceAsset& surface : assets.surfaces) {
     const auto is_occlusion = [](const shd_slot& slot) { return slot.target == SHD_SLOT_OCCLUSION; };
-    if (std::any_of(surface.slots.begin(), surface.slots.end(), is_occlusion)) continue;  // of the file
+    if (std::any_of(surface.slots.begin(), surface.slots.end(), is_occlusion)) continue;  // the file has its own
     surface.slots.push_back(shd_slot_vertex(SHD_SLOT_OCCLUSION, 0));
     surface.wraps.emplace_back();
   }

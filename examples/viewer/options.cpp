@@ -27,9 +27,9 @@ struct Parser {
   }
 
   std::vector<float> numbers(size_t least, size_t most, float low, float high, char separator = ',') const {
-    const std::string valid = (most == 1 ? "a number" : std::to_string(least) + " to " + std::to_string(most) +
-                                                            " numbers") +
-                              " in " + text_of(low) + ".." + text_of(high);
+    const std::string valid =
+        (most == 1 ? "a number" : std::to_string(least) + " to " + std::to_string(most) + " numbers") + " in " +
+        text_of(low) + ".." + text_of(high);
     std::vector<float> list;
     const char* at = value.c_str();
     for (;;) {

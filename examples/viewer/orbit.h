@@ -19,7 +19,7 @@ struct Bounds {
 struct Orbit {
   float azimuth = 28.0f, elevation = 15.0f;  // [deg]; azimuth 0 looks along -Z, elevation is -89..89
   float distance = 0.0f;                     // [radii of the model]; 0 = the model fits
-  std::array<float, 3> shift = {0, 0, 0};    // of the target from the centre of the model [radii]
+  std::array<float, 3> shift = {0, 0, 0};    // target less the centre of the model [radii]
   float fov = 32.0f;                         // vertical [deg], 5..120
   auto tie() const { return std::tie(azimuth, elevation, distance, shift, fov); }
 };

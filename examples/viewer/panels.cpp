@@ -152,8 +152,8 @@ void show_content(Ui& ui, const Picture* picture, Content& content) {
 
 /// Buttons A and B, and the switch of the wipe.
 void show_sides(Ui& ui, State& state) {
-  ImGui::Checkbox("Compare A | B", &state.wipe);
-  if (!state.wipe) ui.side = 0;
+  bool is_on = state.wipe;
+  if (ImGui::Checkbox("Compare A | B", &is_on)) set_wipe(ui, state, is_on);
   if (!state.wipe) return;
   for (int i = 0; i < 2; ++i) {
     ImGui::SameLine(0.0f, i == 0 ? 18.0f * ui.scale : 4.0f * ui.scale);
@@ -171,6 +171,13 @@ void label(const char* text) {
   ImGui::TextUnformatted(text);
   ImGui::SameLine(0.36f * ImGui::GetWindowWidth());
   ImGui::SetNextItemWidth(-1.0f);
+}
+
+void set_wipe(Ui& ui, State& state, bool is_on) {
+  if (is_on && !ui.b_is_own) state.side[1] = state.side[0];
+  ui.b_is_own = ui.b_is_own || is_on;
+  ui.side = is_on ? 1 : 0;
+  state.wipe = is_on;
 }
 
 void show_settings(Ui& ui, const Picture* picture, State& state) {
@@ -201,8 +208,9 @@ void show_status(Ui& ui, const Rect& place, const Picture* picture, float progre
   ImGui::SetNextWindowPos(ImVec2(float(place.x), float(place.y)));
   ImGui::SetNextWindowSize(ImVec2(float(place.width), float(place.height)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12.0f * ui.scale, 4.0f * ui.scale));
-  ImGui::Begin("status", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::AlignTextToFramePadding();
   if (picture && picture->side[0]) {
     double seconds = 0.0;

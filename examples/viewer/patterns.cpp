@@ -50,13 +50,13 @@ float fraction(float x) {
 /// Radiance of the studio in a direction.
 Rgb studio(float x, float y, float z) {
   const float up = 0.5f + 0.5f * y;
-  Rgb light = mix({0.16f, 0.15f, 0.145f}, {0.52f, 0.55f, 0.60f}, up * up * (3.0f - 2.0f * up));
+  Rgb light = mix({0.15f, 0.14f, 0.135f}, {0.44f, 0.47f, 0.52f}, up * up * (3.0f - 2.0f * up));
   struct Panel {
     float x, y, z, half, power;
     Rgb color;
   };
-  constexpr Panel kPanels[] = {{-0.62f, 0.62f, 0.48f, 0.34f, 9.0f, {1.0f, 0.96f, 0.90f}},
-                               {0.86f, 0.35f, 0.37f, 0.26f, 3.2f, {0.86f, 0.93f, 1.0f}},
+  constexpr Panel kPanels[] = {{-0.62f, 0.62f, 0.48f, 0.34f, 16.0f, {1.0f, 0.96f, 0.90f}},
+                               {0.86f, 0.35f, 0.37f, 0.26f, 6.0f, {0.86f, 0.93f, 1.0f}},
                                {0.10f, 0.55f, -0.83f, 0.30f, 4.0f, {1.0f, 1.0f, 1.0f}}};
   for (const Panel& panel : kPanels) {
     const float facing = x * panel.x + y * panel.y + z * panel.z;
@@ -97,8 +97,8 @@ shd::texture make_tiles(shd_context* context, shd_table_flags tables) {
     const float x = fraction(4.0f * u) - 0.5f, y = fraction(4.0f * v) - 0.5f;
     const float to_edge = 0.5f - std::max(std::abs(x), std::abs(y));
     const float shade = 0.03f * std::sin(12.9898f * float(column) + 78.233f * float(row));
-    const Rgb tile = dark ? Rgb{0.20f + shade, 0.25f + shade, 0.31f + shade}
-                          : Rgb{0.86f + shade, 0.82f + shade, 0.75f + shade};
+    const Rgb tile =
+        dark ? Rgb{0.20f + shade, 0.25f + shade, 0.31f + shade} : Rgb{0.86f + shade, 0.82f + shade, 0.75f + shade};
     const Rgb joint = {0.50f, 0.47f, 0.43f};
     const Rgb inlay = dark ? Rgb{0.78f, 0.66f, 0.44f} : Rgb{0.58f, 0.30f, 0.24f};
     const float diamond = std::abs(x) + std::abs(y) - 0.11f;
@@ -113,7 +113,8 @@ shd::environment make_studio(shd_context* context) {
   for (uint32_t row = 0; row < kHeight; ++row) {
     for (uint32_t column = 0; column < kWidth; ++column) {
       const float u = (float(column) + 0.5f) / kWidth, v = (float(row) + 0.5f) / kHeight;
-      const float longitude = 2.0f * kPi * (u - 0.5f), sine = std::sin(kPi * v);  // the middle is +Z, the right is -X
+      const float longitude = 2.0f * kPi * (u - 0.5f),
+                  sine = std::sin(kPi * v);  // the middle is +Z, the right is -X
       const Rgb light = studio(-sine * std::sin(longitude), std::cos(kPi * v), sine * std::cos(longitude));
       pixels.insert(pixels.end(), {light.r, light.g, light.b});
     }

@@ -18,7 +18,7 @@ struct Image {
   std::vector<uint8_t> display;  // [height][width][4], encoded for the display, opaque
   std::vector<float> linear;     // [height][width][4], scene-linear, premultiplied
   shd_render_stats stats = shd_render_stats_default();
-  double seconds = 0.0;  // of shd_render() and the display transform
+  double seconds = 0.0;  // time of shd_render() and the display transform
 };
 
 struct Picture {
@@ -27,7 +27,7 @@ struct Picture {
   Explanation explanation;
   Bounds bounds;
   uint64_t triangles = 0;
-  std::vector<std::string> warnings;  // of the model file
+  std::vector<std::string> warnings;  // problems with parts of the model file
   std::string error;                  // "" = the images are those of the state
   bool from_file = false;
   bool cancelled = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include "false_color.h"
 
@@ -30,8 +31,7 @@ shd_debug_view debug_view_of(Show show) {
 }
 
 bool divides_by_pi(shd_model model) {
-  return model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED ||
-         model == SHD_MODEL_GLASS;
+  return model == SHD_MODEL_METALLIC_ROUGHNESS || model == SHD_MODEL_BLINN_PHONG_NORMALIZED || model == SHD_MODEL_GLASS;
 }
 
 /// One reflectance model for all parts, so that one light suits all of them.
@@ -179,6 +179,8 @@ void Stage::encode(const State& state, const Side& side, const shd_framebuffer* 
     return shd::color_apply_display(color_, framebuffer, state.display.display.c_str(), state.display.view.c_str(),
                                     &out);
   }
+#else
+  if (!state.display.display.empty()) throw std::runtime_error("views of displays: built without libshd_color");
 #endif
   // Debug views show numbers, not light, so they are not encoded.
   const shd_format format = side.show == Show::kModel ? SHD_FORMAT_RGBA8_SRGB : SHD_FORMAT_RGBA8;
@@ -248,8 +250,8 @@ void Stage::explain_pick(const State& state, Explanation& out) const {
   side.show = Show::kModel;
   const Look look = make_look(side);
   // A framebuffer of one pixel, at its place in the picture, has the bits of the whole frame.
-  const shd::framebuffer pixel = make_framebuffer(context_, 1, 1, side.samples,
-                                                  SHD_AOV_UV | SHD_AOV_DERIVATIVES | SHD_AOV_DRAW);
+  const shd::framebuffer pixel =
+      make_framebuffer(context_, 1, 1, side.samples, SHD_AOV_UV | SHD_AOV_DERIVATIVES | SHD_AOV_DRAW);
   shd_render_desc frame = make_frame(state, side, look);
   frame.framebuffer = pixel;
   frame.picture_width = state.width, frame.picture_height = state.height;

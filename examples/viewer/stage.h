@@ -44,7 +44,7 @@ class Stage {
   void encode(const State& state, const Side& side, const shd_framebuffer* framebuffer, Image& image) const;
 
   shd::context context_;
-  std::optional<Content> content_;  // of assets_
+  std::optional<Content> content_;  // content of assets_
   shd_table_flags tables_ = SHD_TABLE_NONE;
   Assets assets_;
   Lights lights_;

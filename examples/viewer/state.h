@@ -30,15 +30,13 @@ struct Sampling {
 struct Surface {
   bool from_file = true;  // a file's materials stay as they are
   shd_model model = SHD_MODEL_METALLIC_ROUGHNESS;
-  std::array<float, 3> color = {1.0f, 1.0f, 1.0f};  // multiplies the texture, linear
+  std::array<float, 3> color = {1.0f, 1.0f, 1.0f};                              // multiplies the texture, linear
   float roughness = 0.14f, metallic = 0.0f, clearcoat = 0.0f, specular = 0.3f;  // 0..1
   float exponent = 60.0f;                                                       // 0..1000
-  auto tie() const {
-    return std::tie(from_file, model, color, roughness, metallic, clearcoat, specular, exponent);
-  }
+  auto tie() const { return std::tie(from_file, model, color, roughness, metallic, clearcoat, specular, exponent); }
 };
 
-/// What may differ between the two sides of a wipe.
+/// Settings that may differ between the two sides of a wipe.
 struct Side {
   Sampling sampling;
   Surface surface;
@@ -49,16 +47,16 @@ struct Side {
 
 /// Model, texture and floor.
 struct Content {
-  std::string model = "teapot";    // a shape, or the path of a model file
-  std::string texture = "default"; // "default", "porcelain", "tiles", "none", or the path of an image
+  std::string model = "teapot";     // a shape, or the path of a model file
+  std::string texture = "default";  // "default", "porcelain", "tiles", "none", or the path of an image
   bool floor = true;
-  bool occlusion = true;   // ambient occlusion at the vertices of the model
+  bool occlusion = true;  // ambient occlusion at the vertices of the model
   auto tie() const { return std::tie(model, texture, floor, occlusion); }
 };
 
 struct Lighting {
-  float azimuth = -38.0f, elevation = 42.0f;  // of the direction to the light [deg]
-  float intensity = 0.95f;
+  float azimuth = -38.0f, elevation = 42.0f;  // direction to the light [deg]
+  float intensity = 0.80f;
   float ambient = 0.0f;
   bool shadows = true;
   std::string environment = "studio";  // "studio", "none", or the path of a lat-long image

@@ -42,7 +42,7 @@ void test_orbit() {
   check(fit_distance(32.0f, 0.5f) > fit_distance(32.0f, 1.0f), "a narrow picture needs more distance");
 }
 
-/// A point that is panned by pixels moves by that many pixels on the screen.
+/// A pan by 30 pixels moves the image of the target by 30 pixels.
 void test_pan() {
   Orbit orbit;
   orbit.distance = 4.0f;

@@ -11,7 +11,7 @@
 namespace viewer {
 namespace {
 
-constexpr int kGrip = 7;       // pixels beside the divider that hold it
+constexpr int kGrip = 7;        // pixels beside the divider that hold it
 constexpr int kClickMoves = 4;  // pixels that a click may move
 
 void draw_label(ImDrawList& list, const Ui& ui, ImVec2 at, const char* text, bool is_right) {
@@ -110,7 +110,8 @@ void Viewport::draw_marks(const Ui& ui, const Rect& place, const State& state) c
     list.AddRectFilled(ImVec2(x - 1.0f, top), ImVec2(x + 1.0f, top + float(place.height)), kAccent);
     list.AddCircleFilled(ImVec2(x, middle), grip, kAccent);
     for (const float side : {-1.0f, 1.0f}) {
-      list.AddTriangleFilled(ImVec2(x + side * 0.68f * grip, middle), ImVec2(x + side * 0.2f * grip, middle - 0.4f * grip),
+      list.AddTriangleFilled(ImVec2(x + side * 0.68f * grip, middle),
+                             ImVec2(x + side * 0.2f * grip, middle - 0.4f * grip),
                              ImVec2(x + side * 0.2f * grip, middle + 0.4f * grip), IM_COL32(30, 24, 14, 255));
     }
     const float gap = 12.0f * ui.scale;

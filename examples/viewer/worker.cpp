@@ -6,8 +6,8 @@
 namespace viewer {
 namespace {
 
-constexpr double kPatience = 0.25;                 // a rendering that runs for longer gives way to a new state [s]
-constexpr int64_t kReportInterval = 50'000'000;    // [ns]
+constexpr double kPatience = 0.25;               // a rendering that runs for longer gives way to a new state [s]
+constexpr int64_t kReportInterval = 50'000'000;  // [ns]
 
 int64_t now() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);

@@ -54,7 +54,7 @@ class Worker {
   std::atomic<bool> stop_{false};
   std::atomic<float> progress_{0.0f};
   std::atomic<int64_t> start_{0}, last_report_{0};  // [ns]
-  std::thread thread_;  // the last member: it uses the others
+  std::thread thread_;                              // the last member: it uses the others
 };
 
 }  // namespace viewer
