@@ -68,32 +68,40 @@ float fraction(float x) {
   return std::isfinite(x) ? x - std::floor(x) : 0.0f;
 }
 
-/// Reads the texels of a view. Levels of a ripmap that are no mip levels stay black, except for the taps.
-void read_texels(shd_context* context, const shd_texture* texture, shd_wrap wrap_u, shd_wrap wrap_v, LevelView& view) {
-  view.pixels.assign(size_t(4) * view.columns * view.rows, 0);
-  if (view.level_u != view.level_v) return;
+/// Reads the texels of a view: lookups at their centres, with footprints of one texel of the level. A ripmap has levels
+/// that a mipmap lacks.
+void read_texels(shd_context* context, const shd_texture* texture, const Explanation& e, shd_wrap wrap_u,
+                 shd_wrap wrap_v, LevelView& view) {
+  const bool is_mip = view.level_u == view.level_v;
   shd_sampler_desc desc = shd_sampler_desc_default();
-  desc.filter = SHD_FILTER_NEAREST_MIP;
+  desc.filter = is_mip ? SHD_FILTER_NEAREST_MIP : SHD_FILTER_RIPMAP;
+  desc.profile = SHD_PROFILE_EXACT;
   desc.wrap_u = wrap_u, desc.wrap_v = wrap_v;
   const shd::sampler sampler = shd::sampler_create(context, &desc);
-  std::vector<float> u, v, lod, channel[4];
+  const size_t count = size_t(view.columns) * size_t(view.rows);
+  const std::vector<float> dudx(count, std::ldexp(1.0f, int(view.level_u)) / float(e.width));
+  const std::vector<float> dvdy(count, std::ldexp(1.0f, int(view.level_v)) / float(e.height));
+  const std::vector<float> lod(count, float(view.level_u));
+  std::vector<float> u, v, channel[4];
   for (int row = 0; row < view.rows; ++row) {
     for (int column = 0; column < view.columns; ++column) {
       u.push_back((float(view.x + column) + 0.5f) / float(view.width));
       v.push_back((float(view.y + row) + 0.5f) / float(view.height));
-      lod.push_back(float(view.level_u));
     }
   }
   shd_lookups lookups = shd_lookups_default();
-  lookups.count = u.size();
-  lookups.u = shd::in(u), lookups.v = shd::in(v), lookups.lod = shd::in(lod);
+  lookups.count = count;
+  lookups.u = shd::in(u), lookups.v = shd::in(v);
+  if (is_mip) lookups.lod = shd::in(lod);
+  if (!is_mip) lookups.dudx = shd::in(dudx), lookups.dvdy = shd::in(dvdy);
   shd_texels texels = shd_texels_default();
   for (size_t c = 0; c < 4; ++c) {
-    channel[c].resize(u.size());
+    channel[c].resize(count);
     texels.channel[c] = shd::out(channel[c]);
   }
   shd::texture_sample(texture, sampler, &lookups, &texels);
-  for (size_t i = 0; i < u.size(); ++i) {
+  view.pixels.resize(4 * count);
+  for (size_t i = 0; i < count; ++i) {
     for (size_t c = 0; c < 4; ++c) view.pixels[4 * i + c] = c < 3 ? encoded(channel[c][i]) : 255;
   }
 }
@@ -215,7 +223,7 @@ void explain(shd_context* context, const shd_texture* texture, const shd_sampler
   }
   for (LevelView& view : out.levels) {
     place(out.taps, view);
-    read_texels(context, texture, wrap_u, wrap_v, view);
+    read_texels(context, texture, out, wrap_u, wrap_v, view);
   }
   std::stable_sort(out.levels.begin(), out.levels.end(),
                    [](const LevelView& a, const LevelView& b) { return a.share > b.share; });

@@ -9,7 +9,8 @@ namespace {
 
 /// Writes the viewport without a window. Returns the exit code.
 int write_picture(viewer::Options options) {
-  const viewer::Layout layout = viewer::layout_of(options.width, options.height, 1.0f);
+  const float scale = options.scale > 0.0f ? options.scale : 1.0f;
+  const viewer::Layout layout = viewer::layout_of(options.width, options.height, scale);
   options.state.width = static_cast<uint32_t>(layout.viewport.width);
   options.state.height = static_cast<uint32_t>(layout.viewport.height);
   viewer::Stage stage(options.threads);

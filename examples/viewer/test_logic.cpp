@@ -144,6 +144,22 @@ State small_state() {
   return state;
 }
 
+/// The drawn texels have the codes of the taps, which hold linear values.
+bool has_colors_of_taps(const Explanation& e, const LevelView& view) {
+  for (const Tap& tap : e.taps) {
+    const int column = tap.x - view.x, row = tap.y - view.y;
+    if (tap.tap.level_u != view.level_u || tap.tap.level_v != view.level_v) continue;
+    if (column < 0 || row < 0 || column >= view.columns || row >= view.rows) continue;
+    for (int c = 0; c < 3; ++c) {
+      const float linear = tap.tap.value[c];
+      const float code = linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+      const int drawn = view.pixels[4 * (size_t(row) * size_t(view.columns) + size_t(column)) + size_t(c)];
+      if (std::abs(255.0f * code - float(drawn)) > 1.0f) return false;
+    }
+  }
+  return true;
+}
+
 /// The explained value of many pixels is that of the sampler, for each filter with an explanation.
 void test_explanations(Stage& stage) {
   int taps = 0;
@@ -164,6 +180,7 @@ void test_explanations(Stage& stage) {
       float share = 0.0f;
       for (const LevelView& view : e.levels) share += view.share;
       check(is_near(share, 1.0f, 1e-4f), "shares of levels");
+      for (const LevelView& view : e.levels) check(has_colors_of_taps(e, view), choice.word);
       taps += static_cast<int>(e.taps.size());
     }
   }

@@ -67,6 +67,25 @@ shoot magnifier --samples 1 --magnify 620,330
 shoot level --show level --size 1000x700 --samples 1
 shoot torus --model torus --surface toon --texture tiles --floor off --samples 1
 
+# A file with a texture, which is a picture of the viewer itself.
+timeout 60 "$viewer" --picture paint.png --samples 1 --size 700x430 || fail "picture: exit code $?"
+cat >quad.obj <<EOF
+mtllib quad.mtl
+v -1 0 1
+v 1 0 1
+v 1 1 -1
+v -1 1 -1
+vt 0 0
+vt 2 0
+vt 2 2
+vt 0 2
+usemtl paint
+f 1/1 2/2 3/3 4/4
+EOF
+printf 'newmtl paint\nKd 1 1 1\nmap_Kd paint.png\n' >quad.mtl
+shoot file --model quad.obj --filter ripmap --click 460,400
+expect file "surface \"paint\" taps 16 levels 4"
+
 # The weighted sum of the taps is the sampled value, within 1e-5.
 awk '/^weighted/ { for (i = 2; i <= 4; ++i) w[i] = $i } /^sampled/ { for (i = 2; i <= 4; ++i) s[i] = $i }
      END { for (i = 2; i <= 4; ++i) { d = w[i] - s[i]; if (d > 1e-5 || d < -1e-5 || s[i] == 0) exit 1 } }' pixel.txt ||
