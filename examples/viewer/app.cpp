@@ -112,16 +112,21 @@ bool App::is_preview_enough() const {
 /// Asks the worker for the picture of the state, in a lower resolution while a heavy frame is dragged.
 void App::request() {
   State wanted = state_;
-  if (is_preview_enough()) {
+  // A frame that is not finished yet may be heavy, too: its time follows from its progress.
+  if (asked_ && asked_->width == state_.width && worker_->is_busy() && worker_->seconds() > 2.0 * kSmooth) {
+    full_seconds_ = std::max(full_seconds_, worker_->seconds() / std::max(worker_->progress(), 0.001f));
+  }
+  const bool is_preview = is_preview_enough();
+  if (is_preview) {
     const auto factor = static_cast<uint32_t>(std::ceil(std::sqrt(full_seconds_ / kSmooth)));
-    wanted.width = std::max(state_.width / std::min(factor, 8u), 1u);
-    wanted.height = std::max(state_.height / std::min(factor, 8u), 1u);
+    wanted.width = std::max(state_.width / std::min(factor, 16u), 1u);
+    wanted.height = std::max(state_.height / std::min(factor, 16u), 1u);
     wanted.pick.reset();
     for (Side& side : wanted.side) side.samples = 1;
   }
   if (asked_ && is_same_request(*asked_, wanted)) return;
   asked_ = wanted;
-  worker_->ask(wanted);
+  worker_->ask(wanted, is_preview);
 }
 
 void App::take_picture() {
@@ -129,7 +134,7 @@ void App::take_picture() {
   if (!picture || picture == latest_) return;
   latest_ = picture;
   if (picture->cancelled) {
-    ui_.notice = "cancelled";
+    if (!worker_->is_busy()) ui_.notice = "cancelled";  // otherwise a newer state took its place
   } else {
     ui_.message = picture->error;
     ui_.notice.clear();
@@ -270,6 +275,7 @@ void App::run() {
     if (draws == 0) continue;
     --draws;
     take_picture();
+    viewport_->set_tiles(worker_->tiles());
     draw();
     request();
     SDL_RenderPresent(renderer_);

@@ -188,7 +188,7 @@ void Stage::encode(const State& state, const Side& side, const shd_framebuffer* 
   shd::framebuffer_read_color(framebuffer, &out);
 }
 
-std::shared_ptr<const Image> Stage::render(const State& state, int index, const shd_progress& progress) {
+std::shared_ptr<const Image> Stage::render(const State& state, int index, const shd_progress& progress, Tiles* tiles) {
   const Side& side = state.side[index];
   const shd_aov_flags aovs = side.show == Show::kOverdraw ? SHD_AOV_OVERDRAW : SHD_AOV_NONE;
   shd::framebuffer& framebuffer = framebuffers_[index];
@@ -202,6 +202,10 @@ std::shared_ptr<const Image> Stage::render(const State& state, int index, const 
   frame.framebuffer = framebuffer;
   frame.stats = &image->stats;
   frame.progress = progress;
+  if (tiles && side.show != Show::kOverdraw && side.show != Show::kDepth) {
+    tiles->begin(state.width, state.height, index, side.show == Show::kModel);
+    frame.present = tiles->present();
+  }
   const auto start = std::chrono::steady_clock::now();
   shd::render(context_, &frame);
   encode(state, side, framebuffer, *image);
@@ -214,7 +218,7 @@ std::shared_ptr<const Image> Stage::render(const State& state, int index, const 
   return image;
 }
 
-Picture Stage::show(const State& state, const shd_progress& progress, const Picture* previous) {
+Picture Stage::show(const State& state, const shd_progress& progress, const Picture* previous, Tiles* tiles) {
   Picture picture;
   picture.state = state;
   picture.simd = shd_context_simd_target(context_);
@@ -224,7 +228,7 @@ Picture Stage::show(const State& state, const shd_progress& progress, const Pict
         previous && !previous->cancelled && previous->side[0] && same_pixels(previous->state, state);
     if (!is_rendered) prepare(state);
     for (int i = 0; i < (state.wipe ? 2 : 1); ++i) {
-      picture.side[i] = is_rendered ? previous->side[i] : render(state, i, progress);
+      picture.side[i] = is_rendered ? previous->side[i] : render(state, i, progress, tiles);
     }
     picture.bounds = assets_.bounds;
     picture.triangles = assets_.triangles;

@@ -8,6 +8,7 @@
 #include "assets.h"
 #include "lights.h"
 #include "picture.h"
+#include "tiles.h"
 
 namespace viewer {
 
@@ -18,8 +19,9 @@ class Stage {
   explicit Stage(uint32_t workers);
 
   /// Renders a state and explains its pick. Problems are in Picture::error; nothing is thrown.
-  /// `previous` saves the rendering if its pixels are those of the state; may be null.
-  Picture show(const State& state, const shd_progress& progress, const Picture* previous);
+  /// `previous` saves the rendering if its pixels are those of the state; may be null. `tiles` gets the finished tiles
+  /// of planes that are colours; null = not wanted.
+  Picture show(const State& state, const shd_progress& progress, const Picture* previous, Tiles* tiles = nullptr);
 
   /// Displays and views of libshd_color, as "display / view"; empty without it.
   const std::vector<Display>& displays() const { return displays_; }
@@ -34,7 +36,7 @@ class Stage {
   };
 
   void prepare(const State& state);
-  std::shared_ptr<const Image> render(const State& state, int side, const shd_progress& progress);
+  std::shared_ptr<const Image> render(const State& state, int side, const shd_progress& progress, Tiles* tiles);
   void explain_pick(const State& state, Explanation& explanation) const;
   void explain_surface(const Look& look, const SurfaceAsset& surface, size_t index, const Lookup& lookup,
                        Explanation& explanation) const;

@@ -254,6 +254,23 @@ void test_worker(Stage& stage) {
         "one worker and many give the same bits");
 }
 
+/// Tiles of a frame have the codes of the finished picture, within 1, and cover all of it.
+void test_tiles(Stage& stage) {
+  const State state = small_state();
+  Tiles tiles;
+  const Picture picture = stage.show(state, shd_progress{}, nullptr, &tiles);
+  TileImage image;
+  uint64_t version = 0;
+  check(tiles.take(version, image) && !tiles.take(version, image), "tiles are taken once");
+  bool is_same = image.pixels.size() == picture.side[0]->display.size();
+  for (size_t i = 0; is_same && i < image.pixels.size(); ++i) {
+    is_same = std::abs(int(image.pixels[i]) - int(picture.side[0]->display[i])) <= (i % 4 == 3 ? 0 : 2);
+  }
+  check(is_same, "tiles are the picture");
+  tiles.end();
+  check(tiles.take(version, image) && image.width == 0, "no tiles after the frame");
+}
+
 }  // namespace
 
 int main() {
@@ -269,6 +286,7 @@ int main() {
     test_explanations(stage);
     test_pictures(stage);
     test_failures(stage);
+    test_tiles(stage);
     test_worker(stage);
   } catch (const std::exception& error) {
     check(false, error.what());

@@ -66,6 +66,24 @@ Viewport::~Viewport() {
   for (SDL_Texture* texture : textures_) {
     if (texture) SDL_DestroyTexture(texture);
   }
+  if (tile_texture_) SDL_DestroyTexture(tile_texture_);
+}
+
+void Viewport::set_tiles(const Tiles& tiles) {
+  const uint32_t width = tiles_.width, height = tiles_.height;
+  if (!tiles.take(tiles_version_, tiles_)) return;
+  if (tiles_.width != width || tiles_.height != height) {
+    if (tile_texture_) SDL_DestroyTexture(tile_texture_);
+    tile_texture_ = nullptr;
+  }
+  if (tiles_.width == 0) return;
+  if (!tile_texture_) {
+    tile_texture_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STATIC,
+                                      static_cast<int>(tiles_.width), static_cast<int>(tiles_.height));
+    if (!tile_texture_) return;
+    SDL_SetTextureBlendMode(tile_texture_, SDL_BLENDMODE_BLEND);
+  }
+  SDL_UpdateTexture(tile_texture_, nullptr, tiles_.pixels.data(), static_cast<int>(4 * tiles_.width));
 }
 
 void Viewport::set_picture(const std::shared_ptr<const Picture>& picture) {
@@ -85,18 +103,22 @@ void Viewport::set_picture(const std::shared_ptr<const Picture>& picture) {
   shown_ = picture;
 }
 
+void Viewport::draw_side(SDL_Texture* texture, int side, const Rect& place, const State& state) const {
+  int width = 0, height = 0;
+  SDL_QueryTexture(texture, nullptr, nullptr, &width, &height);
+  State scaled = state;
+  scaled.width = static_cast<uint32_t>(width);
+  const int image_split = side == 0 ? 0 : static_cast<int>(divider_column(scaled));
+  const int split = side == 0 ? 0 : static_cast<int>(divider_column(state));
+  const SDL_Rect from = {image_split, 0, width - image_split, height};
+  const SDL_Rect to = {place.x + split, place.y, place.width - split, place.height};
+  if (from.w > 0 && to.w > 0) SDL_RenderCopy(renderer_, texture, &from, &to);
+}
+
 void Viewport::draw_pixels(const Rect& place, const State& state) const {
-  if (!shown_) return;
   for (int i = 0; i < 2; ++i) {
-    if (!textures_[i]) continue;
-    State scaled = state;
-    scaled.width = shown_->side[i]->width;
-    const int image_width = static_cast<int>(scaled.width), image_height = static_cast<int>(shown_->side[i]->height);
-    const int image_split = i == 0 ? 0 : static_cast<int>(divider_column(scaled));
-    const int split = i == 0 ? 0 : static_cast<int>(divider_column(state));
-    const SDL_Rect from = {image_split, 0, image_width - image_split, image_height};
-    const SDL_Rect to = {place.x + split, place.y, place.width - split, place.height};
-    if (from.w > 0 && to.w > 0) SDL_RenderCopy(renderer_, textures_[i], &from, &to);
+    if (textures_[i]) draw_side(textures_[i], i, place, state);
+    if (tile_texture_ && tiles_.side == i) draw_side(tile_texture_, i, place, state);
   }
 }
 

@@ -13,6 +13,14 @@ int64_t now() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
+/// The first frame, and frames whose predecessor took long for its number of pixels.
+bool takes_long(const Picture* previous, const State& state) {
+  if (!previous || !previous->side[0] || previous->cancelled) return true;
+  const Image& image = *previous->side[0];
+  const double pixels = double(state.width) * state.height / (double(image.width) * image.height);
+  return image.seconds * pixels > kPatience;
+}
+
 }  // namespace
 
 Worker::Worker(uint32_t workers, std::function<void()> changed)
@@ -28,11 +36,12 @@ Worker::~Worker() {
   thread_.join();
 }
 
-void Worker::ask(const State& state) {
+void Worker::ask(const State& state, bool is_preview) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_ = state;
-    if (is_busy_ && latest_ && static_cast<double>(now() - start_) * 1e-9 > kPatience) stop_ = true;
+    is_next_preview_ = is_preview;
+    if (is_busy_ && !is_preview_ && static_cast<double>(now() - start_) * 1e-9 > kPatience) stop_ = true;
   }
   wake_.notify_all();
 }
@@ -97,15 +106,18 @@ void Worker::run(uint32_t workers) {
     const State state = *waiting_;
     waiting_.reset();
     is_busy_ = true;
+    is_preview_ = is_next_preview_;
     stop_ = false;
     progress_ = 0.0f;
     start_ = now();
     const std::shared_ptr<const Picture> previous = latest_;
     lock.unlock();
     const shd_progress progress = {report, this};
-    auto picture = std::make_shared<Picture>(stage ? stage->show(state, progress, previous.get()) : failure);
+    Tiles* const tiles = takes_long(previous.get(), state) ? &tiles_ : nullptr;
+    auto picture = std::make_shared<Picture>(stage ? stage->show(state, progress, previous.get(), tiles) : failure);
     if (!stage) picture->state = state;
     lock.lock();
+    tiles_.end();
     // A stopped rendering leaves the window as it was, except that the panel can offer to render again.
     if (picture->cancelled && previous) {
       const State asked = picture->state;

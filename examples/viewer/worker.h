@@ -19,8 +19,9 @@ class Worker {
   Worker(uint32_t workers, std::function<void()> changed);
   ~Worker();
 
-  /// Asks for a picture. It replaces a state that is still waiting, and stops a rendering that runs for long already.
-  void ask(const State& state);
+  /// Asks for a picture. It replaces a state that is still waiting, and stops a rendering that runs for long already,
+  /// except that of a preview: a sequence of previews would never show one.
+  void ask(const State& state, bool is_preview = false);
 
   /// Stops the current rendering. Its picture has `cancelled` set.
   void cancel();
@@ -36,6 +37,9 @@ class Worker {
 
   bool is_busy() const;
 
+  /// Finished tiles of a frame that takes long.
+  const Tiles& tiles() const { return tiles_; }
+
   /// Finished part of the current rendering, 0..1, and the seconds since it began.
   float progress() const { return progress_.load(); }
   double seconds() const;
@@ -50,7 +54,9 @@ class Worker {
   std::optional<State> waiting_;
   std::shared_ptr<const Picture> latest_;
   std::vector<Display> displays_;
+  Tiles tiles_;
   bool is_ready_ = false, is_busy_ = false, is_ending_ = false;
+  bool is_preview_ = false, is_next_preview_ = false;  // kind of the current rendering, kind of the waiting one
   std::atomic<bool> stop_{false};
   std::atomic<float> progress_{0.0f};
   std::atomic<int64_t> start_{0}, last_report_{0};  // [ns]
