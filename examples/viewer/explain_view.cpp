@@ -165,7 +165,8 @@ void show_taps(const Ui& ui, const Explanation& e) {
       ImGui::TableNextColumn();
       ImGui::Text("%.5f", tap.weight);
       ImGui::TableNextColumn();
-      ImGui::Text("%.4g %.4g %.4g", tap.value[0], tap.value[1], tap.value[2]);
+      const bool is_integer = std::max({tap.value[0], tap.value[1], tap.value[2]}) > 2.0f;  // codes of unorm channels
+      ImGui::Text(is_integer ? "%.0f %.0f %.0f" : "%.4f %.4f %.4f", tap.value[0], tap.value[1], tap.value[2]);
     }
   }
   ImGui::EndTable();
