@@ -42,10 +42,6 @@ bool is_same_request(const State& a, const State& b) {
   return same_pixels(a, b) && a.pick == b.pick && (!a.pick || side_at(a, a.pick->x) == side_at(b, b.pick->x));
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 }  // namespace
 
 App::App(const Options& options) : options_(options), state_(options.state) {
@@ -206,23 +202,6 @@ void App::save_picture() {
   ui_.notice = error.empty() ? "saved shd-viewer.png" : error;
 }
 
-void App::drop(const char* path) {
-  const std::string name = path;
-  if (ends_with(name, ".hdr") || ends_with(name, ".exr")) {
-    state_.lighting.environment = name;
-    return;
-  }
-  for (const char* end : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".tga", ".bmp", ".webp"}) {
-    if (!ends_with(name, end)) continue;
-    state_.content.texture = name;
-    return;
-  }
-  state_.content.model = name;
-  state_.content.texture = "default";
-  state_.orbit.shift = {0, 0, 0};
-  state_.orbit.distance = 0.0f;
-}
-
 void App::handle_key(SDL_Keycode key) {
   if (key == SDLK_w) set_wipe(ui_, state_, !state_.wipe);
   if (key == SDLK_m) ui_.magnifier = !ui_.magnifier;
@@ -250,7 +229,7 @@ void App::handle(const SDL_Event& event) {
   if (event.type == SDL_QUIT) is_open_ = false;
   if (event.type == SDL_WINDOWEVENT) lay_out();
   if (event.type == SDL_DROPFILE) {
-    drop(event.drop.file);
+    open_file(state_, event.drop.file);
     SDL_free(event.drop.file);
   }
   if (event.type == SDL_KEYDOWN && !io.WantTextInput) handle_key(event.key.keysym.sym);

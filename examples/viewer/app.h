@@ -31,7 +31,6 @@ class App {
   void draw();
   void handle(const SDL_Event& event);
   void handle_key(SDL_Keycode key);
-  void drop(const char* path);
   void leave_error();
   void obey_buttons();
   void show_panel();

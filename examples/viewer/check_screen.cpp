@@ -2,9 +2,11 @@
 /// Compares a screenshot of the viewer with a picture that is rendered here, without a window.
 ///
 ///     check_screen SCREENSHOT [options of the viewer]
+///     check_screen SCREENSHOT --error
 ///
-/// All options are those of the screenshot. Marks that the window draws over the picture are left out: pixels within
-/// MARK pixels of the divider and of its labels, of the picked pixel and of the magnifier.
+/// All options are those of the screenshot. Pixels near marks that the window draws over the picture are left out:
+/// the divider with its labels, the ring around the picked pixel, and the magnifier, whose cells are checked.
+/// With --error the window must show a message.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -34,7 +36,9 @@ bool is_marked(const Options& options, int x, int y) {
       std::abs(y - static_cast<int>(state.pick->y)) <= kPickMark) {
     return true;
   }
-  return options.magnify && x < 450 && y > static_cast<int>(state.height) - 390;
+  const MagnifierLayout place = magnifier_layout({0, 0, int(state.width), int(state.height)}, 1.0f);
+  const int right = place.x + place.cell * kMagnifiedColumns + place.margin, top = place.y - place.margin;
+  return options.magnify && x <= right && y >= top - 1;
 }
 
 /// Pixels of the window, RGBA. Empty if the file cannot be read or has another size.
@@ -66,6 +70,35 @@ bool has_panel(const std::vector<uint8_t>& window, const Options& options, const
   return bright > 1500 && dark > size_t(panel.width) * size_t(panel.height) / 2;
 }
 
+/// Each cell of the magnifier has the colour of its pixel near its corner, where no number is.
+bool has_magnifier(const std::vector<uint8_t>& window, const std::vector<uint8_t>& wanted, const Options& options) {
+  const State& state = options.state;
+  const MagnifierLayout place = magnifier_layout({0, 0, int(state.width), int(state.height)}, 1.0f);
+  const Pixel first = first_magnified(*options.magnify, state.width, state.height);
+  for (int row = 0; row < kMagnifiedRows; ++row) {
+    for (int column = 0; column < kMagnifiedColumns; ++column) {
+      const int x = place.x + column * place.cell + 4, y = place.y + row * place.cell + 4;
+      const uint8_t* shown = &window[4 * (size_t(y) * size_t(options.width) + size_t(x))];
+      const size_t pixel = size_t(first.y + uint32_t(row)) * state.width + first.x + uint32_t(column);
+      if (std::memcmp(shown, &wanted[4 * pixel], 3) != 0) return false;
+    }
+  }
+  return true;
+}
+
+/// A window without a picture, whose middle is the message: its ground and its red bar.
+int check_error(const char* path) {
+  const shd::context context = shd::context_create(nullptr);
+  const std::vector<uint8_t> window = read_window(context, path, Options());
+  size_t ground = 0, bar = 0;
+  for (size_t i = 0; i < window.size(); i += 4) {
+    ground += window[i] > 50 && window[i] < 70 && window[i + 1] > 30 && window[i + 1] < 45;
+    bar += window[i] > 200 && window[i + 1] > 70 && window[i + 1] < 100 && window[i + 2] < 90;
+  }
+  std::printf("%s: %zu pixels of the message, %zu of its bar\n", path, ground, bar);
+  return ground > 20000 && bar > 300 ? 0 : 1;
+}
+
 int compare(const char* path, Options options) {
   const Layout layout = layout_of(options.width, options.height, options.scale > 0.0f ? options.scale : 1.0f);
   options.state.width = static_cast<uint32_t>(layout.viewport.width);
@@ -78,6 +111,9 @@ int compare(const char* path, Options options) {
   const Picture picture = stage.show(options.state, shd_progress{}, nullptr);
   if (!picture.error.empty()) return std::printf("%s\n", picture.error.c_str()), 1;
   const std::vector<uint8_t> wanted = compose(picture, divider_column(options.state));
+  if (options.magnify && !has_magnifier(window, wanted, options)) {
+    return std::printf("%s: the magnifier shows other pixels\n", path), 1;
+  }
   size_t compared = 0, different = 0, bright = 0;
   for (int y = 0; y < layout.viewport.height; ++y) {
     for (int x = 0; x < layout.viewport.width; ++x) {
@@ -101,6 +137,7 @@ int compare(const char* path, Options options) {
 int main(int argc, char** argv) {
   if (argc < 2) return std::puts("usage: check_screen SCREENSHOT [options]"), 2;
   try {
+    if (argc == 3 && std::strcmp(argv[2], "--error") == 0) return check_error(argv[1]);
     return compare(argv[1], parse_options(argc - 1, argv + 1));
   } catch (const std::exception& error) {
     std::printf("%s: %s\n", argv[1], error.what());

@@ -30,10 +30,10 @@ void draw_magnifier(const Ui& ui, const Rect& viewport, const Picture& picture, 
   const Image& a = *picture.side[0];
   middle = {std::min(middle.x, a.width - 1), std::min(middle.y, a.height - 1)};
   const Pixel first = first_magnified(middle, a.width, a.height);
-  const float cell = std::floor(46.0f * ui.scale), margin = 10.0f * ui.scale, line = 24.0f * ui.scale;
+  const MagnifierLayout layout = magnifier_layout(viewport, ui.scale);
+  const auto cell = float(layout.cell), margin = float(layout.margin), line = float(layout.line);
   const float width = cell * kMagnifiedColumns, height = cell * kMagnifiedRows;
-  const ImVec2 corner(float(viewport.x) + 2.0f * margin,
-                      float(viewport.y + viewport.height) - height - line - 2.0f * margin);
+  const ImVec2 corner(float(layout.x), float(layout.y));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled(ImVec2(corner.x - margin, corner.y - margin),
                      ImVec2(corner.x + width + margin, corner.y + height + line + 0.5f * margin), kShade, 4.0f);

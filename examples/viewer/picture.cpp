@@ -29,6 +29,16 @@ Pixel first_magnified(Pixel middle, uint32_t width, uint32_t height) {
   return {first(middle.x, kMagnifiedColumns, width), first(middle.y, kMagnifiedRows, height)};
 }
 
+MagnifierLayout magnifier_layout(const Rect& viewport, float scale) {
+  MagnifierLayout layout = {};
+  layout.cell = static_cast<int>(46.0f * scale);
+  layout.margin = static_cast<int>(10.0f * scale);
+  layout.line = static_cast<int>(24.0f * scale);
+  layout.x = viewport.x + 2 * layout.margin;
+  layout.y = viewport.y + viewport.height - layout.cell * kMagnifiedRows - layout.line - 2 * layout.margin;
+  return layout;
+}
+
 std::string save_pixels(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height, const std::string& path) {
   std::vector<uint8_t> copy = pixels;  // shd_image has no read-only pixels
   shd_image image = shd_image_default();

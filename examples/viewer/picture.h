@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "explanation.h"
+#include "layout.h"
 #include "state.h"
 
 namespace viewer {
@@ -44,6 +45,12 @@ constexpr int kMagnifiedColumns = 9, kMagnifiedRows = 7;
 /// First pixel of the magnifier around `middle`, so that all of its pixels are in a picture of that size if it is
 /// large enough.
 Pixel first_magnified(Pixel middle, uint32_t width, uint32_t height);
+
+/// Place of the magnifier's cells: in the lower left corner of the viewport.
+struct MagnifierLayout {
+  int x, y, cell, margin, line;  // left and top of the first cell; side of a cell; border; height of the text below
+};
+MagnifierLayout magnifier_layout(const Rect& viewport, float scale);
 
 /// Writes RGBA pixels as PNG, or in another format by the extension. Returns the text of an error, or "".
 std::string save_pixels(const std::vector<uint8_t>& pixels, uint32_t width, uint32_t height, const std::string& path);

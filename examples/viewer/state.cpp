@@ -2,6 +2,7 @@
 #include "state.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace viewer {
@@ -77,6 +78,25 @@ shd_table_flags tables_of(shd_filter filter) {
 shd_table_flags tables_of(const State& state) {
   const shd_table_flags a = tables_of(state.side[0].sampling.filter);
   return state.wipe ? a | tables_of(state.side[1].sampling.filter) : a;
+}
+
+void open_file(State& state, const std::string& path) {
+  std::string end = path.substr(std::min(path.rfind('.'), path.size()));
+  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  state.pick.reset();
+  if (end == ".hdr" || end == ".exr") {
+    state.lighting.environment = path;
+    return;
+  }
+  for (const char* const image : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".tga", ".bmp", ".webp", ".gif"}) {
+    if (end != image) continue;
+    state.content.texture = path;
+    return;
+  }
+  state.content.model = path;
+  state.content.texture = "default";
+  state.orbit.shift = {0, 0, 0};
+  state.orbit.distance = 0.0f;
 }
 
 std::optional<shd_shape> shape_of(const std::string& model) {

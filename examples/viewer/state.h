@@ -140,6 +140,9 @@ shd_table_flags tables_of(shd_filter filter);
 /// Tables that the shown sides need.
 shd_table_flags tables_of(const State& state);
 
+/// Shows a file that was dropped on the window: an environment, a texture or a model, by its extension.
+void open_file(State& state, const std::string& path);
+
 /// The shape of that word, or none for the path of a file.
 std::optional<shd_shape> shape_of(const std::string& model);
 

@@ -106,6 +106,16 @@ void test_places() {
   check(!same_pixels(state, other), "side B counts with a wipe");
 }
 
+void test_dropped_files() {
+  State state;
+  open_file(state, "/a/sky.HDR");
+  open_file(state, "/a.b/wood.png");
+  check(state.lighting.environment == "/a/sky.HDR" && state.content.texture == "/a.b/wood.png", "images");
+  check(state.content.model == "teapot", "the model stays");
+  open_file(state, "/a.b/model");
+  check(state.content.model == "/a.b/model" && state.content.texture == "default", "model");
+}
+
 void test_unwrapped() {
   check(unwrapped(7, 8, SHD_WRAP_REPEAT, 0.2f) == -1, "repeat, left neighbour");
   check(unwrapped(0, 8, SHD_WRAP_REPEAT, 7.9f) == 8, "repeat, right neighbour");
@@ -278,6 +288,7 @@ int main() {
   test_pan();
   test_options();
   test_places();
+  test_dropped_files();
   test_unwrapped();
   try {
     const shd::context context = shd::context_create(nullptr);

@@ -99,7 +99,7 @@ for bad in /nonexistent/model.obj corrupt.ply; do
   code=$?
   [ "$code" = 1 ] || fail "$name: exit code $code instead of 1"
   grep -q "shd-viewer: .*$(basename "$bad")" "$name.err" || fail "$name: stderr has no message: $(cat "$name.err")"
-  [ -s "$name.png" ] || fail "$name: no screenshot"
+  "$check" "$name.png" --error >"$name.check" || fail "$name: no message: $(cat "$name.check")"
 done
 timeout 60 "$viewer" --filter fancy >usage.txt 2>&1
 [ $? = 2 ] || fail "usage: exit code is not 2"

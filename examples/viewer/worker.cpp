@@ -88,13 +88,30 @@ int32_t Worker::report(void* user_data, float fraction) {
   return self->stop_ ? 1 : 0;
 }
 
+std::shared_ptr<const Picture> Worker::make_picture(Stage* stage, const State& state, const Picture* previous) {
+  auto picture = std::make_shared<Picture>();
+  if (stage) {
+    Tiles* const tiles = takes_long(previous, state) ? &tiles_ : nullptr;
+    *picture = stage->show(state, {report, this}, previous, tiles);
+  } else {
+    picture->error = stage_error_;
+  }
+  picture->state = state;
+  // A stopped rendering leaves the window as it was.
+  if (picture->cancelled && previous) {
+    *picture = *previous;
+    picture->state = state;
+    picture->cancelled = true;
+  }
+  return picture;
+}
+
 void Worker::run(uint32_t workers) {
   std::unique_ptr<Stage> stage;
-  Picture failure;
   try {
     stage = std::make_unique<Stage>(workers);
   } catch (const std::exception& error) {
-    failure.error = error.what();
+    stage_error_ = error.what();
   }
   std::unique_lock<std::mutex> lock(mutex_);
   if (stage) displays_ = stage->displays();
@@ -112,19 +129,9 @@ void Worker::run(uint32_t workers) {
     start_ = now();
     const std::shared_ptr<const Picture> previous = latest_;
     lock.unlock();
-    const shd_progress progress = {report, this};
-    Tiles* const tiles = takes_long(previous.get(), state) ? &tiles_ : nullptr;
-    auto picture = std::make_shared<Picture>(stage ? stage->show(state, progress, previous.get(), tiles) : failure);
-    if (!stage) picture->state = state;
+    const std::shared_ptr<const Picture> picture = make_picture(stage.get(), state, previous.get());
     lock.lock();
     tiles_.end();
-    // A stopped rendering leaves the window as it was, except that the panel can offer to render again.
-    if (picture->cancelled && previous) {
-      const State asked = picture->state;
-      *picture = *previous;
-      picture->state = asked;
-      picture->cancelled = true;
-    }
     latest_ = picture;
     is_busy_ = false;
     idle_.notify_all();

@@ -46,9 +46,11 @@ class Worker {
 
  private:
   void run(uint32_t workers);
+  std::shared_ptr<const Picture> make_picture(Stage* stage, const State& state, const Picture* previous);
   static int32_t report(void* user_data, float fraction);
 
   std::function<void()> changed_;
+  std::string stage_error_;  // "" = the stage exists; only the worker's thread uses it
   mutable std::mutex mutex_;
   std::condition_variable wake_, idle_;
   std::optional<State> waiting_;
