@@ -118,6 +118,7 @@ shd::mesh make_floor(shd_context* context, float half) {
   constexpr uint32_t kSide = 129;
   std::vector<std::array<float, 8>> vertices;
   std::vector<uint32_t> indices;
+  const float repeats = 0.5f * kFloorSize * kTilesPerRadius;  // repeats of the texture from the middle to an edge
   const auto place = [half](uint32_t i) {
     const float t = 2.0f * float(i) / (kSide - 1) - 1.0f;
     return half * t * t * t;
@@ -125,7 +126,7 @@ shd::mesh make_floor(shd_context* context, float half) {
   for (uint32_t row = 0; row < kSide; ++row) {
     for (uint32_t column = 0; column < kSide; ++column) {
       const float x = place(column), z = place(row);
-      vertices.push_back({x, 0, z, 0, 1, 0, 0.5f + 0.5f * x / half, 0.5f + 0.5f * z / half});
+      vertices.push_back({x, 0, z, 0, 1, 0, 0.5f + repeats * x / half, 0.5f + repeats * z / half});
       const uint32_t i = row * kSide + column;
       if (row + 1 < kSide && column + 1 < kSide) {
         indices.insert(indices.end(), {i, i + kSide, i + 1, i + 1, i + kSide, i + kSide + 1});
@@ -162,7 +163,6 @@ void add_floor(shd_context* context, shd_table_flags tables, Assets& assets) {
   for (float& c : surface.desc.diffuse) c = 1.0f;
   assets.textures.push_back(make_tiles(context, tables));
   set_diffuse(surface, assets.textures.back());
-  surface.slots[0].uv_transform[0] = surface.slots[0].uv_transform[4] = kFloorSize * kTilesPerRadius;
   assets.surfaces.push_back(surface);
 }
 
