@@ -53,7 +53,9 @@ class Types:
             name = name if kind == "enum" else f"{name} | (string & {{}})"
             return f"({name} | number)[]" if is_array else f"{name} | number"
         if kind == "struct":
-            return pascal(rest)
+            # a function is enough for a struct with one function
+            alone = {"log": "log.write", "progress": "progress.report", "present": "present.tile", "tracer": "trace_fn"}
+            return f"{pascal(rest)} | ({FUNCTIONS[alone[rest]]})" if rest in alone else pascal(rest)
         if kind == "list":
             # an image may be Pixels; several descs are an array
             one = pascal(rest)

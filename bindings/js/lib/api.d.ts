@@ -1474,7 +1474,7 @@ export interface ContextDesc {
   /** default built-in */
   executor?: Executor;
   /** default none */
-  log?: Log;
+  log?: Log | ((level: LogLevel, message: string) => void);
 }
 
 /** Edges to find. */
@@ -2098,7 +2098,7 @@ export interface OcclusionDesc {
   /** depth maps: edge length [texels], 16..8192; default 1024 */
   mapSize?: number;
   /** default none */
-  tracer?: Tracer;
+  tracer?: Tracer | ((rays: Rays, blocked: Uint32Array) => void);
   /**
    * Occluders of the depth maps, as in shd_shadow_render_desc; NULL if draw_count is 0. Not read if there is a
    * tracer, which has occluders of its own.
@@ -2521,9 +2521,9 @@ export interface RenderDesc {
    */
   stats?: RenderStats | RenderStats[];
   /** default none */
-  progress?: Progress;
+  progress?: Progress | ((fraction: number) => boolean | void);
   /** receives the finished tiles; default none */
-  present?: Present;
+  present?: Present | ((tile: PresentTile) => void);
   /**
    * Light from all directions, in addition to the lights; NULL = none. Every model with lights reflects it, except
    * GOOCH. It casts no shadows; SHD_SLOT_OCCLUSION multiplies all of its reflected light. It must

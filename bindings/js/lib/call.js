@@ -21,6 +21,7 @@ export class Call {
     this.keep = [];
     this.after = [];
     this.groups = [];
+    this.placed = new Map();
     this.rows = undefined;
     this.isOut = false;
   }

@@ -23,7 +23,10 @@ export function place(call, array, isOut, isWhole) {
   const { memory } = call;
   if (memory.has(array)) return array.byteOffset;
   if (call.isPrepared) refuse(call.label, "arrays of a prepared lookup must be in the memory of WebAssembly (allocate)");
+  if (!array.byteLength) return 0;  // also the state of an array over memory that grew
+  if (call.placed.has(array)) return call.placed.get(array);  // several columns of one array
   const address = call.allocate(array.byteLength);
+  call.placed.set(array, address);
   const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
   if (!isOut || !isWhole) new Uint8Array(memory.buffer, address, bytes.length).set(bytes);
   if (isOut) call.after.push(() => bytes.set(new Uint8Array(memory.buffer, address, bytes.length)));
