@@ -6,4 +6,5 @@ cd "$(dirname "$0")"
 python3 describe.py
 python3 cpp/generate.py
 python3 python/generate.py
+python3 js/generate.py
 python3 lua/generate.py
