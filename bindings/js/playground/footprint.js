@@ -50,7 +50,8 @@ export function showFootprint(footprint, name) {
   drawEllipse(target, scale, footprint);
   const [long, short] = [footprint.longer, footprint.shorter].map((axis) => 2 * Math.hypot(...axis));
   text.value = `${footprint.side}: ${footprint.filter.replaceAll("_", " ")} · ${footprint.taps} texels read
-${long.toFixed(1)} × ${short.toFixed(1)} texels · ratio ${(long / Math.max(short, 1e-6)).toFixed(1)} · level ${footprint.lod.toFixed(2)}`;
+${long.toFixed(1)} × ${short.toFixed(1)} texels, ratio ${(long / Math.max(short, 1e-6)).toFixed(1)}
+level of detail ${footprint.lod.toFixed(2)}`;
 }
 
 export function hideFootprint(hidden) {

@@ -15,6 +15,12 @@ let isStale = true;
 let pointer = null;
 let times = [];
 let addressTimer = 0;
+let movedAt = -Infinity;
+let fullTime = 0;
+
+const WARM_FRAMES = 8;  // the browser compiles code better while it runs
+const SLOW = 45;        // [ms] frames that take longer are drawn with half the size while the model moves
+const REST = 250;       // [ms] without a change, until the frame is drawn in full
 
 const showControls = buildControls(change);
 const stage = new Stage(change, (pixel) => { pointer = pixel; inspect(); });
@@ -22,6 +28,7 @@ const stage = new Stage(change, (pixel) => { pointer = pixel; inspect(); });
 function change(key, value) {
   if (page.state[key] === value) return;
   page.state = { ...page.state, [key]: value };
+  movedAt = performance.now();
   show();
   clearTimeout(addressTimer);
   addressTimer = setTimeout(() => history.replaceState(null, "", `#${toHash(page.state)}`), 150);
@@ -35,6 +42,16 @@ function show() {
   draw();
 }
 
+const half = (size) => size.split("x").map((v) => v / 2).join("x");
+
+/** The state, with half the size during a movement if frames are slow. */
+function stateToDraw() {
+  const isMoving = performance.now() - movedAt < REST && !page.isSpinning;
+  if (!isMoving || fullTime < SLOW) return page.state;
+  setTimeout(draw, REST);
+  return { ...page.state, size: half(page.state.size) };
+}
+
 /** Draws the state; changes during a frame are drawn together after it. */
 async function draw() {
   isStale = true;
@@ -43,7 +60,9 @@ async function draw() {
   while (isStale) {
     isStale = false;
     try {
-      page.frame = await pool.draw(page.state);
+      const state = stateToDraw();
+      page.frame = await pool.draw(state);
+      if (state.size === page.state.size) fullTime = page.frame.milliseconds;
       stage.put(page.frame);
       report(page.frame);
       inspect();
@@ -54,6 +73,7 @@ async function draw() {
       break;
     }
     await new Promise(requestAnimationFrame);
+    if (page.frames < WARM_FRAMES) isStale = true;
     if (page.isSpinning) turn();
   }
   isDrawing = false;
@@ -64,16 +84,16 @@ function turn() {
   change("azimuth", Number((azimuth > 180 ? azimuth - 360 : azimuth).toFixed(1)));
 }
 
-function report({ milliseconds, fragments }) {
+function report({ milliseconds, fragments, size }) {
   const now = performance.now();
   page.frames += 1;
-  times = [...times.filter(([time]) => now - time < 1000), [now, milliseconds]];
+  times = [...times.filter(([time]) => now - time < 1000).slice(page.isSpinning ? 0 : -3), [now, milliseconds]];
   const mean = times.reduce((sum, [, value]) => sum + value, 0) / times.length;
   find("#time").value = `${mean.toFixed(1)} ms`;
   find("#rate").value = page.isSpinning && times.length > 1
     ? `${(((times.length - 1) * 1000) / (now - times[0][0])).toFixed(0)} frames/s` : `${(1000 / mean).toFixed(0)} frames/s possible`;
   find("#fragments").value = `${(fragments / 1000).toFixed(0)} k fragments`;
-  find("#workers").value = `${pool.count} ${pool.count === 1 ? "worker" : "workers"}`;
+  find("#workers").value = `${size.replace("x", " × ")}, ${pool.count} ${pool.count === 1 ? "worker" : "workers"}`;
 }
 
 let isAsking = false;

@@ -20,7 +20,7 @@ export class Pool {
   #workers;
   #waiting = new Map();
   #next = 1;
-  #edges = [];
+  #edges = new Map();  // by height of the picture
   constructor(count) {
     this.#workers = Array.from({ length: count }, () => {
       const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
@@ -48,13 +48,12 @@ export class Pool {
   async draw(state) {
     const height = Number(state.size.split("x")[1]);
     const count = this.#workers.length;
-    if (this.#edges.at(-1) !== height) this.#edges = Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
+    const edges = this.#edges.get(height) ?? Array.from({ length: count + 1 }, (_, i) => Math.round((height * i) / count));
     const bands = await Promise.all(this.#workers.map((worker, i) =>
-      this.#ask(worker, { state, rows: [this.#edges[i], this.#edges[i + 1]] })));
+      this.#ask(worker, { state, rows: [edges[i], edges[i + 1]] })));
     const times = bands.map((band) => band.milliseconds);
-    const edges = this.#edges;
-    if (count > 1) this.#edges = balance(edges, times, height);
-    return { bands, edges, milliseconds: Math.max(...times), fragments: bands.reduce((sum, band) => sum + band.fragments, 0) };
+    this.#edges.set(height, balance(edges, times, height));
+    return { bands, edges, size: state.size, milliseconds: Math.max(...times), fragments: bands.reduce((sum, band) => sum + band.fragments, 0) };
   }
   /** The footprint of a pixel of a frame that draw() returned. */
   async footprint({ edges }, x, y) {

@@ -8,7 +8,7 @@ const SHAPES = {
   sphere: { desc: { shape: "sphere", segments: [96, 48, 0] }, scale: 1, lift: 1, uv: [4, 2] },
   plane: { desc: { shape: "plane", size: [2.4, 1, 2.4] }, scale: 1, lift: 0.02, uv: 1 },
 };
-const FLOOR = 48;
+const FLOOR = 240;
 const SKY = [0.2, 0.27, 0.36, 1];
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
@@ -48,7 +48,7 @@ export function describe(state) {
     lights: [{ kind: "directional", direction: sun, intensity: [1, 0.97, 0.9].map((v) => v * state.power) },
              { kind: "ambient", intensity: [0.5, 0.56, 0.65] }],
     shadow: state.shadow && state.model !== "unlit",
-    camera: { eye, target, fovY: 0.75, nearPlane: 0.05, farPlane: 120 },
+    camera: { eye, target, fovY: 0.75, nearPlane: 0.05, farPlane: 400 },
     clearColor: SKY,
     samplers: ["a", "b"].map((prefix) => sideOf(state, prefix)),
     splitAt: state.compare ? Math.round(state.wipe * width) : 0,
