@@ -4,6 +4,7 @@ import { functions } from "./api.js";
 import { arrayOf, enumName, structOf } from "./layout.js";
 import { enumValue, writeStruct } from "./write.js";
 import { readStruct } from "./read.js";
+import { rowsOf } from "./rows.js";
 import { ShdError, describe, refuse } from "./error.js";
 
 // Functions that a program may call.
@@ -22,6 +23,7 @@ export class Call {
     this.after = [];
     this.groups = [];
     this.placed = new Map();
+    this.pinned = [];  // allocations that an object borrows
     this.rows = undefined;
     this.isOut = false;
   }
@@ -149,8 +151,10 @@ export function invoke(module, name, values, made = null) {
   const entry = functions[name];
   if (!entry) throw new TypeError(`libshd has no function ${name}`);
   if (module.callbacks.depth && !IN_PROGRAMS.test(name)) refuse(name, "it may not be called inside a program");
+  const rows = rowsOf(name, values);
   const mark = module.memory.mark();
   const call = new Call(module);
+  call.rows = rows;
   let isDone = false;
   try {
     const { words, results } = new Arguments(call, entry, values);

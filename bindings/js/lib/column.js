@@ -85,11 +85,12 @@ export function writeColumns(call, address, field, value, label) {
 
 /** The address and length of numbers or bytes. `void *` takes any typed array. */
 export function placeData(call, value, word, label) {
-  if (value instanceof Allocation) value = value.array;
+  const allocation = value instanceof Allocation ? value : null;
+  if (allocation) value = value.array;
   if (value instanceof ArrayBuffer) value = new Uint8Array(value);
   const isBytes = word === "u8" && isTyped(value);
   const array = isBytes ? value : typed(value, arrayOf(word), call.isOut, label);
   call.label = label;
   return { address: place(call, array, call.isOut, true), length: array.length, bytes: array.byteLength,
-           isInPlace: call.memory.has(array) };
+           allocation };
 }

@@ -5,8 +5,8 @@ import { refuse } from "./error.js";
 
 /** One reference to an object of C. Functions of JavaScript live until the last object that was made with them ends. */
 class Reference {
-  constructor(module, kind, handle, keep, groups) {
-    Object.assign(this, { module, kind, handle, keep, groups, users: 1 });
+  constructor(module, kind, handle, { keep, groups, pinned }) {
+    Object.assign(this, { module, kind, handle, keep, groups, pinned, users: 1 });
     for (const other of keep) other.users += 1;
   }
   /** Gives the object back. C keeps it as long as other objects of C need it. */
@@ -31,7 +31,7 @@ export class SharedObject {
     this.kind = kind;
     let made;
     const handle = invoke(module, create, values, (call) => { made = call; });
-    this.#reference = new Reference(module, kind, handle, made.keep, made.groups);
+    this.#reference = new Reference(module, kind, handle, made);
     module.registry.register(this, this.#reference, this);
   }
   /** The reference, for a call. */

@@ -24,7 +24,8 @@ export function checkPixels(call, struct, address, data, label) {
   if (read("width") && read("height") && placed.bytes < needed) {
     refuse(`${label}.${name}`, `${placed.bytes} bytes, fewer than the ${needed} of its format, width and height`);
   }
-  if (name === "texels" && read("flags") & 1 && !placed.isInPlace) {
-    refuse(`${label}.texels`, "borrowed texels must be in the memory of WebAssembly (allocate)");
+  if (name === "texels" && read("flags") & 1) {
+    if (!placed.allocation) refuse(`${label}.texels`, "borrowed texels must be an Allocation");
+    call.pinned.push(placed.allocation);
   }
 }

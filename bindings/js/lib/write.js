@@ -141,10 +141,14 @@ function writeStats(call, address, field, value) {
   call.after.push(() => Object.assign(value, call.read(field.type, where)));
 }
 
+// Structs of functions that an instance cannot use: it has one thread and its own memory.
+const UNAVAILABLE = new Set(["allocator", "executor", "display"]);
+
 const isPlain = (value) => value !== null && typeof value === "object" && !Array.isArray(value) && !ArrayBuffer.isView(value);
 
 /** What is not written as it stands: functions for structs with one function, and the source of a slot. */
 function complete(struct, value, label) {
+  if (UNAVAILABLE.has(struct.name)) refuse(label, "not available in JavaScript");
   const first = struct.list.find((f) => f.kind === "function");
   if (typeof value === "function" && first) value = { [first.name]: value };
   if (!isPlain(value)) refuse(label, `an object with fields of ${struct.name}, not ${describe(value)}`);

@@ -66,6 +66,15 @@ test("objects/misuse", async (shd, context) => {
           "desc.slots[0].texture: it belongs to another instance");
 });
 
+test("objects/borrow", (shd, context) => {
+  const texels = shd.allocate(Uint8Array, 4);
+  texels.array.fill(255);
+  const texture = new shd.Texture(context, { format: "r8", width: 2, height: 2, texels, flags: "borrow" });
+  assert.equal(texture.sample(new shd.Sampler(context), { u: [0.5], v: [0.5] }).channel[0][0], 1);
+  refused(() => new shd.Context({ executor: { parallelFor() {} } }), "desc.executor: not available");
+  refused(() => new shd.Context({ allocator: {} }), "desc.allocator: not available");
+});
+
 test("objects/out_of_memory", (shd, context) => {
   const make = () => new shd.Framebuffer(context, { width: 16384, height: 16384, samples: 16 });
   refused(make, "", "out_of_memory");

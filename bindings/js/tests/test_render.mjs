@@ -33,6 +33,17 @@ test("render/planes", (shd, context) => {
   refused(() => frame.framebuffer.viewPlane("hue"), "plane: hue is none of");
 });
 
+test("render/short_columns", (shd, context) => {
+  const { framebuffer, draws } = scene(shd, context, {});
+  refused(() => shd.call("shd_framebuffer_read_plane", framebuffer, "depth", new Float32Array(8)), "out: 8 elements, not 3072");
+  refused(() => shd.call("shd_mesh_read_indices", draws[0].mesh, new Uint32Array(8)), "out: 8 elements, not");
+  const { vertexCount } = draws[0].mesh.info;
+  const column = () => new Float32Array(vertexCount);
+  refused(() => shd.call("shd_mesh_read_uv", draws[0].mesh, [column(), column().subarray(1)]),
+          `out[1]: ${vertexCount - 1} elements, not ${vertexCount}`);
+  refused(() => shd.call("shd_mesh_read_uv", framebuffer, [column()]), "mesh: a mesh, not");
+});
+
 test("render/throwing_program", (shd, context) => {
   const frame = scene(shd, context, program(() => { throw new RangeError("no colours left"); }));
   assert.throws(() => shd.render(context, frame), /RangeError: no colours left/);
