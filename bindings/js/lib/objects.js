@@ -57,6 +57,14 @@ export class Sampler extends SharedObject {
 
 const PARTS = { positions: 3, normals: 3, tangents: 4, uv: 2, uv1: 2 };
 
+/** Columns of vertices as one interleaved array. */
+function readColumns(mesh, name, values, width) {
+  const whole = new Float32Array(width * mesh.info.vertexCount);
+  const columns = Array.from({ length: width }, (_, i) => ({ data: whole, offset: i, stride: width }));
+  if (whole.length) call(mesh, name, ...values, columns);
+  return whole;
+}
+
 export class Mesh extends SharedObject {
   constructor(context, desc) { super(moduleOf(context), "mesh", "shd_mesh_create", [context, desc]); }
   /** A sphere, box, plane, torus or teapot. */
@@ -65,19 +73,13 @@ export class Mesh extends SharedObject {
   /** positions, normals, tangents, uv or uv1 as one interleaved array. */
   read(part) {
     if (!PARTS[part]) refuse("part", `${part} is none of ${Object.keys(PARTS).join(", ")}`);
-    return this.#columns(`shd_mesh_read_${part}`, [], PARTS[part], Float32Array);
+    return readColumns(this, `shd_mesh_read_${part}`, [], PARTS[part]);
   }
-  readAttribute(index) { return this.#columns("shd_mesh_read_attribute", [index], 1, Float32Array); }
+  readAttribute(index) { return readColumns(this, "shd_mesh_read_attribute", [index], 1); }
   readIndices() {
     const out = new Uint32Array(3 * this.info.triangleCount);
     call(this, "shd_mesh_read_indices", out);
     return out;
-  }
-  #columns(name, values, width, type) {
-    const whole = new type(width * this.info.vertexCount);
-    const columns = Array.from({ length: width }, (_, i) => ({ data: whole, offset: i, stride: width }));
-    if (whole.length) call(this, name, ...values, columns);
-    return whole;
   }
   tessellate(context, desc) { return new TessellatedMesh(context, this, desc); }
 }

@@ -94,6 +94,9 @@ test("objects/mesh", (shd, context) => {
   refused(() => new shd.Mesh(context, { position, attributes: [[1, 2]] }), "desc.attributes[0]: 2 elements, not 3");
   refused(() => new shd.Mesh(context, { position, indices: [0, 1, 3] }), "mesh.indices");
   refused(() => mesh.read("colour"), "part: colour");
+  const shape = shd.Mesh.shape(context, { shape: "plane" });
+  assert(shape instanceof shd.Mesh);
+  assert.deepEqual([...shape.read("uv")].sort(), [0, 0, 0, 0, 1, 1, 1, 1]);
 });
 
 test("objects/garbage", async (shd, context) => {
