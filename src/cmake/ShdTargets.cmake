@@ -37,6 +37,9 @@ function(shd_compile_options target)
     # One target, NEON, which is in the baseline of 64-bit ARM. With the second macro Highway leaves out the attributes
     # of targets that are chosen at run time, because gcc does not apply them to lambdas and implicit constructors.
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC TOOLCHAIN_MISS_SYS_AUXV_H)
+  elseif(EMSCRIPTEN)
+    target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC)  # one target, WASM with -msimd128
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # addresses through a table are slow
   else()
     string(JOIN "|" kept ${shd_simd_${SHD_SIMD}})
     target_compile_definitions(${target} PRIVATE "HWY_DISABLED_TARGETS=(~(${kept}))")

@@ -8,6 +8,7 @@
 
 #include "light/shadow_receiver-inl.h"
 #include "light/shadow_sums.h"
+#include "simd/double-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::light::HWY_NAMESPACE {

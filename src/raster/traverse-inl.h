@@ -14,6 +14,7 @@
 
 #include "raster/tile.h"
 #include "raster/triangle_setup.h"
+#include "simd/double-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace shd::raster::HWY_NAMESPACE {

@@ -2,7 +2,7 @@
 # Highway as headers alone, which a library with one SIMD target needs: the headers of this machine's package do for
 # every processor, its compiled library does not. They are linked into the build folder, because the folder they lie in
 # also has this machine's C library.
-find_path(SHD_HWY_INCLUDE_DIR hwy/highway.h NO_CMAKE_FIND_ROOT_PATH)
+find_path(SHD_HWY_INCLUDE_DIR hwy/highway.h HINTS /usr/include /usr/local/include NO_CMAKE_FIND_ROOT_PATH)
 if(NOT SHD_HWY_INCLUDE_DIR)
   set(hwy_FOUND FALSE)
   set(hwy_NOT_FOUND_MESSAGE "hwy/highway.h was not found (Debian: libhwy-dev)")

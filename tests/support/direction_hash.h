@@ -103,13 +103,15 @@ static inline uint64_t shd_hash_direction_lookups(shd_context *context, shd_proj
     for (filter = 0; filter < sizeof k_direction_filters / sizeof *k_direction_filters; ++filter) {
         shd_sampler_desc sampler_desc = shd_sampler_desc_default();
         shd_sampler *sampler = NULL;
+        uint64_t nonfinite;
         size_t i;
         sampler_desc.filter = k_direction_filters[filter];
         shd_assert_ok(shd_sampler_create(context, &sampler_desc, &sampler));
         shd_assert_ok(shd_texture_sample(texture, sampler, &in, &out));
         for (i = 0; i < SHD_DIRECTION_POINTS; ++i) assert_true(columns->out[0][i] >= 0 && columns->out[0][i] <= 2);
         hash = shd_hash(hash, columns->out[0], sizeof columns->out[0]);
-        hash = shd_hash(hash, &out.nonfinite_count, sizeof out.nonfinite_count);
+        nonfinite = out.nonfinite_count; /* size_t has four bytes on some machines */
+        hash = shd_hash(hash, &nonfinite, sizeof nonfinite);
         shd_sampler_release(sampler);
     }
     shd_texture_release(texture);

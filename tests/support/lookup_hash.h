@@ -35,6 +35,7 @@ static inline uint64_t hash_lookups(shd_scene *s)
         for (f = 0; f < SHD_SCENE_SAMPLERS; ++f) {
             shd_lookups lookups = shd_lookups_default();
             shd_texels texels;
+            uint64_t nonfinite;
             shd_f32_in *const column[6] = {&lookups.u,    &lookups.v,    &lookups.dudx,
                                            &lookups.dvdx, &lookups.dudy, &lookups.dvdy};
             memset(&texels, 0, sizeof texels);
@@ -46,7 +47,8 @@ static inline uint64_t hash_lookups(shd_scene *s)
                 if (!isfinite(out[i])) fail_msg("texture %zu, sampler %zu: out[%zu] = %g", t, f, i, (double)out[i]);
             }
             hash = shd_hash(hash, out, 4 * k_lookups * sizeof(float));
-            hash = shd_hash(hash, &texels.nonfinite_count, sizeof texels.nonfinite_count);
+            nonfinite = texels.nonfinite_count; /* size_t has four bytes on some machines */
+            hash = shd_hash(hash, &nonfinite, sizeof nonfinite);
         }
     }
     free(in);

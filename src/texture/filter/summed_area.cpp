@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/double-inl.h"
 #include "texture/filter/box-inl.h"
 #include "texture/filter/filters-inl.h"
 #include "texture/footprint/shapes-inl.h"

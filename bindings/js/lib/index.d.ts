@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Types of the module. Descs, enums and the functions of C are in api.d.ts, which is generated.
+import type * as api from "./api.js";
+
+export type * from "./api.js";
+
+export type TypedArray = Int8Array | Uint8Array | Uint8ClampedArray | Int16Array | Uint16Array | Int32Array | Uint32Array
+  | Float32Array | Float64Array;
+export type Numbers = ArrayLike<number> | ArrayLike<number>[] | Allocation;
+export type Pixels = TypedArray | ArrayBuffer | Allocation;
+/** Elements of an array: `offset` and `stride` count elements. */
+export interface Strided<T> { data: T | Allocation; offset?: number; stride?: number }
+type Array32 = Float32Array | Uint32Array | Uint16Array;
+/** A column of numbers. Arrays in the memory of WebAssembly are used in place, others are copied. */
+export type Column = Array32 | number[] | Allocation | Strided<Array32>;
+export type OutColumn = Array32 | Allocation | Strided<Array32>;
+/** Columns of a vector: one interleaved array, or one column for each component. */
+export type Columns = Column | (Column | null)[];
+export type OutColumns = OutColumn | (OutColumn | null)[];
+
+/** A call of the library failed. The message names the argument, its value and its range. */
+export class ShdError extends Error {
+  constructor(result: string | number, message: string);
+  readonly result: "invalid_argument" | "out_of_memory" | "unsupported" | "not_found" | "io" | "corrupt" | "limit"
+    | "cancelled" | "callback" | "internal";
+}
+
+/** An array in the memory of WebAssembly. */
+export class Allocation<T extends TypedArray = any> {
+  readonly address: number;
+  readonly length: number;
+  /** The elements. The array becomes empty when the memory grows; take it anew after calls that make objects. */
+  readonly array: T;
+  close(): void;
+  [Symbol.dispose](): void;
+}
+
+interface SharedObject {
+  readonly kind: string;
+  readonly isClosed: boolean;
+  /** Drops the reference. Later uses throw; closing again has no effect. */
+  close(): void;
+  [Symbol.dispose](): void;
+}
+
+export interface Context extends SharedObject {
+  readonly simdTarget: string;
+  readonly workerCount: number;
+  /** Frees memory that is kept for later calls. */
+  trim(): void;
+}
+
+export interface Texture extends SharedObject {
+  readonly info: api.TextureInfo;
+  /** Filtered values of lookups, as columns r, g, b and a. */
+  sample(sampler: Sampler, lookups: api.Lookups): { channel: Float32Array[] };
+  sample<T extends api.Texels>(sampler: Sampler, lookups: api.Lookups, out: T): T;
+  /** Lookups that can be run many times. All columns must be in the memory of WebAssembly. */
+  lookup(sampler: Sampler, lookups: api.Lookups, out: api.Texels): Lookup;
+  queryLevels(sampler: Sampler, lookups: api.Lookups): { lod: Float32Array; level: Uint32Array };
+  queryLevels<T extends api.Levels>(sampler: Sampler, lookups: api.Lookups, out: T): T;
+  /** How the lookup `index` was filtered. */
+  explain(sampler: Sampler, lookups: api.Lookups, index?: number): Required<api.Explanation>;
+  readLevel(layer: number, level: number, image: api.Image): api.Image;
+  update(layer: number, x: number, y: number, image: api.Image): void;
+}
+
+export interface Lookup {
+  run(): void;
+  close(): void;
+  [Symbol.dispose](): void;
+}
+
+export interface Sampler extends SharedObject {}
+export interface Material extends SharedObject {}
+export interface Light extends SharedObject {}
+export interface Volume extends SharedObject {}
+
+export interface Mesh extends SharedObject {
+  readonly info: api.MeshInfo;
+  /** Columns of the vertices as one interleaved array. */
+  read(part: "positions" | "normals" | "tangents" | "uv" | "uv1"): Float32Array;
+  readAttribute(index: number): Float32Array;
+  readIndices(): Uint32Array;
+  tessellate(context: Context, desc: api.TessellationDesc): Mesh;
+}
+
+export interface Framebuffer extends SharedObject {
+  readonly info: api.FramebufferInfo;
+  /** Pixels [height][width][4]. Bytes suit ImageData; 16-bit floats are Uint16Array. */
+  readColor(format?: "rgba8_srgb" | "rgba8", out?: Uint8ClampedArray): Uint8ClampedArray;
+  readColor(format: "rgba32f", out?: Float32Array): Float32Array;
+  readColor(format: "rgba16" | "rgba16f", out?: Uint16Array): Uint16Array;
+  /** A copy of a plane, [height][width]. */
+  readPlane(plane: "triangle" | "level" | "draw" | "overdraw"): Uint32Array;
+  readPlane(plane: api.Plane): Float32Array;
+  /** A plane without a copy, valid until the memory grows or the framebuffer closes. `rowStride` counts elements. */
+  viewPlane(plane: api.Plane): { array: Float32Array | Uint32Array; rowStride: number };
+}
+
+export interface Environment extends SharedObject {
+  readonly info: api.EnvironmentInfo;
+  irradiance<T extends api.EnvironmentLight>(lookups: api.EnvironmentLookups, out: T): T;
+  radiance<T extends api.EnvironmentLight>(lookups: api.EnvironmentLookups, out: T): T;
+}
+
+export interface Shadow extends SharedObject {
+  render(context: Context, desc: api.ShadowRenderDesc): void;
+  sample<T extends Float32Array>(lookups: api.ShadowLookups, out: T): T;
+}
+
+/** Columns of fragments, valid until the program returns. */
+export interface Fragments {
+  readonly draw: number;
+  readonly instance: number;
+  readonly count: number;
+  readonly triangle: Uint32Array;
+  readonly attribute: (Float32Array | null)[];
+  readonly varying: Float32Array[];
+  readonly x: Float32Array; readonly y: Float32Array; readonly depth: Float32Array;
+  readonly px: Float32Array; readonly py: Float32Array; readonly pz: Float32Array;
+  readonly nx: Float32Array; readonly ny: Float32Array; readonly nz: Float32Array;
+  readonly ox: Float32Array; readonly oy: Float32Array; readonly oz: Float32Array;
+  readonly tx: Float32Array | null; readonly ty: Float32Array | null; readonly tz: Float32Array | null;
+  readonly tw: Float32Array | null;
+  readonly u: Float32Array; readonly v: Float32Array; readonly u1: Float32Array; readonly v1: Float32Array;
+  readonly dudx: Float32Array; readonly dvdx: Float32Array; readonly dudy: Float32Array; readonly dvdy: Float32Array;
+}
+
+/** Columns that a fragment program writes. */
+export interface Radiance {
+  readonly r: Float32Array; readonly g: Float32Array; readonly b: Float32Array; readonly a: Float32Array;
+  readonly discard: Uint32Array | null;
+  readonly target: (Float32Array | null)[][];
+}
+
+export interface Vertices {
+  readonly draw: number;
+  readonly instance: number;
+  readonly first: number;
+  readonly count: number;
+  readonly attribute: (Float32Array | null)[];
+  readonly px: Float32Array; readonly py: Float32Array; readonly pz: Float32Array;
+  readonly nx: Float32Array; readonly ny: Float32Array; readonly nz: Float32Array;
+  readonly u: Float32Array; readonly v: Float32Array;
+  readonly u1: Float32Array | null; readonly v1: Float32Array | null;
+  readonly objectToWorld: Float32Array; readonly worldToView: Float32Array; readonly viewToClip: Float32Array;
+  readonly eye: Float32Array;
+}
+
+export interface VertexOutputs {
+  readonly x: Float32Array; readonly y: Float32Array; readonly z: Float32Array; readonly w: Float32Array;
+  readonly px: Float32Array; readonly py: Float32Array; readonly pz: Float32Array;
+  readonly nx: Float32Array; readonly ny: Float32Array; readonly nz: Float32Array;
+  readonly u: Float32Array; readonly v: Float32Array;
+  readonly varying: Float32Array[];
+}
+
+export interface Rays {
+  readonly count: number;
+  readonly ox: Float32Array; readonly oy: Float32Array; readonly oz: Float32Array;
+  readonly dx: Float32Array; readonly dy: Float32Array; readonly dz: Float32Array;
+  readonly length: Float32Array;
+}
+
+/** A finished tile. `rowStride` is in bytes. */
+export interface PresentTile {
+  readonly x: number; readonly y: number; readonly width: number; readonly height: number;
+  readonly rowStride: number;
+  readonly channel: Float32Array[];
+}
+
+interface Constructor<T, Desc> { new (context: Context, desc?: Desc): T }
+
+export interface Memory {
+  readonly buffer: ArrayBuffer;
+  readonly view: DataView;
+  text(address: number): string;
+}
+
+export interface Shd {
+  readonly version: string;
+  readonly Context: { new (desc?: api.ContextDesc): Context };
+  readonly Texture: Constructor<Texture, api.TextureDesc>;
+  readonly Sampler: Constructor<Sampler, api.SamplerDesc>;
+  readonly Mesh: Constructor<Mesh, api.MeshDesc> & {
+    shape(context: Context, desc: api.ShapeDesc, flags?: api.MeshFlag | number): Mesh;
+  };
+  readonly Material: Constructor<Material, api.MaterialDesc>;
+  readonly Light: Constructor<Light, api.LightDesc>;
+  readonly Framebuffer: Constructor<Framebuffer, api.FramebufferDesc>;
+  readonly Environment: Constructor<Environment, api.EnvironmentDesc>;
+  readonly Shadow: Constructor<Shadow, api.ShadowDesc>;
+  readonly Volume: Constructor<Volume, api.VolumeDesc>;
+  readonly ShdError: typeof ShdError;
+  /** The functions of C, with addresses for pointers. */
+  readonly raw: api.Raw;
+  readonly memory: Memory;
+  /** An array in the memory of WebAssembly, which calls use without a copy. */
+  allocate<T extends TypedArray>(type: { new (length: number): T; readonly BYTES_PER_ELEMENT: number }, length: number): Allocation<T>;
+  /** Renders a frame, and returns its statistics. */
+  render(context: Context, desc: api.RenderDesc): api.RenderStats;
+  /** Calls a function of C by its name with JavaScript values; returns what it writes through `out_` parameters. */
+  call(name: keyof api.Raw, ...values: unknown[]): any;
+}
+
+/** Loads shd.wasm, by default the file beside this module. */
+export function load(source?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module): Promise<Shd>;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The WebAssembly instance: where its bytes come from, and what it imports.
+
+/** The bytes of a URL or path. Node reads files itself: its fetch does not take them. */
+async function readModule(source) {
+  if (source instanceof WebAssembly.Module || ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return source;
+  const url = source ?? new URL("./shd.wasm", import.meta.url);
+  const isNode = typeof process !== "undefined" && process.versions?.node;
+  if (isNode && !/^https?:/.test(String(url))) {
+    const { readFile } = await import("node:fs/promises");
+    return readFile(url);
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+  return response.arrayBuffer();
+}
+
+/** Clocks and the end of the process, which the C library takes from its system. */
+function systemImports(memoryOf) {
+  return {
+    env: { emscripten_notify_memory_growth() {} },
+    wasi_snapshot_preview1: {
+      proc_exit(code) {
+        throw new Error(`shd.wasm stopped with code ${code}`);
+      },
+      clock_time_get(_clock, _precision, address) {
+        const nanoseconds = BigInt(Math.round(performance.now() * 1e6));
+        new DataView(memoryOf().buffer).setBigUint64(address, nanoseconds, true);
+        return 0;
+      },
+    },
+  };
+}
+
+/** Compiles and starts shd.wasm. `callbacks` has the functions that C calls. */
+export async function instantiate(source, callbacks) {
+  let exports;
+  const imports = { ...systemImports(() => exports.memory), shd: callbacks };
+  const bytes = await readModule(source);
+  const made = await WebAssembly.instantiate(bytes, imports);
+  exports = (made.instance ?? made).exports;
+  exports._initialize();
+  return exports;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Objects of the library and their references.
+import { invoke } from "./call.js";
+import { refuse } from "./error.js";
+
+/** One reference to an object of C. Functions of JavaScript live until the last object that was made with them ends. */
+class Reference {
+  constructor(module, kind, handle, { keep, groups, pinned }) {
+    Object.assign(this, { module, kind, handle, keep, groups, pinned, users: 1 });
+    for (const other of keep) other.users += 1;
+  }
+  /** Gives the object back. C keeps it as long as other objects of C need it. */
+  close() {
+    this.module.raw[`shd_${this.kind}_release`](this.handle);
+    this.handle = 0;
+    this.drop();
+  }
+  drop() {
+    this.users -= 1;
+    if (this.users) return;
+    for (const id of this.groups) this.module.callbacks.remove(id);
+    for (const other of this.keep) other.drop();
+  }
+}
+
+/** Base of the objects. close() gives the memory back; so does the garbage collector, at an unknown time. */
+export class SharedObject {
+  #reference = null;
+  constructor(module, kind, create, values) {
+    this.module = module;
+    this.kind = kind;
+    let made;
+    const handle = invoke(module, create, values, (call) => { made = call; });
+    this.#reference = new Reference(module, kind, handle, made);
+    module.registry.register(this, this.#reference, this);
+  }
+  /** The reference, for a call. */
+  reference(label) {
+    if (!this.#reference) refuse(label, `the ${this.kind} is closed`);
+    return this.#reference;
+  }
+  get isClosed() {
+    return this.#reference === null;
+  }
+  /** Drops the reference. Later uses throw; closing again has no effect. */
+  close() {
+    const reference = this.#reference;
+    if (!reference) return;
+    this.#reference = null;
+    this.module.registry.unregister(this);
+    this.module.release(reference);
+  }
+}
+if (Symbol.dispose) {
+  SharedObject.prototype[Symbol.dispose] = function dispose() { this.close(); };
+}

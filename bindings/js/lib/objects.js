@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Classes of the objects. Their methods call the functions of C of the same names.
+import { invoke } from "./call.js";
+import { SharedObject } from "./object.js";
+import { Lookup } from "./lookup.js";
+import { refuse } from "./error.js";
+
+const call = (object, name, ...values) => invoke(object.module, name, [object, ...values]);
+
+/** The module of the context that an object is made in. */
+function moduleOf(context) {
+  if (context?.kind !== "context") refuse("context", "the first argument is a Context");
+  return context.module;
+}
+
+/** Owner of the log and memory of its objects. `new shd.Context(desc)` */
+export class Context extends SharedObject {
+  constructor(module, desc = {}) { super(module, "context", "shd_context_create", [desc]); }
+  get simdTarget() { return call(this, "shd_context_simd_target"); }
+  get workerCount() { return call(this, "shd_context_worker_count"); }
+  trim() { call(this, "shd_context_trim"); }
+}
+
+const CHANNELS = 4;
+
+export class Texture extends SharedObject {
+  constructor(context, desc) { super(moduleOf(context), "texture", "shd_texture_create", [context, desc]); }
+  get info() { return call(this, "shd_texture_get_info"); }
+  /** Filtered values of lookups: `out.channel` has r, g, b and a. Without `out` new arrays are made. */
+  sample(sampler, lookups, out = null) {
+    const count = lookups.count ?? lookups.u?.length ?? 0;
+    out ??= { channel: Array.from({ length: CHANNELS }, () => new Float32Array(count)) };
+    call(this, "shd_texture_sample", sampler, lookups, out);
+    return out;
+  }
+  /** A batch of lookups in the memory of WebAssembly that can be run many times. */
+  lookup(sampler, lookups, out) { return new Lookup(this, sampler, lookups, out); }
+  queryLevels(sampler, lookups, out = null) {
+    const count = lookups.count ?? lookups.u?.length ?? 0;
+    out ??= { lod: new Float32Array(count), level: new Uint32Array(count) };
+    call(this, "shd_texture_query_levels", sampler, lookups, out);
+    return out;
+  }
+  /** How the lookup `index` was filtered: level of detail, axes of the footprint, factors. */
+  explain(sampler, lookups, index = 0) {
+    const explanation = {};
+    call(this, "shd_texture_explain", sampler, lookups, index, explanation);
+    return explanation;
+  }
+  readLevel(layer, level, image) { call(this, "shd_texture_read_level", layer, level, image); return image; }
+  update(layer, x, y, image) { call(this, "shd_texture_update", layer, x, y, image); }
+}
+
+export class Sampler extends SharedObject {
+  constructor(context, desc = {}) { super(moduleOf(context), "sampler", "shd_sampler_create", [context, desc]); }
+}
+
+const PARTS = { positions: 3, normals: 3, tangents: 4, uv: 2, uv1: 2 };
+
+/** Columns of vertices as one interleaved array. */
+function readColumns(mesh, name, values, width) {
+  const whole = new Float32Array(width * mesh.info.vertexCount);
+  const columns = Array.from({ length: width }, (_, i) => ({ data: whole, offset: i, stride: width }));
+  if (whole.length) call(mesh, name, ...values, columns);
+  return whole;
+}
+
+export class Mesh extends SharedObject {
+  constructor(context, desc) { super(moduleOf(context), "mesh", "shd_mesh_create", [context, desc]); }
+  /** A sphere, box, plane, torus or teapot. */
+  static shape(context, desc, flags = 0) { return new ShapeMesh(context, desc, flags); }
+  get info() { return call(this, "shd_mesh_get_info"); }
+  /** positions, normals, tangents, uv or uv1 as one interleaved array. */
+  read(part) {
+    if (!PARTS[part]) refuse("part", `${part} is none of ${Object.keys(PARTS).join(", ")}`);
+    return readColumns(this, `shd_mesh_read_${part}`, [], PARTS[part]);
+  }
+  readAttribute(index) { return readColumns(this, "shd_mesh_read_attribute", [index], 1); }
+  readIndices() {
+    const out = new Uint32Array(3 * this.info.triangleCount);
+    call(this, "shd_mesh_read_indices", out);
+    return out;
+  }
+  tessellate(context, desc) { return new TessellatedMesh(context, this, desc); }
+}
+
+class ShapeMesh extends SharedObject {
+  constructor(context, desc, flags) {
+    super(moduleOf(context), "mesh", "shd_mesh_create_shape", [context, desc, flags]);
+  }
+}
+class TessellatedMesh extends SharedObject {
+  constructor(context, mesh, desc) {
+    super(moduleOf(context), "mesh", "shd_mesh_tessellate", [context, mesh, desc]);
+  }
+}
+// Their methods are those of other meshes; only their constructors differ.
+for (const made of [ShapeMesh, TessellatedMesh]) Object.setPrototypeOf(made.prototype, Mesh.prototype);
+
+export class Material extends SharedObject {
+  constructor(context, desc = {}) { super(moduleOf(context), "material", "shd_material_create", [context, desc]); }
+}
+
+export class Light extends SharedObject {
+  constructor(context, desc = {}) { super(moduleOf(context), "light", "shd_light_create", [context, desc]); }
+}
+
+export class Environment extends SharedObject {
+  constructor(context, desc) { super(moduleOf(context), "environment", "shd_environment_create", [context, desc]); }
+  get info() { return call(this, "shd_environment_get_info"); }
+  irradiance(lookups, out) { call(this, "shd_environment_irradiance", lookups, out); return out; }
+  radiance(lookups, out) { call(this, "shd_environment_radiance", lookups, out); return out; }
+}
+
+export class Shadow extends SharedObject {
+  constructor(context, desc = {}) { super(moduleOf(context), "shadow", "shd_shadow_create", [context, desc]); }
+  render(context, desc) { invoke(this.module, "shd_shadow_render", [context, this, desc]); }
+  sample(lookups, out) { call(this, "shd_shadow_sample", lookups, out); return out; }
+}
+
+export class Volume extends SharedObject {
+  constructor(context, desc) { super(moduleOf(context), "volume", "shd_volume_create", [context, desc]); }
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Structs of C to JavaScript objects. Pointers and columns are left out.
+import { arrayOf, enumName, flagNames, structOf } from "./layout.js";
+
+function readOne(memory, field, address) {
+  const { view } = memory;
+  switch (field.type) {
+    case "f32": return view.getFloat32(address, true);
+    case "f64": return view.getFloat64(address, true);
+    case "u64": return Number(view.getBigUint64(address, true));
+    case "u8": return view.getUint8(address);
+    case "u16": return view.getUint16(address, true);
+    case "i32": return view.getInt32(address, true);
+    default: return view.getUint32(address, true);
+  }
+}
+
+function readField(memory, field, address) {
+  switch (field.kind) {
+    case "number": {
+      if (field.count === 1) return readOne(memory, field, address);
+      return Array.from(memory.array(arrayOf(field.type), address, field.count), Number);
+    }
+    case "enum": {
+      const names = Array.from({ length: field.count }, (_, i) => enumName(field.type, memory.view.getInt32(address + 4 * i, true)));
+      return field.count === 1 ? names[0] : names;
+    }
+    case "flags": return flagNames(field.type, memory.view.getUint32(address, true));
+    case "struct": return readStruct(memory, field.type, address);
+    default: return undefined;
+  }
+}
+
+/** The numbers and names of a struct as an object. */
+export function readStruct(memory, name, address) {
+  const made = {};
+  for (const field of structOf(name).list) {
+    if (field.name === "structSize") continue;
+    const value = readField(memory, field, address + field.offset);
+    if (value !== undefined) made[field.name] = value;
+  }
+  return made;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Serves the package to a headless Chromium, whose page posts its results: node browser.mjs CHROMIUM
+import { createServer } from "node:http";
+import { spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const ROOT = fileURLToPath(new URL("..", import.meta.url));
+const TYPES = { html: "text/html", js: "text/javascript", mjs: "text/javascript", css: "text/css", wasm: "application/wasm",
+                svg: "image/svg+xml", png: "image/png" };
+const WASM = process.env.SHD_WASM ?? join(ROOT, "lib/shd.wasm");
+
+const PAGE = `<!doctype html><title>shd</title><script type="module">
+const post = (result) => fetch("/result", { method: "POST", body: JSON.stringify(result) });
+try {
+  const { load } = await import("/lib/index.js");
+  const { runPrograms, runSpeed } = await import("/examples/programs.mjs");
+  const { renderFloor } = await import("/bench/floor.mjs");
+  const shd = await load();
+  await post({ lines: runPrograms(shd).lines, times: [...runSpeed(shd), renderFloor(shd)] });
+} catch (problem) {
+  await post({ problem: String(problem.stack ?? problem) });
+}
+</script>`;
+
+/** A server of the package's files at a free port. `onResult` gets what a page posts. */
+export function serve(onResult = () => {}) {
+  const server = createServer((request, response) => {
+    const path = normalize(decodeURIComponent(request.url.split("?")[0])).replace(/^(\.\.[/\\])+/, "");
+    if (request.method === "POST") {
+      let body = "";
+      request.on("data", (part) => { body += part; });
+      request.on("end", () => { response.end(); onResult(JSON.parse(body)); });
+      return;
+    }
+    try {
+      const bytes = path === "/" ? PAGE : readFileSync(path === "/lib/shd.wasm" ? WASM : join(ROOT, path));
+      response.setHeader("content-type", path === "/" ? "text/html" : TYPES[path.split(".").pop()] ?? "text/plain");
+      response.end(bytes);
+    } catch {
+      response.statusCode = 404;
+      response.end();
+    }
+  });
+  return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
+}
+
+async function main(chromium) {
+  const folder = mkdtempSync(join(tmpdir(), "shd-browser-"));
+  const result = await new Promise((resolve) => {
+    serve(resolve).then((server) => {
+      const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", `--user-data-dir=${folder}`];
+      // The command is a script that starts processes: all of them are one group.
+      const child = spawn(chromium, [...flags, `http://127.0.0.1:${server.address().port}/`], { detached: true, stdio: "ignore" });
+      child.on("error", (problem) => resolve({ problem: String(problem) }));
+      const timer = setTimeout(() => resolve({ problem: "no result within 60 seconds" }), 60000);
+      main.end = () => {
+        clearTimeout(timer);
+        try { process.kill(-child.pid, "SIGKILL"); } catch { /* it has ended */ }
+        server.close(), server.closeAllConnections();
+      };
+    });
+  });
+  main.end();
+  rmSync(folder, { recursive: true, force: true, maxRetries: 5 });
+  if (result.problem) {
+    console.error(result.problem);
+    process.exit(1);
+  }
+  for (const line of result.times) console.error(line);
+  console.log(result.lines.join("\n"));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) await main(process.argv[2] ?? "chromium");

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds shd.wasm and the program of the golden hashes in a folder, by the preset `wasm`.
+set -euo pipefail
+cd "$(dirname "$0")/../../.."
+export CCACHE_COMPILERTYPE=clang  # ccache does not recognise emcc
+cmake --preset wasm -B "$1" ${LAUNCHER:+-DCMAKE_C_COMPILER_LAUNCHER="$LAUNCHER" -DCMAKE_CXX_COMPILER_LAUNCHER="$LAUNCHER"}
+cmake --build "$1" --target shd_wasm wasm_hashes -j "${JOBS:-2}"
+ls -l "$1/bindings/js/shd.wasm"

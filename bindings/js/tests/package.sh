@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Packs the npm package, installs the tarball in an empty folder, draws a picture there, and compiles an example with
+# the declarations of the package.
+set -euo pipefail
+source=$(cd "$(dirname "$0")/.." && pwd)
+command -v npm >/dev/null || { echo "skipped: npm is not installed (Debian: npm)"; exit 77; }
+rm -rf "$WORK/pack" "$WORK/empty"
+mkdir -p "$WORK/pack" "$WORK/empty"
+cp -r "$source"/{package.json,README.md,lib,examples} "$WORK/pack"
+cp "$SHD_WASM" "$WORK/pack/lib/shd.wasm"
+tarball=$(cd "$WORK/pack" && npm pack --silent --pack-destination "$WORK/empty")
+cd "$WORK/empty"
+npm init -y >/dev/null
+npm install --offline --no-audit --no-fund "./$tarball" >/dev/null
+unset SHD_WASM  # the file of the package
+cp node_modules/shd/examples/{hello,png}.mjs .
+"$NODE" hello.mjs picture.png
+"$NODE" -e '
+  const bytes = require("fs").readFileSync("picture.png");
+  const rows = require("zlib").inflateSync(bytes.subarray(41, -16));
+  if (bytes.readUInt32BE(16) !== 480 || rows.length !== 320 * 1921) throw new Error("no picture of 480 x 320");
+  const colours = new Set();
+  for (let i = 0; i < rows.length - 4; i += 97) colours.add(rows.readUInt32BE(i));
+  if (colours.size < 500) throw new Error(`only ${colours.size} colours`);'
+wasm=node_modules/shd/lib/shd.wasm
+echo "tarball $(stat -c %s "$tarball") bytes, shd.wasm $(stat -c %s $wasm), compressed by gzip $(gzip -9c $wasm | wc -c)"
+if ! npm install --no-audit --no-fund --silent typescript@5 2>/dev/null; then
+  echo "the registry of npm cannot be reached: the types were not compiled"
+  exit 0
+fi
+cp "$source/tests/example.ts" example.mts
+npx tsc --noEmit --strict --target esnext --module nodenext --moduleResolution nodenext --lib esnext,dom example.mts
+echo "the types of the example are right"

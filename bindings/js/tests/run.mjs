@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Tests of the module in Node: node run.mjs [file...]
+import { test } from "./support.mjs";
+import "./test_lookup.mjs";
+import "./test_objects.mjs";
+import "./test_render.mjs";
+
+await test.run();

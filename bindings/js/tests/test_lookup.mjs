@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+import assert from "node:assert/strict";
+import { grey, refused, test } from "./support.mjs";
+
+const half = [0.125, 0.375, 0.625, 0.875];
+
+test("lookup/values", (shd, context) => {
+  const { channel } = grey(shd, context).sample(new shd.Sampler(context, { filter: "nearest" }), { u: half, v: half });
+  assert.deepEqual([...channel[0]], [0, 80, 160, 240].map((v) => Math.fround(v / 255)));
+});
+
+test("lookup/columns", (shd, context) => {
+  const texture = grey(shd, context), sampler = new shd.Sampler(context);
+  const uv = Float32Array.from(half.flatMap((v) => [v, v]));
+  const want = texture.sample(sampler, { u: half, v: half }).channel[0];
+  const strided = texture.sample(sampler, { count: 4, u: { data: uv, stride: 2 }, v: { data: uv, offset: 1, stride: 2 } },
+                                 { channel: [new Float32Array(4)] });
+  assert.deepEqual(strided.channel[0], want);
+  const whole = new Float32Array(16);
+  const out = texture.sample(sampler, { u: half, v: half }, { channel: whole });
+  assert.deepEqual(whole.filter((_, i) => i % 4 === 0), want);
+  assert.equal(out.nonfiniteCount, 0);
+  const gaps = new Float32Array(8).fill(7);
+  texture.sample(sampler, { u: half, v: half }, { channel: [{ data: gaps, stride: 2 }] });
+  assert.deepEqual([...gaps], [...want].flatMap((v) => [v, 7]));
+});
+
+test("lookup/allocation", (shd, context) => {
+  const texture = grey(shd, context), sampler = new shd.Sampler(context);
+  const [u, v, r] = [0, 1, 2].map(() => shd.allocate(Float32Array, 4));
+  u.array.set(half), v.array.set(half);
+  texture.sample(sampler, { u, v }, { channel: [r] });
+  assert.deepEqual(r.array, texture.sample(sampler, { u: half, v: half }).channel[0]);
+  const lookup = texture.lookup(sampler, { u: u.array, v }, { channel: [r] });
+  const before = r.array.slice();
+  r.array.fill(0);
+  texture.close(), sampler.close();  // the lookup has references of its own
+  lookup.run();
+  assert.deepEqual(r.array, before);
+  lookup.close(), lookup.close();
+  refused(() => lookup.run(), "lookup: it is closed");
+  u.close(), u.close();
+  refused(() => u.array, "allocation: it is closed");
+});
+
+test("lookup/growth", (shd, context) => {
+  const texture = grey(shd, context), sampler = new shd.Sampler(context);
+  const u = shd.allocate(Float32Array, 4);
+  u.array.set(half);
+  const old = u.array;
+  const big = shd.allocate(Uint8Array, 64 << 20);
+  assert.equal(old.length, 0);  // the memory grew
+  assert.deepEqual([...u.array], half.map(Math.fround));
+  refused(() => texture.sample(sampler, { u: half, v: old }), "lookups.v: 0 elements, not count = 4 (arrays over");
+  big.close();
+});
+
+test("lookup/misuse", (shd, context) => {
+  const texture = grey(shd, context), sampler = new shd.Sampler(context);
+  const sample = (lookups, out) => () => texture.sample(sampler, lookups, out);
+  refused(sample({ u: new Float64Array(4), v: half }), "lookups.u: a Float32Array, not a value of type Float64Array");
+  refused(sample({ u: half, v: half.slice(1) }), "lookups.v: 3 elements, not count = 4");
+  refused(sample({ u: half, v: [0, "1", 2, 3] }), "lookups.v[1]: a number, not \"1\"");
+  refused(sample({ u: { data: new Float32Array(8), stride: -2 }, v: half }), "lookups.u.stride: -2");
+  refused(sample({ u: { data: new Float32Array(8), stride: 1.5 }, v: half }), "lookups.u.stride: 1.5");
+  refused(sample({ u: { data: new Float32Array(8), offset: 9 }, v: half }), "lookups.u.offset: 9, not 0..8");
+  refused(sample({ u: half, v: half }, { channel: [new Float32Array(3)] }), "out.channel: 3 elements, not 4");
+  refused(sample({ u: half, v: half }, { channel: [[0, 0, 0, 0]] }), "out.channel[0]: a Float32Array");
+  refused(sample({ u: half, v: half, bias: 1 }), "lookups.bias: there is no such field");
+  refused(sample({ u: half }), "lookups.v");
+  refused(() => texture.sample(null, { u: half, v: half }), "sampler: a sampler, not null");
+  refused(() => texture.sample(texture, { u: half, v: half }), "sampler: a sampler, not a value of type Texture");
+  refused(() => texture.lookup(sampler, { u: new Float32Array(1), v: new Float32Array(1) }, {}), "lookups.u: arrays of a");
+});
+
+test("lookup/explain", (shd, context) => {
+  const texture = grey(shd, context), sampler = new shd.Sampler(context, { filter: "ewa" });
+  const explanation = texture.explain(sampler, { u: [0.5], v: [0.5], dudx: [1], dvdy: [0.25] });
+  assert.equal(explanation.filter, "ewa");
+  assert(explanation.tapCount > 1 && Math.hypot(...explanation.longerAxis) === 4, JSON.stringify(explanation));
+  const { lod, level } = texture.queryLevels(sampler, { u: [0.5], v: [0.5], lod: [1.25] });
+  assert.deepEqual([lod[0], level[0]], [1.25, 1]);
+});

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+import assert from "node:assert/strict";
+import { grey, refused, test } from "./support.mjs";
+import { load } from "../lib/index.js";
+
+test("objects/close", (shd, context) => {
+  const sampler = new shd.Sampler(context);
+  const texture = grey(shd, context);
+  sampler.close(), sampler.close();
+  refused(() => texture.sample(sampler, { u: [0], v: [0] }), "sampler: the sampler is closed");
+  texture.close();
+  refused(() => texture.info, "texture: the texture is closed");
+  context.close();
+  refused(() => new shd.Sampler(context), "context: the context is closed");
+});
+
+test("objects/no_leak", (shd, context) => {
+  const make = () => {
+    const texture = grey(shd, context, 64), sampler = new shd.Sampler(context);
+    const material = new shd.Material(context, { slots: [{ target: "diffuse", texture, sampler }] });
+    for (const object of [texture, sampler, material]) object.close();
+    for (const desc of [{ filter: "best" }, { maxAnisotropy: 1e9 }]) assert.throws(() => new shd.Sampler(context, desc));
+  };
+  for (let i = 0; i < 10; ++i) make();
+  const size = shd.memory.buffer.byteLength;
+  for (let i = 0; i < 5000; ++i) make();
+  assert.equal(shd.memory.buffer.byteLength, size);
+});
+
+test("objects/descs", (shd, context) => {
+  assert.equal(shd.version, "0.1.0");
+  assert.equal(context.simdTarget, "WASM");
+  assert.equal(context.workerCount, 1);
+  const texture = grey(shd, context);
+  assert.deepEqual({ ...texture.info, byteSize: 0 }, {
+    format: "r8", width: 4, height: 4, layers: 1, levelCount: 3, tables: "mipmap", flags: "none", byteSize: 0, depth: 0,
+    projection: "none",
+  });
+  const camera = shd.call("shd_view_from_camera", { eye: [0, 0, 5] });
+  assert.deepEqual(camera.eye, [0, 0, 5]);
+  assert.deepEqual([...shd.call("shd_matrix_invert", new Float32Array([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1]))],
+                   [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]);
+  assert.deepEqual(shd.call("shd_shape_count", { shape: "plane" }), { vertexCount: 4, indexCount: 6 });
+});
+
+test("objects/misuse", async (shd, context) => {
+  const texture = (desc) => () => new shd.Texture(context, desc);
+  const texels = new Uint8Array(4);
+  refused(texture({ format: "r8", width: 4, height: 4, texels }), "desc.texels: 4 bytes, fewer than the 16");
+  refused(texture({ format: "r9", width: 1, height: 1, texels }), "desc.format: \"r9\" is none of none, r8");
+  refused(texture({ format: "r8", width: 1.5, height: 1, texels }), "desc.width: 1.5, not an integer of 0..4294967295");
+  refused(texture({ format: "r8", width: 0, height: 1, texels }), "texture.width: 0");
+  refused(texture({ format: "r8", width: 2, height: 2, texels, flags: "borrow" }), "desc.texels: borrowed texels");
+  refused(texture({ format: "r8", width: 2, height: 2, texels: [0, 0, 0, "0"] }), "desc.texels[3]: a number");
+  refused(texture("r8"), "desc: an object with fields of texture_desc, not \"r8\"");
+  refused(() => new shd.Sampler(context, { maxAnisotropy: "8" }), "desc.maxAnisotropy: a number, not \"8\"");
+  refused(() => new shd.Sampler(context, { maxAnisotropy: 100 }), "sampler.max_anisotropy: 100");
+  refused(() => new shd.Sampler(context, { border: [1, 2] }), "desc.border: 2 numbers, not 4");
+  refused(() => new shd.Sampler({}), "context: the first argument is a Context");
+  refused(() => new shd.Context({ simd: "avx2" }), "context.simd", "unsupported");
+  refused(() => shd.allocate(Float32Array, -1), "length: -1");
+  refused(() => shd.allocate(Array, 1), "type: a constructor");
+  refused(() => shd.allocate(Uint8Array, 3e9), "3000000000 bytes could not be", "out_of_memory");
+  const other = await load(process.env.SHD_WASM);
+  refused(() => new shd.Material(context, { slots: [{ target: "diffuse", texture: grey(other, new other.Context()) }] }),
+          "desc.slots[0].texture: it belongs to another instance");
+});
+
+test("objects/borrow", (shd, context) => {
+  const texels = shd.allocate(Uint8Array, 4);
+  texels.array.fill(255);
+  const texture = new shd.Texture(context, { format: "r8", width: 2, height: 2, texels, flags: "borrow" });
+  assert.equal(texture.sample(new shd.Sampler(context), { u: [0.5], v: [0.5] }).channel[0][0], 1);
+  refused(() => new shd.Context({ executor: { parallelFor() {} } }), "desc.executor: not available");
+  refused(() => new shd.Context({ allocator: {} }), "desc.allocator: not available");
+});
+
+test("objects/out_of_memory", (shd, context) => {
+  const make = () => new shd.Framebuffer(context, { width: 16384, height: 16384, samples: 16 });
+  refused(make, "", "out_of_memory");
+  assert.equal(grey(shd, context).info.width, 4);  // the library goes on
+});
+
+test("objects/mesh", (shd, context) => {
+  const position = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  const mesh = new shd.Mesh(context, { position, indices: [0, 1, 2], uv: [0, 0, 1, 0, 0, 1], attributes: [[1, 2, 3]] });
+  assert.equal(mesh.info.triangleCount, 1);
+  assert.deepEqual(mesh.read("positions"), position);
+  assert.deepEqual([...mesh.readIndices()], [0, 1, 2]);
+  assert.deepEqual([...mesh.readAttribute(0)], [1, 2, 3]);
+  assert.equal(mesh.tessellate(context, { segments: 2 }).info.triangleCount, 4);
+  refused(() => new shd.Mesh(context, { position, uv: [0, 0] }), "desc.uv: 1 elements, not vertexCount = 3");
+  refused(() => new shd.Mesh(context, { position: position.subarray(1) }), "desc.position: 8 elements, not a multiple of 3");
+  refused(() => new shd.Mesh(context, { position, attributes: [[1, 2]] }), "desc.attributes[0]: 2 elements, not 3");
+  refused(() => new shd.Mesh(context, { position, indices: [0, 1, 3] }), "mesh.indices");
+  refused(() => mesh.read("colour"), "part: colour");
+  const shape = shd.Mesh.shape(context, { shape: "plane" });
+  assert(shape instanceof shd.Mesh);
+  assert.deepEqual([...shape.read("uv")].sort(), [0, 0, 0, 0, 1, 1, 1, 1]);
+});
+
+test("objects/garbage", async (shd, context) => {
+  if (!globalThis.gc) return;
+  let found = 0;
+  const registry = new FinalizationRegistry(() => { found += 1; });
+  const make = () => new shd.Framebuffer(context, { width: 1024, height: 1024 });
+  for (let i = 0; i < 8; ++i) registry.register(make(), i);
+  for (let i = 0; i < 200 && found < 8; ++i) {
+    globalThis.gc();
+    await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+  if (found < 8) return console.log("  the collector of this run has not finished objects; nothing was tested");
+  await new Promise((resolve) => setTimeout(resolve, 50));  // the registry of the module may run after that of the test
+  const size = shd.memory.buffer.byteLength;
+  for (const framebuffer of Array.from({ length: 6 }, make)) framebuffer.close();
+  assert.equal(shd.memory.buffer.byteLength, size);  // memory of the collected ones was used again
+});
