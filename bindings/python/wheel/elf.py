@@ -18,7 +18,7 @@ class Elf:
             raise ValueError("not an ELF file of a 64-bit little-endian machine")
         try:
             self._read()
-        except (struct.error, IndexError) as problem:
+        except (struct.error, OverflowError) as problem:
             raise ValueError(f"malformed ELF file: {problem}") from None
 
     def _read(self):
